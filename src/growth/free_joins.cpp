@@ -36,7 +36,11 @@ std::optional<JoinedFront> FreeWays::joined(std::size_t tip, const Neighbour& ot
   const Growing& one = place_of(tip).of;
   const auto two = std::ranges::find(now_.growing, other.crack, &Growing::crack);
   const model::Crack& crack = now_.cracks[one.crack];
-  if (two == now_.growing.end() || !may_join(crack, now_.cracks[other.crack])) {
+  const auto fronts_of = [&](std::size_t number) {
+    return std::ranges::count(now_.growing, number, &Growing::crack);
+  };
+  if (fronts_of(one.crack) != 1 || fronts_of(other.crack) != 1 ||
+      !may_join(crack, now_.cracks[other.crack])) {
     return std::nullopt;
   }
   const double reach = advance.leap * (other.gap + notch * behind(tip));

@@ -19,18 +19,11 @@ namespace {
 
 using base::Vec3;
 
-/// Points with less than so many times that before them are left out of the front behind it, which
-/// goes straight on from those that stay: it meets the surface under an angle that can be meshed.
-constexpr double left_out = 2.0;
 /// Ends on the surface look along it from a little further in, as a part of the front.
 constexpr double further_in = 0.02;
-constexpr std::size_t fewest_points = 4;
 /// An advance as a part of the way from the crack's place.
 constexpr double longest_part = 0.2;
 constexpr double usual_exponent = 3.0; // of a table
-/// A front is laid through its points so many times; what a point may have missed of its advance.
-constexpr int rounds = 2;
-constexpr double largest_miss = 0.5;
 /// Cosine of what a front turns by from end to end at least if it is no straight one: 45 degrees.
 constexpr double hardly_turned = 0.7;
 
@@ -50,19 +43,18 @@ FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
     if (!crack_grows(model_, c)) {
       continue;
     }
-    std::optional<FrontArc> arc = arc_in_body(crack, around_);
-    if (!arc) {
-      continue;
-    }
-    const std::size_t count = arc->closed() ? closed_points : open_points;
-    Growing& of = now_.growing.emplace_back(Growing{c, {}, std::move(*arc)});
-    for (std::size_t i = 0; i < count; ++i) {
-      of.tips.push_back(tips_.size() + i);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      tips_.push_back(
-          {.name = fmt::format("{}.{}", crack.name, i + 1), .line = c, .at_first = false});
-      first_arm_.push_back((of.frame(i).x - crack.plane.place).norm());
+    std::size_t number = 0;
+    for (FrontArc& arc : arcs_in_body(crack, around_)) {
+      const std::size_t count = arc.closed() ? closed_points : open_points;
+      Growing& of = now_.growing.emplace_back(Growing{c, {}, std::move(arc)});
+      for (std::size_t i = 0; i < count; ++i) {
+        of.tips.push_back(tips_.size() + i);
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        tips_.push_back(
+            {.name = fmt::format("{}.{}", crack.name, ++number), .line = c, .at_first = false});
+        first_arm_.push_back((of.frame(i).x - crack.plane.place).norm());
+      }
     }
   }
   turning_.assign(tips_.size(), {});
@@ -127,19 +119,18 @@ CrackState FreeWays::state_of(const Fronts& fronts) const {
 
 // A crack is as the deck has it (nothing is kept), or one number tells how many tips its front has:
 // none, and it has become a part of another; and one how many fronts it has in its wake. Its
-// place, the tips, these fronts with the normals of the last, and the points follow.
+// place, the tips, each with the number of its front, the fronts of the wake with the normals of
+// the last, and the points follow.
 void FreeWays::go_on(const State& state) {
+  const std::vector<Growing> first = std::move(now_.growing);
   now_.growing.clear();
   for (std::size_t c = 0; c < state.lines.size(); ++c) {
     model::Crack& crack = now_.cracks[c];
     const std::vector<Vec3>& kept = state.lines[c];
-    std::vector<std::size_t> tips;
+    std::vector<std::vector<std::size_t>> tips; // [front]
     if (kept.empty()) {
-      for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-        if (tips_[tip].line == c) {
-          tips.push_back(tip);
-        }
-      }
+      std::ranges::copy_if(first, std::back_inserter(now_.growing),
+                           [&](const Growing& of) { return of.crack == c; });
     } else {
       const auto count = static_cast<std::size_t>(kept[0].y());
       crack.kind = model::CrackKind::drawn;
@@ -148,7 +139,8 @@ void FreeWays::go_on(const State& state) {
         crack.plane.closed = kept[0].x() != 0.0;
         crack.plane.place = kept.at(1);
         for (std::size_t i = 0; i < count; ++i) {
-          tips.push_back(static_cast<std::size_t>(kept.at(2 + i).x()));
+          tips.resize(static_cast<std::size_t>(kept.at(2 + i).y()) + 1);
+          tips.back().push_back(static_cast<std::size_t>(kept.at(2 + i).x()));
         }
         auto at = kept.begin() + 2 + static_cast<std::ptrdiff_t>(count);
         const auto take = [&](std::size_t many) {
@@ -169,9 +161,10 @@ void FreeWays::go_on(const State& state) {
         crack.points.assign(at, kept.end());
       }
     }
-    std::optional<FrontArc> arc = tips.empty() ? std::nullopt : arc_in_body(crack, around_);
-    if (arc) {
-      now_.growing.push_back({c, std::move(tips), std::move(*arc)});
+    std::vector<FrontArc> arcs =
+        tips.empty() ? std::vector<FrontArc>() : arcs_in_body(crack, around_);
+    for (std::size_t i = 0; i < std::min(arcs.size(), tips.size()); ++i) {
+      now_.growing.push_back({c, std::move(tips[i]), std::move(arcs[i])});
     }
   }
   find_turning(state);
@@ -194,11 +187,8 @@ double FreeWays::longest_advance(std::size_t tip) const {
 }
 
 bool FreeWays::goes_on_behind(std::size_t tip, const Ligament& /*before*/) const {
-  const Place at = place_of(tip);
-  const auto stay = std::ranges::count_if(at.of.tips, [&](std::size_t t) {
-    return !ligaments_[t] || ligaments_[t]->part() > left_out * gone_through;
-  });
-  return stay >= static_cast<std::ptrdiff_t>(fewest_points);
+  const std::size_t fronts = staying(place_of(tip).of, left_out * gone_through, {}).size();
+  return fronts == 1 || (fronts > 1 && !turns()); // heights of the wake are those behind one
 }
 
 std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
@@ -207,7 +197,7 @@ std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
   std::optional<Neighbour> nearest;
   for (const Growing& other : now_.growing) {
     const double gap = (other.arc.curve.at(other.arc.curve.nearest(x)).x - x).norm();
-    if (&other != &at.of && (!nearest || gap < nearest->gap)) {
+    if (other.crack != at.of.crack && (!nearest || gap < nearest->gap)) {
       nearest = Neighbour{.gap = gap, .crack = other.crack};
     }
   }
@@ -255,101 +245,22 @@ bool FreeWays::relax(const State& state, std::vector<double>& by) const {
   return true;
 }
 
-FreeWays::NextPoints FreeWays::next_points(const Growing& of, const Advance& advance) const {
-  const double gap = left_out * gone_through * advance.leap;
-  const bool through = advance.leap > 0.0 && advance.meets == 0;
-  const std::size_t count = of.tips.size();
-  NextPoints next{.points = {}, .closed = of.arc.closed()};
-  std::vector<bool> stays;
-  for (const std::size_t tip : of.tips) {
-    const std::optional<Ligament>& before = ligaments_[tip];
-    stays.push_back(!through || !before ||
-                    (before->part() > gap && before->left > advance.by[tip]));
-  }
-  // A closed front opens where points are left out; it then begins behind that.
-  std::size_t begin = 0;
-  if (next.closed && std::ranges::find(stays, false) != stays.end()) {
-    next.closed = false;
-    while (stays[begin]) {
-      ++begin;
-    }
-    while (!stays[begin % count] && begin < 2 * count) {
-      ++begin;
-    }
-  }
-  std::vector<mesh::FrontFrame> from;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = (begin + k) % count;
-    if (stays[i]) {
-      const mesh::FrontFrame& at = from.emplace_back(of.frame(i));
-      const double by = advance.by[of.tips[i]];
-      next.points.emplace_back(at.x + by * way_on(at, of.tips[i], by));
-    }
-  }
-  next.points = without_crossings(from, next.points, next.closed);
-  return next;
-}
-
-bool FreeWays::draw(const NextPoints& next, Growing& of) {
-  model::Crack& crack = trial_.cracks[of.crack];
-  std::optional<model::Crack> drawn;
-  if (next.points.size() >= fewest_points) {
-    drawn = crack_through(crack, next.points, next.closed, around_);
-  }
-  if (drawn && turns()) {
-    leave_wake(of.crack, next, *drawn);
-  }
-  std::optional<FrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
-  if (!arc) {
-    return false;
-  }
-  of.arc = std::move(*arc);
-  crack = std::move(*drawn);
-  return true;
-}
-
-// Rates found later count along the front, whose points slide on it to stay evenly spread: each has
-// gone its advance at right angles to the mean of the front's directions before and behind.
-void FreeWays::go_round(const Growing& from, const std::vector<double>& by, Growing& of) {
-  if (of.arc.closed() != from.arc.closed()) {
-    return;
-  }
-  for (int round = 0; round < rounds; ++round) {
-    NextPoints next{.points = {}, .closed = of.arc.closed()};
-    for (std::size_t i = 0; i < of.tips.size(); ++i) {
-      const mesh::FrontFrame before = from.frame(i);
-      const mesh::FrontFrame behind = of.frame(i);
-      const std::size_t tip = of.tips[i];
-      const Vec3 way = (way_on(before, tip, by[tip]) + behind.m).normalized();
-      const double missed = by[tip] - (behind.x - before.x).dot(way);
-      if (std::abs(missed) > largest_miss * by[tip]) {
-        return; // a notch, or a front that has come to lie otherwise
-      }
-      next.points.emplace_back(behind.x + missed * behind.m);
-    }
-    if (!draw(next, of)) {
-      return;
-    }
-  }
-}
-
 std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advance& advance,
                                              base::Diagnostics& diagnostics) {
   trial_ = now_;
   for (std::size_t tip = 0; turns() && tip < tips_.size(); ++tip) {
     part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, advance.by[tip]);
   }
+  trial_.growing.clear();
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
-    Growing& of = trial_.growing[g];
-    const NextPoints next = next_points(now_.growing[g], advance);
-    if (!draw(next, of)) {
-      diagnostics.error(now_.cracks[of.crack].span, "E425",
+    const bool last =
+        g + 1 == now_.growing.size() || now_.growing[g + 1].crack != now_.growing[g].crack;
+    const std::size_t crack = now_.growing[g].crack;
+    if (!draw_all(g, advance) || (last && !draw_together(crack))) {
+      diagnostics.error(now_.cracks[crack].span, "E425",
                         fmt::format("crack {}: its front would fall into several parts",
-                                    now_.cracks[of.crack].name));
+                                    now_.cracks[crack].name));
       return std::nullopt;
-    }
-    if (advance.leap == 0.0 && next.points.size() == of.tips.size()) {
-      go_round(now_.growing[g], advance.by, of);
     }
   }
   if (advance.meets > 0 && !join(advance)) {
@@ -400,24 +311,39 @@ void FreeWays::settle(State& state) {
       state.lines[c].emplace_back(Vec3::Zero());
     }
   }
-  for (const Growing& of : now_.growing) {
-    const model::Crack& crack = now_.cracks[of.crack];
-    if (crack.kind == model::CrackKind::drawn) {
-      std::vector<Vec3>& kept = state.lines[of.crack];
-      kept.emplace_back(crack.plane.closed ? 1.0 : 0.0, static_cast<double>(of.tips.size()),
-                        static_cast<double>(crack.wake.fronts.size()));
-      kept.push_back(crack.plane.place);
-      for (const std::size_t tip : of.tips) {
-        kept.emplace_back(static_cast<double>(tip), 0.0, 0.0);
-      }
-      for (const std::vector<Vec3>& front : crack.wake.fronts) {
-        kept.emplace_back(static_cast<double>(front.size()), 0.0, 0.0);
-        kept.insert(kept.end(), front.begin(), front.end());
-      }
-      kept.insert(kept.end(), crack.wake.normals.begin(), crack.wake.normals.end());
-      kept.insert(kept.end(), crack.points.begin(), crack.points.end());
+  for (std::size_t g = 0; g < now_.growing.size(); ++g) {
+    if (state.lines[now_.growing[g].crack].empty()) {
+      keep_crack(now_.growing[g].crack, state.lines[now_.growing[g].crack]);
     }
   }
+}
+
+// As go_on reads it.
+void FreeWays::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
+  const model::Crack& crack = now_.cracks[number];
+  if (crack.kind != model::CrackKind::drawn) {
+    return;
+  }
+  double front = 0.0;
+  std::vector<Vec3> tips;
+  for (const Growing& of : now_.growing) {
+    for (const std::size_t tip : of.tips) {
+      if (of.crack == number) {
+        tips.emplace_back(static_cast<double>(tip), front, 0.0);
+      }
+    }
+    front += of.crack == number ? 1.0 : 0.0;
+  }
+  kept.emplace_back(crack.plane.closed ? 1.0 : 0.0, static_cast<double>(tips.size()),
+                    static_cast<double>(crack.wake.fronts.size()));
+  kept.push_back(crack.plane.place);
+  kept.insert(kept.end(), tips.begin(), tips.end());
+  for (const std::vector<Vec3>& wake : crack.wake.fronts) {
+    kept.emplace_back(static_cast<double>(wake.size()), 0.0, 0.0);
+    kept.insert(kept.end(), wake.begin(), wake.end());
+  }
+  kept.insert(kept.end(), crack.wake.normals.begin(), crack.wake.normals.end());
+  kept.insert(kept.end(), crack.points.begin(), crack.points.end());
 }
 
 CrackState FreeWays::straight_on(const State& /*state*/, double /*advance*/) const {

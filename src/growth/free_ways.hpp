@@ -41,11 +41,17 @@ public:
   [[nodiscard]] CrackState straight_on(const State& state, double advance) const override;
 
 private:
+  /// Points with less than so many times that before them are left out of the front behind it,
+  /// which goes straight on from those that stay: it meets the surface under an angle that can be
+  /// meshed.
+  static constexpr double left_out = 2.0;
+
   /// A front that moves.
   struct Growing {
     std::size_t crack = 0;
     std::vector<std::size_t> tips; ///< in the order along it
     FrontArc arc;
+    std::vector<base::Vec3> line{}; ///< on trial: as it is drawn, out of the body at its ends
     [[nodiscard]] mesh::FrontFrame frame(std::size_t number) const {
       return arc.curve.at(arc.place(number, tips.size()));
     }
@@ -59,6 +65,12 @@ private:
     std::vector<base::Vec3> points;
     bool closed = false;
   };
+  /// A front that goes on, and the tips that it has.
+  struct NextFront {
+    NextPoints next;
+    std::vector<std::size_t> tips;
+  };
+  using PointRun = std::vector<std::size_t>; ///< numbers of points one after another
   /// Where a tip is.
   struct Place {
     const Growing& of;
@@ -82,10 +94,22 @@ private:
   [[nodiscard]] base::Vec3 way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const;
   /// By how much a tip turns on that way [rad].
   [[nodiscard]] double turn_on(std::size_t tip, double by) const;
-  [[nodiscard]] NextPoints next_points(const Growing& of, const Advance& advance) const;
+  /// The runs of points, four at least, before which more than the part `gap` of their way to a
+  /// surface is left, and more than they advance `by` [tip] (empty: not asked).
+  [[nodiscard]] std::vector<PointRun> staying(const Growing& of, double gap,
+                                              const std::vector<double>& by) const;
+  /// What a front goes on as: one, or where it goes through a surface between its ends, one on each
+  /// side of that. Empty: nothing.
+  [[nodiscard]] std::vector<NextFront> next_fronts(const Growing& of, const Advance& advance) const;
+  /// All fronts on trial by an advance; false: a crack would have none that can be drawn.
+  bool draw_all(std::size_t growing, const Advance& advance);
+  /// Draws the fronts of a crack on trial that has several as one line, out of the body between
+  /// them; false: that is not outside.
+  bool draw_together(std::size_t crack);
   /// A front on trial; false: it would be none, or several.
   bool draw(const NextPoints& next, Growing& of);
   void leave_wake(std::size_t crack, const NextPoints& next, model::Crack& drawn) const;
+  void keep_crack(std::size_t number, std::vector<base::Vec3>& kept) const;
   [[nodiscard]] static FrontKind kind_of(const FrontArc& arc);
   void place_turns(const Growing& of, std::vector<TipStation>& found) const;
   /// Of all that a front has made on its way to the last station.

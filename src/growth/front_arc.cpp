@@ -55,29 +55,25 @@ struct Run {
   int begin = 0, last = 0;
 };
 
-// The one run there is; of a closed front it may go on over its end. Empty: there is none, or more.
-std::optional<Run> only_run(const std::vector<bool>& in, bool closed) {
+// All runs there are; of a closed front one may go on over its end.
+std::vector<Run> runs_of(const std::vector<bool>& in, bool closed) {
   const int n = static_cast<int>(in.size());
   const auto is_in = [&](int i) { return in[static_cast<std::size_t>((i + n) % n)]; };
-  int runs = 0;
-  Run run;
+  std::vector<Run> runs;
   for (int i = 0; i < n; ++i) {
-    if (is_in(i) && (i == 0 ? !closed || !is_in(-1) : !is_in(i - 1))) {
-      ++runs;
-      run.begin = i;
+    if (!is_in(i) || (i == 0 ? closed && is_in(-1) : is_in(i - 1))) {
+      continue;
     }
+    Run run{i, i};
+    if (closed && i == 0) { // lengths along it count up from 0
+      run = {n, n};
+    }
+    while (run.last + 1 < (closed ? 2 * n : n) && is_in(run.last + 1)) {
+      ++run.last;
+    }
+    runs.push_back(run);
   }
-  if (runs != 1) {
-    return std::nullopt;
-  }
-  if (closed && run.begin == 0) { // lengths along it count up from 0
-    run.begin = n;
-  }
-  run.last = run.begin;
-  while (run.last + 1 < (closed ? 2 * n : n) && is_in(run.last + 1)) {
-    ++run.last;
-  }
-  return run;
+  return runs;
 }
 
 } // namespace
@@ -87,7 +83,7 @@ double FrontArc::place(std::size_t number, std::size_t count) const {
   return curve.length() * static_cast<double>(number) / static_cast<double>(parts);
 }
 
-std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around) {
+std::vector<FrontArc> arcs_in_body(const model::Crack& crack, const SolidSurroundings& around) {
   const mesh::FrontCurve whole = whole_front(crack);
   const bool closed = whole.closed();
   const int n = closed ? looks_along : looks_along + 1;
@@ -98,12 +94,10 @@ std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurrou
   for (int i = 0; i < n; ++i) {
     in.push_back(in_body(s_of(i)));
   }
+  std::vector<FrontArc> arcs;
   if (std::ranges::all_of(in, [](bool inside) { return inside; })) {
-    return FrontArc{whole};
-  }
-  const std::optional<Run> run = only_run(in, closed);
-  if (!run) {
-    return std::nullopt;
+    arcs.push_back({whole});
+    return arcs;
   }
   // Where it comes out, between a place inside and the next one outside.
   const auto border = [&](double inside, double outside) {
@@ -113,16 +107,24 @@ std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurrou
     }
     return inside;
   };
-  const bool from_end = !closed && run->begin == 0;
-  const bool to_end = !closed && run->last == n - 1;
-  const double s0 = from_end ? 0.0 : border(s_of(run->begin), s_of(run->begin - 1));
-  const double s1 = to_end ? whole.length() : border(s_of(run->last), s_of(run->last + 1));
-  std::vector<Vec3> points;
-  for (int i = 0; i <= points_of_front; ++i) {
-    points.push_back(whole.at(s0 + (s1 - s0) * i / points_of_front).x);
+  for (const Run& run : runs_of(in, closed)) {
+    const bool from_end = !closed && run.begin == 0;
+    const bool to_end = !closed && run.last == n - 1;
+    const double s0 = from_end ? 0.0 : border(s_of(run.begin), s_of(run.begin - 1));
+    const double s1 = to_end ? whole.length() : border(s_of(run.last), s_of(run.last + 1));
+    std::vector<Vec3> points;
+    for (int i = 0; i <= points_of_front; ++i) {
+      points.push_back(whole.at(s0 + (s1 - s0) * i / points_of_front).x);
+    }
+    std::vector<Vec3> normals = normals_of(crack, points);
+    arcs.push_back({mesh::FrontCurve(std::move(points), std::move(normals), false)});
   }
-  std::vector<Vec3> normals = normals_of(crack, points);
-  return FrontArc{mesh::FrontCurve(std::move(points), std::move(normals), false)};
+  return arcs;
+}
+
+std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around) {
+  std::vector<FrontArc> arcs = arcs_in_body(crack, around);
+  return arcs.size() == 1 ? std::optional(std::move(arcs.front())) : std::nullopt;
 }
 
 std::optional<model::Crack> crack_through(const model::Crack& before,

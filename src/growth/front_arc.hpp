@@ -20,7 +20,10 @@ struct FrontArc {
   [[nodiscard]] double place(std::size_t number, std::size_t count) const;
 };
 
-/// Empty: no part, or more than one, of the front is in the body.
+/// The parts of a front that are in the body, in the order along it.
+std::vector<FrontArc> arcs_in_body(const model::Crack& crack, const SolidSurroundings& around);
+
+/// The only part; empty: there is none, or more than one.
 std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around);
 
 /// A crack whose front goes through these points, in the order of an arc's, and straight on out of

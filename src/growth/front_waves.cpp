@@ -15,7 +15,7 @@ namespace spricka::growth {
 namespace {
 
 // Of 17 points of an open front, and of 32 of a closed one; of more, where two fronts have become
-// one, as many more.
+// one, as many more; of fewer, where one has become two, as many less.
 struct Fit {
   int round = 0; ///< degree of the polynomial, of a front that turns
   int straight = 0;
@@ -65,7 +65,10 @@ std::vector<double> fitted(const base::Vector& values, FrontKind kind, const Fit
   const Eigen::Index n = values.size();
   const Eigen::Index count =
       closed ? 2 * std::max<Eigen::Index>(1, n * fit.harmonics / points_closed) + 1
-             : (n > points_closed ? n * degree / points_open : degree) + 1;
+             : (n > points_closed || n < points_open
+                    ? std::max<Eigen::Index>(2, n * degree / points_open)
+                    : degree) +
+                   1;
   if (n <= count) {
     return {values.begin(), values.end()};
   }

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/free_ways.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+/// The fronts that free ones go on as.
+namespace spricka::growth {
+
+namespace {
+
+using base::Vec3;
+
+constexpr std::size_t fewest_points = 4;
+/// A front is laid through its points so many times; what a point may have missed of its advance.
+constexpr int rounds = 2;
+constexpr double largest_miss = 0.5;
+/// Points of the way outside of the body from front to front, and how far apart the middles of
+/// fronts drawn alone and together may lie: parts of the front.
+constexpr double step_outside = 0.02;
+constexpr double same_front = 0.05;
+
+// Tips [front] in order, as many as the runs have points, four at least; all of them have a front.
+std::vector<std::vector<std::size_t>>
+shared_out(const std::vector<std::size_t>& tips,
+           const std::vector<std::vector<std::size_t>>& runs) {
+  std::size_t points = 0;
+  for (const auto& run : runs) {
+    points += run.size();
+  }
+  std::vector<std::vector<std::size_t>> shared;
+  std::size_t next = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::size_t after = fewest_points * (runs.size() - r - 1);
+    const std::size_t wish = (tips.size() * runs[r].size() + points / 2) / points;
+    const std::size_t count = r + 1 == runs.size()
+                                  ? tips.size() - next
+                                  : std::clamp(wish, fewest_points, tips.size() - next - after);
+    const auto from = tips.begin() + static_cast<std::ptrdiff_t>(next);
+    shared.emplace_back(from, from + static_cast<std::ptrdiff_t>(count));
+    next += count;
+  }
+  return shared;
+}
+
+} // namespace
+
+std::vector<FreeWays::PointRun> FreeWays::staying(const Growing& of, double gap,
+                                                  const std::vector<double>& by) const {
+  const std::size_t count = of.tips.size();
+  std::vector<bool> stays;
+  for (const std::size_t tip : of.tips) {
+    const std::optional<Ligament>& before = ligaments_[tip];
+    stays.push_back(!before || (before->part() > gap && (by.empty() || before->left > by[tip])));
+  }
+  // A closed front opens where points are left out; it then begins behind that.
+  std::size_t begin = 0;
+  const auto out = std::ranges::find(stays, false);
+  if (of.arc.closed() && out != stays.end()) {
+    begin = static_cast<std::size_t>(out - stays.begin());
+  }
+  std::vector<PointRun> runs(1);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (begin + k) % count;
+    if (stays[i]) {
+      runs.back().push_back(i);
+    } else if (!runs.back().empty()) {
+      runs.emplace_back();
+    }
+  }
+  std::erase_if(runs, [](const PointRun& run) { return run.size() < fewest_points; });
+  return runs;
+}
+
+std::vector<FreeWays::NextFront> FreeWays::next_fronts(const Growing& of,
+                                                       const Advance& advance) const {
+  const bool through = advance.leap > 0.0 && advance.meets == 0;
+  const double gap = through ? left_out * gone_through * advance.leap : -1.0;
+  std::vector<PointRun> runs = staying(of, gap, through ? advance.by : std::vector<double>());
+  if (turns() && runs.size() > 1) {
+    return {};
+  }
+  std::vector<std::size_t> tips = of.tips;
+  if (runs.size() > 1 && of.arc.closed()) { // from the first of them on
+    std::ranges::rotate(tips, tips.begin() + static_cast<std::ptrdiff_t>(runs[0].front()));
+  }
+  std::vector<NextFront> fronts;
+  const std::vector<std::vector<std::size_t>> shared = shared_out(tips, runs);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    NextFront& front = fronts.emplace_back();
+    front.tips = shared[r];
+    front.next.closed = of.arc.closed() && runs[r].size() == of.tips.size();
+    std::vector<mesh::FrontFrame> from;
+    for (const std::size_t i : runs[r]) {
+      const mesh::FrontFrame& at = from.emplace_back(of.frame(i));
+      const double by = advance.by[of.tips[i]];
+      front.next.points.emplace_back(at.x + by * way_on(at, of.tips[i], by));
+    }
+    front.next.points = without_crossings(from, front.next.points, front.next.closed);
+  }
+  return fronts;
+}
+
+bool FreeWays::draw(const NextPoints& next, Growing& of) {
+  model::Crack& crack = trial_.cracks[of.crack];
+  std::optional<model::Crack> drawn;
+  if (next.points.size() >= fewest_points) {
+    drawn = crack_through(crack, next.points, next.closed, around_);
+  }
+  if (drawn && turns()) {
+    leave_wake(of.crack, next, *drawn);
+  }
+  std::optional<FrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
+  if (!arc) {
+    return false;
+  }
+  of.arc = std::move(*arc);
+  of.line = drawn->points;
+  crack = std::move(*drawn);
+  return true;
+}
+
+bool FreeWays::draw_all(std::size_t growing, const Advance& advance) {
+  const Growing& before = now_.growing[growing];
+  const std::vector<NextFront> fronts = next_fronts(before, advance);
+  for (const NextFront& front : fronts) {
+    Growing of{before.crack, front.tips, before.arc};
+    if (!draw(front.next, of)) {
+      return false;
+    }
+    if (advance.leap == 0.0 && front.next.points.size() == of.tips.size()) {
+      go_round(before, advance.by, of);
+    }
+    trial_.growing.push_back(std::move(of));
+  }
+  return !fronts.empty();
+}
+
+bool FreeWays::draw_together(std::size_t crack) {
+  std::vector<Growing*> parts;
+  for (Growing& of : trial_.growing) {
+    if (of.crack == crack) {
+      parts.push_back(&of);
+    }
+  }
+  if (parts.size() == 1) {
+    return true;
+  }
+  model::Crack& drawn = trial_.cracks[crack];
+  std::vector<Vec3> points = parts.front()->line;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Vec3 from = points.back();
+    const Vec3 way = parts[i]->line.front() - from;
+    const auto steps =
+        static_cast<int>(std::ceil(way.norm() / (step_outside * parts[i]->arc.curve.length())));
+    for (int k = 1; k < steps; ++k) {
+      points.emplace_back(from + way * k / steps);
+      if (around_.inside(points.back(), drawn.net)) {
+        return false;
+      }
+    }
+    points.insert(points.end(), parts[i]->line.begin(), parts[i]->line.end());
+  }
+  drawn.points = std::move(points);
+  // As a run that goes on finds them.
+  std::vector<FrontArc> arcs = arcs_in_body(drawn, around_);
+  if (arcs.size() != parts.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto middle = [](const FrontArc& arc) {
+      return arc.curve.at(0.5 * arc.curve.length()).x;
+    };
+    const double apart = (middle(arcs[i]) - middle(parts[i]->arc)).norm();
+    if (apart > same_front * arcs[i].curve.length()) {
+      return false;
+    }
+    parts[i]->arc = std::move(arcs[i]);
+  }
+  return true;
+}
+
+// Rates found later count along the front, whose points slide on it to stay evenly spread: each has
+// gone its advance at right angles to the mean of the front's directions before and behind.
+void FreeWays::go_round(const Growing& from, const std::vector<double>& by, Growing& of) {
+  if (of.arc.closed() != from.arc.closed()) {
+    return;
+  }
+  for (int round = 0; round < rounds; ++round) {
+    NextPoints next{.points = {}, .closed = of.arc.closed()};
+    for (std::size_t i = 0; i < of.tips.size(); ++i) {
+      const mesh::FrontFrame before = from.frame(i);
+      const mesh::FrontFrame behind = of.frame(i);
+      const std::size_t tip = of.tips[i];
+      const Vec3 way = (way_on(before, tip, by[tip]) + behind.m).normalized();
+      const double missed = by[tip] - (behind.x - before.x).dot(way);
+      if (std::abs(missed) > largest_miss * by[tip]) {
+        return; // a notch, or a front that has come to lie otherwise
+      }
+      next.points.emplace_back(behind.x + missed * behind.m);
+    }
+    if (!draw(next, of)) {
+      return;
+    }
+  }
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fronts that reach a surface between their ends go on as two.
+#include "growing_block.hpp"
+#include "growth/free_ways.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using namespace spricka;
+using namespace spricka::test;
+
+// A plate of thickness 2 along y, 40 wide and high.
+Block plate(double low) {
+  return Block({-20, low, -20}, {20, low + 2, 20}, 4);
+}
+
+struct Grown {
+  std::vector<std::vector<Vec3>> aims; ///< [station][tip]
+  std::string end;
+};
+
+// To its end, each station begun anew from what the one before has kept.
+Grown grow(Block& block, double bend) {
+  Grown grown;
+  growth::State state;
+  base::Diagnostics none;
+  for (int k = 0; k < 200 && grown.end.empty(); ++k) {
+    growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), state);
+    growth::March again(block.model, paris, std::make_unique<growth::FreeWays>(block.model),
+                        growth::state_of(growth::to_arrays(state)).value_or(growth::State()));
+    while (!march.end()) {
+      const auto cracks = march.next(none);
+      const auto same = again.next(none);
+      EXPECT_EQ(cracks.has_value(), same.has_value());
+      if (!cracks) {
+        if (march.end()) {
+          break;
+        }
+        march.shorten("no front");
+        again.shorten("no front");
+        continue;
+      }
+      EXPECT_EQ(same->aims, cracks->aims) << "station " << k;
+      std::vector<TipStation> found(march.tips().size());
+      for (std::size_t tip = 0; tip < found.size(); ++tip) {
+        found[tip].K_max = 1.0 + bend * cracks->aims[tip].y();
+        found[tip].rate = paris(found[tip].K_max, 0.0);
+      }
+      again.take(found);
+      if (march.take(std::move(found))) {
+        grown.aims.push_back(cracks->aims);
+        break;
+      }
+    }
+    state = march.state();
+    grown.end = march.end() ? march.end()->word : "";
+  }
+  return grown;
+}
+
+// Tips on the left, and on the right, of x = 0.
+std::array<std::vector<Vec3>, 2> sides(const std::vector<Vec3>& aims) {
+  std::array<std::vector<Vec3>, 2> out;
+  for (const Vec3& x : aims) {
+    out.at(x.x() > 0.0 ? 1 : 0).push_back(x);
+  }
+  return out;
+}
+
+// Two fronts, each from face to face, one the image of the other.
+void expect_two_fronts(const std::vector<Vec3>& aims, double low) {
+  std::array<double, 2> far{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::vector<Vec3> own = sides(aims).at(side);
+    ASSERT_GE(own.size(), 8U);
+    const auto [bottom, top] =
+        std::ranges::minmax_element(own, {}, [](const Vec3& x) { return x.y(); });
+    EXPECT_NEAR(bottom->y(), low, 1e-3);
+    EXPECT_NEAR(top->y(), low + 2.0, 1e-3);
+    for (const Vec3& x : own) {
+      far.at(side) = std::max(far.at(side), std::abs(x.x()));
+    }
+  }
+  EXPECT_NEAR(far[0], far[1], 0.02 * far[0]);
+}
+
+// No place of the crack closes again on the way.
+void expect_no_healing(const Grown& grown) {
+  double reach = 0.0;
+  for (const std::vector<Vec3>& aims : grown.aims) {
+    double least = 1e300;
+    for (const Vec3& x : aims) {
+      least = std::min(least, x.norm());
+    }
+    EXPECT_GE(least, 0.98 * reach);
+    reach = least;
+  }
+}
+
+TEST(SplitFronts, SurfaceCrackBecomesAThroughCrackWithTwoFronts) {
+  Block block = plate(0.0);
+  block.ellipse(Vec3::Zero(), 1.0, 1.2);
+  const Grown grown = grow(block, 0.0);
+  EXPECT_EQ(grown.end, "EDGE");
+  ASSERT_GE(grown.aims.size(), 6U);
+  expect_two_fronts(grown.aims.back(), 0.0);
+  expect_no_healing(grown);
+  EXPECT_GT(std::abs(grown.aims.back().front().x()), 0.95 * 20.0);
+}
+
+// K that rises, or falls, towards the far face.
+TEST(SplitFronts, LeanAsKHasIt) {
+  for (const double bend : {0.05, -0.05}) {
+    Block block = plate(0.0);
+    block.ellipse(Vec3::Zero(), 1.0, 1.2);
+    block.model.growth->last_length = 4.0;
+    block.model.growth->tolerance = 0.02;
+    const Grown grown = grow(block, bend);
+    EXPECT_EQ(grown.end, "AMAX");
+    expect_two_fronts(grown.aims.back(), 0.0);
+    expect_no_healing(grown);
+  }
+}
+
+TEST(SplitFronts, CrackInThePlateGoesThroughBothFaces) {
+  Block block = plate(-1.0);
+  block.ellipse(Vec3::Zero(), 0.5, 0.6);
+  const Grown grown = grow(block, 0.0);
+  EXPECT_EQ(grown.end, "EDGE");
+  expect_two_fronts(grown.aims.back(), -1.0);
+}
+
+// Two fronts that the deck draws as one line, through the body and out of it between them.
+TEST(SplitFronts, ThroughCrackOfTheDeckHasTwoFronts) {
+  Block block = plate(0.0);
+  block.ellipse(Vec3::Zero(), 5.0, 4.0);
+  const Grown grown = grow(block, 0.0);
+  EXPECT_EQ(grown.end, "EDGE");
+  ASSERT_FALSE(grown.aims.empty());
+  EXPECT_EQ(grown.aims.front().size(), 34U);
+  expect_two_fronts(grown.aims.back(), 0.0);
+}
+
+} // namespace
