@@ -84,8 +84,7 @@ std::vector<FreeWays::NextFront> FreeWays::next_fronts(const Growing& of,
   }
   std::vector<std::size_t> tips = of.tips;
   if (runs.size() > 1 && of.arc.closed()) { // from the first of them on
-    std::rotate(tips.begin(), tips.begin() + static_cast<std::ptrdiff_t>(runs[0].front()),
-                tips.end());
+    std::ranges::rotate(tips, tips.begin() + static_cast<std::ptrdiff_t>(runs[0].front()));
   }
   std::vector<NextFront> fronts;
   const std::vector<std::vector<std::size_t>> shared = shared_out(tips, runs);

@@ -29,8 +29,6 @@ constexpr double small_part = 0.1;
 /// Turn by which the heading at the end of an advance is missed [rad].
 constexpr double aimed_miss = 0.01;
 constexpr double largest_miss = 0.05;
-/// Step of a front up to which its headings may miss by whatever they do.
-constexpr double shortest_turn_of_front = 0.08;
 /// The place where K reaches the toughness, by two polynomials, agrees to this part of the arms.
 constexpr double same_end = 5e-3;
 /// Growth of an arm follows from that of the law, at most about so much faster.
@@ -163,10 +161,9 @@ bool March::good_enough() {
   const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
   judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
   judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
-  // Behind the first kink of a front headings miss by the root of the advance, however short, and
-  // what is short leaves strips between bends in which no tube has room.
+  // Behind the first kink of a front headings miss by the root of the advance, however short.
   const double scatter = ways_->turn_scatter();
-  if (ways_->turns() && (scatter == 0.0 || (n > 2 && step > shortest_turn_of_front))) {
+  if (ways_->turns() && (scatter == 0.0 || n > 2)) {
     judge(turn_missed(), aimed_miss + scatter, largest_miss + scatter, n > 2 ? 2.0 : 1.0);
   }
   const Station& last = state_.stations[n - 2];
