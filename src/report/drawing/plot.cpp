@@ -124,22 +124,40 @@ std::vector<Tick> ticks_of(const Range& range, int wanted) {
   return ticks;
 }
 
-/// Wide enough for the numbers of the upright axis and its title beside them.
-double box_left(const Range& y) {
+/// Of the longest number.
+double width_of(const std::vector<Tick>& ticks) {
   std::ptrdiff_t letters = 0;
-  for (const Tick& tick : ticks_of(y, 6)) {
+  for (const Tick& tick : ticks) {
     letters = std::max(letters, std::ranges::count_if(tick.text, [](char c) {
                          return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // UTF-8
                        }));
   }
-  return std::max(least_left, title_room + letter_width * static_cast<double>(letters));
+  return letter_width * static_cast<double>(letters);
+}
+
+/// Wide enough for the numbers of the upright axis and its title beside them.
+double box_left(const Range& y) {
+  return std::max(least_left, title_room + width_of(ticks_of(y, 6)));
+}
+
+/// As many as stand side by side with a letter between them.
+std::vector<Tick> ticks_side_by_side(const Range& range) {
+  std::vector<Tick> ticks;
+  for (int wanted = 7; wanted > 1; --wanted) {
+    ticks = ticks_of(range, wanted);
+    const double room = box_width / static_cast<double>(std::max<std::size_t>(ticks.size(), 1));
+    if (range.log || width_of(ticks) + letter_width <= room) {
+      break;
+    }
+  }
+  return ticks;
 }
 
 void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
   const Style grid{"#ddd", 0.7, "none", ""};
   const Style axis{"#000", 0.9, "none", ""};
   const double bottom = box_top + box_height;
-  for (const Tick& tick : ticks_of(x, 7)) {
+  for (const Tick& tick : ticks_side_by_side(x)) {
     const double at = place({tick.value, 1.0}, x, y).x;
     svg.line({at, box_top}, {at, bottom}, grid);
     svg.line({at, bottom}, {at, bottom - 5.0}, axis);
