@@ -123,9 +123,10 @@ private:
     if (name != "X" && name != "Y" && name != "Z") {
       return word;
     }
-    // What does not change along the axis, or round it, can be taken at 0.
+    // What does not change along the axis, or round it, is taken in the section, or at angle 0.
     const int axis = name[0] - 'X';
-    return axis == plane_.direction(0) ? "x" : axis == plane_.direction(1) ? "y" : "0";
+    const std::string at = plane_.round ? "0" : fmt::format("({:.15g})", plane_.first);
+    return axis == plane_.direction(0) ? "x" : axis == plane_.direction(1) ? "y" : at;
   }
 
   const sense::SectionPlane& plane_;

@@ -111,7 +111,7 @@ TEST(Section, OfABlockInPlaneStrainIsTheSolid) {
                              "$FREEDOM CLASS=PRESCRIBED DOF=#0\n"
                              "  SIDE\n"
                              "$LOAD CASE=F TYPE=PRESSURE\n"
-                             "  UP.#1MAX  (100*(1 + @0/4))\n"
+                             "  UP.#1MAX  (100*(1 + @0/4)*(@a > 4))\n"
                              "$LOAD CASE=F TYPE=DISP\n"
                              "  SIDE  " +
                              vector(axis, "(0.002*@1)", "0") +
