@@ -23,9 +23,8 @@ constexpr double step_outside = 0.02;
 constexpr double same_front = 0.05;
 
 // Tips [front] in order, as many as the runs have points, four at least; all of them have a front.
-std::vector<std::vector<std::size_t>>
-shared_out(const std::vector<std::size_t>& tips,
-           const std::vector<std::vector<std::size_t>>& runs) {
+std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>& tips,
+                                                 const std::vector<std::vector<double>>& runs) {
   std::size_t points = 0;
   for (const auto& run : runs) {
     points += run.size();
@@ -45,58 +44,110 @@ shared_out(const std::vector<std::size_t>& tips,
   return shared;
 }
 
-} // namespace
-
-std::vector<FreeWays::PointRun> FreeWays::staying(const Growing& of, double gap,
-                                                  const std::vector<double>& by) const {
-  const std::size_t count = of.tips.size();
-  std::vector<bool> stays;
-  for (const std::size_t tip : of.tips) {
-    const std::optional<Ligament>& before = ligaments_[tip];
-    stays.push_back(!before || (before->part() > gap && (by.empty() || before->left > by[tip])));
-  }
-  // A closed front opens where points are left out; it then begins behind that.
-  std::size_t begin = 0;
+// Runs of places that stay, in the order along a front; a closed one opens where places are left
+// out, it then begins behind that.
+std::vector<std::vector<std::size_t>> runs_of(const std::vector<bool>& stays, bool closed) {
   const auto out = std::ranges::find(stays, false);
-  if (of.arc.closed() && out != stays.end()) {
-    begin = static_cast<std::size_t>(out - stays.begin());
-  }
-  std::vector<PointRun> runs(1);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = (begin + k) % count;
+  const auto begin =
+      closed && out != stays.end() ? static_cast<std::size_t>(out - stays.begin()) : 0;
+  std::vector<std::vector<std::size_t>> runs(1);
+  for (std::size_t k = 0; k < stays.size(); ++k) {
+    const std::size_t i = (begin + k) % stays.size();
     if (stays[i]) {
       runs.back().push_back(i);
     } else if (!runs.back().empty()) {
       runs.emplace_back();
     }
   }
-  std::erase_if(runs, [](const PointRun& run) { return run.size() < fewest_points; });
+  if (runs.back().empty()) {
+    runs.pop_back();
+  }
   return runs;
 }
 
-std::vector<FreeWays::NextFront> FreeWays::next_fronts(const Growing& of,
+} // namespace
+
+double FreeWays::advance_at(const Growing& of, double number, const std::vector<double>& by) {
+  const auto first = static_cast<std::size_t>(number);
+  const double part = number - static_cast<double>(first);
+  const std::size_t count = of.tips.size();
+  return (1.0 - part) * by[of.tips[first % count]] + part * by[of.tips[(first + 1) % count]];
+}
+
+std::vector<FreeWays::PointRun> FreeWays::staying(std::size_t growing, double gap,
+                                                  const std::vector<double>& by) const {
+  const Growing& of = now_.growing[growing];
+  std::vector<bool> points;
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    const std::optional<Ligament>& before = ligaments_[of.tips[i]];
+    points.push_back(!before ||
+                     (before->part() > gap && (by.empty() || before->left > by[of.tips[i]])));
+  }
+  std::vector<PointRun> found;
+  std::size_t fewest = of.tips.size();
+  for (const std::vector<std::size_t>& run : runs_of(points, of.arc.closed())) {
+    fewest = std::min(fewest, run.size());
+    found.emplace_back(run.begin(), run.end());
+  }
+  if ((!found.empty() && fewest >= fewest_points) || between_[growing].empty()) {
+    std::erase_if(found, [](const PointRun& run) { return run.size() < fewest_points; });
+    return found;
+  }
+  return staying_between(growing, gap, by);
+}
+
+std::vector<FreeWays::PointRun> FreeWays::staying_between(std::size_t growing, double gap,
+                                                          const std::vector<double>& by) const {
+  const Growing& of = now_.growing[growing];
+  const auto number_of = [](std::size_t place) {
+    return static_cast<double>(place) / static_cast<double>(looks_between);
+  };
+  std::vector<bool> places;
+  for (std::size_t k = 0; k < between_[growing].size(); ++k) {
+    const std::optional<Ligament>& before = between_[growing][k];
+    places.push_back(!before || (before->part_of_depth() > gap &&
+                                 (by.empty() || before->left > advance_at(of, number_of(k), by))));
+  }
+  std::vector<PointRun> found;
+  for (const std::vector<std::size_t>& run : runs_of(places, of.arc.closed())) {
+    if (run.size() <= looks_between) {
+      continue;
+    }
+    const std::size_t count = std::max(fewest_points, run.size() / looks_between + 1);
+    PointRun& spread = found.emplace_back();
+    for (std::size_t i = 0; i < count; ++i) {
+      spread.push_back(number_of(run[i * (run.size() - 1) / (count - 1)]));
+    }
+  }
+  return found;
+}
+
+std::vector<FreeWays::NextFront> FreeWays::next_fronts(std::size_t growing,
                                                        const Advance& advance) const {
+  const Growing& of = now_.growing[growing];
   const bool through = advance.leap > 0.0 && advance.meets == 0;
   const double gap = through ? left_out * gone_through * advance.leap : -1.0;
-  std::vector<PointRun> runs = staying(of, gap, through ? advance.by : std::vector<double>());
+  std::vector<PointRun> runs = staying(growing, gap, through ? advance.by : std::vector<double>());
   if (turns() && runs.size() > 1) {
     return {};
   }
   std::vector<std::size_t> tips = of.tips;
   if (runs.size() > 1 && of.arc.closed()) { // from the first of them on
-    std::ranges::rotate(tips, tips.begin() + static_cast<std::ptrdiff_t>(runs[0].front()));
+    const auto first = static_cast<std::ptrdiff_t>(runs[0].front());
+    std::rotate(tips.begin(), tips.begin() + first, tips.end());
   }
   std::vector<NextFront> fronts;
   const std::vector<std::vector<std::size_t>> shared = shared_out(tips, runs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     NextFront& front = fronts.emplace_back();
     front.tips = shared[r];
-    front.next.closed = of.arc.closed() && runs[r].size() == of.tips.size();
+    front.next.closed = of.arc.closed() && runs.size() == 1 && runs[r].size() == of.tips.size();
     std::vector<mesh::FrontFrame> from;
-    for (const std::size_t i : runs[r]) {
-      const mesh::FrontFrame& at = from.emplace_back(of.frame(i));
-      const double by = advance.by[of.tips[i]];
-      front.next.points.emplace_back(at.x + by * way_on(at, of.tips[i], by));
+    for (const double number : runs[r]) {
+      const mesh::FrontFrame& at = from.emplace_back(of.between(number));
+      const double by = advance_at(of, number, advance.by);
+      const auto tip = static_cast<std::size_t>(std::lround(number)) % of.tips.size();
+      front.next.points.emplace_back(at.x + by * way_on(at, of.tips[tip], by));
     }
     front.next.points = without_crossings(from, front.next.points, front.next.closed);
   }
@@ -124,7 +175,7 @@ bool FreeWays::draw(const NextPoints& next, Growing& of) {
 
 bool FreeWays::draw_all(std::size_t growing, const Advance& advance) {
   const Growing& before = now_.growing[growing];
-  const std::vector<NextFront> fronts = next_fronts(before, advance);
+  const std::vector<NextFront> fronts = next_fronts(growing, advance);
   for (const NextFront& front : fronts) {
     Growing of{before.crack, front.tips, before.arc};
     if (!draw(front.next, of)) {

@@ -45,6 +45,7 @@ private:
   /// which goes straight on from those that stay: it meets the surface under an angle that can be
   /// meshed.
   static constexpr double left_out = 2.0;
+  static constexpr std::size_t looks_between = 8; ///< for each point
 
   /// A front that moves.
   struct Growing {
@@ -53,6 +54,9 @@ private:
     FrontArc arc;
     std::vector<base::Vec3> line{}; ///< on trial: as it is drawn, out of the body at its ends
     [[nodiscard]] mesh::FrontFrame frame(std::size_t number) const {
+      return between(static_cast<double>(number));
+    }
+    [[nodiscard]] mesh::FrontFrame between(double number) const {
       return arc.curve.at(arc.place(number, tips.size()));
     }
   };
@@ -70,7 +74,7 @@ private:
     NextPoints next;
     std::vector<std::size_t> tips;
   };
-  using PointRun = std::vector<std::size_t>; ///< numbers of points one after another
+  using PointRun = std::vector<double>; ///< numbers of points one after another, or between them
   /// Where a tip is.
   struct Place {
     const Growing& of;
@@ -87,7 +91,10 @@ private:
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
   void find_ligaments();
-  void look_ahead(const Growing& of);
+  void look_ahead(std::size_t growing);
+  /// Before a point of a front or a place between two; `own`: pieces of surface that it ends on.
+  [[nodiscard]] std::optional<Ligament> ligament_at(const Growing& of, double number,
+                                                    const std::vector<std::size_t>& own) const;
   [[nodiscard]] Place place_of(std::size_t tip) const;
   [[nodiscard]] CrackState state_of(const Fronts& fronts) const;
   /// The way on of a tip, unit, of a part of an advance that ends so far ahead [length].
@@ -95,12 +102,19 @@ private:
   /// By how much a tip turns on that way [rad].
   [[nodiscard]] double turn_on(std::size_t tip, double by) const;
   /// The runs of points, four at least, before which more than the part `gap` of their way to a
-  /// surface is left, and more than they advance `by` [tip] (empty: not asked).
-  [[nodiscard]] std::vector<PointRun> staying(const Growing& of, double gap,
+  /// surface is left, and more than they advance `by` [tip] (empty: not asked). Where few points
+  /// stay, as of a wide crack, places between them, by what is left against the crack's depth.
+  [[nodiscard]] std::vector<PointRun> staying(std::size_t growing, double gap,
                                               const std::vector<double>& by) const;
+  [[nodiscard]] std::vector<PointRun> staying_between(std::size_t growing, double gap,
+                                                      const std::vector<double>& by) const;
   /// What a front goes on as: one, or where it goes through a surface between its ends, one on each
   /// side of that. Empty: nothing.
-  [[nodiscard]] std::vector<NextFront> next_fronts(const Growing& of, const Advance& advance) const;
+  [[nodiscard]] std::vector<NextFront> next_fronts(std::size_t growing,
+                                                   const Advance& advance) const;
+  /// What a point, or a place between two, advances.
+  [[nodiscard]] static double advance_at(const Growing& of, double number,
+                                         const std::vector<double>& by);
   /// All fronts on trial by an advance; false: a crack would have none that can be drawn.
   bool draw_all(std::size_t growing, const Advance& advance);
   /// Draws the fronts of a crack on trial that has several as one line, out of the body between
@@ -136,6 +150,8 @@ private:
   std::vector<double> part_;      ///< [tip] direction of the crack's last part on trial [rad]
   Fronts now_, trial_;            ///< at the last station that counts; to be solved
   std::vector<std::optional<Ligament>> ligaments_; ///< [tip]
+  /// [growing][looks_between * point] near a surface, else empty
+  std::vector<std::vector<std::optional<Ligament>>> between_;
 };
 
 } // namespace spricka::growth

@@ -78,9 +78,9 @@ std::vector<Run> runs_of(const std::vector<bool>& in, bool closed) {
 
 } // namespace
 
-double FrontArc::place(std::size_t number, std::size_t count) const {
+double FrontArc::place(double number, std::size_t count) const {
   const std::size_t parts = closed() ? count : count - 1;
-  return curve.length() * static_cast<double>(number) / static_cast<double>(parts);
+  return curve.length() * number / static_cast<double>(parts);
 }
 
 std::vector<FrontArc> arcs_in_body(const model::Crack& crack, const SolidSurroundings& around) {

@@ -16,8 +16,8 @@ struct FrontArc {
   mesh::FrontCurve curve; ///< m points out of the crack
 
   [[nodiscard]] bool closed() const { return curve.closed(); }
-  /// The place of a point of `count` spread evenly along it [length].
-  [[nodiscard]] double place(std::size_t number, std::size_t count) const;
+  /// The place of a point of `count` spread evenly along it, or between two of them [length].
+  [[nodiscard]] double place(double number, std::size_t count) const;
 };
 
 /// The parts of a front that are in the body, in the order along it.

@@ -23,6 +23,7 @@ Block plate(double low) {
 struct Grown {
   std::vector<std::vector<Vec3>> aims; ///< [station][tip]
   std::string end;
+  std::string reason;
 };
 
 // To its end, each station begun anew from what the one before has kept.
@@ -60,6 +61,7 @@ Grown grow(Block& block, double bend) {
     }
     state = march.state();
     grown.end = march.end() ? march.end()->word : "";
+    grown.reason = march.end() ? march.end()->reason : "";
   }
   return grown;
 }
@@ -112,6 +114,19 @@ TEST(SplitFronts, SurfaceCrackBecomesAThroughCrackWithTwoFronts) {
   expect_two_fronts(grown.aims.back(), 0.0);
   expect_no_healing(grown);
   EXPECT_GT(std::abs(grown.aims.back().front().x()), 0.95 * 20.0);
+}
+
+// Nearly all of a wide front reaches the far face at once: few of its points stay.
+TEST(SplitFronts, WideSurfaceCrackBecomesAThroughCrack) {
+  for (const double c : {3.0, 6.0, 9.0}) {
+    Block block = plate(0.0);
+    block.ellipse(Vec3::Zero(), 1.0, c);
+    block.model.growth->last_length = c + 4.0;
+    const Grown grown = grow(block, 0.0);
+    EXPECT_EQ(grown.end, "AMAX") << grown.reason;
+    expect_two_fronts(grown.aims.back(), 0.0);
+    expect_no_healing(grown);
+  }
 }
 
 // K that rises, or falls, towards the far face.
