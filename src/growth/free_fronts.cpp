@@ -128,8 +128,8 @@ std::vector<FreeWays::NextFront> FreeWays::next_fronts(std::size_t growing,
   const bool through = advance.leap > 0.0 && advance.meets == 0;
   const double gap = through ? left_out * gone_through * advance.leap : -1.0;
   std::vector<PointRun> runs = staying(growing, gap, through ? advance.by : std::vector<double>());
-  if (turns() && runs.size() > 1) {
-    return {};
+  if ((turns() && runs.size() > 1) || runs.size() * fewest_points > of.tips.size()) {
+    return {}; // heights of a wake are those behind one; and all have points
   }
   std::vector<std::size_t> tips = of.tips;
   if (runs.size() > 1 && of.arc.closed()) { // from the first of them on
