@@ -46,8 +46,12 @@ FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
     if (!crack_grows(model_, c)) {
       continue;
     }
+    std::vector<FrontArc> arcs = arcs_in_body(crack, around_);
+    if (turns() && arcs.size() > 1) {
+      continue; // heights of a wake are those behind one
+    }
     std::size_t number = 0;
-    for (FrontArc& arc : arcs_in_body(crack, around_)) {
+    for (FrontArc& arc : arcs) {
       const std::size_t count = arc.closed() ? closed_points : open_points;
       Growing& of = now_.growing.emplace_back(Growing{c, {}, std::move(arc)});
       for (std::size_t i = 0; i < count; ++i) {
@@ -66,13 +70,14 @@ FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
 }
 
 FreeWays::Place FreeWays::place_of(std::size_t tip) const {
-  for (const Growing& of : now_.growing) {
+  for (std::size_t g = 0; g < now_.growing.size(); ++g) {
+    const Growing& of = now_.growing[g];
     const auto at = std::ranges::find(of.tips, tip);
     if (at != of.tips.end()) {
-      return {of, static_cast<std::size_t>(at - of.tips.begin())};
+      return {of, g, static_cast<std::size_t>(at - of.tips.begin())};
     }
   }
-  return {now_.growing.front(), 0}; // every tip has a front
+  return {now_.growing.front(), 0, 0}; // every tip has a front
 }
 
 void FreeWays::find_ligaments() {
@@ -214,9 +219,7 @@ double FreeWays::longest_advance(std::size_t tip) const {
 }
 
 bool FreeWays::goes_on_behind(std::size_t tip, const Ligament& /*before*/) const {
-  const auto& of = place_of(tip).of;
-  const auto growing = static_cast<std::size_t>(&of - now_.growing.data());
-  const std::size_t fronts = staying(growing, left_out * gone_through, {}).size();
+  const std::size_t fronts = staying(place_of(tip).growing, left_out * gone_through, {}).size();
   return fronts == 1 || (fronts > 1 && !turns()); // heights of the wake are those behind one
 }
 

@@ -78,7 +78,8 @@ private:
   /// Where a tip is.
   struct Place {
     const Growing& of;
-    std::size_t number = 0;
+    std::size_t growing = 0; ///< which that is
+    std::size_t number = 0;  ///< of its points
     [[nodiscard]] mesh::FrontFrame frame() const { return of.frame(number); }
   };
   [[nodiscard]] std::optional<Ligament> ligament(std::size_t tip) const override {

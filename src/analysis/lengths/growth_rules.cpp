@@ -85,9 +85,11 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
     }
     if (std::ranges::none_of(ways.tips(),
                              [&](const growth::GrowingTip& tip) { return tip.line == c; })) {
-      return no(fmt::format("crack {} has not one front in the body: no law can move none, or "
-                            "several",
-                            crack.name));
+      const bool turns = model.growth->direction != model::GrowthDirection::path;
+      return no(fmt::format("crack {} has no front in the body{}", crack.name,
+                            turns ? ", or several, of which only DIRECTION=PATH can move more "
+                                    "than one"
+                                  : ""));
     }
   }
   if (ways.tips().empty()) {

@@ -160,6 +160,9 @@ TEST(SplitFronts, ThroughCrackOfTheDeckHasTwoFronts) {
   ASSERT_FALSE(grown.aims.empty());
   EXPECT_EQ(grown.aims.front().size(), 34U);
   expect_two_fronts(grown.aims.back(), 0.0);
+  // What a front that turns leaves behind is kept for one: none of two begins.
+  block.model.growth->direction = model::GrowthDirection::hoop;
+  EXPECT_TRUE(growth::FreeWays(block.model).tips().empty());
 }
 
 } // namespace
