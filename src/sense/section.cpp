@@ -55,14 +55,16 @@ public:
   Cut(const model::Mesh& mesh, const SectionPlane& plane) : mesh_(mesh), plane_(plane) {}
 
   std::optional<Section> run() {
-    if (!sort_faces() || !fills()) {
+    if (!sort_faces()) {
+      return std::nullopt;
+    }
+    measure();
+    if (!fills()) {
       return std::nullopt;
     }
     make_mesh();
     take_sets();
-    Section section{plane_, std::move(made_), {}};
-    section.whole = std::move(whole_);
-    return section;
+    return Section{plane_, std::move(made_), std::move(whole_), std::move(whole_elements_)};
   }
 
 private:
@@ -109,29 +111,43 @@ private:
     return !faces_.empty();
   }
 
-  // Whether volumes are those of the section along its whole depth, for each property and net.
-  [[nodiscard]] bool fills() const {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::array<double, 2>> volumes;
-    const auto part = [&](base::ElementId e) -> std::array<double, 2>& {
-      return volumes[{mesh_.property[e.index()].value, mesh_.element_net[e.index()].value}];
-    };
+  // Volumes of all elements, and what those in the section sweep along its whole depth.
+  void measure() {
+    volume_.assign(mesh_.element_count(), 0.0);
+    swept_.assign(mesh_.element_count(), 0.0);
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       for (int s = 0; s < base::info(mesh_.type[e]).sides; ++s) {
-        over_side(mesh_, {base::ElementId(e), s}, [&](const Vec3& x, const Vec3& area) {
-          part(base::ElementId(e))[0] += x.dot(area) / 3.0;
-        });
+        over_side(mesh_, {base::ElementId(e), s},
+                  [&](const Vec3& x, const Vec3& area) { volume_[e] += x.dot(area) / 3.0; });
       }
     }
     for (const model::Face& face : faces_) {
       over_side(mesh_, face, [&](const Vec3& x, const Vec3& area) {
         const double radius = plane_.round ? plane_.place(x).x() : 1.0;
-        part(face.element)[1] += plane_.depth() * radius * area.norm();
+        swept_[face.element.index()] += plane_.depth() * radius * area.norm();
       });
     }
-    return std::ranges::all_of(volumes, [](const auto& entry) {
-      const auto& [whole, section] = entry.second;
-      return std::abs(whole - section) <= uneven * whole;
-    });
+  }
+
+  /// Of some elements together.
+  struct Filled {
+    double volume = 0.0;
+    double swept = 0.0;
+
+    void add(const Cut& cut, base::ElementId e) {
+      volume += cut.volume_[e.index()];
+      swept += cut.swept_[e.index()];
+    }
+    [[nodiscard]] bool wholly() const { return std::abs(volume - swept) <= uneven * volume; }
+  };
+
+  // Whether each property, in each net, is the same all along.
+  [[nodiscard]] bool fills() const {
+    std::map<std::pair<std::int32_t, std::int32_t>, Filled> parts;
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      parts[{mesh_.property[e].value, mesh_.element_net[e].value}].add(*this, base::ElementId(e));
+    }
+    return std::ranges::all_of(parts, [](const auto& part) { return part.second.wholly(); });
   }
 
   void make_mesh() {
@@ -188,11 +204,14 @@ private:
     for (const model::ElementSet& set : mesh_.element_sets) {
       model::ElementSet& taken = made_.element_sets.emplace_back();
       taken.name = set.name;
+      Filled filled;
       for (const base::ElementId e : set.elements) {
+        filled.add(*this, e);
         if (const auto found = new_element_.find(e); found != new_element_.end()) {
           taken.elements.push_back(found->second);
         }
       }
+      whole_elements_.push_back(filled.wholly());
     }
     const mesh::SideIndex sides(made_);
     for (const model::FaceSet& set : mesh_.face_sets) {
@@ -247,46 +266,11 @@ private:
   std::vector<base::NodeId> new_node_;
   std::map<base::ElementId, base::ElementId> new_element_;
   model::Mesh made_;
-  std::vector<bool> whole_;
+  std::vector<bool> whole_, whole_elements_;
+  std::vector<double> volume_, swept_; ///< [element]
 };
 
 } // namespace
-
-int SectionPlane::direction(int d) const {
-  return round && d == 1 ? axis : (axis + 1 + d) % 3;
-}
-
-Vec3 SectionPlane::place(const Vec3& x) const {
-  const double u = x[(axis + 1) % 3];
-  const double v = x[(axis + 2) % 3];
-  return round ? Vec3(std::hypot(u, v), x[axis], 0.0) : Vec3(u, v, 0.0);
-}
-
-Vec3 SectionPlane::in_space(const Vec3& place, double along) const {
-  Vec3 x = Vec3::Zero();
-  x[axis] = round ? place.y() : along;
-  x[(axis + 1) % 3] = place.x() * (round ? std::cos(along) : 1.0);
-  x[(axis + 2) % 3] = round ? place.x() * std::sin(along) : place.y();
-  return x;
-}
-
-double SectionPlane::along(const Vec3& x) const {
-  return round ? std::atan2(x[(axis + 2) % 3], x[(axis + 1) % 3]) : x[axis];
-}
-
-Vec3 SectionPlane::normal(const Vec3& x) const {
-  Vec3 n = Vec3::Zero();
-  if (!round) {
-    n[axis] = 1.0;
-    return n;
-  }
-  const double radius = place(x).x();
-  if (radius > reach) {
-    n[(axis + 1) % 3] = -x[(axis + 2) % 3] / radius;
-    n[(axis + 2) % 3] = x[(axis + 1) % 3] / radius;
-  }
-  return n;
-}
 
 std::vector<Section> extruded_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::nodes_in_use(mesh);

@@ -78,6 +78,9 @@ std::string against(const model::Load& load, const sense::Section& section) {
   if (load.faces.valid() && !section.whole[load.faces.index()]) {
     return "a load on a flat face, or on a part of the thickness";
   }
+  if (load.elements.valid() && !section.whole_elements[load.elements.index()]) {
+    return "a load on a part of the thickness";
+  }
   const bool gone = (load.nodes.valid() && mesh.set(load.nodes).nodes.empty()) ||
                     (load.elements.valid() && mesh.set(load.elements).elements.empty());
   return gone ? "a load away from the section" : "";

@@ -251,6 +251,9 @@ TEST(Section, IsRefusedWhereSomethingChangesAlongTheAxis) {
       {foot +
            "$NSET NAME=HALF FROM=UP.YMAX WHERE=(z < 6.6)\n$LOAD CASE=F TYPE=PRESSURE\n  HALF 5\n",
        "part of the thickness"},
+      {press + "$ESET NAME=BELOW FROM=UP.BODY WHERE=(z < 6.5)\n"
+               "$LOAD CASE=F TYPE=TEMPERATURE\n  BELOW 50\n",
+       "part of the thickness"},
       {press + "$MPC TYPE=RIGID SLAVE=UP.XMAX\n", "$MPC"},
       {press + "$CRACK NAME=C NET=UP A=0.5 X0=0.7 Y0=1 Z0=6.5 NORMAL=Y\n", "no straight front"},
       {press + "$RIGID NAME=R SHAPE=SPHERE X0=0.7 Y0=12 Z0=6.5 R=10\n"
