@@ -64,29 +64,23 @@ double PlanePolygons::distance(const Vec3& x) const {
   return std::hypot(plane_.height(x), within(q) ? 0.0 : from_outline(q));
 }
 
-std::optional<Vec3> PlanePolygons::meets(const CornerPlaces& triangle, double rim) const {
-  std::vector<Vec2> cut;
+std::vector<Vec3> PlanePolygons::cut(const CornerPlaces& triangle) const {
+  std::vector<Vec2> ends;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = triangle[i];
     const Vec3& b = triangle[(i + 1) % 3];
     const double ha = plane_.height(a);
     const double hb = plane_.height(b);
     if ((ha < 0.0) != (hb < 0.0)) {
-      cut.push_back(plane_.flat(a + ha / (ha - hb) * (b - a)));
+      ends.push_back(plane_.flat(a + ha / (ha - hb) * (b - a)));
     }
   }
-  if (cut.size() != 2) {
-    return std::nullopt;
+  std::vector<Vec3> places;
+  constexpr int steps = 8; // a triangle may be larger than the crack
+  for (int i = 0; i <= steps && ends.size() == 2; ++i) {
+    places.push_back(plane_.place(ends[0] + i / static_cast<double>(steps) * (ends[1] - ends[0])));
   }
-  constexpr int points = 8; // a triangle may be larger than the crack
-  std::optional<Vec3> result;
-  for (int i = 0; i <= points && !result; ++i) {
-    const Vec2 q = cut[0] + i / static_cast<double>(points) * (cut[1] - cut[0]);
-    if (within(q) && from_outline(q) > rim) {
-      result = plane_.place(q);
-    }
-  }
-  return result;
+  return places;
 }
 
 std::optional<double> PlanePolygons::across(const Vec2& q, const Vec2& d) const {

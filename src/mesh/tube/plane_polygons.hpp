@@ -21,8 +21,12 @@ public:
   /// Of a place in space from the areas; of a place in the plane from their outlines.
   [[nodiscard]] double distance(const base::Vec3& x) const;
   [[nodiscard]] double from_outline(const base::Vec2& q) const;
-  /// A point that a triangle and the areas have in common, farther than `rim` from their outlines.
-  [[nodiscard]] std::optional<base::Vec3> meets(const CornerPlaces& triangle, double rim) const;
+  /// Whether a place of the plane lies within the areas, farther than `rim` from their outlines.
+  [[nodiscard]] bool well_within(const base::Vec2& q, double rim) const {
+    return within(q) && from_outline(q) > rim;
+  }
+  /// Places along the line in which a triangle cuts the plane; empty: it does not.
+  [[nodiscard]] std::vector<base::Vec3> cut(const CornerPlaces& triangle) const;
   /// Where the line from q along d leaves the areas, as a multiple of d; of the first that is not
   /// at q. Empty: it does not.
   [[nodiscard]] std::optional<double> across(const base::Vec2& q, const base::Vec2& d) const;

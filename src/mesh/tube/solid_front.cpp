@@ -173,18 +173,36 @@ private:
     return true;
   }
 
+  /// Where the surface of the body, or another material, crosses the crack.
+  [[nodiscard]] std::optional<Vec3> crossing(const PlanePolygons& area) const {
+    const std::size_t part = host_.part(request_.seed);
+    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    const double rim = 1e-2 * frame_of(crack_).a; // a mouth lies on the surface
+    const auto in_area = [&](const Vec3& x) { return area.well_within(area.plane().flat(x), rim); };
+    // Flat triangles lie inside of a round surface, by more than the rim of a small crack.
+    const auto truly_in_area = [&](const Vec3& x) {
+      return in_area(x) && in_area(surface.nearest(x).x);
+    };
+    std::optional<Vec3> found;
+    const auto look = [&](const TriangleTree& tree, const auto& counts) {
+      for (const CornerPlaces& triangle : tree.triangles()) {
+        if (found) {
+          return;
+        }
+        const std::vector<Vec3> places = area.cut(triangle);
+        const auto at = std::ranges::find_if(places, counts);
+        found = at != places.end() ? std::optional(*at) : std::nullopt;
+      }
+    };
+    look(host_.border(part), in_area);
+    look(host_.skin(part), truly_in_area);
+    return found;
+  }
+
   /// Holes of the body within the crack are mouths; nothing else of the surface, and no other
   /// material, lies there.
   bool nothing_crosses() {
     constexpr std::size_t most_holes = 100;
-    const double rim = 1e-2 * frame_of(crack_).a; // a mouth lies on the surface
-    const auto crossing = [&](const PlanePolygons& area) {
-      std::optional<Vec3> found;
-      for (const CornerPlaces& triangle : host_.skin(host_.part(request_.seed)).triangles()) {
-        found = found ? found : area.meets(triangle, rim);
-      }
-      return found;
-    };
     while (true) {
       const PlanePolygons area(crack_, request_.outlines);
       const std::optional<Vec3> at = crossing(area);

@@ -599,6 +599,23 @@ TEST(SolidCracks, AtTheBoreOfARing) {
   }
 }
 
+// The flat triangles of its faces lie inside of a round skin, by more than the rim of a small
+// crack.
+TEST(SolidCracks, AtTheSkinOfACoarseRing) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7 * pi, Vec3::UnitZ()).toRotationMatrix();
+  const Vec3 skin = turn * Vec3(4, 0, 1);
+  for (const auto& host :
+       {ring(ElementType::hexec20, 2, 8, 2), ring(ElementType::tet10, 2, 8, 2)}) {
+    for (const Eigen::Matrix3d& t : {Eigen::Matrix3d(turn * axes(Vec3::UnitX(), Vec3::UnitY())),
+                                     Eigen::Matrix3d(turn * axes(Vec3::UnitX(), Vec3::UnitZ()))}) {
+      const auto cracked = insert(host, {ellipse(skin, t, 0.4, 0.5)});
+      ASSERT_TRUE(cracked);
+      expect_sound(host, *cracked);
+      expect_ties(*cracked);
+    }
+  }
+}
+
 TEST(SolidCracks, EllipsesThatComeOutAnywhere) {
   const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 200 : 6;
   const std::array<model::Mesh, 4> hosts{box(ElementType::tet10, 4), box(ElementType::tet10, 9),
