@@ -105,7 +105,7 @@ std::vector<FreeWays::PointRun> FreeWays::staying_between(std::size_t growing, d
   std::vector<bool> places;
   for (std::size_t k = 0; k < between_[growing].size(); ++k) {
     const std::optional<Ligament>& before = between_[growing][k];
-    places.push_back(!before || (before->part_of_depth() > gap &&
+    places.push_back(!before || (before->part() > gap &&
                                  (by.empty() || before->left > advance_at(of, number_of(k), by))));
   }
   std::vector<PointRun> found;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -19,11 +18,6 @@ namespace {
 
 using base::Vec3;
 
-/// Ends on the surface look along it from a little further in, as a part of the front.
-constexpr double further_in = 0.02;
-/// A front that has less than this part of the way to a surface before it is looked at between its
-/// points, too.
-constexpr double near_surface = 0.5;
 /// An advance as a part of the way from the crack's place.
 constexpr double longest_part = 0.2;
 constexpr double usual_exponent = 3.0; // of a table
@@ -78,62 +72,6 @@ FreeWays::Place FreeWays::place_of(std::size_t tip) const {
     }
   }
   return {now_.growing.front(), 0, 0}; // every tip has a front
-}
-
-void FreeWays::find_ligaments() {
-  ligaments_.assign(tips_.size(), {});
-  between_.assign(now_.growing.size(), {});
-  for (std::size_t g = 0; g < now_.growing.size(); ++g) {
-    look_ahead(g);
-  }
-}
-
-// From each point; of a front that comes to a surface from places between them, too.
-void FreeWays::look_ahead(std::size_t growing) {
-  const Growing& of = now_.growing[growing];
-  const FrontArc& arc = of.arc;
-  const base::NetId net = now_.cracks[of.crack].net;
-  std::vector<std::size_t> own;
-  const Vec3 middle = arc.curve.at(0.5 * arc.curve.length()).x;
-  for (const double s : {0.0, arc.curve.length()}) {
-    const auto piece = around_.piece_at(arc.curve.at(s).x, middle, net);
-    if (!arc.closed() && piece) {
-      own.push_back(*piece);
-    }
-  }
-  const std::size_t count = of.tips.size();
-  bool near = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::optional<Ligament>& before = ligaments_[of.tips[i]];
-    before = ligament_at(of, static_cast<double>(i), own);
-    near = near || (before && before->part() < near_surface);
-  }
-  const std::size_t places = arc.closed() ? count * looks_between : (count - 1) * looks_between + 1;
-  for (std::size_t k = 0; near && k < places; ++k) {
-    const double number = static_cast<double>(k) / static_cast<double>(looks_between);
-    between_[growing].push_back(ligament_at(of, number, own));
-  }
-}
-
-std::optional<FrontWays::Ligament>
-FreeWays::ligament_at(const Growing& of, double number, const std::vector<std::size_t>& own) const {
-  const FrontArc& arc = of.arc;
-  const model::Crack& crack = now_.cracks[of.crack];
-  const double edge = arc.closed() ? 0.0 : further_in * arc.curve.length();
-  const double s = std::clamp(arc.place(number, of.tips.size()), edge, arc.curve.length() - edge);
-  const mesh::FrontFrame at = arc.curve.at(s);
-  const auto tip = static_cast<std::size_t>(std::lround(number)) % of.tips.size();
-  // The surface that an end lies on is none ahead: the front slides along it.
-  const Vec3 way = way_on(at, of.tips[tip], 0.0);
-  const auto ahead = around_.to_surface(at.x, way, crack.net);
-  if (!ahead || std::ranges::find(own, ahead->piece) != own.end()) {
-    return std::nullopt;
-  }
-  const double behind = (at.x - crack.plane.place).norm();
-  const auto back = around_.to_surface(at.x, -way, crack.net);
-  return Ligament{.behind = behind,
-                  .left = ahead->distance,
-                  .depth = back ? std::min(behind, back->distance) : behind};
 }
 
 CrackState FreeWays::state_of(const Fronts& fronts) const {

@@ -96,6 +96,9 @@ private:
   /// Before a point of a front or a place between two; `own`: pieces of surface that it ends on.
   [[nodiscard]] std::optional<Ligament> ligament_at(const Growing& of, double number,
                                                     const std::vector<std::size_t>& own) const;
+  /// How far the crack reaches back from a place of a front against its way on [length].
+  [[nodiscard]] double reach_back(const Growing& of, const base::Vec3& x,
+                                  const base::Vec3& way) const;
   [[nodiscard]] Place place_of(std::size_t tip) const;
   [[nodiscard]] CrackState state_of(const Fronts& fronts) const;
   /// The way on of a tip, unit, of a part of an advance that ends so far ahead [length].

@@ -46,12 +46,9 @@ protected:
 
   /// The way to the surface before a tip.
   struct Ligament {
-    double behind = 0.0; ///< from the crack's place to the tip [length]
+    double behind = 0.0; ///< how far the crack reaches back from the tip [length]
     double left = 0.0;   ///< from there to the surface [length]
-    double depth = 0.0;  ///< of the crack there, straight back to a surface, `behind` at most
     [[nodiscard]] double part() const { return left / (behind + left); }
-    /// The same of the crack's depth, which is less beside the middle of a wide one.
-    [[nodiscard]] double part_of_depth() const { return left / (depth + left); }
   };
   /// The nearest place of another crack.
   struct Neighbour {

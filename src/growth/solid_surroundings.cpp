@@ -3,6 +3,8 @@
 
 #include "mesh/surface/surface_hits.hpp"
 
+#include <cmath>
+
 namespace spricka::growth {
 
 std::optional<SolidSurroundings::Ahead>
@@ -15,7 +17,9 @@ SolidSurroundings::to_surface(const base::Vec3& x, const base::Vec3& way, base::
   const mesh::SurfaceGeometry& surface = host_.surface(*at).geometry(mesh::Borders::none);
   for (const mesh::SurfaceHit& hit : mesh::hits(surface, x, way, surface.extent())) {
     if (hit.along > on_it * host_.extent(*at).edge) {
-      return Ahead{.distance = hit.along, .piece = surface.piece(hit.place.face)};
+      return Ahead{.distance = hit.along,
+                   .piece = surface.piece(hit.place.face),
+                   .sine = std::abs(hit.place.normal.dot(way))};
     }
   }
   return std::nullopt;

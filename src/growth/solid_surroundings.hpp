@@ -17,10 +17,11 @@ public:
   [[nodiscard]] bool inside(const base::Vec3& x, base::NetId net) const {
     return host_.element_at(x, net).has_value();
   }
-  /// The surface ahead: how far, and which of its pieces between sharp edges.
+  /// The surface ahead: how far, which of its pieces between sharp edges, how steeply met.
   struct Ahead {
     double distance = 0.0;
     std::size_t piece = 0;
+    double sine = 1.0; ///< of the angle between the way and the surface there
   };
   /// The surface along `way` (unit) of the body that x lies in; empty: x lies in none, or on the
   /// surface that `way` leaves it by.
