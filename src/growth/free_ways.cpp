@@ -21,6 +21,8 @@ using base::Vec3;
 /// An advance as a part of the way from the crack's place.
 constexpr double longest_part = 0.2;
 constexpr double usual_exponent = 3.0; // of a table
+/// What K scatters by along a front from mesh to mesh, rms.
+constexpr double scatter_of_K = 0.015;
 /// Cosine of what a front turns by from end to end at least if it is no straight one: 45 degrees.
 constexpr double hardly_turned = 0.7;
 
@@ -174,11 +176,14 @@ std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
   return nearest;
 }
 
+double FreeWays::exponent() const {
+  const double m = model_.growth->constants.m;
+  return m > 0.0 ? m : usual_exponent;
+}
+
 FrontRates FreeWays::rates_of(const Growing& of, const State& state) const {
-  const double exponent =
-      model_.growth->constants.m > 0.0 ? model_.growth->constants.m : usual_exponent;
   FrontRates front;
-  front.stiffness = exponent / of.arc.curve.length();
+  front.stiffness = exponent() / of.arc.curve.length();
   front.kind = kind_of(of.arc);
   const Station& here = state.stations.back();
   const std::size_t count = state.stations.size();
@@ -252,7 +257,8 @@ void FreeWays::place(std::vector<TipStation>& found) const {
     if (std::ranges::any_of(rate, [](double r) { return !std::isfinite(r); })) {
       continue;
     }
-    const std::vector<double> smooth = smooth_along(rate, kind_of(of.arc));
+    const std::vector<double> smooth =
+        smooth_along(rate, kind_of(of.arc), exponent() * scatter_of_K);
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       TipStation& at = found[of.tips[i]];
       if (at.rate > 0.0) {

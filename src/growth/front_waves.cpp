@@ -145,13 +145,17 @@ std::vector<double> FrontRates::astray() const {
   return {part.begin(), part.end()};
 }
 
-std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind) {
+std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind,
+                                 double scatter) {
   if (std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
     return values;
   }
-  std::vector<double> smooth = fitted(vector_of(values).array().log(), kind, rates);
-  std::ranges::transform(smooth, smooth.begin(), [](double v) { return std::exp(v); });
-  return smooth;
+  const base::Vector all = vector_of(values).array().log();
+  const base::Vector smooth = vector_of(fitted(all, kind, rates));
+  const double left = (all - smooth).norm() / std::sqrt(static_cast<double>(values.size()));
+  const double true_part = left > scatter ? 1.0 - (scatter / left) * (scatter / left) : 0.0;
+  const base::Vector found = (smooth + true_part * (all - smooth)).array().exp();
+  return {found.begin(), found.end()};
 }
 
 std::vector<double> smooth_turns(const std::vector<double>& angles, FrontKind kind) {

@@ -12,8 +12,9 @@ enum class FrontKind { closed, round, straight };
 
 /// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
 /// logarithms as the polynomial of degree 8 (round; straight: 4) or by twelve harmonics (closed)
-/// that fits best.
-std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind);
+/// that fits best; and what that leaves, as far as it is more than `scatter` (rms of a logarithm):
+/// waves that rates did not know would stay for ever (growth.16).
+std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind, double scatter);
 
 /// The same of angles [point] as they are.
 std::vector<double> smooth_turns(const std::vector<double>& angles, FrontKind kind);

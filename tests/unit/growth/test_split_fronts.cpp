@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 namespace {
@@ -149,6 +150,45 @@ TEST(SplitFronts, CrackInThePlateGoesThroughBothFaces) {
   const Grown grown = grow(block, 0.0);
   EXPECT_EQ(grown.end, "EDGE");
   expect_two_fronts(grown.aims.back(), -1.0);
+}
+
+// Waves that are too short for what rates are smoothed by, as a passage may leave them: K knows of
+// them (Rice 1985), and they die away.
+TEST(SplitFronts, WavesDieAway) {
+  constexpr double height = 0.03;
+  const double number = 3.0 * std::numbers::pi; // radians for a length: three waves in the plate
+  Block block = plate(-1.0);
+  block.ellipse(Vec3::Zero(), 1.0, 1.0);
+  model::Crack& crack = block.model.cracks.front();
+  crack.kind = model::CrackKind::drawn;
+  for (const double side : {1.0, -1.0}) {
+    for (int i = -22; i <= 22; ++i) {
+      const double y = side * 0.05 * i;
+      crack.points.emplace_back(side * (5.0 + height * std::cos(number * y)), y, 0.0);
+    }
+    crack.points.emplace_back(0.0, side * 1.1, 0.0);
+  }
+  crack.points.pop_back();
+  block.model.growth->last_length = 7.0;
+  block.model.growth->tolerance = 0.02;
+  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  double swing = 0.0;
+  double first = 0.0;
+  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+    double sum = 0.0;
+    double low = 1e300;
+    double high = 0.0;
+    for (const Vec3& aim : cracks.aims) {
+      sum += std::abs(aim.x()) / static_cast<double>(cracks.aims.size());
+      low = std::min(low, std::abs(aim.x()));
+      high = std::max(high, std::abs(aim.x()));
+    }
+    swing = high - low;
+    first = first > 0.0 ? first : swing;
+    return 1.0 - 0.5 * number * (std::abs(x.x()) - sum);
+  });
+  EXPECT_GT(first, 1.5 * height);
+  EXPECT_LT(swing, 0.25 * first);
 }
 
 // Two fronts that the deck draws as one line, through the body and out of it between them.
