@@ -220,6 +220,23 @@ bool FreeWays::relax(const State& state, std::vector<double>& by) const {
   return true;
 }
 
+void FreeWays::let_die(std::vector<double>& owed, const std::vector<double>& by) const {
+  for (const Growing& of : now_.growing) {
+    FrontRates front;
+    front.stiffness = exponent() / of.arc.curve.length();
+    front.kind = kind_of(of.arc);
+    double mean = 0.0;
+    for (const std::size_t tip : of.tips) {
+      front.owed.push_back(owed[tip]);
+      mean += by[tip] / static_cast<double>(of.tips.size());
+    }
+    const std::vector<double> left = front.left_of_owed(mean);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      owed[of.tips[i]] = left[i];
+    }
+  }
+}
+
 std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advance& advance,
                                              base::Diagnostics& diagnostics) {
   trial_ = now_;

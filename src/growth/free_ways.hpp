@@ -34,6 +34,7 @@ public:
   [[nodiscard]] CrackState here() override;
   [[nodiscard]] double first_arm(std::size_t tip) const override { return first_arm_[tip]; }
   bool relax(const State& state, std::vector<double>& by) const override;
+  void let_die(std::vector<double>& owed, const std::vector<double>& by) const override;
   std::optional<CrackState> advanced(const State& state, const Advance& advance,
                                      base::Diagnostics& diagnostics) override;
   void place(std::vector<TipStation>& found) const override;

@@ -134,6 +134,15 @@ std::vector<double> FrontRates::advances(double mean) const {
   return by;
 }
 
+std::vector<double> FrontRates::left_of_owed(double mean) const {
+  const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
+  const base::Vector decay = 0.5 * stiffness * std::numbers::pi * waves.halves; // [1/length]
+  const base::Vector left =
+      waves.shape *
+      waves.heights(vector_of(owed)).cwiseProduct((-mean * decay).array().exp().matrix());
+  return {left.begin(), left.end()};
+}
+
 std::vector<double> FrontRates::astray() const {
   const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
   const base::Vector part = waves.shape * (0.5 * stiffness * std::numbers::pi * waves.halves)

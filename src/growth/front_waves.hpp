@@ -31,6 +31,8 @@ struct FrontRates {
   /// Its advances [point] by `mean` on the whole, of the second order in it, each wave on its way
   /// to the shape that it tends to (growth.13) [length].
   [[nodiscard]] std::vector<double> advances(double mean) const;
+  /// What is still owed [point] after an advance by `mean`, whose waves die away [length].
+  [[nodiscard]] std::vector<double> left_of_owed(double mean) const;
   /// Part by which rates [point] are wrong where the front is not where it is owed to be; of a
   /// straight front that of their sum, on which cycles are counted: its ends swing about where they
   /// should be.

@@ -107,6 +107,11 @@ void March::settle() {
   if (all.back().leapt > 0) {
     return; // shares before and behind have nothing in common
   }
+  std::vector<double> owed;
+  for (const TipStation& tip : all[n - 2].tips) {
+    owed.push_back(tip.owed);
+  }
+  ways_->let_die(owed, advance_);
   const double h = all[n - 1].s - all[n - 2].s;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].rate(); };
@@ -118,7 +123,7 @@ void March::settle() {
           (h + before);
       made -= h * h * h / 6.0 * bend;
     }
-    all[n - 1].tips[tip].owed = all[n - 2].tips[tip].owed + made - advance_[tip];
+    all[n - 1].tips[tip].owed = owed[tip] + made - advance_[tip];
   }
 }
 

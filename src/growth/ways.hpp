@@ -83,6 +83,9 @@ public:
   /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
   /// false: there is no such front.
   virtual bool relax(const State& /*state*/, std::vector<double>& /*by*/) const { return false; }
+  /// What is left of `owed` [tip] when the last station's tips have advanced `by` [tip]: waves of
+  /// such a front die away by themselves.
+  virtual void let_die(std::vector<double>& /*owed*/, const std::vector<double>& /*by*/) const {}
   /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
   /// errors: there are none. `leap` > 0: through what is left, and so much farther than needed.
   virtual std::optional<CrackState> advanced(const State& state, const Advance& advance,
