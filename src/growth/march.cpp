@@ -19,6 +19,7 @@ namespace {
 constexpr double first_step = 0.1;
 /// An advance that leads so far of the way to a tip's last length leads to it.
 constexpr double nearly_there = 0.95;
+constexpr double little = 0.03; ///< that is left, as a part of the arm
 
 } // namespace
 
@@ -99,11 +100,13 @@ bool March::plan() {
     return false;
   }
   advance_.clear();
+  bool to_last_length = false;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const double by = share[tip] * *ds;
     const double left = ways_->length_left(state_, tip);
     // The last length is met exactly, and no advance is left over that is only round-off.
     const bool to_the_end = by >= left * (1.0 - 1e-9);
+    to_last_length = to_last_length || to_the_end;
     // What earlier advances missed is made up for, within bounds that keep the tip going on.
     // A leap is as long as its ligament.
     const double owed = leaping_ > 0 ? 0.0 : here.tips[tip].owed;
@@ -111,14 +114,15 @@ bool March::plan() {
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
   if (leaping_ == 0 && ways_->relax(state_, advance_)) {
-    stop_at_last_length();
+    stop_at_last_length(to_last_length);
   }
   return true;
 }
 
 // A front that relaxes goes farther at some places, and less far at others, than was planned: all
-// of it goes as far as the first tip may, which meets its last length exactly.
-void March::stop_at_last_length() {
+// of it goes as far as the first tip may, which meets its last length exactly. Half of a little
+// that is left, again and again, would have no end.
+void March::stop_at_last_length(bool planned) {
   std::size_t first = 0;
   double most = 0.0;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
@@ -128,13 +132,15 @@ void March::stop_at_last_length() {
       first = tip;
     }
   }
-  if (most < nearly_there) {
+  const double left = ways_->length_left(state_, first);
+  const bool the_last = planned && left < little * state_.stations.back().tips[first].a;
+  if (most <= 0.0 || (most < nearly_there && !the_last)) {
     return;
   }
   for (double& by : advance_) {
     by /= most;
   }
-  advance_[first] = ways_->length_left(state_, first);
+  advance_[first] = left;
 }
 
 // The advance of all together; empty: the growth ends here.

@@ -57,7 +57,7 @@ private:
   [[nodiscard]] const model::Growth& rules() const;
   [[nodiscard]] std::vector<double> shares() const;
   bool plan();
-  void stop_at_last_length();
+  void stop_at_last_length(bool planned);
   std::optional<double> next_advance(const std::vector<double>& share);
   [[nodiscard]] bool good_enough();
   [[nodiscard]] double cycles_missed() const;
