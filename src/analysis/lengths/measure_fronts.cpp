@@ -25,7 +25,6 @@ struct PlaceOnFront {
   std::size_t front = 0, from = 0, to = 0;
   double part = 0.0; ///< of the way from one to the other
   double away = std::numeric_limits<double>::infinity();
-  base::Vec3 x = base::Vec3::Zero();
 
   [[nodiscard]] bool found() const { return std::isfinite(away); }
 };
@@ -53,7 +52,7 @@ PlaceOnFront nearest_place(const std::vector<Front>& fronts, const std::string& 
       const double part = std::clamp((x - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
       const double away = (x - a - part * edge).norm();
       if (away < best.away) {
-        best = {.front = f, .from = i, .to = j, .part = part, .away = away, .x = a + part * edge};
+        best = {.front = f, .from = i, .to = j, .part = part, .away = away};
       }
     }
   }
@@ -141,6 +140,15 @@ base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, b
   return K;
 }
 
+// A place on the curve through the points, not on its chords.
+base::Vec3 place_on_curve(const results::FrontResult& front, const PlaceOnFront& at) {
+  base::Vec3 x = base::Vec3::Zero();
+  for (const auto& [i, weight] : weights_at(front, at)) {
+    x += weight * front.points[i].x;
+  }
+  return x;
+}
+
 // Smooth K1 on the path, or K1 and K2 by parts.
 base::PiecewiseLinear K_on_path(const results::PathFront& front, const PlaceOnFront& at,
                                 const base::Vec2& part) {
@@ -201,9 +209,10 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   const results::FrontResult& front = high.fronts[place.front];
   const bool corrected = model_.growth->corrected;
   const base::Vec3 K = smooth_K(front, place, corrected);
-  found.x = place.x.x();
-  found.y = place.x.y();
-  found.z = place.x.z();
+  const base::Vec3 x = place_on_curve(front, place);
+  found.x = x.x();
+  found.y = x.y();
+  found.z = x.z();
   found.K2_max = K[1];
   if (!at.plastic.empty()) {
     assert(at.plastic.size() == high.fronts.size());
