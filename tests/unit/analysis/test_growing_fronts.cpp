@@ -109,6 +109,17 @@ TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
   }
 }
 
+// Tips stand on the circle, not on the chords between the mesh's points.
+TEST(GrowingFronts, TipsStandOnTheFront) {
+  std::string free = grow("KMAX=FULL KMIN=HALF");
+  free.replace(free.find("ELLIPSE"), std::string("ELLIPSE").size(), "FREE");
+  const results::Growth growth = growth_of(clamped_bar("", free));
+  ASSERT_FALSE(growth.stations.empty());
+  for (const results::GrowingTip& tip : growth.stations[0].tips) {
+    EXPECT_NEAR((tip.x - base::Vec3(0, 3, 0)).norm(), 1.0, 5e-4);
+  }
+}
+
 // A plate with a surface crack; when the load is on, a pad is bonded to the other side.
 std::string padded_plate(const std::string& mounted) {
   return R"($DECK VERSION=1 LENGTH=mm FORCE=N
