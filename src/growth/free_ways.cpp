@@ -176,15 +176,20 @@ std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
   return nearest;
 }
 
+FrontRates FreeWays::waves_of(const Growing& of) const {
+  FrontRates front;
+  front.stiffness = exponent() / of.arc.curve.length();
+  front.kind = kind_of(of.arc);
+  return front;
+}
+
 double FreeWays::exponent() const {
   const double m = model_.growth->constants.m;
   return m > 0.0 ? m : usual_exponent;
 }
 
 FrontRates FreeWays::rates_of(const Growing& of, const State& state) const {
-  FrontRates front;
-  front.stiffness = exponent() / of.arc.curve.length();
-  front.kind = kind_of(of.arc);
+  FrontRates front = waves_of(of);
   const Station& here = state.stations.back();
   const std::size_t count = state.stations.size();
   // A leap has nothing in common with what was before.
@@ -222,9 +227,7 @@ bool FreeWays::relax(const State& state, std::vector<double>& by) const {
 
 void FreeWays::let_die(std::vector<double>& owed, const std::vector<double>& by) const {
   for (const Growing& of : now_.growing) {
-    FrontRates front;
-    front.stiffness = exponent() / of.arc.curve.length();
-    front.kind = kind_of(of.arc);
+    FrontRates front = waves_of(of);
     double mean = 0.0;
     for (const std::size_t tip : of.tips) {
       front.owed.push_back(owed[tip]);

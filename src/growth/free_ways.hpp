@@ -132,6 +132,8 @@ private:
   [[nodiscard]] static FrontKind kind_of(const FrontArc& arc);
   void place_turns(const Growing& of, std::vector<TipStation>& found) const;
   [[nodiscard]] double exponent() const; ///< of the law
+  /// How the waves of a front die, nothing else of it.
+  [[nodiscard]] FrontRates waves_of(const Growing& of) const;
   /// Of all that a front has made on its way to the last station.
   [[nodiscard]] FrontRates rates_of(const Growing& of, const State& state) const;
   /// Moves a front on trial to where its points have advanced by `by` [tip] on their way.

@@ -52,6 +52,10 @@ struct Waves {
       }
     }
   }
+  /// What dies of each by an advance of 1, of a front with this stiffness [1/length].
+  [[nodiscard]] base::Vector decay(double stiffness) const {
+    return 0.5 * stiffness * std::numbers::pi * halves;
+  }
   [[nodiscard]] base::Vector heights(const base::Vector& values) const {
     return shape.partialPivLu().solve(values);
   }
@@ -106,7 +110,7 @@ std::vector<double> FrontRates::advances(double mean) const {
   const base::Vector share = waves.heights(now);
   const base::Vector missed = waves.heights(due);
   const double steep = kind == FrontKind::straight ? of_ends * stiffness : stiffness;
-  const base::Vector decay = 0.5 * steep * std::numbers::pi * waves.halves; // [1/length]
+  const base::Vector decay = waves.decay(steep);
   base::Vector first(n);
   base::Vector more(n);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -136,17 +140,15 @@ std::vector<double> FrontRates::advances(double mean) const {
 
 std::vector<double> FrontRates::left_of_owed(double mean) const {
   const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
-  const base::Vector decay = 0.5 * stiffness * std::numbers::pi * waves.halves; // [1/length]
-  const base::Vector left =
-      waves.shape *
-      waves.heights(vector_of(owed)).cwiseProduct((-mean * decay).array().exp().matrix());
+  const base::Vector dying = (-mean * waves.decay(stiffness)).array().exp();
+  const base::Vector left = waves.shape * dying.cwiseProduct(waves.heights(vector_of(owed)));
   return {left.begin(), left.end()};
 }
 
 std::vector<double> FrontRates::astray() const {
   const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
-  const base::Vector part = waves.shape * (0.5 * stiffness * std::numbers::pi * waves.halves)
-                                              .cwiseProduct(waves.heights(vector_of(owed)));
+  const base::Vector part =
+      waves.shape * waves.decay(stiffness).cwiseProduct(waves.heights(vector_of(owed)));
   if (kind == FrontKind::straight) {
     const base::Vector weight = vector_of(rate);
     return std::vector<double>(owed.size(), part.dot(weight) / weight.sum());

@@ -130,6 +130,26 @@ TEST(SplitFronts, WideSurfaceCrackBecomesAThroughCrack) {
   }
 }
 
+// It goes through where little of the thickness is left, not where little of its own width is: K
+// falls towards the far face, as under bending.
+TEST(SplitFronts, WideSurfaceCrackGoesThroughByItsDepth) {
+  Block block = plate(0.0);
+  block.ellipse(Vec3::Zero(), 1.5, 14.0);
+  block.model.growth->last_length = 18.0;
+  block.model.growth->tolerance = 0.02;
+  const Grown grown = grow(block, -0.35);
+  double depth = 0.0; // of the last front in one piece
+  for (const std::vector<Vec3>& aims : grown.aims) {
+    const bool whole =
+        std::ranges::any_of(aims, [](const Vec3& x) { return std::abs(x.x()) < 0.5; });
+    for (const Vec3& x : aims) {
+      depth = whole ? std::max(depth, x.y()) : depth;
+    }
+  }
+  EXPECT_EQ(grown.end, "AMAX") << grown.reason;
+  EXPECT_GT(depth, 1.6);
+}
+
 // K that rises, or falls, towards the far face.
 TEST(SplitFronts, LeanAsKHasIt) {
   for (const double bend : {0.05, -0.05}) {
