@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/checks/front_quantities.hpp"
 
+#include "mesh/polyline.hpp"
 #include "program/checks/path_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -118,13 +120,42 @@ double extreme(const Fronts& fronts, const FrontWord& word) {
   return sign * *best;
 }
 
+// Where fronts are nearest to a place.
+struct Nearest {
+  const results::FrontResult* front = nullptr;
+  base::Vec3 x;
+  double away = std::numeric_limits<double>::max();
+  double length = 0.0; ///< of the front
+};
+
+double length_of(const std::vector<base::Vec3>& line) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    length += (line[i + 1] - line[i]).norm();
+  }
+  return length;
+}
+
+Nearest nearest_of(const Fronts& fronts, const base::Vec3& x) {
+  Nearest nearest;
+  for (const results::FrontResult* front : fronts) {
+    std::vector<base::Vec3> line;
+    for (const results::FrontPlace& place : front->points) {
+      line.push_back(place.x);
+    }
+    if (front->closed) {
+      line.push_back(line.front());
+    }
+    const mesh::OnLine on = mesh::nearest_on(line, x);
+    if (on.distance < nearest.away) {
+      nearest = {front, on.of(line), on.distance, length_of(line)};
+    }
+  }
+  return nearest;
+}
+
 double at_place(const Fronts& fronts, const FrontWord& word, const base::Vec3& x) {
-  const auto away = [&](const results::FrontResult* front) {
-    const auto nearest = std::ranges::min_element(
-        front->points, {}, [&](const results::FrontPlace& p) { return (p.x - x).norm(); });
-    return (nearest->x - x).norm();
-  };
-  return results::front_value_near(**std::ranges::min_element(fronts, {}, away), *word.quantity, x);
+  return results::front_value_near(*nearest_of(fronts, x).front, *word.quantity, x);
 }
 
 double at_angle(const Fronts& fronts, const FrontWord& word, double phi) {
@@ -194,42 +225,79 @@ results::FrontResult derivative_of(const results::FrontResult& front, results::C
   return out;
 }
 
-double read_fronts(const FrontWord& word, const Fronts& fronts, const base::Vec3& x, double phi) {
-  if (word.where == "AT") {
-    return at_place(fronts, word, x);
-  }
-  return word.where == "PHI" ? at_angle(fronts, word, phi) : extreme(fronts, word);
-}
-
-} // namespace
-
-double front_quantity(const std::string& text, Arguments& args, const results::Run& run) {
-  const bool on_path = text.starts_with(of_path);
-  const FrontWord word = front_word(text);
-  const std::string crack = args.name("a crack");
+// What a line asks of fronts.
+struct Asked {
+  FrontWord word;
   base::Vec3 x = base::Vec3::Zero();
+  double phi = 0.0;
+  std::vector<results::FrontResult> own; ///< made for this line: of a load path, derivatives
+  Fronts fronts;
+};
+
+Asked asked_of(const std::string& text, Arguments& args, const results::Run& run) {
+  const bool on_path = text.starts_with(of_path);
+  Asked asked;
+  asked.word = front_word(text);
+  const FrontWord& word = asked.word;
+  const std::string crack = args.name("a crack");
   if (word.where == "AT") {
-    x = {args.needed("x"), args.needed("y"), args.needed("z")};
+    asked.x = {args.needed("x"), args.needed("y"), args.needed("z")};
   }
   const std::string name = args.name(on_path ? "a load path" : "a step");
   const double t = on_path ? args.needed("a place t") : 0.0;
   const bool named = word.by && !is_of_crack(*word.by);
   const std::string by = named ? args.name("a name") : std::string();
-  const double phi = word.where == "PHI" ? args.needed("an angle") : 0.0;
+  asked.phi = word.where == "PHI" ? args.needed("an angle") : 0.0;
   const std::optional<double> a = args.number();
-  std::vector<results::FrontResult> of_t;
   if (on_path) {
-    of_t = fronts_at(path_at(run, name, t, a), t);
+    asked.own = fronts_at(path_at(run, name, t, a), t);
   }
-  const Fronts fronts = fronts_of(on_path ? of_t : find_place(run, name, a).step->fronts, crack);
-  if (word.by) {
-    for (const results::FrontResult* front : fronts) {
-      of_t.push_back(derivative_of(*front, *word.by, by));
+  asked.fronts = fronts_of(on_path ? asked.own : find_place(run, name, a).step->fronts, crack);
+  if (!word.by) {
+    refuse_without(asked.fronts, *word.quantity);
+    return asked;
+  }
+  for (const results::FrontResult* front : asked.fronts) {
+    asked.own.push_back(derivative_of(*front, *word.by, by));
+  }
+  asked.fronts = fronts_of(asked.own, crack);
+  return asked;
+}
+
+// A front is about where a place is asked for within this part of its length: K changes along the
+// whole of it.
+constexpr double about = 0.05;
+
+} // namespace
+
+double front_quantity(const std::string& text, Arguments& args, const results::Run& run) {
+  const Asked asked = asked_of(text, args, run);
+  if (asked.word.where == "AT") {
+    return at_place(asked.fronts, asked.word, asked.x);
+  }
+  return asked.word.where == "PHI" ? at_angle(asked.fronts, asked.word, asked.phi)
+                                   : extreme(asked.fronts, asked.word);
+}
+
+std::optional<std::string> far_from_front(const model::Check& check, const std::string& unit,
+                                          const results::Run& run) {
+  if (front_word(check.quantity).where != "AT") {
+    return std::nullopt;
+  }
+  try {
+    Arguments args(check);
+    const Asked asked = asked_of(check.quantity, args, run);
+    const Nearest nearest = nearest_of(asked.fronts, asked.x);
+    if (!(nearest.away > about * nearest.length)) {
+      return std::nullopt;
     }
-    return read_fronts(word, fronts_of(of_t, crack), x, phi);
+    return fmt::format("the nearest place of front {} is {:.3g} {} from there, at {:.6g} {:.6g} "
+                       "{:.6g}: is it the place that is meant?",
+                       nearest.front->name, nearest.away, unit, nearest.x.x(), nearest.x.y(),
+                       nearest.x.z());
+  } catch (const Missing&) { // said where the value is read
+    return std::nullopt;
   }
-  refuse_without(fronts, *word.quantity);
-  return read_fronts(word, fronts, x, phi);
 }
 
 } // namespace spricka::program

@@ -311,6 +311,9 @@ constexpr std::array advice{
     ErrorCode{"W572", "Pa for MPa in a law is a factor of 1e6 to the power of its exponent. The "
                       "threshold of a law ends growth, DKTH."},
     ErrorCode{"W573", "Readings are lengths in the unit of the deck, from the mouth on."},
+    ErrorCode{"W574",
+              "What is compared is K at the place named in the message. Ask where the front "
+              "is: k.csv has its points."},
     ErrorCode{"W504",
               "Refine near the elements named, or use quadratic elements: linear ones and few "
               "distorted ones are stiff in bending. Sharp inner corners and edges of contact "

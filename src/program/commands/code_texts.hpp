@@ -108,6 +108,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W571", "a contact that presses in no step"},
     ErrorCode{"W572", "a life beyond all use"},
     ErrorCode{"W573", "a test that shares no length with the computed ones"},
+    ErrorCode{"W574", "a check at a place that the front does not pass"},
     ErrorCode{"W560", "the newest state cannot be read; the one before is taken"},
     ErrorCode{"W561", "kept increments that are not taken over, or not whole"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},

@@ -8,6 +8,7 @@
 #include "base/clock.hpp"
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
+#include "program/checks/front_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
 #include "program/job/remedy.hpp"
 #include "program/job/restart_run.hpp"
@@ -24,6 +25,7 @@
 #include "solve/one_thread.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -52,27 +54,31 @@ void collect_warnings(const model::Model& model, const base::Diagnostics& readin
       run.warnings.push_back(d.text);
     }
   }
+  const auto warn = [&](std::string_view code, std::string text) {
+    run.warnings.push_back(std::move(text));
+    log.message(base::Severity::warning, code, run.warnings.back());
+  };
   for (const report::PlacedNote& note : report::collect_notes(run)) {
     if (note.first.severity == base::Severity::warning) {
-      run.warnings.push_back(report::words_of(note));
-      log.message(base::Severity::warning, "W502", run.warnings.back());
+      warn("W502", report::words_of(note));
     }
   }
-  for (const std::string& coarse : analysis::coarse_nets(run)) {
-    run.warnings.push_back(coarse);
-    log.message(base::Severity::warning, "W504", coarse);
+  for (std::string& coarse : analysis::coarse_nets(run)) {
+    warn("W504", std::move(coarse));
   }
-  for (const std::string& parted : sense::two_ways_warnings(run)) {
-    run.warnings.push_back(parted);
-    log.message(base::Severity::warning, "W570", parted);
+  for (std::string& parted : sense::two_ways_warnings(run)) {
+    warn("W570", std::move(parted));
   }
-  for (const std::string& parted : sense::front_ways_warnings(run)) {
-    run.warnings.push_back(parted);
-    log.message(base::Severity::warning, "W570", parted);
+  for (std::string& parted : sense::front_ways_warnings(run)) {
+    warn("W570", std::move(parted));
   }
-  for (const sense::EndWarning& warning : sense::end_warnings(model, run)) {
-    run.warnings.push_back(warning.text);
-    log.message(base::Severity::warning, warning.code, warning.text);
+  for (sense::EndWarning& warning : sense::end_warnings(model, run)) {
+    warn(warning.code, std::move(warning.text));
+  }
+  for (const model::Check& check : model.checks) {
+    if (const auto far = far_from_front(check, model.units.length_name, run)) {
+      warn("W574", fmt::format("{}: {}", check_text(check), *far));
+    }
   }
 }
 

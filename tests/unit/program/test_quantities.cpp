@@ -242,6 +242,45 @@ $END
   EXPECT_NE(listing.find("full circumference"), std::string::npos);
 }
 
+// K1.AT reads where the front is nearest: K is that of another place when the front is elsewhere,
+// which passes for right where K changes slowly. The run says so.
+TEST(Quantities, PlacesThatAFrontDoesNotPassAreNamed) {
+  const auto warnings = [](const std::string& x) {
+    const test::Folder folder;
+    const test::Outcome outcome = test::run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=BODY
+  $MESH SHAPE=BLOCK TYPE=HEXEC20 X0=0 Y0=0 Z0=-2 LX=1 LY=0.25 LZ=4 NX=4 NY=1 NZ=12
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY.BODY MATERIAL=M STATE=SOLID
+$NSET NAME=P1 WHERE=(x > 1 - 1e-6 and z < -2 + 1e-6)
+$NSET NAME=P2 WHERE=(x < 1e-6 and z < -2 + 1e-6)
+$FREEDOM CLASS=SUPPRESSED DOF=XZ
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=Z
+  P2
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  BODY.YMIN BODY.YMAX
+$CRACK NAME=C1 NET=BODY X0=0.2 Y0=0.1 Z0=0
+  0.5 -0.05 0
+  0.5  0.3  0
+$LOAD CASE=PULL TYPE=TRACTION
+  BODY.ZMAX  0 0 1
+  BODY.ZMIN  0 0 -1
+$STEP NAME=PULL
+  LOAD PULL 1
+$CHECK
+  K1.AT(C1,)" + x + R"(,0.1,0,PULL) = (2.824579*sqrt(pi/2)) REL 0.02 SOURCE 'Kaya and Erdogan 1987'
+$END
+)");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    return outcome.messages;
+  };
+  EXPECT_EQ(warnings("0.505").find("nearest place"), std::string::npos);
+  const std::string aside = warnings("0.52");
+  EXPECT_NE(aside.find("front C1 is 0.02 mm from there, at 0.5 0.1 0"), std::string::npos) << aside;
+}
+
 // A motion of a solid body is told with all three components.
 TEST(Quantities, RigidMotionInSpaceHasThreeComponents) {
   model::Mesh mesh;
