@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 #include <utility>
+#include <vector>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -183,16 +185,61 @@ std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const 
   return Ligament{.behind = behind(tip), .left = left->distance};
 }
 
+namespace {
+
+// Whether the body is on the straight way from the middle of an ellipse to each place of it. What
+// lies behind a hole that the middle is at is no part of the crack; from a middle outside of the
+// body all places count that lie in it. [place]
+std::vector<bool> places_reached(const model::Crack& crack, const SolidSurroundings& around,
+                                 int places) {
+  constexpr int looks_along = 20;
+  const Vec3& middle = crack.plane.place;
+  const auto inside = [&](int k, int i) {
+    const Vec3 x = on_ellipse(crack, 2.0 * std::numbers::pi * k / places);
+    return around.inside(middle + (x - middle) * i / looks_along, crack.net);
+  };
+  const auto round = std::views::iota(0, places);
+  const bool at_body = std::ranges::any_of(round, [&](int k) { return inside(k, 1); });
+  std::vector<bool> reached;
+  for (const int k : round) {
+    const auto along = std::views::iota(at_body ? 1 : looks_along, looks_along + 1);
+    reached.push_back(std::ranges::all_of(along, [&](int i) { return inside(k, i); }));
+  }
+  return reached;
+}
+
+} // namespace
+
+std::optional<FrontWays::Ligament> EllipseWays::left_in_corner(std::size_t tip) const {
+  constexpr int places = 3600; // what is left may be small
+  const std::size_t number = now_.arms[tip].crack;
+  for (std::size_t other = 0; other < now_.arms.size(); ++other) {
+    if (now_.arms[other].crack == number && ligament(other)) {
+      return std::nullopt;
+    }
+  }
+  const model::Crack& crack = now_.cracks[number];
+  const std::vector<bool> reached = places_reached(crack, around_, places);
+  Ligament longest{.behind = behind(tip), .left = 0.0};
+  for (int k = 0; k < places; ++k) {
+    const double phi = 2.0 * std::numbers::pi * k / places;
+    const Vec3 x = on_ellipse(crack, phi);
+    const auto left = reached[static_cast<std::size_t>(k)]
+                          ? around_.to_surface(x, outwards(crack, phi), crack.net)
+                          : std::nullopt;
+    if (left && left->distance > longest.left) {
+      longest = Ligament{.behind = (x - crack.plane.place).norm(), .left = left->distance};
+    }
+  }
+  return longest;
+}
+
 bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const {
   const Arm& arm = now_.arms[tip];
   model::Crack crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.behind + before.left);
-  for (int k = 0; k < looks_round; ++k) {
-    if (around_.inside(on_ellipse(crack, 2.0 * std::numbers::pi * k / looks_round), crack.net)) {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<bool> reached = places_reached(crack, around_, looks_round);
+  return std::ranges::find(reached, true) != reached.end();
 }
 
 std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) const {
@@ -207,7 +254,7 @@ std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) cons
       continue;
     }
     const auto look = [&](const Vec3& x) {
-      if ((x - end).norm() < nearest) {
+      if ((x - end).norm() < nearest && around_.joins(end, x, own.net)) {
         nearest = (x - end).norm();
         other = c;
       }

@@ -24,8 +24,7 @@ MeetingFront FreeWays::meeting(const Growing& of, const Growing& other, double r
   MeetingFront front{.points = {}, .tips = of.tips, .stays = {}, .closed = of.arc.closed()};
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     const mesh::FrontFrame at = of.frame(i);
-    const mesh::FrontCurve& there = other.arc.curve;
-    front.stays.push_back((there.at(there.nearest(at.x)).x - at.x).norm() > reach);
+    front.stays.push_back((other.arc.nearest(at.x) - at.x).norm() > reach);
     front.points.emplace_back(at.x + (by.empty() ? 0.0 : by[of.tips[i]]) * at.m);
   }
   return front;

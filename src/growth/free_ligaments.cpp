@@ -76,6 +76,25 @@ FreeWays::ligament_at(const Growing& of, double number, const std::vector<std::s
   return Ligament{.behind = reach_back(of, at.x, way), .left = ahead->distance};
 }
 
+std::optional<FrontWays::Ligament> FreeWays::left_in_corner(std::size_t tip) const {
+  const Growing& of = place_of(tip).of;
+  if (of.arc.closed() || std::ranges::any_of(of.tips, [&](std::size_t other) {
+        return ligaments_[other].has_value();
+      })) {
+    return std::nullopt;
+  }
+  const base::NetId net = now_.cracks[of.crack].net;
+  std::optional<Ligament> longest;
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    const mesh::FrontFrame at = of.frame(i);
+    const auto ahead = around_.to_surface(at.x, at.m, net);
+    if (ahead && (!longest || ahead->distance > longest->left)) {
+      longest = Ligament{.behind = reach_back(of, at.x, at.m), .left = ahead->distance};
+    }
+  }
+  return longest;
+}
+
 // Towards a far face a wide crack reaches back by its depth, not by the way from its place.
 double FreeWays::reach_back(const Growing& of, const Vec3& x, const Vec3& way) const {
   const model::Crack& crack = now_.cracks[of.crack];

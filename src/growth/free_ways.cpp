@@ -168,8 +168,10 @@ std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
   const Vec3 x = at.frame().x;
   std::optional<Neighbour> nearest;
   for (const Growing& other : now_.growing) {
-    const double gap = (other.arc.curve.at(other.arc.curve.nearest(x)).x - x).norm();
-    if (other.crack != at.of.crack && (!nearest || gap < nearest->gap)) {
+    const Vec3 there = other.arc.nearest(x);
+    const double gap = (there - x).norm();
+    if (other.crack != at.of.crack && (!nearest || gap < nearest->gap) &&
+        around_.joins(x, there, now_.cracks[other.crack].net)) {
       nearest = Neighbour{.gap = gap, .crack = other.crack};
     }
   }

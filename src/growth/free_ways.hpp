@@ -86,6 +86,7 @@ private:
   [[nodiscard]] std::optional<Ligament> ligament(std::size_t tip) const override {
     return ligaments_[tip];
   }
+  [[nodiscard]] std::optional<Ligament> left_in_corner(std::size_t tip) const override;
   [[nodiscard]] bool goes_on_behind(std::size_t tip, const Ligament& before) const override;
   [[nodiscard]] std::optional<Neighbour> neighbour(std::size_t tip) const override;
   [[nodiscard]] bool joins(std::size_t tip, const Neighbour& other) const override;

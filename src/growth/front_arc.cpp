@@ -78,6 +78,11 @@ std::vector<Run> runs_of(const std::vector<bool>& in, bool closed) {
 
 } // namespace
 
+base::Vec3 FrontArc::nearest(const base::Vec3& x) const {
+  const double s = curve.nearest(x); // of an open curve beyond its ends, too
+  return curve.at(closed() ? s : std::clamp(s, 0.0, curve.length())).x;
+}
+
 double FrontArc::place(double number, std::size_t count) const {
   const std::size_t parts = closed() ? count : count - 1;
   return curve.length() * number / static_cast<double>(parts);

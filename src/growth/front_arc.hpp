@@ -18,6 +18,8 @@ struct FrontArc {
   [[nodiscard]] bool closed() const { return curve.closed(); }
   /// The place of a point of `count` spread evenly along it, or between two of them [length].
   [[nodiscard]] double place(double number, std::size_t count) const;
+  /// Its place that is nearest to x.
+  [[nodiscard]] base::Vec3 nearest(const base::Vec3& x) const;
 };
 
 /// The parts of a front that are in the body, in the order along it.

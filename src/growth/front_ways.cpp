@@ -101,7 +101,8 @@ std::optional<WayEnd> FrontWays::refused(const State& /*state*/, bool leapt,
   std::size_t at = 0;
   bool meets = false;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    const std::optional<Ligament> before = ligament(tip);
+    std::optional<Ligament> before = ligament(tip);
+    before = before ? before : left_in_corner(tip);
     if (before && (!least || before->part() < least->part())) {
       least = before;
       at = tip;

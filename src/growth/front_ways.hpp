@@ -57,6 +57,9 @@ protected:
   };
   /// Empty: no surface is ahead.
   [[nodiscard]] virtual std::optional<Ligament> ligament(std::size_t tip) const = 0;
+  /// The longest way to any surface from places of a tip's front that has gone round a corner of
+  /// the body, so that none of its tips has one ahead. Empty: it has not.
+  [[nodiscard]] virtual std::optional<Ligament> left_in_corner(std::size_t tip) const = 0;
   /// Whether something of the front is left in the body once a tip has gone through the surface.
   [[nodiscard]] virtual bool goes_on_behind(std::size_t tip, const Ligament& before) const = 0;
   /// Empty: there is no other crack.

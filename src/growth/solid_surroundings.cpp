@@ -35,4 +35,20 @@ SolidSurroundings::piece_at(const base::Vec3& x, const base::Vec3& within, base:
   return surface.piece(surface.nearest(x).face);
 }
 
+bool SolidSurroundings::joins(const base::Vec3& one, const base::Vec3& other,
+                              base::NetId net) const {
+  constexpr int looks = 16;
+  constexpr double off = 0.05; // of the way: coarse facets lie off a round surface
+  std::optional<base::ElementId> at = host_.element_at(one, net);
+  at = at ? at : host_.element_at(other, net);
+  for (int i = 1; i < looks && at; ++i) {
+    const base::Vec3 x = one + (other - one) * i / looks;
+    const auto& surface = host_.surface(*at).geometry(mesh::Borders::none);
+    if (!inside(x, net) && (surface.nearest(x).x - x).norm() > off * (other - one).norm()) {
+      return false;
+    }
+  }
+  return at.has_value();
+}
+
 } // namespace spricka::growth

@@ -31,6 +31,9 @@ public:
   /// that lies in none.
   [[nodiscard]] std::optional<std::size_t> piece_at(const base::Vec3& x, const base::Vec3& within,
                                                     base::NetId net) const;
+  /// Whether the body is on the straight way between two places in it or at its surface: no hole
+  /// parts them.
+  [[nodiscard]] bool joins(const base::Vec3& one, const base::Vec3& other, base::NetId net) const;
 
 private:
   mesh::SolidHost host_;

@@ -69,6 +69,9 @@ std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
     cut.net = crack.net;
     cut.normal = crack.plane.normal;
     cut.front = ellipse ? ellipse_front(crack.plane) : drawn_front(crack);
+    if (ellipse) {
+      cut.middle = crack.plane.place;
+    }
     cut.closed = ellipse || crack.plane.closed;
     cut.name = crack.name;
     if (!crack.wake.fronts.empty()) {

@@ -153,8 +153,17 @@ private:
   }
 
   bool fits(const FrontCurve& curve, const TubeSizes& sizes) {
+    constexpr double touching = 1e-6; // of the crack's size
     for (std::size_t i = 0; i < sizes.s.size(); ++i) {
       const FrontFrame at = curve.at(sizes.s[i]);
+      if (sizes.room[i] < touching) {
+        diagnostics_.error(request_.span, "E423",
+                           fmt::format("{}: its front touches the body's surface, or another "
+                                       "crack, at {}",
+                                       request_.crack->title(), text_of(frame_.global(at.x))),
+                           "a crack keeps off the surface of the body or ends on it");
+        return false;
+      }
       const double bend = std::abs(at.curvature());
       const double free = std::min(most_of_room * sizes.room[i],
                                    bend > 0.0 ? most_of_curvature / bend : sizes.room[i]);

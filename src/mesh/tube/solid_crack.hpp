@@ -4,6 +4,7 @@
 #include "base/vec.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct SolidCrack {
   bool closed = true;
   std::string name;                               ///< for messages
   std::shared_ptr<const CrackRelief> relief = {}; ///< of one that has turned
+  /// The middle of an ellipse. Parts of the body that it lies in or at have the crack; with none of
+  /// them all that the ellipse reaches.
+  std::optional<base::Vec3> middle = {};
 
   /// The crack's normals b at points of its front.
   [[nodiscard]] std::vector<base::Vec3> normals_at(const std::vector<base::Vec3>& points) const;

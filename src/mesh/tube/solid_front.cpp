@@ -65,7 +65,13 @@ public:
         return false;
       }
     }
-    return find_outlines() && stays_in_part() && nothing_crosses();
+    if (!find_outlines()) {
+      return false;
+    }
+    if (crack_.middle && !leave_out_areas_apart()) {
+      return fail("no part of its front lies in the body where its middle is", *crack_.middle);
+    }
+    return stays_in_part() && nothing_crosses();
   }
 
 private:
@@ -77,10 +83,13 @@ private:
     return false;
   }
 
+  /// More places where little of the front lies in the body, as of a long ellipse through a plate.
   bool find_seed() {
-    for (int i = 0; i < samples && !request_.seed.valid(); ++i) {
-      const double s = (i + 0.5) / samples * whole_.length();
-      request_.seed = host_.element_at(whole_.at(s).x, crack_.net).value_or(ElementId());
+    for (int count = samples; count <= 100 * samples && !request_.seed.valid(); count *= 10) {
+      for (int i = 0; i < count && !request_.seed.valid(); ++i) {
+        const double s = (i + 0.5) / count * whole_.length();
+        request_.seed = host_.element_at(whole_.at(s).x, crack_.net).value_or(ElementId());
+      }
     }
     return request_.seed.valid();
   }
@@ -126,6 +135,7 @@ private:
 
   bool find_outlines() {
     std::vector<bool> done(request_.fronts.size(), false);
+    area_.resize(request_.fronts.size());
     for (std::size_t first = 0; first < done.size(); ++first) {
       if (done[first]) {
         continue;
@@ -134,6 +144,7 @@ private:
       std::size_t k = first;
       for (; !done[k]; k = request_.fronts[k].next) {
         done[k] = true;
+        area_[k] = request_.outlines.size() - 1;
         const SolidFront& front = request_.fronts[k];
         const FrontCurve& curve = *front.curve;
         outline.push_back(curve.at(0.0).x);
@@ -154,6 +165,52 @@ private:
         return fail("its mouths do not lead from front to front", outline.front());
       }
     }
+    return true;
+  }
+
+  /// An ellipse about a place on the wall of a hole reaches the body behind the hole, too, once it
+  /// is wide enough: that is no part of the crack. An ellipse about a place in the hole has both.
+  /// False: what is left is none of it, as where the body ends before the ellipse.
+  bool leave_out_areas_apart() {
+    constexpr double at_it = 0.05; // of the crack's size: coarse facets lie off a round wall
+    const Vec3& middle = *crack_.middle;
+    const double near = at_it * frame_of(crack_).a;
+    std::vector<bool> kept;
+    for (const std::vector<Vec3>& outline : request_.outlines) {
+      kept.push_back(PlanePolygons(crack_, {outline}).distance(middle) < near);
+    }
+    if (std::ranges::find(kept, true) == kept.end()) {
+      const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+      return !host_.element_at(middle, crack_.net) &&
+             (surface.nearest(middle).x - middle).norm() > near;
+    }
+    if (std::ranges::find(kept, false) == kept.end()) {
+      return true;
+    }
+    std::vector<SolidFront> fronts;
+    std::vector<std::size_t> place(request_.fronts.size());
+    for (std::size_t k = 0; k < request_.fronts.size(); ++k) {
+      SolidFront& front = request_.fronts[k];
+      const Vec3 middle = front.curve->at(0.5 * front.curve->length()).x;
+      if (!kept[area_[k]]) {
+        request_.left_out = middle;
+        continue;
+      }
+      request_.seed = host_.element_at(middle, crack_.net).value_or(request_.seed);
+      place[k] = fronts.size();
+      fronts.push_back(std::move(front));
+    }
+    for (SolidFront& front : fronts) {
+      front.next = place[front.next];
+    }
+    std::vector<std::vector<Vec3>> outlines;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i]) {
+        outlines.push_back(std::move(request_.outlines[i]));
+      }
+    }
+    request_.fronts = std::move(fronts);
+    request_.outlines = std::move(outlines);
     return true;
   }
 
@@ -251,6 +308,7 @@ private:
   const SolidCrack& crack_;
   base::Diagnostics& diagnostics_;
   FrontCurve whole_;
+  std::vector<std::size_t> area_; ///< [front] that it borders: into the request's outlines
 };
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct SolidRequest {
   std::vector<SolidHole> holes = {};
   /// What fronts and mouths enclose, as closed polygons; those of holes lie within others.
   std::vector<std::vector<base::Vec3>> outlines = {};
+  /// A place of what a closed front encloses elsewhere, beyond a hole or a slot: not of the crack.
+  std::optional<base::Vec3> left_out = {};
 };
 
 CrackPlane plane_of(const SolidCrack& crack);

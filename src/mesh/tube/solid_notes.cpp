@@ -102,8 +102,13 @@ std::string note_of(const SolidRequest& request, const SolidGroup& group,
                               tube.closed ? tube.stations.size() : tube.stations.size() - 1,
                               range_text(front.radius, widest, "{:.6g}"), request.mesh->rings,
                               request.mesh->sectors);
-  return fmt::format("{} with {}, {}", what_and_where(*request.crack, front), elements,
-                     patch_of(group));
+  const std::string left_out =
+      request.left_out
+          ? fmt::format("; what its ellipse encloses elsewhere, as at {}, is no part of it",
+                        text_of(*request.left_out))
+          : std::string();
+  return fmt::format("{} with {}, {}{}", what_and_where(*request.crack, front), elements,
+                     patch_of(group), left_out);
 }
 
 } // namespace spricka::mesh

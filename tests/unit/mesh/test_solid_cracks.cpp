@@ -570,6 +570,30 @@ TEST(SolidCracks, WithAHoleInside) {
   }
 }
 
+// An ellipse about a place on the wall of a bore, wider than that, reaches the body behind it: no
+// part of the crack.
+TEST(SolidCracks, WideAtASmallBore) {
+  test::HolePlate plate;
+  plate.thickness = 6.0;
+  plate.through = 5;
+  plate.around = 24;
+  model::Mesh host = test::hole_plate(ElementType::hexec20, plate);
+  host.property.assign(host.element_count(), base::PropertyId(std::size_t{0}));
+  const Eigen::Matrix3d upright = axes(Vec3::UnitX(), Vec3::UnitZ());
+  for (const double side : {1.0, -1.0}) {
+    mesh::SolidCrack crack = ellipse({side, 0, 0}, upright, 2.7, 2.7);
+    crack.middle = Vec3(side, 0, 0);
+    const auto cracked = insert(host, {crack});
+    ASSERT_TRUE(cracked);
+    expect_sound(host, *cracked);
+    ASSERT_EQ(cracked->fronts.size(), 1U);
+    for (const mesh::FrontPoint& point : cracked->fronts[0].points) {
+      EXPECT_GT(side * point.x.x(), 0.99);
+    }
+    EXPECT_NEAR(cracked->fronts[0].curve->length(), 0.5 * pi * 2.7, 1e-2);
+  }
+}
+
 TEST(SolidCracks, AtTheBoreOfARing) {
   // Corner cracks and half ellipses at the bore, in a plane through the axis or one that leans.
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.75 * pi, Vec3::UnitZ()).toRotationMatrix();

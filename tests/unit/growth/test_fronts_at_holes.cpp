@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/ellipse_ways.hpp"
+#include "growth/free_ways.hpp"
+#include "tests/unit/growth/growing_block.hpp"
+#include "tests/unit/mesh/surface_hosts.hpp"
+
+#include <memory>
+
+namespace spricka {
+namespace {
+
+using base::Vec3;
+using test::Block;
+using test::run;
+
+// Corner cracks at the bore, in the plane y = 0 through its axis: first and second of a and c on
+// the right, then on the left. The bore has a radius of 1, the plate is 8 wide and 6 thick.
+Block plate_with(const std::vector<std::array<double, 2>>& right_and_left) {
+  Block block(Vec3::Zero(), Vec3::Ones(), 1);
+  test::HolePlate plate;
+  plate.thickness = 6.0;
+  plate.around = 32;
+  block.model.mesh = test::hole_plate(base::ElementType::hexec20, plate);
+  block.model.mesh.property.assign(block.model.mesh.element_count(), base::PropertyId(0));
+  double side = 1.0;
+  for (const auto& [a, c] : right_and_left) {
+    block.ellipse({side, 0, 0}, a, c, side > 0.0 ? "C1" : "C2");
+    block.model.cracks.back().plane.normal = -Vec3::UnitY();
+    side = -side;
+  }
+  return block;
+}
+
+struct Grown {
+  std::string end, reason;
+  growth::CrackState last;
+};
+
+template <class Ways> Grown grown(Block block, double last_length) {
+  block.model.growth->last_length = last_length;
+  growth::March march(block.model, test::paris, std::make_unique<Ways>(block.model), {});
+  Grown out;
+  run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+    out.last = cracks;
+    return 1.0;
+  });
+  out.end = march.end()->word;
+  out.reason = march.end()->reason;
+  return out;
+}
+
+// Two cracks on both sides of a hole do not meet in it: neither where the front of one would go on
+// straight behind the bore, nor where the other half of an ellipse lies in the body behind it.
+template <class Ways> void grow_apart() {
+  const Grown both = grown<Ways>(plate_with({{0.6, 0.5}, {0.5, 0.4}}), 2.6);
+  EXPECT_EQ(both.end, "AMAX") << both.reason;
+  for (const model::Crack& crack : both.last.solids) {
+    EXPECT_FALSE(growth::is_gone(crack));
+  }
+  for (std::size_t i = 0; i < both.last.aims.size(); ++i) {
+    const double side = both.last.fronts[i] == 0 ? 1.0 : -1.0;
+    EXPECT_GT(side * both.last.aims[i].x(), 0.99) << i;
+  }
+}
+
+TEST(FrontsAtHoles, FreeOnesOnBothSidesDoNotMeet) {
+  grow_apart<growth::FreeWays>();
+}
+
+TEST(FrontsAtHoles, EllipsesOnBothSidesDoNotMeet) {
+  grow_apart<growth::EllipseWays>();
+}
+
+// Its other half is in the body behind the bore as the ligament on its own side is cut: that does
+// not go on.
+TEST(FrontsAtHoles, EllipseEndsWithItsOwnLigament) {
+  const Grown one = grown<growth::EllipseWays>(plate_with({{4.0, 2.4}}), 100.0);
+  EXPECT_EQ(one.end, "EDGE") << one.reason;
+}
+
+} // namespace
+} // namespace spricka
