@@ -19,6 +19,8 @@ using base::Vec3;
 /// Limits of a radius that is given; sizes chosen keep them.
 constexpr double most_of_room = 0.45;
 constexpr double most_of_curvature = 0.8;
+/// A distance that is none, as a part of the crack's size.
+constexpr double same_place = 1e-6;
 constexpr double most_elements = 800.0; // along a front
 /// How far a front may lean from the surface's normal where it ends: 65 degrees; a tube that is
 /// sheared further has elements too flat.
@@ -152,15 +154,23 @@ private:
     return std::nullopt;
   }
 
+  /// What leaves so little room at a place.
+  [[nodiscard]] const char* what_is_near(const Vec3& x) const {
+    const std::size_t part = host_.part(request_.seed);
+    const Vec3 at = frame_.global(x);
+    // The skin has the border, too.
+    const bool is_border = host_.border(part).nearest(at).distance <=
+                           (1.0 + same_place) * host_.skin(part).nearest(at).distance;
+    return is_border ? "the border to another material" : "the body's surface or another crack";
+  }
+
   bool fits(const FrontCurve& curve, const TubeSizes& sizes) {
-    constexpr double touching = 1e-6; // of the crack's size
     for (std::size_t i = 0; i < sizes.s.size(); ++i) {
       const FrontFrame at = curve.at(sizes.s[i]);
-      if (sizes.room[i] < touching) {
+      if (sizes.room[i] < same_place) {
         diagnostics_.error(request_.span, "E423",
-                           fmt::format("{}: its front touches the body's surface, or another "
-                                       "crack, at {}",
-                                       request_.crack->title(), text_of(frame_.global(at.x))),
+                           fmt::format("{}: its front touches {} at {}", request_.crack->title(),
+                                       what_is_near(at.x), text_of(frame_.global(at.x))),
                            "a crack keeps off the surface of the body or ends on it");
         return false;
       }
@@ -171,10 +181,10 @@ private:
         diagnostics_.error(
             request_.span, "E423",
             fmt::format("{}: {} of radius {:.6g} does not fit round its front at {}: there is room "
-                        "for {:.6g}, the body's surface or another crack is {:.6g} away",
+                        "for {:.6g}, {} is {:.6g} away",
                         request_.crack->title(), mesh_.tube ? "a tube" : "a zone of even elements",
                         sizes.radius[i] * frame_.a, text_of(frame_.global(at.x)), free * frame_.a,
-                        sizes.room[i] * frame_.a),
+                        what_is_near(at.x), sizes.room[i] * frame_.a),
             "give a smaller RADIUS on $TIPNET, or a crack that keeps off the surface or ends on "
             "it");
         return false;
@@ -185,10 +195,11 @@ private:
       const auto i = static_cast<std::size_t>(narrow);
       diagnostics_.error(request_.span, "E423",
                          fmt::format("{}: its front would take {:.0f} elements, as there is room "
-                                     "for {} of radius {:.3g} only at {}",
+                                     "for {} of radius {:.3g} only at {}, beside {}",
                                      request_.crack->title(), sizes.count(),
                                      mesh_.tube ? "a tube" : "elements", sizes.radius[i] * frame_.a,
-                                     text_of(frame_.global(curve.at(sizes.s[i]).x))),
+                                     text_of(frame_.global(curve.at(sizes.s[i]).x)),
+                                     what_is_near(curve.at(sizes.s[i]).x)),
                          "a crack keeps off the surface of the body or ends on it");
       return false;
     }
