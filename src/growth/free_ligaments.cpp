@@ -83,13 +83,13 @@ std::optional<FrontWays::Ligament> FreeWays::left_in_corner(std::size_t tip) con
       })) {
     return std::nullopt;
   }
-  const base::NetId net = now_.cracks[of.crack].net;
+  const model::Crack& crack = now_.cracks[of.crack];
   std::optional<Ligament> longest;
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     const mesh::FrontFrame at = of.frame(i);
-    const auto ahead = around_.to_surface(at.x, at.m, net);
+    const auto ahead = around_.to_surface(at.x, at.m, crack.net);
     if (ahead && (!longest || ahead->distance > longest->left)) {
-      longest = Ligament{.behind = reach_back(of, at.x, at.m), .left = ahead->distance};
+      longest = Ligament{.behind = (at.x - crack.plane.place).norm(), .left = ahead->distance};
     }
   }
   return longest;
