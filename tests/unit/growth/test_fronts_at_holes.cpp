@@ -78,5 +78,43 @@ TEST(FrontsAtHoles, EllipseEndsWithItsOwnLigament) {
   EXPECT_EQ(one.end, "EDGE") << one.reason;
 }
 
+// A plate 2 thick and 16 wide with a web 2 thick under its middle, of cubes of 1.
+Block stiffened_plate() {
+  constexpr int n = 16;
+  Block block({-8, 0, -8}, {8, 16, 8}, n);
+  model::Mesh mesh;
+  mesh.dim = 3;
+  const model::Mesh& whole = block.model.mesh;
+  for (std::size_t i = 0; i < whole.node_count(); ++i) {
+    model::add_node(mesh, whole.x[i], static_cast<base::Label>(i) + 1, base::NetId(0));
+  }
+  for (std::size_t e = 0; e < whole.element_count(); ++e) {
+    const auto nodes = whole.nodes_of(base::ElementId(e));
+    const Vec3 low = whole.x[nodes[0].index()];
+    if (low.y() < 1.5 || std::abs(low.x() + 0.5) < 1.0) {
+      model::add_element(mesh, base::ElementType::hexe8, nodes, static_cast<base::Label>(e) + 1,
+                         base::NetId(0));
+    }
+  }
+  mesh.property.assign(mesh.element_count(), base::PropertyId(0));
+  block.model.mesh = mesh;
+  return block;
+}
+
+// A surface crack opposite of the web goes on as three fronts, all as far from where it began as K
+// that is the same everywhere has it.
+TEST(FrontsAtHoles, CrackUnderAWebBecomesThree) {
+  Block block = stiffened_plate();
+  block.ellipse({0, 0, 0}, 1.0, 1.0);
+  const Grown three = grown<growth::FreeWays>(block, 6.0);
+  EXPECT_EQ(three.end, "AMAX") << three.reason;
+  std::array<int, 3> places{};
+  for (const Vec3& x : three.last.aims) {
+    EXPECT_NEAR(x.norm(), 6.0, 0.1 * 6.0) << x.transpose();
+    ++places.at(x.y() > 2.0 + 1e-6 ? 0 : (x.x() > 0.0 ? 1 : 2));
+  }
+  EXPECT_TRUE(std::ranges::all_of(places, [](int count) { return count > 2; }));
+}
+
 } // namespace
 } // namespace spricka
