@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -198,12 +197,17 @@ std::vector<bool> places_reached(const model::Crack& crack, const SolidSurroundi
     const Vec3 x = on_ellipse(crack, 2.0 * std::numbers::pi * k / places);
     return around.inside(middle + (x - middle) * i / looks_along, crack.net);
   };
-  const auto round = std::views::iota(0, places);
-  const bool at_body = std::ranges::any_of(round, [&](int k) { return inside(k, 1); });
+  bool at_body = false;
+  for (int k = 0; k < places; ++k) {
+    at_body = at_body || inside(k, 1);
+  }
   std::vector<bool> reached;
-  for (const int k : round) {
-    const auto along = std::views::iota(at_body ? 1 : looks_along, looks_along + 1);
-    reached.push_back(std::ranges::all_of(along, [&](int i) { return inside(k, i); }));
+  for (int k = 0; k < places; ++k) {
+    bool joined = true;
+    for (int i = at_body ? 1 : looks_along; joined && i <= looks_along; ++i) {
+      joined = inside(k, i);
+    }
+    reached.push_back(joined);
   }
   return reached;
 }

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cracks by chance in plates and at a bore, inside, at surfaces and at corners, grown to their ends: none
 stops for want of a mesh before 80 % of the way to the surface, or the thickness, is cut; every end has its name.
+From 50 on there is one on each side of the bore.
 
     tests/stability/random_growth.py PROGRAM [--full | --all] [NUMBER ..]
 
-To its end one takes minutes: --all runs the fifty, --full (or SPRICKA_FULL in the environment) twelve; else
+To its end one takes minutes: --all runs the sixty, --full (or SPRICKA_FULL in the environment) fourteen; else
 one is grown, and only its beginning.
 """
 import math
@@ -15,8 +16,8 @@ import sys
 
 from program import Run, numbers
 
-ALL = range(50)
-SOME = (*range(10), 26, 47)  # 26 becomes two fronts; of 47 an axis went farther than was asked for, for ever
+ALL = range(60)
+SOME = (*range(10), 26, 47, 50, 53)  # 26 becomes two fronts; of 47 an axis went farther than was asked for, for ever
 FEW = (0,)
 BEGINNING = 1.2  # of the longer axis
 SEED = 20262
@@ -38,6 +39,8 @@ $NET NAME=PLATE
   $IMPORT FILE='strip_bore_solid.geo' FORMAT=GEO
 $ENDNET
 """
+CRACK = """$CRACK NAME=C{number} NET=PLATE A={a:.4g} C={c:.4g} X0={x:.6g} Y0={y:.6g} Z0={z:.4g} NORMAL=Z
+"""
 DECK = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Crack by chance {number}'
 $PARAMETER
   W = {W}
@@ -56,8 +59,7 @@ $FREEDOM CLASS=SUPPRESSED DOF=YZ
   P2
 $FREEDOM CLASS=SUPPRESSED DOF=Z
   P3
-$CRACK NAME=C1 NET=PLATE A={a:.4g} C={c:.4g} X0={x:.6g} Y0={y:.6g} Z0={z:.4g} NORMAL=Z
-$LOAD CASE=PULL TYPE=TRACTION
+{cracks}$LOAD CASE=PULL TYPE=TRACTION
   TOP   0  0  ({tension})
   FOOT  0  0  (-({tension}))
 $STEP NAME=FULL
@@ -70,12 +72,14 @@ $END
 
 
 class Case:
-    """One plate with one crack; of the same number always the same."""
+    """One plate with one crack, or two; of the same number always the same."""
 
     def __init__(self, number):
         dice = random.Random(SEED + number)
         self.number = number
         self.place = ("corner", "surface", "embedded", "bore corner", "bore surface")[number % 5]
+        if number >= 50:
+            self.place = "bore pair"
         self.bore = self.place.startswith("bore")
         self.shape = "ELLIPSE" if number % 4 == 3 else "FREE"
         self.t = dice.uniform(2, 6)
@@ -96,7 +100,7 @@ class Case:
             a = min(a, 0.3 * self.t)
             self.y = self.t * dice.uniform(0.4, 0.6)
             self.x = dice.uniform(-0.3, 0.3) * (self.W - 2 * c)
-        elif self.place == "bore corner":
+        elif self.place in ("bore corner", "bore pair"):
             self.x = self.R
             c = min(c, 0.5 * (self.W - self.R))
         else:
@@ -110,36 +114,42 @@ class Case:
         self.m = dice.choice((2.5, 3, 3.5, 4))
         self.bend = dice.choice((0, 0, 0.5, -0.5))
         self.type = dice.choice(("TET10", "HEXEC20"))
+        self.cracks = [(self.a, self.c, self.x, self.y)]
+        if self.place == "bore pair":
+            part = dice.uniform(0.4, 1)
+            self.cracks.append((part * a, part * c, -self.R, dice.choice((0, round(self.t, 4)))))
 
     def text(self, whole=True):
         body = BORE.format(R=round(self.R, 4), h=round(0.5 * self.R, 4)) if self.bore else PLATE.format(
             type=self.type, nx=6, ny=2, nz=6)
         last = "" if whole else f" AMAX={BEGINNING * max(self.a, self.c):.4g}"
+        cracks = "".join(CRACK.format(number=k + 1, a=a, c=c, x=round(x, 4), y=round(y, 4), z=self.z)
+                         for k, (a, c, x, y) in enumerate(self.cracks))
         bend = f"100*(1 + ({self.bend})*(2*y/t - 1))"
         return DECK.format(number=self.number, W=round(self.W, 4), t=round(self.t, 4), L=round(self.H, 4), body=body,
-                           a=self.a, c=self.c, x=round(self.x, 4), y=round(self.y, 4), z=self.z, tension=bend,
-                           shape=self.shape, m=self.m, last=last, eset="PLATE.STRIP" if self.bore else "PLATE.BODY")
+                           cracks=cracks, tension=bend, shape=self.shape, m=self.m, last=last, eset="PLATE.STRIP" if self.bore else "PLATE.BODY")
 
-    def border(self, dx, dy):
-        """How far it is from the crack's place to the border of the section, along a direction."""
+    def border(self, place, dx, dy):
+        """How far it is from a crack's place to the border of the section, along a direction."""
         ways = [1e9]
-        for d, x, low, high in ((dx, self.x, -self.W, self.W), (dy, self.y, 0.0, self.t)):
+        for d, x, low, high in ((dx, place[0], -self.W, self.W), (dy, place[1], 0.0, self.t)):
             if abs(d) > 1e-12:
                 ways.append(((high if d > 0 else low) - x) / d)
         return max(min(ways), 1e-9)
 
     def cut(self, run):
-        """How much of the way to the border the crack has gone, where it has gone most of it."""
+        """How much of the way to the border a crack has gone, where it has gone most of it."""
         rows = numbers(run.out / "life.csv")
         last = rows[-1]["increment"]
         most = 0.0
         for row in rows:
             if row["increment"] == last:
-                dx, dy = float(row["x"]) - self.x, float(row["y"]) - self.y
+                place = self.cracks[int(row["tip"][1]) - 1][2:]  # of C1 or C2
+                dx, dy = float(row["x"]) - place[0], float(row["y"]) - place[1]
                 way = math.hypot(dx, dy)
                 # along the surface that it began at is no way to anywhere
-                if way > 0 and self.border(dx / way, dy / way) > 1e-3 * self.t:
-                    most = max(most, way / self.border(dx / way, dy / way))
+                if way > 0 and self.border(place, dx / way, dy / way) > 1e-3 * self.t:
+                    most = max(most, way / self.border(place, dx / way, dy / way))
         return most
 
 
