@@ -172,9 +172,13 @@ private:
   /// is wide enough: that is no part of the crack. An ellipse about a place in the hole has both.
   /// False: what is left is none of it, as where the body ends before the ellipse.
   bool leave_out_areas_apart() {
-    constexpr double at_it = 0.05; // of the crack's size: coarse facets lie off a round wall
+    constexpr double at_it = 0.05; // of the shorter axis: coarse facets lie off a round wall
     const Vec3& middle = *crack_.middle;
-    const double near = at_it * frame_of(crack_).a;
+    double axis = std::numeric_limits<double>::max();
+    for (const Vec3& x : crack_.front) {
+      axis = std::min(axis, (x - middle).norm());
+    }
+    const double near = at_it * axis;
     std::vector<bool> kept;
     for (const std::vector<Vec3>& outline : request_.outlines) {
       kept.push_back(PlanePolygons(crack_, {outline}).distance(middle) < near);

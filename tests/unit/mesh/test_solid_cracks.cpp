@@ -592,6 +592,13 @@ TEST(SolidCracks, WideAtASmallBore) {
     }
     EXPECT_NEAR(cracked->fronts[0].curve->length(), 0.5 * pi * 2.7, 1e-2);
   }
+  // Straight through, as the axis of one that goes on behind the far face grows and grows.
+  mesh::SolidCrack through = ellipse({1, 0, 0}, upright, 2.7, 1500.0, 360);
+  through.middle = Vec3(1, 0, 0);
+  const auto cracked = insert(host, {through});
+  ASSERT_TRUE(cracked);
+  ASSERT_EQ(cracked->fronts.size(), 1U);
+  EXPECT_NEAR(cracked->fronts[0].curve->length(), 6.0, 1e-3);
 }
 
 TEST(SolidCracks, AtTheBoreOfARing) {
