@@ -80,7 +80,8 @@ double FrontSurroundings::across_section(const FrontFrame& at) const {
       const bool other = !front_.curve->closed() && hit.along > same * surface.extent() &&
                          std::abs(hit.place.normal.dot(front_.end[first ? 0 : 1].x - hit.place.x)) >
                              other_surface * hit.along;
-      if (other || to_end > beside_end * hit.along + same * least) {
+      // At the end itself lines along the surface pass it at once, a little before or behind.
+      if (other || to_end > beside_end * std::max(hit.along, 0.0) + same * least) {
         least = std::min(least, hit.along);
       }
     }
