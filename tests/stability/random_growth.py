@@ -114,10 +114,14 @@ class Case:
         self.m = dice.choice((2.5, 3, 3.5, 4))
         self.bend = dice.choice((0, 0, 0.5, -0.5))
         self.type = dice.choice(("TET10", "HEXEC20"))
-        self.cracks = [(self.a, self.c, self.x, self.y)]
+        self.others = []  # a, c, x and y of more cracks
         if self.place == "bore pair":
             part = dice.uniform(0.4, 1)
-            self.cracks.append((part * a, part * c, -self.R, dice.choice((0, round(self.t, 4)))))
+            self.others.append((part * a, part * c, -self.R, dice.choice((0, round(self.t, 4)))))
+
+    @property
+    def cracks(self):
+        return [(self.a, self.c, self.x, self.y), *self.others]
 
     def text(self, whole=True):
         body = BORE.format(R=round(self.R, 4), h=round(0.5 * self.R, 4)) if self.bore else PLATE.format(
