@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -257,9 +258,11 @@ Asked asked_of(const std::string& text, Arguments& args, const results::Run& run
     refuse_without(asked.fronts, *word.quantity);
     return asked;
   }
+  std::vector<results::FrontResult> derivatives; // `fronts` may point into `own`
   for (const results::FrontResult* front : asked.fronts) {
-    asked.own.push_back(derivative_of(*front, *word.by, by));
+    derivatives.push_back(derivative_of(*front, *word.by, by));
   }
+  asked.own = std::move(derivatives);
   asked.fronts = fronts_of(asked.own, crack);
   return asked;
 }
