@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/dense_solve.hpp"
 #include "fe/dof_map.hpp"
 #include "model/model.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <cmath>
 
@@ -134,9 +134,8 @@ base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
       free.rightCols(1) = v;
     }
   };
-  const base::Matrix V = A.rows() == 0
-                             ? base::Matrix(base::Matrix::Identity(count, count))
-                             : Eigen::JacobiSVD<base::Matrix>(A, Eigen::ComputeFullV).matrixV();
+  const base::Matrix V = A.rows() == 0 ? base::Matrix(base::Matrix::Identity(count, count))
+                                       : base::right_singular_vectors(A).vectors;
   for (Eigen::Index k = 0; k < count; ++k) {
     keep(V.col(k));
   }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/front_waves.hpp"
 
+#include "base/dense_solve.hpp"
 #include "base/vec.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 namespace spricka::growth {
 
@@ -57,7 +55,7 @@ struct Waves {
     return 0.5 * stiffness * std::numbers::pi * halves;
   }
   [[nodiscard]] base::Vector heights(const base::Vector& values) const {
-    return shape.partialPivLu().solve(values);
+    return base::solve_square(shape, values);
   }
 };
 
@@ -87,7 +85,7 @@ std::vector<double> fitted(const base::Vector& values, FrontKind kind, const Fit
                                  : std::sin(turn);
     }
   }
-  const base::Vector found = shape * shape.householderQr().solve(values);
+  const base::Vector found = shape * base::least_squares(shape, values);
   return {found.begin(), found.end()};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/smooth_line.hpp"
 
+#include "base/dense_solve.hpp"
 #include "shape/quadrature.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cassert>
@@ -56,7 +56,7 @@ std::vector<Vec3> moments(const std::vector<Vec3>& x, const std::vector<double>&
     A(n - 1, n - 2) = -h(n - 3) - h(n - 2);
     A(n - 1, n - 1) = h(n - 3);
   }
-  const Eigen::MatrixXd m = A.partialPivLu().solve(rhs);
+  const base::Matrix m = base::solve_square(A, rhs);
   for (Eigen::Index i = 0; i < n; ++i) {
     result[static_cast<std::size_t>(i)] = m.row(i).transpose();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction.hpp"
+#include "base/dense_solve.hpp"
 #include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/contact_qp.hpp"
@@ -10,7 +11,6 @@
 #include "solve/mode_split.hpp"
 #include "solve/round_friction.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -45,10 +45,7 @@ int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch
   for (std::size_t r = 0; r < rows.size(); ++r) {
     B.row(index(r)) = problem.B.row(rows[r]);
   }
-  Eigen::ColPivHouseholderQR<base::Matrix> qr(B.rows(), B.cols());
-  qr.setThreshold(1e-9);
-  qr.compute(B);
-  return problem.modes() - static_cast<int>(qr.rank());
+  return problem.modes() - static_cast<int>(base::column_rank(B, 1e-9));
 }
 
 /// Back from scaled units, with every condition kept to the last bit that forces have.
@@ -122,7 +119,7 @@ base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const
     return base::Vector::Zero(held.modes());
   }
   // Modes that no row feels have no place among the scaled ones: least squares drops their part.
-  const base::Vector a = split.controllable.colPivHouseholderQr().solve(alpha);
+  const base::Vector a = base::least_squares(split.controllable, alpha);
   return a / std::sqrt(held.tau);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_unique.hpp"
+#include "base/dense_solve.hpp"
 #include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/friction_set.hpp"
 #include "solve/mode_split.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,12 +37,7 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
     for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
       B_T.col(index(k)) = problem.B.row(problem.fixed[k]).transpose();
     }
-    Eigen::ColPivHouseholderQR<base::Matrix> qr(B_T.rows(), B_T.cols());
-    qr.setThreshold(1e-9);
-    qr.compute(B_T);
-    const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(m, m);
-    // The columns of Q behind the rank of B_fixed^T: motions that open no equality row.
-    free = Q.rightCols(m - qr.rank());
+    free = base::directions_across(B_T, 1e-9); // motions that open no equality row
   }
   base::Matrix moved(index(rows.size()), free.cols());
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -52,9 +46,9 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
   if (moved.size() == 0) {
     return moved;
   }
-  const Eigen::JacobiSVD<base::Matrix> svd(moved, Eigen::ComputeThinU);
-  const Eigen::Index rank = (svd.singularValues().array() > 1e-9 * svd.singularValues()(0)).count();
-  return svd.matrixU().leftCols(rank);
+  const base::SingularVectors svd = base::left_singular_vectors(moved);
+  const Eigen::Index rank = (svd.values.array() > 1e-9 * svd.values(0)).count();
+  return svd.vectors.leftCols(rank);
 }
 
 /// Whether the form of (solve.27) is positive definite across the rigid motions N.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/mode_split.hpp"
+#include "base/dense_solve.hpp"
 #include "base/index.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +36,8 @@ RightVectors right_vectors(const base::Matrix& A) {
   const Eigen::HouseholderQR<base::Matrix> qr(A);
   const Eigen::Index top = std::min(A.rows(), k);
   R.topRows(top) = base::Matrix(qr.matrixQR().topRows(top)).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<base::Matrix> svd(R, Eigen::ComputeFullV);
-  return {svd.matrixV(), svd.singularValues()};
+  const base::SingularVectors svd = base::right_singular_vectors(R);
+  return {svd.vectors, svd.values};
 }
 
 /// As many rows of U [k, r] as it has columns, those that tell its columns apart best (full

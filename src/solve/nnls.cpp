@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/nnls.hpp"
+#include "base/dense_solve.hpp"
 #include "base/index.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 
 namespace spricka::solve {
@@ -18,7 +18,7 @@ base::Vector least_squares(const base::Matrix& A, const std::vector<int>& P,
   for (std::size_t k = 0; k < P.size(); ++k) {
     A_P.col(index(k)) = A.col(P[k]);
   }
-  return A_P.colPivHouseholderQr().solve(t);
+  return base::least_squares(A_P, t);
 }
 
 /// Lawson and Hanson's inner loop: moves x towards the least squares solution as far as it stays

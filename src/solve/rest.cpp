@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/rest.hpp"
+#include "base/dense_solve.hpp"
 #include "base/index.hpp"
 #include "solve/nnls.hpp"
 
@@ -23,11 +24,7 @@ base::Matrix free_directions(const HeldProblem& problem, const std::vector<int>&
   for (std::size_t k = 0; k < rows.size(); ++k) {
     B_T.col(index(k)) = problem.B.row(rows[k]).transpose();
   }
-  Eigen::ColPivHouseholderQR<base::Matrix> qr(m, B_T.cols());
-  qr.setThreshold(1e-9);
-  qr.compute(B_T);
-  const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(m, m);
-  return Q.rightCols(m - qr.rank());
+  return base::directions_across(B_T, 1e-9);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/bodies/content_hash.hpp"
 #include "analysis/scene/scene_ties.hpp"
+#include "base/dense_solve.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace spricka::analysis {
@@ -81,9 +81,7 @@ bool externals_carry(const model::Mesh& mesh, const BodyNet& body,
   if (modes.rows() < modes.cols()) {
     return false;
   }
-  Eigen::ColPivHouseholderQR<base::Matrix> qr(modes);
-  qr.setThreshold(1e-6);
-  return qr.rank() == modes.cols();
+  return base::column_rank(modes, 1e-6) == modes.cols();
 }
 
 // "LUG", "LUG/2" for a second piece of the same net, "COARSE+FINE" for nets tied together.

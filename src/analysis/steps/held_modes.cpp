@@ -6,6 +6,7 @@
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/step_factors.hpp"
+#include "base/dense_solve.hpp"
 #include "model/model.hpp"
 #include "solve/friction_cones.hpp"
 #include "solve/load_balance.hpp"
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 namespace spricka::analysis {
@@ -139,12 +139,12 @@ std::vector<std::string> motions(const model::Model& model, const model::Mesh& m
   if (part.size() == 0) {
     return names;
   }
-  const Eigen::JacobiSVD<base::Matrix> svd(part, Eigen::ComputeThinU);
+  const base::SingularVectors svd = base::left_singular_vectors(part);
   // `part` is a piece of an orthonormal basis: what is below this is no motion of the body.
-  const Eigen::Index rank = (svd.singularValues().array() > 1e-9).count();
+  const Eigen::Index rank = (svd.values.array() > 1e-9).count();
   const base::Matrix rigid = fe::rigid_modes(model, mesh, body.pieces);
   const base::Matrix mix =
-      rigid.transpose() * (body.free_modes * svd.matrixU().leftCols(rank)); // [rigid mode, rank]
+      rigid.transpose() * (body.free_modes * svd.vectors.leftCols(rank)); // [rigid mode, rank]
   // Named by rigid motions of the pieces: the free modes are any combination of those.
   const base::Matrix basis = reduced(mix);
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {

@@ -7,6 +7,7 @@
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/round_gaps.hpp"
 #include "analysis/steps/row_opening.hpp"
+#include "base/dense_solve.hpp"
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 #include "model/model.hpp"
@@ -17,7 +18,6 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace spricka::analysis {
@@ -185,7 +185,7 @@ std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
   }
   const base::Vector shape =
       body.condensed->modes() * mode.segment(first, body.condensed->modes().cols());
-  const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
+  const base::Vector mix = base::least_squares(at_externals, shape);
   return fmt::format("body {} {}: {}{}", body.name,
                      slides ? "slides, friction does not hold it" : "is loaded but not held",
                      describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/round.hpp"
 
+#include "base/dense_solve.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 namespace spricka::contact {
 
@@ -88,12 +89,10 @@ std::optional<Ball> fit_ball(const std::vector<Vec3>& points, double extent,
     A(i, dim) = 1.0;
     rhs[i] = d.squaredNorm();
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  qr.setThreshold(1e-9);
-  if (qr.rank() < dim + 1) {
+  if (base::column_rank(A, 1e-9) < dim + 1) {
     return std::nullopt; // points of a plane, or of a line
   }
-  const base::Vector s = qr.solve(rhs);
+  const base::Vector s = base::least_squares(A, rhs);
   const double square = s[dim] + s.head(dim).squaredNorm();
   return Ball{mean + extent * (across * s.head(dim)), extent * std::sqrt(std::max(0.0, square))};
 }
@@ -133,7 +132,7 @@ void refine(const std::vector<Vec3>& points, Round& round) {
         J(i, 5) = -z;
       }
     }
-    const base::Vector change = J.colPivHouseholderQr().solve(-r);
+    const base::Vector change = base::least_squares(J, base::Vector(-r));
     round.point += change[0] * t1 + change[1] * t2;
     round.axis = (round.axis + change[2] * t1 + change[3] * t2).normalized();
     round.radius += change[4];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/chart_maps.hpp"
 
+#include "base/dense_solve.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 
 namespace spricka::mesh {
@@ -103,7 +103,7 @@ std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
     A.row(i) << 2.0 * p.x(), 2.0 * p.y(), 1.0;
     right[i] = p.squaredNorm();
   }
-  const base::Vector s = A.colPivHouseholderQr().solve(right);
+  const base::Vector s = base::least_squares(A, right);
   const double radius = std::sqrt(std::max(0.0, s[2] + s.head<2>().squaredNorm()));
   double off = 0.0;
   for (const Vec2& p : points) {
