@@ -7,7 +7,7 @@
 #include "contact/space/frames.hpp"
 #include "contact/space/opposite.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/shape.hpp"
+#include "shape/reference_element.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,13 +38,12 @@ using PartNodes = std::map<std::pair<std::size_t, base::NodeId>, PartNodeArea>;
 
 // Integrals of the shape functions of a face.
 FaceValues shape_areas(const SolidFace& face) {
-  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
-    FaceValues area = FaceValues::Zero(index(face.nodes.size()));
-    for (const auto& [r, weight] : shape::quadrature<S>(node_degree)) {
-      area += weight * point_on(face, r).area_vector().norm() * face_N(face.shape, r);
-    }
-    return area;
-  });
+  const shape::Domain domain = shape::reference_element<2>(face.shape).domain;
+  FaceValues area = FaceValues::Zero(index(face.nodes.size()));
+  for (const auto& [r, weight] : shape::quadrature<2>(domain, node_degree)) {
+    area += weight * point_on(face, r).area_vector().norm() * face_N(face.shape, r);
+  }
+  return area;
 }
 
 // Integrals of the hats on its triangles.

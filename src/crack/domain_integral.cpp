@@ -30,29 +30,28 @@ struct Momentum {
 /// One element. Where a part of its temperature expands it freely (fe::FreeExpansion) the nodes'
 /// displacement less that of the expansion at the nodes strains it; both ways of writing the energy
 /// leave out the same that does not depend on u.
-template <shape::ElementShape S> class ElementTerms {
+class ElementTerms {
 public:
   ElementTerms(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
                const base::Vector& u)
-      : set_(set), fields_(fields), e_(e), X_(fe::coordinates<S>(set.mesh, e)),
-        U_(fe::gather<S>(set.mesh, e, u)), k_(set, e),
-        T_(set.loads.temperature.size() > 0
-               ? fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)
-               : fe::CornerValues<S>(fe::CornerValues<S>::Zero())) {
-    if constexpr (fe::plane_quadratic<S>) {
-      if ((T_.array() != 0.0).any() && fe::FreeExpansion<S>::wanted(X_, k_.law)) {
-        free_ = fe::FreeExpansion<S>(X_, k_.law, T_);
-        carried_ = true;
-      }
+      : set_(set), fields_(fields), e_(e), element_(plane_element(set.mesh, e)),
+        X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
+        k_(set, e), T_(fe::CornerValues<2>::Zero(element_.corners)) {
+    if (set.loads.temperature.size() > 0) {
+      T_ = fe::corner_temperature(element_, set.mesh, e, set.loads.temperature);
+    }
+    if ((T_.array() != 0.0).any() && fe::FreeExpansion::wanted(element_, X_, k_.law)) {
+      free_ = fe::FreeExpansion(element_, X_, k_.law, T_);
+      carried_ = true;
     }
   }
 
   void add(NodalForces& out, bool strained, bool filled) const {
     Forces force;
-    for (std::size_t n = 0; n < S::nodes; ++n) {
-      force[n] = &out[set_.mesh.nodes_of(e_)[n]];
+    for (const base::NodeId n : set_.mesh.nodes_of(e_)) {
+      force.push_back(&out[n]);
     }
-    for_domain_points<S>(set_, e_, [&](const shape::Point<2>& r, double weight) {
+    for_domain_points(set_, e_, [&](const shape::Point<2>& r, double weight) {
       add_point(force, r, weight, strained, filled);
     });
     if (filled) {
@@ -61,12 +60,13 @@ public:
   }
 
 private:
-  using Forces = std::array<std::array<base::Vec3, partners>*, S::nodes>;
+  /// Of the nodes.
+  using Forces = std::vector<std::array<base::Vec3, partners>*>;
 
   void add_point(const Forces& force, const shape::Point<2>& r, double weight, bool strained,
                  bool filled) const {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
-    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+    const fe::Jacobian<PlaneElement> at = fe::jacobian(element_, X_, r);
+    const PlaneValues N = element_.N(r);
     const base::Vec2 x = X_ * N;
     const double w = weight * at.det * set_.depth(x);
     const Here own = solution(at, r, x, filled);
@@ -89,8 +89,8 @@ private:
       if (set_.axial()) {
         c += base::Vec2(M.hoop / x.x(), 0.0) + here.nodal.transpose() * v.divergence;
       }
-      for (int n = 0; n < S::nodes; ++n) {
-        auto P = (*force[static_cast<std::size_t>(n)])[k].template head<2>();
+      for (int n = 0; n < element_.nodes; ++n) {
+        auto P = (*force[static_cast<std::size_t>(n)])[k].head<2>();
         const base::Vec2 gradient = at.dNdx.row(n);
         P += w * N[n] * c;
         if (strained) {
@@ -105,29 +105,29 @@ private:
 
   // At points of their own: they may bend and jump where the fields do not.
   void add_body_forces(const Forces& force) const {
-    for_body_forces<S>(
-        fields_, e_, X_, [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
-          const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
-          const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-          const base::Vec2 x = X_ * N;
-          const Polar place = polar(set_.tip, x);
-          for (std::size_t k = 0; k < partners; ++k) {
-            const Tensor<2> Hv =
-                k == 0 ? Tensor<2>(U_ * at.dNdx) : partner_gradient(set_, place, k);
-            // - q b . u,k (crack.19), or with v in the place of u (crack.23).
-            const base::Vec2 c = weight * at.det * set_.depth(x) * (Hv.transpose() * b);
-            for (int n = 0; n < S::nodes; ++n) {
-              (*force[static_cast<std::size_t>(n)])[k].template head<2>() -= N[n] * c;
-            }
-          }
-        });
+    const auto add = [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
+      const fe::Jacobian<PlaneElement> at = fe::jacobian(element_, X_, r);
+      const PlaneValues N = element_.N(r);
+      const base::Vec2 x = X_ * N;
+      const Polar place = polar(set_.tip, x);
+      for (std::size_t k = 0; k < partners; ++k) {
+        const Tensor<2> Hv =
+            k == 0 ? Tensor<2>(U_.lazyProduct(at.dNdx)) : partner_gradient(set_, place, k);
+        // - q b . u,k (crack.19), or with v in the place of u (crack.23).
+        const base::Vec2 c = weight * at.det * set_.depth(x) * (Hv.transpose() * b);
+        for (int n = 0; n < element_.nodes; ++n) {
+          (*force[static_cast<std::size_t>(n)])[k].head<2>() -= N[n] * c;
+        }
+      }
+    };
+    for_body_forces(set_, fields_, e_, X_, add);
   }
 
-  [[nodiscard]] Here solution(const fe::Jacobian<S>& at, const shape::Point<2>& r,
+  [[nodiscard]] Here solution(const fe::Jacobian<PlaneElement>& at, const shape::Point<2>& r,
                               const base::Vec2& x, bool filled) const {
     Here here;
-    here.nodal = here.H = here.strained = U_ * at.dNdx;
-    here.hoop = U_.row(0) * fe::Hoop<S>(X_, k_.law, r).h;
+    here.nodal = here.H = here.strained = U_.lazyProduct(at.dNdx);
+    here.hoop = U_.row(0) * fe::Hoop<PlaneElement>(element_, X_, k_.law, r).h;
     if (filled) {
       heat(at, r, x, here);
     }
@@ -152,7 +152,7 @@ private:
     return here;
   }
 
-  void heat(const fe::Jacobian<S>& at, const shape::Point<2>& r, const base::Vec2& x,
+  void heat(const fe::Jacobian<PlaneElement>& at, const shape::Point<2>& r, const base::Vec2& x,
             Here& here) const {
     const double beta = fe::heat_modulus(k_.law);
     if (carried_) {
@@ -160,13 +160,13 @@ private:
       here.beta_T = beta * free_.temperature(x);
       here.beta_grad_T = beta * free_.slope();
       here.free_strain = expansion(0, 0);
-      here.strained -= free_.at_nodes(X_) * at.dNdx;
+      here.strained -= free_.at_nodes(X_).lazyProduct(at.dNdx);
       here.H = here.strained + expansion;
       return;
     }
-    using Linear = fe::Linear<S>;
-    here.beta_T = beta * T_.dot(Linear::N(r));
-    here.beta_grad_T = beta * at.J.transpose().inverse() * Linear::dN(r).transpose() * T_;
+    const base::Vec2 slope = element_.linear().dN(r).transpose() * T_; // by r
+    here.beta_T = beta * T_.dot(element_.linear().N(r));
+    here.beta_grad_T = beta * at.J.transpose().inverse() * slope;
   }
 
   // The solution in the place of a partner: it is at rest but for loads, which have terms.
@@ -196,12 +196,13 @@ private:
   const TipSetting& set_;
   const std::vector<BodyField>& fields_;
   base::ElementId e_;
-  fe::NodeVectors<S> X_;
-  fe::NodeVectors<S> U_;
+  const PlaneElement& element_;
+  PlaneVectors X_;
+  PlaneVectors U_;
   Stiffness k_;
-  fe::CornerValues<S> T_;
+  fe::CornerValues<2> T_;
   bool carried_ = false; ///< the nodes, through the free expansion
-  fe::FreeExpansion<S> free_;
+  fe::FreeExpansion free_;
 };
 
 using Elements = std::vector<base::ElementId>;
@@ -232,12 +233,9 @@ void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& 
                                 std::back_inserter(rigid));
   }
   for (const Elements* elements : {&strained, static_cast<const Elements*>(&rigid)}) {
-    fe::for_plane_blocks(
-        set.mesh, *elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-          for (const base::ElementId e : block) {
-            ElementTerms<S>(set, loads, e, u).add(out, elements == &strained, filled);
-          }
-        });
+    for (const base::ElementId e : *elements) {
+      ElementTerms(set, loads, e, u).add(out, elements == &strained, filled);
+    }
   }
 }
 

@@ -58,33 +58,47 @@ Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t partner) {
 }
 
 // One element of a domain.
-template <shape::PlaneShape S> class Element {
+class Element {
 public:
   Element(const TipSetting& set, ElementId e, const std::map<base::NodeId, double>& q,
           const base::Vector& u)
-      : set_(set), e_(e), X_(fe::coordinates<S>(set.mesh, e)), U_(fe::gather<S>(set.mesh, e, u)),
+      : set_(set), e_(e), element_(plane_element(set.mesh, e)),
+        X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
         law_(fe::law_of(set.model, set.mesh, e)),
-        T_(fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)),
-        carried_(fe::FreeExpansion<S>::wanted(X_, law_)), moved_(extension_at<S>(set.mesh, e, q)),
-        strained_((moved_.array() != 1.0).any()) {
+        T_(fe::corner_temperature(element_, set.mesh, e, set.loads.temperature)),
+        carried_(fe::FreeExpansion::wanted(element_, X_, law_)),
+        moved_(extension_at(set.mesh, e, q)), strained_((moved_.array() != 1.0).any()) {
     if (carried_) {
-      free_ = fe::FreeExpansion<S>(X_, law_, T_);
+      free_ = fe::FreeExpansion(element_, X_, law_, T_);
     }
   }
 
-  [[nodiscard]] Vec2 x(const shape::Point<2>& r) const { return X_ * S::N(r); }
+  [[nodiscard]] ElementId id() const { return e_; }
+  [[nodiscard]] Vec2 x(const shape::Point<2>& r) const { return X_ * element_.N(r); }
   [[nodiscard]] double beta() const { return fe::heat_modulus(law_); }
   /// What the element takes of the temperature.
   [[nodiscard]] double taken(const shape::Point<2>& r) const {
-    return carried_ ? free_.temperature(x(r)) : T_.dot(fe::Linear<S>::N(r));
+    return carried_ ? free_.temperature(x(r)) : T_.dot(element_.linear().N(r));
   }
-  [[nodiscard]] double extension(const shape::Point<2>& r) const { return moved_.dot(S::N(r)); }
+  [[nodiscard]] double extension(const shape::Point<2>& r) const {
+    return moved_.dot(element_.N(r));
+  }
   [[nodiscard]] double volume_change(const shape::Point<2>& r) const {
-    return (U_ * fe::jacobian<S>(X_, r).dNdx).trace() + hoop(r);
+    return Eigen::Matrix2d(U_.lazyProduct(map(r).dNdx)).trace() + hoop(r);
   }
   [[nodiscard]] double hoop(const shape::Point<2>& r) const {
-    return U_.row(0) * fe::Hoop<S>(X_, law_, r).h;
+    return U_.row(0) * fe::Hoop<PlaneElement>(element_, X_, law_, r).h;
   }
+  /// The point t of -1 .. 1 on a side.
+  [[nodiscard]] shape::Point<2> on_side(int side, double t) const {
+    return 0.5 * (1.0 - t) * element_.node(side) + 0.5 * (1.0 + t) * element_.node(after(side));
+  }
+  /// dx/dt there.
+  [[nodiscard]] Vec2 along_side(int side, const shape::Point<2>& r) const {
+    const shape::Point<2> step = 0.5 * (element_.node(after(side)) - element_.node(side));
+    return Eigen::Matrix2d(X_.lazyProduct(element_.dN(r))) * step;
+  }
+  [[nodiscard]] Vec2 middle() const { return x(element_.centre()); }
   /// Of q, round the axis.
   [[nodiscard]] double extension_round(const shape::Point<2>& r) const {
     return set_.axial() ? extension(r) * set_.tip.e1.x() / x(r).x() : 0.0;
@@ -97,8 +111,7 @@ public:
     const Polar place = polar(set_.tip, at);
     const double q = extension(r);
     const double round = extension_round(r);
-    const Vec2 grad =
-        strained_ ? Vec2(fe::jacobian<S>(X_, r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
+    const Vec2 grad = strained_ ? Vec2(map(r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
     for (std::size_t k = 1; k < partners; ++k) {
       const Swelling v = swelling(set_, at, k);
       double div = q * v.slope + round * v.hoop;
@@ -112,7 +125,7 @@ public:
   // - beta D div(q u,1) of the displacements. Their second derivatives by central differences,
   // which are exact but for round-off as good as where shape functions are polynomials of x.
   [[nodiscard]] double of_G(const shape::Point<2>& r, double area, double D) const {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
+    const fe::Jacobian<PlaneElement> at = map(r);
     constexpr double h = 1e-5;
     Eigen::RowVector2d slope;
     for (int i = 0; i < 2; ++i) {
@@ -121,7 +134,7 @@ public:
     }
     const double along = (slope * at.J.inverse()).dot(set_.tip.e1);
     const Vec2 grad = at.dNdx.transpose() * moved_;
-    const Vec2 carried = U_ * at.dNdx * set_.tip.e1;
+    const Vec2 carried = Eigen::Matrix2d(U_.lazyProduct(at.dNdx)) * set_.tip.e1;
     return -beta() * area * set_.depth(x(r)) * D *
            (grad.dot(carried) + extension(r) * along + extension_round(r) * hoop(r));
   }
@@ -130,9 +143,9 @@ public:
     // What the element takes less the affine temperature, times partners that are singular at the
     // tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip().node};
-    for (const fe::Chart& chart : fe::charts<S>(fe::corner_at<S>(set_.mesh, e_, tips))) {
+    for (const fe::Chart& chart : fe::charts(element_, fe::corner_at(set_.mesh, e_, tips))) {
       fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
-        const double area = weight * fe::jacobian<S>(X_, r).det;
+        const double area = weight * map(r).det;
         add_to_K(r, area, taken(r) - (*set_.affine)(set_.tip, x(r)), sum);
       });
     }
@@ -145,15 +158,22 @@ public:
   }
 
 private:
+  /// The corner at which a side ends.
+  [[nodiscard]] int after(int side) const { return (side + 1) % element_.corners; }
+  [[nodiscard]] fe::Jacobian<PlaneElement> map(const shape::Point<2>& r) const {
+    return fe::jacobian(element_, X_, r);
+  }
+
   const TipSetting& set_;
   ElementId e_;
-  fe::NodeVectors<S> X_;
-  fe::NodeVectors<S> U_;
+  const PlaneElement& element_;
+  PlaneVectors X_;
+  PlaneVectors U_;
   fe::Law law_;
-  fe::CornerValues<S> T_;
+  fe::CornerValues<2> T_;
   bool carried_; ///< the nodes, through the free expansion
-  fe::FreeExpansion<S> free_;
-  Eigen::Matrix<double, S::nodes, 1> moved_;
+  fe::FreeExpansion free_;
+  PlaneValues moved_;
   bool strained_;
 };
 
@@ -218,63 +238,45 @@ public:
       : set_(set), q_(q), u_(u), scale_(set.loads.temperature.cwiseAbs().maxCoeff()) {}
 
   [[nodiscard]] double operator()(const Between& edge) const {
-    double sum = 0.0;
     constexpr int most_halvings = 12;
     constexpr double exact = 1e-7;
     constexpr double nothing = 1e-11; // round-off
-    shape::with_plane_shape(type_of(edge.left), [&]<shape::PlaneShape L>(L) {
-      shape::with_plane_shape(type_of(edge.right), [&]<shape::PlaneShape R>(R) {
-        const Element<L> left(set_, edge.left, q_, u_);
-        const Element<R> right(set_, edge.right, q_, u_);
-        double size = 0.0;
-        const auto value = [&](double t) {
-          const shape::Point<2> r = on_side<L>(edge.of_left, t);
-          // The same place: sides of neighbours run against each other.
-          const shape::Point<2> s = on_side<R>(edge.of_right, -t);
-          const Vec2 tangent = 0.5 * fe::coordinates<L>(set_.mesh, edge.left) * L::dN(r) *
-                               (shape::node<L>((edge.of_left + 1) % fe::corners<L>()) -
-                                shape::node<L>(edge.of_left));
-          // Outer normal of the left element times the length per t.
-          const double n = Vec2(tangent.y(), -tangent.x()).dot(set_.tip.e1);
-          const double T = 0.5 * (temperature_beside<L>(left, edge.left, r) +
-                                  temperature_beside<R>(right, edge.right, s));
-          const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
-          const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
-          const double weight = left.extension(r) * n * set_.depth(left.x(r));
-          size = std::max(size, scale_ * std::abs(left.volume_change(r)) * left.beta() *
-                                    tangent.norm() * left.extension(r));
-          return (a - b) * weight;
-        };
-        double most = 0.0;
-        for (const auto& p : shape::line_rule(9)) { // how large it is
-          most = std::max(most, std::abs(value(p.r[0])));
-        }
-        // Round-off would be halved to the end for nothing.
-        if (most <= nothing * size) {
-          return;
-        }
-        sum = line_integral(value, -1.0, 1.0, exact * size, most_halvings);
-      });
-    });
-    return sum;
+    const Element left(set_, edge.left, q_, u_);
+    const Element right(set_, edge.right, q_, u_);
+    double size = 0.0;
+    const auto value = [&](double t) {
+      const shape::Point<2> r = left.on_side(edge.of_left, t);
+      // The same place: sides of neighbours run against each other.
+      const shape::Point<2> s = right.on_side(edge.of_right, -t);
+      const Vec2 tangent = left.along_side(edge.of_left, r);
+      // Outer normal of the left element times the length per t.
+      const double n = Vec2(tangent.y(), -tangent.x()).dot(set_.tip.e1);
+      const double T = 0.5 * (temperature_beside(left, r) + temperature_beside(right, s));
+      const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
+      const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
+      const double weight = left.extension(r) * n * set_.depth(left.x(r));
+      size = std::max(size, scale_ * std::abs(left.volume_change(r)) * left.beta() *
+                                tangent.norm() * left.extension(r));
+      return (a - b) * weight;
+    };
+    double most = 0.0;
+    for (const auto& p : shape::line_rule(9)) { // how large it is
+      most = std::max(most, std::abs(value(p.r[0])));
+    }
+    // Round-off would be halved to the end for nothing.
+    return most <= nothing * size ? 0.0
+                                  : line_integral(value, -1.0, 1.0, exact * size, most_halvings);
   }
 
 private:
-  [[nodiscard]] base::ElementType type_of(ElementId e) const { return set_.mesh.type[e.index()]; }
-  template <shape::PlaneShape S> static shape::Point<2> on_side(int side, double t) {
-    return 0.5 * (1.0 - t) * shape::node<S>(side) +
-           0.5 * (1.0 + t) * shape::node<S>((side + 1) % fe::corners<S>());
-  }
   // What stands on one side of an edge: where the element takes all of the temperature that it
   // knows, that, also where a sliver at its edge has another one that no point has seen.
-  template <shape::PlaneShape S>
-  [[nodiscard]] double temperature_beside(const Element<S>& element, ElementId e,
-                                          const shape::Point<2>& r) const {
+  [[nodiscard]] double temperature_beside(const Element& element, const shape::Point<2>& r) const {
+    const ElementId e = element.id();
     const bool takes_all = std::ranges::all_of(
         set_.loads.heat, [&](const fe::ActingHeat& acting) { return acting.heat->of(e).empty(); });
-    return takes_all
-               ? element.taken(r)
-               : temperature_at(set_.loads, e, beside(element.x(r), element.x(shape::centre<S>())));
+    return takes_all ? element.taken(r)
+                     : temperature_at(set_.loads, e, beside(element.x(r), element.middle()));
   }
   // Just inside an element, should the temperature jump on its side.
   static Vec2 beside(const Vec2& x, const Vec2& centre) { return x + 1e-9 * (centre - x); }
@@ -359,12 +361,9 @@ std::array<double, partners> heat_term(const TipSetting& set, const mesh::Front&
   const std::map<base::NodeId, double> q = field.q();
   const std::vector<ElementId> all = all_elements(field);
   const bool wants_G = !jumps_in(set, field) && (u.array() != 0.0).any();
-  fe::for_plane_blocks(set.mesh, all,
-                       [&]<shape::ElementShape S>(S, std::span<const ElementId> block) {
-                         for (const ElementId e : block) {
-                           Element<S>(set, e, q, u).add(front, wants_G, sum);
-                         }
-                       });
+  for (const ElementId e : all) {
+    Element(set, e, q, u).add(front, wants_G, sum);
+  }
   if (!wants_G) {
     return sum;
   }

@@ -3,6 +3,8 @@
 
 #include "model/loads.hpp"
 
+#include <algorithm>
+
 namespace spricka::crack {
 
 std::vector<BodyField> body_fields(const TipSetting& set) {
@@ -19,6 +21,24 @@ std::vector<BodyField> body_fields(const TipSetting& set) {
     fields.push_back(std::move(field));
   }
   return fields;
+}
+
+void for_body_forces(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
+                     const PlaneVectors& X, const BodyForceVisit& visit) {
+  const PlaneElement& element = plane_element(set.mesh, e);
+  for (const BodyField& field : fields) {
+    const ActingLoad& acting = *field.acting;
+    if (!std::ranges::binary_search(acting.elements, e)) {
+      continue;
+    }
+    const fe::ElementShare* share = field.shares.of(e);
+    for (const auto& point : fe::body_load_rule<2>(element, X, *acting.load, field.scale).points) {
+      base::Vec3 x = base::Vec3::Zero();
+      x.head<2>() = X * element.N(point.r);
+      const double factor = share == nullptr ? acting.factor : acting.factor * (*share)(x);
+      visit(point.r, point.weight, base::Vec2(factor * fe::load_value(*acting.load, x).head<2>()));
+    }
+  }
 }
 
 } // namespace spricka::crack

@@ -2,19 +2,20 @@
 #include "crack/partner_pressure.hpp"
 
 #include "crack/partner.hpp"
-#include "fe/face.hpp"
+#include "crack/plane_side.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace spricka::crack {
 
 namespace {
 
 /// A point of a face: what presses there, per displacement of a partner along the radius.
-template <shape::Shape Side> struct PressedPoint {
-  std::array<base::NodeId, Side::nodes> nodes;
-  Eigen::Matrix<double, Side::nodes, 1> N, dN;
+struct PressedPoint {
+  std::vector<base::NodeId> nodes;
+  SideValues N, dN;
   base::Vec2 tangent, normal;
   Polar place;
   double weight = 0.0; ///< lambda / x included
@@ -29,17 +30,16 @@ public:
     }
   }
   // Neighbours along the crack, with the middle node between them.
-  template <std::size_t count>
-  [[nodiscard]] bool has_side(const std::array<base::NodeId, count>& nodes) const {
-    std::array<int, count> at{};
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto met = place_.find(nodes[i]);
+  [[nodiscard]] bool has_side(const std::vector<base::NodeId>& nodes) const {
+    std::vector<int> at;
+    for (const base::NodeId n : nodes) {
+      const auto met = place_.find(n);
       if (met == place_.end()) {
         return false;
       }
-      at[i] = met->second;
+      at.push_back(met->second);
     }
-    return std::abs(at[0] - at[1]) == static_cast<int>(count) - 1;
+    return std::abs(at[0] - at[1]) == static_cast<int>(nodes.size()) - 1;
   }
 
 private:
@@ -48,16 +48,17 @@ private:
 
 constexpr int degree = 9;
 
-// Calls visit(point) on a side. Towards the tip 1 + xi = 2 t^2, as products of partners with
-// derivatives of displacements go with roots of the distance.
-template <shape::Shape Side, class Visit>
-void for_points_of(const TipSetting& set, const model::Face& face, Visit&& visit) {
-  const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
-  PressedPoint<Side> p;
-  p.nodes = fe::nodes_of_face<Side>(set.mesh, face);
+using PressedVisit = std::function<void(const PressedPoint& point)>;
+
+// Visits the points of a side of an element. Towards the tip 1 + xi = 2 t^2, as products of
+// partners with derivatives of displacements go with roots of the distance.
+void for_points_of(const TipSetting& set, base::ElementId e, const PlaneSide& side,
+                   const PressedVisit& visit) {
+  PressedPoint p;
+  p.nodes = side.nodes;
   const double from = p.nodes[0] == set.tip_node ? 1.0 : p.nodes[1] == set.tip_node ? -1.0 : 0.0;
-  const Eigen::Matrix<double, 2, Side::nodes> R = X.template topRows<2>().colwise() - set.tip.x;
-  const double lambda = Stiffness(set, face.element).law.lambda;
+  const SideVectors R = side.from(set.tip.x);
+  const double lambda = Stiffness(set, e).law.lambda;
   for (const auto& point : shape::line_rule(degree)) {
     shape::Point<1> r = point.r;
     double weight = point.weight;
@@ -66,8 +67,8 @@ void for_points_of(const TipSetting& set, const model::Face& face, Visit&& visit
       r[0] = from * (2.0 * t * t - 1.0);
       weight *= 2.0 * t; // d xi = 4 t dt, and dt is half of dr
     }
-    p.N = Side::N(r);
-    p.dN = Side::dN(r);
+    p.N = side.shape.N(r);
+    p.dN = side.shape.dN(r);
     p.tangent = base::Vec2(R * p.dN).normalized();
     p.normal = {p.tangent.y(), -p.tangent.x()};
     const base::Vec2 at = R * p.N;
@@ -79,24 +80,20 @@ void for_points_of(const TipSetting& set, const model::Face& face, Visit&& visit
 }
 
 // The same on all sides of some elements that are faces of the tip's crack.
-template <class Visit>
 void for_pressed_points(const TipSetting& set, const std::vector<base::ElementId>& elements,
-                        Visit&& visit) {
+                        const PressedVisit& visit) {
   if (!set.axial() || set.crack_faces == nullptr) {
     return;
   }
   const Along left(set.crack_faces->left);
   const Along right(set.crack_faces->right);
   for (const base::ElementId e : elements) {
-    shape::with_plane_shape(set.mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
-      for (int s = 0; s < base::info(S::type).sides; ++s) {
-        const model::Face face{e, s};
-        const auto nodes = fe::nodes_of_face<typename S::Side>(set.mesh, face);
-        if (left.has_side(nodes) || right.has_side(nodes)) {
-          for_points_of<typename S::Side>(set, face, visit);
-        }
+    for (int s = 0; s < base::info(set.mesh.type[e.index()]).sides; ++s) {
+      const PlaneSide side(set.mesh, {e, s});
+      if (left.has_side(side.nodes) || right.has_side(side.nodes)) {
+        for_points_of(set, e, side, visit);
       }
-    });
+    }
   }
 }
 
@@ -115,7 +112,7 @@ std::vector<base::ElementId> elements_of(const std::vector<ExtensionField>& fiel
 
 void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionField>& fields,
                           const base::Vector& u, NodalForces& out) {
-  for_pressed_points(set, elements_of(fields), [&](const auto& p) {
+  for_pressed_points(set, elements_of(fields), [&](const PressedPoint& p) {
     double opens = 0.0; // n . du/dr
     for (std::size_t i = 0; i < p.nodes.size(); ++i) {
       const auto freedom = 2 * static_cast<Eigen::Index>(p.nodes[i].index());
@@ -124,7 +121,7 @@ void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionFiel
     for (std::size_t k = 1; k < partners; ++k) {
       const double outwards = partner_displacement(set, p.place, k).x();
       for (std::size_t i = 0; i < p.nodes.size(); ++i) {
-        out[p.nodes[i]][k].template head<2>() -=
+        out[p.nodes[i]][k].head<2>() -=
             p.N[static_cast<Eigen::Index>(i)] * outwards * p.weight * opens * p.tangent;
       }
     }
@@ -134,7 +131,7 @@ void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionFiel
 void add_partner_pressure_row(const TipSetting& set, const ExtensionField& field,
                               std::size_t partner, double factor, base::Vector& row) {
   const std::map<base::NodeId, double> q = field.q();
-  for_pressed_points(set, elements_of({field}), [&](const auto& p) {
+  for_pressed_points(set, elements_of({field}), [&](const PressedPoint& p) {
     double moved = 0.0;
     for (std::size_t i = 0; i < p.nodes.size(); ++i) {
       const auto at = q.find(p.nodes[i]);

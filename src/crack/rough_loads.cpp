@@ -2,7 +2,7 @@
 #include "crack/rough_loads.hpp"
 
 #include "crack/load_fields.hpp"
-#include "fe/face.hpp"
+#include "crack/plane_side.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +17,18 @@ struct Roughness {
   double rough = 0.0, all = 0.0;
 };
 
-template <shape::Shape Side>
-Roughness roughness(const TipSetting& set, const ActingLoad& acting, const fe::FieldScale& scale,
-                    const model::Face& face) {
-  const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
-  const auto rule = fe::load_rule<Side>(X, *acting.load, scale);
+Roughness roughness(const ActingLoad& acting, const fe::FieldScale& scale, const PlaneSide& side) {
+  const fe::AdaptedRule<1> rule = fe::load_rule<1>(side.shape, side.X, *acting.load, scale);
   // by Legendre's polynomials of the arc length that a straight side has, twice over it -1 .. 1
-  const base::Vec2 from = X.col(0).template head<2>();
-  const base::Vec2 chord = X.col(1).template head<2>() - from;
+  const base::Vec2 from = side.X.col(0).head<2>();
+  const base::Vec2 chord = side.X.col(1).head<2>() - from;
   const base::Vec2 normal = base::Vec2(chord.y(), -chord.x()).normalized();
   base::Vec2 mean = base::Vec2::Zero();
   base::Vec2 slope = base::Vec2::Zero();
   double square = 0.0;
   for (const auto& point : rule.points) {
-    const base::Vec2 x = (X * Side::N(point.r)).template head<2>();
-    const base::Vec2 along = (X * Side::dN(point.r)).template head<2>();
+    const base::Vec2 x = side.X.topRows<2>() * side.shape.N(point.r);
+    const base::Vec2 along = side.X.topRows<2>() * side.shape.dN(point.r);
     const double s = 2.0 * (x - from).dot(chord) / chord.squaredNorm() - 1.0;
     const double w = 2.0 * point.weight * along.norm() / chord.norm();
     const base::Vec2 t = traction(acting, x, normal);
@@ -45,7 +42,7 @@ Roughness roughness(const TipSetting& set, const ActingLoad& acting, const fe::F
   return {half * std::max(rough, 0.0), half * square};
 }
 
-// Calls visit(face, its nodes, roughness) for loaded sides with nodes that q moves.
+// Calls visit(face, roughness) for loaded sides with nodes that q moves.
 template <class Visit>
 void for_rough_sides(const TipSetting& set, const ExtensionField& field, Visit&& visit) {
   std::vector<base::NodeId> moved;
@@ -57,13 +54,13 @@ void for_rough_sides(const TipSetting& set, const ExtensionField& field, Visit&&
       continue;
     }
     const fe::FieldScale scale = face_scale(set, acting);
-    fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      const auto nodes = fe::nodes_of_face<Side>(set.mesh, face);
+    for (const model::Face& face : acting.faces) {
+      const PlaneSide side(set.mesh, face);
       if (std::ranges::any_of(
-              nodes, [&](base::NodeId n) { return std::ranges::binary_search(moved, n); })) {
-        visit(face, roughness<Side>(set, acting, scale, face));
+              side.nodes, [&](base::NodeId n) { return std::ranges::binary_search(moved, n); })) {
+        visit(face, roughness(acting, scale, side));
       }
-    });
+    }
   }
 }
 

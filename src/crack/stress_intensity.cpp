@@ -97,31 +97,30 @@ void take_shift(DomainValue& value, double G) {
 // Of the strain round the axis, u_x / x.
 void add_hoop(const TipSetting& set, base::ElementId e, const shape::Point<2>& r, double weight,
               base::Vector& row) {
-  shape::with_plane_shape(set.mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
-    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-    const double x = fe::coordinates<S>(set.mesh, e).row(0) * N;
-    for (int n = 0; n < S::nodes; ++n) {
-      const base::NodeId node = set.mesh.nodes_of(e)[static_cast<std::size_t>(n)];
-      row[2 * static_cast<Eigen::Index>(node.index())] += weight / x * N[n];
-    }
-  });
+  const PlaneElement& element = plane_element(set.mesh, e);
+  const PlaneValues N = element.N(r);
+  const double x = fe::coordinates(element, set.mesh, e).row(0) * N;
+  for (int n = 0; n < element.nodes; ++n) {
+    const base::NodeId node = set.mesh.nodes_of(e)[static_cast<std::size_t>(n)];
+    row[2 * static_cast<Eigen::Index>(node.index())] += weight / x * N[n];
+  }
 }
 
 base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField>& fields,
                          std::size_t partner) {
   base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
-  for_contractions(
-      set, fields, partner,
-      [&](base::ElementId e, const shape::Point<2>& r, const auto& at, const Contracted& c) {
-        const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
-        for (std::size_t n = 0; n < nodes.size(); ++n) {
-          const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
-          row.segment<2>(freedom) += c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
-        }
-        if (set.axial()) {
-          add_hoop(set, e, r, c.hoop, row);
-        }
-      });
+  const auto add = [&](base::ElementId e, const shape::Point<2>& r,
+                       const fe::Jacobian<PlaneElement>& at, const Contracted& c) {
+    const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
+      row.segment<2>(freedom) += c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
+    }
+    if (set.axial()) {
+      add_hoop(set, e, r, c.hoop, row);
+    }
+  };
+  for_contractions(set, fields, partner, add);
   for (const ExtensionField& field : fields) {
     add_partner_pressure_row(set, field, partner, 1.0 / static_cast<double>(fields.size()), row);
   }
@@ -273,11 +272,11 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   }
   const double factor = factors_of(set, front, state).K();
   const auto visit = [&](std::size_t partner, auto&& take) {
-    for_contractions(
-        set, fields, partner,
-        [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/, const Contracted& c) {
-          take(e, r, Contracted{factor * c.M, factor * c.hoop});
-        });
+    for_contractions(set, fields, partner,
+                     [&](base::ElementId e, const shape::Point<2>& r,
+                         const fe::Jacobian<PlaneElement>& /*at*/, const Contracted& c) {
+                       take(e, r, Contracted{factor * c.M, factor * c.hoop});
+                     });
   };
   visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Contracted& c) {
     points.push_back({e, r, {c.M, Eigen::Matrix2d::Zero()}, {c.hoop, 0.0}});

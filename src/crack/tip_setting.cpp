@@ -2,6 +2,7 @@
 #include "crack/tip_setting.hpp"
 
 #include "crack/point_force.hpp"
+#include "fe/corner_rule.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -88,6 +89,33 @@ base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::siz
              ? point_force_displacement(set.tip, at, set.tip.x.x(), set.material, set.state())
              : auxiliary_displacement(set.tip, at, static_cast<int>(partner), set.material,
                                       set.state());
+}
+
+PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
+                         const std::map<base::NodeId, double>& q) {
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  PlaneValues moved = PlaneValues::Zero(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const auto at = q.find(nodes[n]);
+    moved[static_cast<Eigen::Index>(n)] = at == q.end() ? 0.0 : at->second;
+  }
+  return moved;
+}
+
+void for_domain_points(const TipSetting& set, base::ElementId e,
+                       const std::function<void(const shape::Point<2>& r, double weight)>& visit) {
+  const PlaneElement& element = plane_element(set.mesh, e);
+  const std::array<base::NodeId, 1> tips{set.tip_node};
+  const int corner = set.axial() ? fe::corner_at(set.mesh, e, tips) : -1;
+  if (corner < 0) {
+    for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {
+      visit(point.r, point.weight);
+    }
+    return;
+  }
+  for (const fe::Chart& chart : fe::charts(element, corner)) {
+    fe::for_chart_points(chart, {0.0, 0.0, 1.0}, visit);
+  }
 }
 
 } // namespace spricka::crack

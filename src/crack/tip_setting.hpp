@@ -4,7 +4,6 @@
 #include "crack/extension.hpp"
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
-#include "fe/corner_rule.hpp"
 #include "fe/element.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
@@ -12,11 +11,20 @@
 #include "model/mesh.hpp"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 
 /// What the terms of G, K and T have in common.
 namespace spricka::crack {
+
+/// An element of a section, and vectors and values at its nodes.
+using PlaneElement = fe::AnyElement<2>;
+using PlaneVectors = fe::NodeVectors<PlaneElement>;
+using PlaneValues = fe::NodeValues<PlaneElement>;
+inline const PlaneElement& plane_element(const model::Mesh& mesh, base::ElementId e) {
+  return shape::reference_element<2>(mesh.type[e.index()]);
+}
 
 /// A temperature that is linear all over the domains, T = at_tip + slope . (x - tip). Where the
 /// temperature is another one, partners take this and the rest goes into heat_term.
@@ -81,37 +89,16 @@ Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::si
 base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::size_t partner);
 
 /// The q of a field at the nodes of an element.
-template <shape::PlaneShape S>
-Eigen::Matrix<double, S::nodes, 1> extension_at(const model::Mesh& mesh, base::ElementId e,
-                                                const std::map<base::NodeId, double>& q) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  Eigen::Matrix<double, S::nodes, 1> moved = Eigen::Matrix<double, S::nodes, 1>::Zero();
-  for (int n = 0; n < S::nodes; ++n) {
-    const auto at = q.find(nodes[static_cast<std::size_t>(n)]);
-    moved[n] = at == q.end() ? 0.0 : at->second;
-  }
-  return moved;
-}
+PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
+                         const std::map<base::NodeId, double>& q);
 
 /// In the elements where q varies the partners behave like r^-1/2 or r^-1 but are smooth; degree 9
 /// leaves 1e-7 of them.
 inline constexpr int domain_degree = 9;
 
-/// Calls visit(r, weight) at the points of an element of a domain. About an axis the elements at
+/// Visits the points of an element of a domain with their weights. About an axis the elements at
 /// the tip count as well (crack.37), where partners are singular: by charts collapsed into it.
-template <shape::PlaneShape S, class Visit>
-void for_domain_points(const TipSetting& set, base::ElementId e, Visit&& visit) {
-  const std::array<base::NodeId, 1> tips{set.tip_node};
-  const int corner = set.axial() ? fe::corner_at<S>(set.mesh, e, tips) : -1;
-  if (corner < 0) {
-    for (const auto& point : shape::quadrature<S>(domain_degree)) {
-      visit(point.r, point.weight);
-    }
-    return;
-  }
-  for (const fe::Chart& chart : fe::charts<S>(corner)) {
-    fe::for_chart_points(chart, {0.0, 0.0, 1.0}, visit);
-  }
-}
+void for_domain_points(const TipSetting& set, base::ElementId e,
+                       const std::function<void(const shape::Point<2>& r, double weight)>& visit);
 
 } // namespace spricka::crack

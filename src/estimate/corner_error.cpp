@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/corner_error.hpp"
 
+#include "base/dense_solve.hpp"
 #include "fe/element.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +53,7 @@ public:
     const auto size = static_cast<Eigen::Index>(modes_.size() + nodes_.size());
     base::Matrix K = base::Matrix::Zero(size, size);
     for (const base::ElementId e : corner_.around) {
-      with_mode_shape(request_.enrichment.mesh().type[e.index()],
-                      [&]<shape::PlaneShape S>(S) { add_element<S>(e, K); });
+      add_element(e, K);
     }
     add_support(K);
     // (estimate.16). Nodes have no residual: u and z solve their equations.
@@ -63,7 +61,7 @@ public:
     for (const auto& [unknown, at] : modes_) {
       r[at] = residuals_.u[unknown];
     }
-    return shares(K.ldlt().solve(r));
+    return shares(base::solve_symmetric(K, r));
   }
 
 private:
@@ -125,31 +123,39 @@ private:
     }
   }
 
-  template <shape::PlaneShape S> void add_element(base::ElementId e, base::Matrix& K) const {
-    constexpr int m = mode_freedoms<S>;
-    constexpr int p = 2 * S::nodes;
+  // The matrix of (estimate.2) of an element, modes first.
+  [[nodiscard]] base::Matrix stiffness(base::ElementId e) const {
     const model::Mesh& mesh = request_.enrichment.mesh();
-    const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
     const fe::Law law = fe::law_of(request_.enrichment.model(), mesh, e);
-    const EnrichedStiffness<S> modes(X, law, request_.enrichment.sides(e));
-    Eigen::Matrix<double, m + p, m + p> Ke;
-    // The matrix of (estimate.2), modes first.
-    Ke.template topLeftCorner<m, m>() = modes.ee;
-    Ke.template topRightCorner<m, p>() = modes.ep;
-    Ke.template bottomLeftCorner<p, m>() = Ke.template topRightCorner<m, p>().transpose();
-    Ke.template bottomRightCorner<p, p>() = fe::element_stiffness<S>(X, law);
-    std::array<Eigen::Index, std::size_t{m + p}> at{};
-    std::array<double, std::size_t{m + p}> factor{};
-    at.fill(-1);
-    factor.fill(1.0);
+    base::Matrix Ke;
+    with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
+      const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
+      const EnrichedStiffness<S> modes(X, law, request_.enrichment.sides(e));
+      const Eigen::Index m = modes.ee.rows();
+      const Eigen::Index p = modes.ep.cols();
+      Ke.resize(m + p, m + p);
+      Ke.topLeftCorner(m, m) = modes.ee;
+      Ke.topRightCorner(m, p) = modes.ep;
+      Ke.bottomLeftCorner(p, m) = modes.ep.transpose();
+      Ke.bottomRightCorner(p, p) = fe::element_stiffness<S>(X, law);
+    });
+    return Ke;
+  }
+
+  void add_element(base::ElementId e, base::Matrix& K) const {
+    const std::span<const base::NodeId> nodes = request_.enrichment.mesh().nodes_of(e);
     const std::span<const std::int32_t> freedom = request_.enrichment.of_element(e);
+    const base::Matrix Ke = stiffness(e);
+    const std::size_t m = freedom.size();
+    std::vector<Eigen::Index> at(m + 2 * nodes.size(), -1);
+    std::vector<double> factor(at.size(), 1.0);
     for (std::size_t i = 0; i < m; ++i) {
       const auto found = modes_.find(unknown(freedom[i]));
       at[i] = found == modes_.end() ? -1 : found->second;
       factor[i] = request_.map.factor[static_cast<std::size_t>(freedom[i])];
     }
-    for (std::size_t i = 0; i < p; ++i) {
-      const auto found = nodes_.find(2 * mesh.nodes_of(e)[i / 2].index() + i % 2);
+    for (std::size_t i = 0; i < 2 * nodes.size(); ++i) {
+      const auto found = nodes_.find(2 * nodes[i / 2].index() + i % 2);
       at[m + i] = found == nodes_.end() ? -1 : found->second;
     }
     for (std::size_t j = 0; j < at.size(); ++j) {

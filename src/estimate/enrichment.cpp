@@ -20,13 +20,13 @@ template <class F> void for_elements(const model::Mesh& mesh, F&& f) {
 }
 
 /// ee, then ep.
-template <shape::PlaneShape S>
-constexpr std::size_t matrix_numbers = std::size_t{mode_freedoms<S>} *
-                                       (mode_freedoms<S> + 2 * S::nodes);
+std::size_t matrix_numbers(base::ElementType type) {
+  const int m = PlaneModes::of(type).freedoms();
+  return static_cast<std::size_t>(m * (m + 2 * base::info(type).nodes));
+}
 
 // What the matrices of an element depend on, beside its type.
-template <shape::PlaneShape S>
-std::vector<double> all_that_counts(const fe::NodeVectors<S>& X, const fe::Law& law,
+std::vector<double> all_that_counts(const fe::AnyNodeVectors<2>& X, const fe::Law& law,
                                     const SideState& side) {
   std::vector<double> of(X.data(), X.data() + X.size());
   of.insert(of.end(), {law.lambda, law.mu, law.thickness});
@@ -55,10 +55,9 @@ std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
 
 double enrichment_bytes(const model::Mesh& mesh) {
   std::size_t numbers = 0;
-  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId /*e*/) {
-    constexpr std::size_t m = mode_freedoms<S>;
-    numbers += matrix_numbers<S> + m;
-  });
+  for (const base::ElementType type : mesh.type) {
+    numbers += matrix_numbers(type) + static_cast<std::size_t>(PlaneModes::of(type).freedoms());
+  }
   return static_cast<double>(numbers * sizeof(double));
 }
 
@@ -78,52 +77,59 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
   std::size_t freedoms = 0;
   std::size_t numbers = 0;
   // Counted first: what points into own_ must stay where it is.
-  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId e) {
-    constexpr std::size_t m = mode_freedoms<S>;
-    freedoms += m;
-    numbers += kept.host_of(e).valid() ? 0 : matrix_numbers<S>;
-  });
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    freedoms += static_cast<std::size_t>(PlaneModes::of(mesh.type[e]).freedoms());
+    numbers += kept.host_of(base::ElementId(e)).valid() ? 0 : matrix_numbers(mesh.type[e]);
+  }
   freedom_.reserve(freedoms);
   matrix_.reserve(mesh.element_count());
   own_.resize(numbers);
   double* next_own = own_.data();
-  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId e) {
-    using M = Modes<S>;
-    for (int s = 0; s < M::sides; ++s) {
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    const PlaneModes& modes = PlaneModes::of(mesh.type[i]);
+    for (int s = 0; s < modes.sides; ++s) {
       const auto edge = static_cast<std::int32_t>(edges_.edge(e, s));
       freedom_.push_back(2 * edge);
       freedom_.push_back(2 * edge + 1);
     }
-    for (int i = 2 * M::sides; i < mode_freedoms<S>; ++i) {
+    for (int k = 2 * modes.sides; k < modes.freedoms(); ++k) {
       freedom_.push_back(next++);
     }
     first_.push_back(freedom_.size());
-    const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-    const fe::Law law = fe::law_of(model, mesh, e);
-    const SideState side = sides(e);
-    const base::ElementId host = kept.host_of(e);
-    double* at = next_own;
-    if (host.valid()) {
-      ModeMemory::Entry& entry = kept.memory->at(host);
-      std::vector<double> of = all_that_counts<S>(X, law, side);
-      matrix_.push_back(entry.numbers.data());
-      // Equal to the last bit, so that a kept matrix is the one that would be made.
-      if (entry.type == S::type && entry.of == of) {
-        return;
-      }
-      entry = {S::type, std::move(of), std::vector<double>(matrix_numbers<S>)};
-      at = entry.numbers.data();
-      matrix_.back() = at;
-    } else {
-      matrix_.push_back(at);
-      next_own += matrix_numbers<S>;
+    add_matrix(e, kept, next_own);
+  }
+  freedoms_ = next;
+  sum_diagonal();
+}
+
+void Enrichment::add_matrix(base::ElementId e, const KeptModes& kept, double*& next_own) {
+  const base::ElementType type = mesh_.type[e.index()];
+  const fe::Law law = fe::law_of(model_, mesh_, e);
+  const SideState side = sides(e);
+  const base::ElementId host = kept.host_of(e);
+  double* at = next_own;
+  if (host.valid()) {
+    ModeMemory::Entry& entry = kept.memory->at(host);
+    std::vector<double> of =
+        all_that_counts(fe::coordinates(shape::reference_element<2>(type), mesh_, e), law, side);
+    matrix_.push_back(entry.numbers.data());
+    // Equal to the last bit, so that a kept matrix is the one that would be made.
+    if (entry.type == type && entry.of == of) {
+      return;
     }
-    const EnrichedStiffness<S> K(X, law, side);
+    entry = {type, std::move(of), std::vector<double>(matrix_numbers(type))};
+    at = entry.numbers.data();
+    matrix_.back() = at;
+  } else {
+    matrix_.push_back(at);
+    next_own += matrix_numbers(type);
+  }
+  with_mode_shape(type, [&]<shape::PlaneShape S>(S) {
+    const EnrichedStiffness<S> K(fe::coordinates<S>(mesh_, e), law, side);
     std::copy_n(K.ee.data(), K.ee.size(), at);
     std::copy_n(K.ep.data(), K.ep.size(), at + K.ee.size());
   });
-  freedoms_ = next;
-  sum_diagonal();
 }
 
 SideState Enrichment::sides(base::ElementId e) const {
@@ -207,24 +213,24 @@ base::Matrix Enrichment::functional(const std::vector<crack::IntensityPoint>& po
   for (const crack::IntensityPoint& point : points) {
     const base::ElementId e = point.element;
     const std::span<const std::int32_t> freedom = of_element(e);
-    with_mode_shape(mesh_.type[e.index()], [&]<shape::PlaneShape S>(S) {
-      const fe::NodeVectors<S> X = fe::coordinates<S>(mesh_, e);
-      const Eigen::Matrix2d J = X * S::dN(point.r);
-      const ModeGradients<S> G = mode_gradients<S>(X, point.r, J, sides(e));
-      for (int mode = 0; mode < 2; ++mode) {
-        const Eigen::Matrix2d& M = point.M[static_cast<std::size_t>(mode)];
-        // M : grad psi, in the order of the rows of ModeGradients.
-        const Eigen::RowVector4d by_row(M(0, 0), M(0, 1), M(1, 0), M(1, 1));
-        Eigen::Matrix<double, 1, mode_freedoms<S>> value = by_row * G;
-        if (const double hoop = point.hoop[static_cast<std::size_t>(mode)]; hoop != 0.0) {
-          const double x = X.row(0) * S::N(point.r);
-          value += hoop / x * mode_outward<S>(X, point.r, sides(e));
-        }
-        for (int i = 0; i < mode_freedoms<S>; ++i) {
-          g(freedom[static_cast<std::size_t>(i)], mode) += value[i];
-        }
+    const fe::AnyElement<2>& element = shape::reference_element<2>(mesh_.type[e.index()]);
+    const PlaneModes& modes = PlaneModes::of(mesh_.type[e.index()]);
+    const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh_, e);
+    const Eigen::Matrix2d J = X.lazyProduct(element.dN(point.r));
+    const ModeGradients G = mode_gradients(modes, X, point.r, J, sides(e));
+    for (int mode = 0; mode < 2; ++mode) {
+      const Eigen::Matrix2d& M = point.M[static_cast<std::size_t>(mode)];
+      // M : grad psi, in the order of the rows of ModeGradients.
+      const Eigen::Vector4d by_row(M(0, 0), M(0, 1), M(1, 0), M(1, 1));
+      ModeNumbers value = G.transpose() * by_row;
+      if (const double hoop = point.hoop[static_cast<std::size_t>(mode)]; hoop != 0.0) {
+        const double x = X.row(0) * element.N(point.r);
+        value += hoop / x * mode_outward(modes, X, point.r, sides(e));
       }
-    });
+      for (int i = 0; i < modes.freedoms(); ++i) {
+        g(freedom[static_cast<std::size_t>(i)], mode) += value[i];
+      }
+    }
   }
   return g;
 }

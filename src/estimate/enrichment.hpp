@@ -78,6 +78,8 @@ public:
   [[nodiscard]] base::Matrix functional(const std::vector<crack::IntensityPoint>& points) const;
 
 private:
+  /// Of an element: from the memory, or made anew there or at next_own, which goes on.
+  void add_matrix(base::ElementId e, const KeptModes& kept, double*& next_own);
   void sum_diagonal();
   template <shape::PlaneShape S, int columns>
   void take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,

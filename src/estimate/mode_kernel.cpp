@@ -5,60 +5,55 @@
 
 namespace spricka::estimate {
 
-template <shape::PlaneShape S>
-ModeGradients<S> mode_gradients(const fe::NodeVectors<S>& X, const shape::Point<2>& r,
-                                const Eigen::Matrix2d& J, const SideState& sides) {
-  using M = Modes<S>;
+ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                             const shape::Point<2>& r, const Eigen::Matrix2d& J,
+                             const SideState& sides) {
   const Eigen::Matrix2d inverse = J.inverse();
-  Eigen::Matrix<double, M::count, 2> d = M::dpsi(r) * inverse;
-  for (int s = 0; s < M::sides; ++s) {
+  PlaneModes::Slopes d = modes.dpsi(r).lazyProduct(inverse);
+  for (int s = 0; s < modes.sides; ++s) {
     d.row(s) *= sides.sign[static_cast<std::size_t>(s)];
   }
-  ModeGradients<S> G = ModeGradients<S>::Zero();
-  for (int m = 0; m < M::count; ++m) {
-    G.template block<2, 1>(0, 2 * m) = d.row(m).transpose();
-    G.template block<2, 1>(2, 2 * m + 1) = d.row(m).transpose();
+  ModeGradients G = ModeGradients::Zero(4, modes.freedoms());
+  for (int m = 0; m < modes.count; ++m) {
+    G.block<2, 1>(0, 2 * m) = d.row(m).transpose();
+    G.block<2, 1>(2, 2 * m + 1) = d.row(m).transpose();
   }
   if (!sides.any_framed()) {
     return G;
   }
-  const Eigen::Matrix<double, M::count, 1> psi = M::psi(r);
-  for (int s = 0; s < M::sides; ++s) {
+  const PlaneModes::Values psi = modes.psi(r);
+  for (int s = 0; s < modes.sides; ++s) {
     if (!sides.framed[static_cast<std::size_t>(s)]) {
       continue;
     }
-    const SideFrame frame = side_frame(side_points<S>(X, s), M::along(r, s));
+    const SideFrame frame = side_frame(side_points(modes, X, s), modes.along(r, s));
     // On a curved side the axis turns: grad(psi axis) = axis grad psi + psi axis' grad t.
     const Eigen::RowVector2d turn =
-        sides.sign[static_cast<std::size_t>(s)] * psi[s] * (M::d_along(s) * inverse);
+        sides.sign[static_cast<std::size_t>(s)] * psi[s] * (modes.d_along(s) * inverse);
     for (int k = 0; k < 2; ++k) {
       const base::Vec2& axis = frame.axis[static_cast<std::size_t>(k)];
       const base::Vec2& slope = frame.slope[static_cast<std::size_t>(k)];
       for (int i = 0; i < 2; ++i) {
-        G.template block<2, 1>(2 * i, 2 * s + k) =
-            (axis[i] * d.row(s) + slope[i] * turn).transpose();
+        G.block<2, 1>(2 * i, 2 * s + k) = (axis[i] * d.row(s) + slope[i] * turn).transpose();
       }
     }
   }
   return G;
 }
 
-template <shape::PlaneShape S>
-Eigen::Matrix<double, 1, mode_freedoms<S>>
-mode_outward(const fe::NodeVectors<S>& X, const shape::Point<2>& r, const SideState& sides) {
-  using M = Modes<S>;
-  const Eigen::Matrix<double, M::count, 1> psi = M::psi(r);
-  Eigen::Matrix<double, 1, mode_freedoms<S>> along =
-      Eigen::Matrix<double, 1, mode_freedoms<S>>::Zero();
-  for (int m = 0; m < M::count; ++m) {
-    if (m >= M::sides) {
+ModeNumbers mode_outward(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                         const shape::Point<2>& r, const SideState& sides) {
+  const PlaneModes::Values psi = modes.psi(r);
+  ModeNumbers along = ModeNumbers::Zero(modes.freedoms());
+  for (int m = 0; m < modes.count; ++m) {
+    if (m >= modes.sides) {
       along[2 * m] = psi[m];
       continue;
     }
     const auto s = static_cast<std::size_t>(m);
     along[2 * m] = sides.sign[s] * psi[m];
     if (sides.framed[s]) {
-      const SideFrame frame = side_frame(side_points<S>(X, m), M::along(r, m));
+      const SideFrame frame = side_frame(side_points(modes, X, m), modes.along(r, m));
       along[2 * m + 1] = along[2 * m] * frame.axis[1].x();
       along[2 * m] *= frame.axis[0].x();
     }
@@ -69,8 +64,8 @@ mode_outward(const fe::NodeVectors<S>& X, const shape::Point<2>& r, const SideSt
 namespace {
 
 // Strains xx yy xy of gradients as above.
-template <class Derived> auto strains_of(const Eigen::MatrixBase<Derived>& G) {
-  Eigen::Matrix<double, 3, Derived::ColsAtCompileTime> B;
+template <int freedoms> Eigen::Matrix<double, 3, freedoms> strains_of(const ModeGradients& G) {
+  Eigen::Matrix<double, 3, freedoms> B;
   B.row(0) = G.row(0);
   B.row(1) = G.row(3);
   B.row(2) = G.row(1) + G.row(2);
@@ -102,10 +97,13 @@ void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Law
   D.diagonal().head<2>().array() += law.mu;
   ee.setZero();
   ep.setZero();
+  const PlaneModes& of = PlaneModes::of(S::type);
+  const fe::AnyNodeVectors<2> nodes = X;
   for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
     const double w = point.weight * at.det * law.thickness;
-    const auto B = strains_of(mode_gradients<S>(X, point.r, at.J, sides));
+    const Eigen::Matrix<double, 3, mode_freedoms<S>> B =
+        strains_of<mode_freedoms<S>>(mode_gradients(of, nodes, point.r, at.J, sides));
     const Eigen::Matrix<double, 3, mode_freedoms<S>> DB = (w * D) * B;
     ee.noalias() += B.transpose() * DB;
     ep.noalias() += DB.transpose() * fe::strain_matrix<S>(at.dNdx);
@@ -124,13 +122,16 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Law
   D.diagonal() += law.mu * Eigen::Vector4d(2.0, 2.0, 1.0, 2.0);
   ee.setZero();
   ep.setZero();
+  const PlaneModes& of = PlaneModes::of(S::type);
+  const fe::AnyNodeVectors<2> nodes = X;
   for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
     const fe::Hoop<S> hoop(X, law, point.r);
     const double w = point.weight * at.det * law.depth(hoop.x);
     Eigen::Matrix<double, 4, mode_freedoms<S>> B;
-    B.template topRows<3>() = strains_of(mode_gradients<S>(X, point.r, at.J, sides));
-    B.row(3) = mode_outward<S>(X, point.r, sides) / hoop.x;
+    B.template topRows<3>() =
+        strains_of<mode_freedoms<S>>(mode_gradients(of, nodes, point.r, at.J, sides));
+    B.row(3) = mode_outward(of, nodes, point.r, sides).transpose() / hoop.x;
     Eigen::Matrix<double, 4, 2 * S::nodes> P = Eigen::Matrix<double, 4, 2 * S::nodes>::Zero();
     P.template topRows<3>() = fe::strain_matrix<S>(at.dNdx);
     for (int n = 0; n < S::nodes; ++n) {
@@ -199,16 +200,8 @@ void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::Law
   }
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): types cannot stand in parentheses
-#define MODE_KERNEL(S)                                                                             \
-  template ModeGradients<S> mode_gradients<S>(const fe::NodeVectors<S>&, const shape::Point<2>&,   \
-                                              const Eigen::Matrix2d&, const SideState&);           \
-  template Eigen::Matrix<double, 1, mode_freedoms<S>> mode_outward<S>(                             \
-      const fe::NodeVectors<S>&, const shape::Point<2>&, const SideState&);                        \
-  template struct EnrichedStiffness<S>;
-// NOLINTEND(bugprone-macro-parentheses)
-MODE_KERNEL(shape::Trimc6)
-MODE_KERNEL(shape::Quamc8)
-MODE_KERNEL(shape::Quamc9)
+template struct EnrichedStiffness<shape::Trimc6>;
+template struct EnrichedStiffness<shape::Quamc8>;
+template struct EnrichedStiffness<shape::Quamc9>;
 
 } // namespace spricka::estimate

@@ -3,16 +3,20 @@
 #include "estimate/modes.hpp"
 #include "fe/element.hpp"
 
-/// Kernels of one enriched element, on fixed-size matrices, compiled in mode_kernel.cpp for each
-/// that has modes; nothing here allocates. Mode m has two freedoms, rows 2 m and 2 m + 1 of an
-/// element matrix: along x and y, or, for sides whose modes stand in the side's own frame, along
-/// its outer normal and its tangent (body on the left).
+/// Kernels of one enriched element; nothing here allocates. The stiffness, which is hot, is
+/// compiled in mode_kernel.cpp for each element that has modes, the rest takes the modes as data.
+/// Mode m has two freedoms, rows 2 m and 2 m + 1 of an element matrix: along x and y, or, for sides
+/// whose modes stand in the side's own frame, along its outer normal and its tangent (body on the
+/// left).
 namespace spricka::estimate {
 
 template <shape::PlaneShape S> constexpr int mode_freedoms = 2 * Modes<S>::count;
 
+/// One number for each mode freedom of an element.
+using ModeNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * most_plane_modes, 1>;
+
 /// Displacement gradients of all mode freedoms at a point: rows du_x/dx, du_x/dy, du_y/dx, du_y/dy.
-template <shape::PlaneShape S> using ModeGradients = Eigen::Matrix<double, 4, mode_freedoms<S>>;
+using ModeGradients = Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, 2 * most_plane_modes>;
 
 /// Which sides of an element have modes in their own frame, and the signs of the side modes.
 struct SideState {
@@ -39,21 +43,20 @@ inline SideFrame side_frame(const std::array<base::Vec2, 3>& x, double t) {
 }
 
 /// Ends and middle of a side out of nodal coordinates.
-template <shape::PlaneShape S>
-std::array<base::Vec2, 3> side_points(const fe::NodeVectors<S>& X, int s) {
-  constexpr int corners = Modes<S>::sides;
-  return {X.col(s), X.col((s + 1) % corners), X.col(corners + s)};
+inline std::array<base::Vec2, 3> side_points(const PlaneModes& modes,
+                                             const fe::AnyNodeVectors<2>& X, int s) {
+  return {X.col(s), X.col((s + 1) % modes.sides), X.col(modes.sides + s)};
 }
 
-template <shape::PlaneShape S>
-ModeGradients<S> mode_gradients(const fe::NodeVectors<S>& X, const shape::Point<2>& r,
-                                const Eigen::Matrix2d& J, const SideState& sides);
+/// J of the map at r.
+ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                             const shape::Point<2>& r, const Eigen::Matrix2d& J,
+                             const SideState& sides);
 
 /// Displacements along x of all mode freedoms at a point: about an axis the strain round it is
 /// these over x.
-template <shape::PlaneShape S>
-Eigen::Matrix<double, 1, mode_freedoms<S>>
-mode_outward(const fe::NodeVectors<S>& X, const shape::Point<2>& r, const SideState& sides);
+ModeNumbers mode_outward(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                         const shape::Point<2>& r, const SideState& sides);
 
 /// Stiffness of the modes with themselves and with the nodes' displacements (manual, estimate.8).
 template <shape::PlaneShape S> struct EnrichedStiffness {

@@ -13,85 +13,95 @@ namespace {
 using base::Vec2;
 using base::Vec3;
 
-// Of the modes of an element only that of the loaded side moves the side.
-void add_on_side(const Enrichment& enrichment, const model::Face& face, double t, const Vec3& force,
-                 base::Vector& f) {
-  const model::Mesh& mesh = enrichment.mesh();
-  const SideState sides = enrichment.sides(face.element);
-  const auto s = static_cast<std::size_t>(face.side);
-  const double psi = sides.sign[s] * side_mode(t);
-  const std::span<const std::int32_t> freedom = enrichment.of_element(face.element);
-  Vec2 along = force.head<2>();
-  if (sides.framed[s]) {
-    with_mode_shape(mesh.type[face.element.index()], [&]<shape::PlaneShape S>(S) {
-      const SideFrame frame =
-          side_frame(side_points<S>(fe::coordinates<S>(mesh, face.element), face.side), t);
-      along = {frame.axis[0].dot(force.head<2>()), frame.axis[1].dot(force.head<2>())};
-    });
-  }
-  f[freedom[2 * s]] += psi * along.x();
-  f[freedom[2 * s + 1]] += psi * along.y();
-}
+/// An element with its modes, and how it carries them.
+struct ModeElement {
+  const fe::AnyElement<2>& shape;
+  const PlaneModes& modes;
+  fe::AnyNodeVectors<2> X;
+  SideState sides;
+  std::span<const std::int32_t> freedom;
 
-template <shape::PlaneShape S>
-void add_inside(const Enrichment& enrichment, base::ElementId e, const shape::Point<2>& r,
-                const Vec3& force, base::Vector& f) {
-  using M = Modes<S>;
-  const SideState sides = enrichment.sides(e);
-  const std::span<const std::int32_t> freedom = enrichment.of_element(e);
-  Eigen::Matrix<double, M::count, 1> psi = M::psi(r);
-  const fe::NodeVectors<S> X = fe::coordinates<S>(enrichment.mesh(), e);
-  for (int m = 0; m < M::count; ++m) {
-    Vec2 along = force.head<2>();
-    if (m < M::sides) {
-      const auto s = static_cast<std::size_t>(m);
-      psi[m] *= sides.sign[s];
-      if (sides.framed[s]) {
-        const SideFrame frame = side_frame(side_points<S>(X, m), M::along(r, m));
-        along = {frame.axis[0].dot(force.head<2>()), frame.axis[1].dot(force.head<2>())};
-      }
+  ModeElement(const Enrichment& enrichment, base::ElementId e)
+      : shape(shape::reference_element<2>(enrichment.mesh().type[e.index()])),
+        modes(PlaneModes::of(enrichment.mesh().type[e.index()])),
+        X(fe::coordinates(shape, enrichment.mesh(), e)), sides(enrichment.sides(e)),
+        freedom(enrichment.of_element(e)) {}
+
+  /// A force along the axes of a side's mode at t.
+  [[nodiscard]] Vec2 along(std::size_t side, double t, const Vec3& force) const {
+    if (!sides.framed[side]) {
+      return force.head<2>();
     }
-    f[freedom[static_cast<std::size_t>(2 * m)]] += psi[m] * along.x();
-    f[freedom[static_cast<std::size_t>(2 * m + 1)]] += psi[m] * along.y();
+    const SideFrame frame = side_frame(side_points(modes, X, static_cast<int>(side)), t);
+    return {frame.axis[0].dot(force.head<2>()), frame.axis[1].dot(force.head<2>())};
+  }
+};
+
+// Of the modes of an element only that of the loaded side moves the side.
+void add_on_side(const ModeElement& element, int side, double t, const Vec3& force,
+                 base::Vector& f) {
+  const auto s = static_cast<std::size_t>(side);
+  const double psi = element.sides.sign[s] * side_mode(t);
+  const Vec2 along = element.along(s, t, force);
+  f[element.freedom[2 * s]] += psi * along.x();
+  f[element.freedom[2 * s + 1]] += psi * along.y();
+}
+
+void add_inside(const ModeElement& element, const shape::Point<2>& r, const Vec3& force,
+                base::Vector& f) {
+  const PlaneModes& modes = element.modes;
+  PlaneModes::Values psi = modes.psi(r);
+  for (int m = 0; m < modes.count; ++m) {
+    Vec2 along = force.head<2>();
+    if (m < modes.sides) {
+      const auto s = static_cast<std::size_t>(m);
+      psi[m] *= element.sides.sign[s];
+      along = element.along(s, modes.along(r, m), force);
+    }
+    f[element.freedom[static_cast<std::size_t>(2 * m)]] += psi[m] * along.x();
+    f[element.freedom[static_cast<std::size_t>(2 * m + 1)]] += psi[m] * along.y();
   }
 }
 
-// Forces of the modes of an element by a stress (tensor) at a point, its weight included.
-template <shape::PlaneShape S> using ModeForces = Eigen::Matrix<double, mode_freedoms<S>, 1>;
-template <shape::PlaneShape S>
-ModeForces<S> pressed(const ModeGradients<S>& G, const Eigen::Matrix2d& stress) {
+// Forces of the modes of an element by a stress (tensor) at a point, its weight included. J of the
+// map there.
+ModeNumbers pressed(const ModeElement& element, const shape::Point<2>& r, const Eigen::Matrix2d& J,
+                    const Eigen::Matrix2d& stress) {
+  const ModeGradients G = mode_gradients(element.modes, element.X, r, J, element.sides);
   return G.transpose() * Eigen::Vector4d(stress(0, 0), stress(0, 1), stress(1, 0), stress(1, 1));
 }
 
 // What the temperature that an element takes does to its modes. Where a part expands it freely the
 // nodes bear what their displacements make of that, and so do the modes: nothing is missed of it.
-template <shape::PlaneShape S>
-ModeForces<S> taken_forces(const fe::NodeVectors<S>& X, const fe::Law& law,
-                           const fe::CornerValues<S>& T, const SideState& sides) {
-  const fe::ThermalStress<S> thermal(X, law, T);
+ModeNumbers taken_forces(const ModeElement& element, const fe::Law& law,
+                         const fe::CornerValues<2>& T) {
+  const fe::AnyElement<2>& shape = element.shape;
+  const fe::AnyNodeVectors<2>& X = element.X;
+  const fe::ThermalStress<2> thermal(shape, X, law, T);
   // (fe.38): stress of the expansion at the nodes, int B_e^T D B u_T dV.
-  const bool carried = fe::FreeExpansion<S>::wanted(X, law);
-  const fe::NodeVectors<S> U =
-      carried ? fe::FreeExpansion<S>(X, law, T).at_nodes(X) : fe::NodeVectors<S>::Zero();
-  ModeForces<S> F = ModeForces<S>::Zero();
-  for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+  const bool carried = fe::FreeExpansion::wanted(shape, X, law);
+  fe::AnyNodeVectors<2> U;
+  if (carried) {
+    U = fe::FreeExpansion(shape, X, law, T).at_nodes(X);
+  }
+  ModeNumbers F = ModeNumbers::Zero(element.modes.freedoms());
+  for (const auto& point : shape::quadrature<2>(shape.domain, element.modes.degree)) {
+    const fe::Jacobian<fe::AnyElement<2>> at = fe::jacobian(shape, X, point.r);
     const double even = thermal.at(point.r);
     Eigen::Matrix2d stress = even * Eigen::Matrix2d::Identity();
     if (law.axisymmetric) { // nothing is carried there, and the strain round the axis takes part
-      const double x = X.row(0) * S::N(point.r);
+      const double x = X.row(0) * shape.N(point.r);
       const double w = point.weight * at.det * law.depth(x);
-      F += pressed<S>(mode_gradients<S>(X, point.r, at.J, sides), w * stress);
-      F += w * even / x * mode_outward<S>(X, point.r, sides).transpose();
+      F += pressed(element, point.r, at.J, w * stress);
+      F += w * even / x * mode_outward(element.modes, X, point.r, element.sides);
       continue;
     }
     if (carried) {
-      const Eigen::Matrix2d H = U * at.dNdx;
+      const Eigen::Matrix2d H = U.lazyProduct(at.dNdx);
       stress = law.mu * (H + H.transpose());
       stress.diagonal().array() += law.lambda * H.trace();
     }
-    F += pressed<S>(mode_gradients<S>(X, point.r, at.J, sides),
-                    point.weight * at.det * law.thickness * stress);
+    F += pressed(element, point.r, at.J, point.weight * at.det * law.thickness * stress);
   }
   return F;
 }
@@ -101,27 +111,24 @@ void add_thermal(const Enrichment& enrichment, const fe::CaseHeat& heat, base::V
   const model::Mesh& mesh = enrichment.mesh();
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    with_mode_shape(mesh.type[i], [&]<shape::PlaneShape S>(S) {
-      const fe::CornerValues<S> T = fe::corner_temperature<S>(mesh, e, heat.temperature);
-      const std::span<const fe::HeatPoint> points = heat.of(e);
-      if ((T.array() == 0.0).all() && points.empty()) {
-        return;
-      }
-      const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-      const fe::Law law = fe::law_of(enrichment.model(), mesh, e);
-      const SideState sides = enrichment.sides(e);
-      // What the element takes, then the rest at its points (fe.39).
-      ModeForces<S> F = taken_forces<S>(X, law, T, sides);
-      const double beta = law.thickness * fe::heat_modulus(law);
-      for (const fe::HeatPoint& p : points) {
-        F += pressed<S>(mode_gradients<S>(X, p.r, fe::jacobian<S>(X, p.r).J, sides),
-                        beta * p.area * p.T * Eigen::Matrix2d::Identity());
-      }
-      const std::span<const std::int32_t> freedom = enrichment.of_element(e);
-      for (int m = 0; m < mode_freedoms<S>; ++m) {
-        f[freedom[static_cast<std::size_t>(m)]] += F[m];
-      }
-    });
+    const fe::CornerValues<2> T = fe::corner_temperature(shape::reference_element<2>(mesh.type[i]),
+                                                         mesh, e, heat.temperature);
+    const std::span<const fe::HeatPoint> points = heat.of(e);
+    if ((T.array() == 0.0).all() && points.empty()) {
+      continue;
+    }
+    const ModeElement element(enrichment, e);
+    const fe::Law law = fe::law_of(enrichment.model(), mesh, e);
+    // What the element takes, then the rest at its points (fe.39).
+    ModeNumbers F = taken_forces(element, law, T);
+    const double beta = law.thickness * fe::heat_modulus(law);
+    for (const fe::HeatPoint& p : points) {
+      const Eigen::Matrix2d J = element.X.lazyProduct(element.shape.dN(p.r));
+      F += pressed(element, p.r, J, beta * p.area * p.T * Eigen::Matrix2d::Identity());
+    }
+    for (Eigen::Index m = 0; m < F.size(); ++m) {
+      f[element.freedom[static_cast<std::size_t>(m)]] += F[m];
+    }
   }
 }
 
@@ -133,16 +140,16 @@ base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load
   const model::Mesh& mesh = enrichment.mesh();
   base::Vector f = base::Vector::Zero(enrichment.freedoms());
   const auto on_side = [&](const model::Face& face, std::span<const fe::LoadPoint> points) {
+    const ModeElement element(enrichment, face.element);
     for (const fe::LoadPoint& p : points) {
-      add_on_side(enrichment, face, p.r[0], p.force, f);
+      add_on_side(element, face.side, p.r[0], p.force, f);
     }
   };
   const auto inside = [&](base::ElementId e, std::span<const fe::LoadPoint> points) {
-    with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
-      for (const fe::LoadPoint& p : points) {
-        add_inside<S>(enrichment, e, p.r.head<2>(), p.force, f);
-      }
-    });
+    const ModeElement element(enrichment, e);
+    for (const fe::LoadPoint& p : points) {
+      add_inside(element, p.r.head<2>(), p.force, f);
+    }
   };
   for (const model::Load& load : load_case.loads) {
     fe::for_load_points(model, mesh, load, {on_side, inside});

@@ -144,6 +144,29 @@ constexpr bool has_modes(base::ElementType type) {
          type == base::ElementType::quamc9;
 }
 
+/// Modes of an element at most.
+inline constexpr int most_plane_modes = 8;
+
+/// The modes of an element known when run, for what is not hot.
+struct PlaneModes {
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_plane_modes, 1>;
+  using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_plane_modes, 2>;
+
+  int sides = 0;
+  int count = 0;
+  int degree = 0; ///< of the rule of their stiffness
+  Values (*psi)(const shape::Point<2>& r) = nullptr;
+  Slopes (*dpsi)(const shape::Point<2>& r) = nullptr;
+  double (*along)(const shape::Point<2>& r, int s) = nullptr;
+  Eigen::RowVector2d (*d_along)(int s) = nullptr;
+
+  /// Two of each mode.
+  [[nodiscard]] int freedoms() const { return 2 * count; }
+
+  /// Of a type that has some.
+  static const PlaneModes& of(base::ElementType type);
+};
+
 /// Calls f(S{}) for a type that has modes.
 template <class F> void with_mode_shape(base::ElementType type, F&& f) {
   switch (type) {

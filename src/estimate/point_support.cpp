@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/point_support.hpp"
 
-#include "estimate/modes.hpp"
 #include "fe/element.hpp"
 
 #include <algorithm>
@@ -23,29 +22,28 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
   const model::Mesh& mesh = setting.mesh;
   for (const base::ElementId e : corner.elements) {
     const fe::Law law = fe::law_of(setting.model, mesh, e);
-    with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
-      const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-      // On an axis a ring as wide as the elements stands for the point.
-      const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-      const double x = std::max(mesh.x[corner.node.index()].x(), X.row(0).mean());
-      // E' of (fe.4) by Lame's constants; with the reduced lambda of plane stress it is E.
-      held.modulus =
-          law.depth(x) * 4.0 * law.mu * (law.lambda + law.mu) / (law.lambda + 2.0 * law.mu);
-      for (Eigen::Index k = 0; k < z.cols(); ++k) {
-        fe::NodeVectors<S> U;
-        for (int i = 0; i < S::nodes; ++i) {
-          U.col(i) = z.col(k).segment<2>(
-              2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index()));
-        }
-        // What the elements at the node ask of it in the adjoint: its reaction R_z (estimate.18).
-        const fe::NodeVectors<S> F = fe::element_force<S>(X, law, U);
-        for (int i = 0; i < S::nodes; ++i) {
-          if (nodes[static_cast<std::size_t>(i)] == corner.node) {
-            held.force.col(k) += F.col(i);
-          }
+    const fe::AnyElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    // On an axis a ring as wide as the elements stands for the point.
+    const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh, e);
+    const double x = std::max(mesh.x[corner.node.index()].x(), X.row(0).mean());
+    // E' of (fe.4) by Lame's constants; with the reduced lambda of plane stress it is E.
+    held.modulus =
+        law.depth(x) * 4.0 * law.mu * (law.lambda + law.mu) / (law.lambda + 2.0 * law.mu);
+    for (Eigen::Index k = 0; k < z.cols(); ++k) {
+      fe::AnyNodeVectors<2> U(2, element.nodes);
+      for (int i = 0; i < element.nodes; ++i) {
+        U.col(i) = z.col(k).segment<2>(
+            2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index()));
+      }
+      // What the elements at the node ask of it in the adjoint: its reaction R_z (estimate.18).
+      const fe::AnyNodeVectors<2> F = fe::element_force(element, X, law, U);
+      for (int i = 0; i < element.nodes; ++i) {
+        if (nodes[static_cast<std::size_t>(i)] == corner.node) {
+          held.force.col(k) += F.col(i);
         }
       }
-    });
+    }
   }
   return held;
 }

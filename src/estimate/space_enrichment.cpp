@@ -26,16 +26,6 @@ std::string not_enriched_in_space(const model::Model& model, const model::Mesh& 
   return {};
 }
 
-Vec3 place_on_element(base::ElementType type, int side, const base::Vec2& r) {
-  Vec3 place = Vec3::Zero();
-  shape::with_shape(type, [&]<shape::ElementShape S>(S) {
-    if constexpr (S::dim == 3) {
-      place = shape::place_on_solid<S>(side, r);
-    }
-  });
-  return place;
-}
-
 SpaceEnrichment::SpaceEnrichment(const model::Model& model, const model::Mesh& mesh,
                                  const std::vector<model::FreedomClass>& cls,
                                  const fe::Dependence& ties)
@@ -91,26 +81,28 @@ void SpaceEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& f
 
 void SpaceEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, const Vec3& force,
                                   base::Vector& f) const {
-  add_inside(face.element, place_on_element(mesh_.type[face.element.index()], face.side, r), force,
-             f);
+  const base::ElementType type = mesh_.type[face.element.index()];
+  add_inside(face.element, shape::place_on_solid(type, face.side, r), force, f);
 }
 
 // A temperature presses on the volume change of the modes.
-template <shape::ElementShape S>
 void SpaceEnrichment::add_thermal(base::ElementId e, const base::Vector& temperature,
                                   base::Vector& f) const {
-  const fe::CornerValues<S> T = fe::corner_temperature<S>(mesh_, e, temperature);
+  const fe::AnyElement<3>& element = shape::reference_element<3>(mesh_.type[e.index()]);
+  const fe::CornerValues<3> T = fe::corner_temperature(element, mesh_, e, temperature);
   if ((T.array() == 0.0).all()) {
     return;
   }
-  const fe::NodeVectors<S> X = fe::coordinates<S>(mesh_, e);
+  const fe::AnyNodeVectors<3> X = fe::coordinates(element, mesh_, e);
   const fe::Law law = fe::law_of(model_, mesh_, e);
-  const fe::ThermalStress<S> thermal(X, law, T);
-  const SpaceModes& modes = SpaceModes::of(S::type);
+  const fe::ThermalStress<3> thermal(element, X, law, T);
+  const SpaceModes& modes = SpaceModes::of(mesh_.type[e.index()]);
   base::Matrix F = base::Matrix::Zero(static_cast<Eigen::Index>(modes.modes().size()), 3);
-  for (const auto& point : shape::quadrature<S>(S::degree)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    F += point.weight * at.det * thermal.at(point.r) * (modes.dpsi(point.r) * at.J.inverse());
+  for (const auto& point : shape::quadrature<3>(element.domain, element.degree)) {
+    const Eigen::Matrix3d J = X.lazyProduct(element.dN(point.r));
+    const Eigen::Matrix3d inverse = J.inverse();
+    const double w = point.weight * J.determinant() * thermal.at(point.r);
+    F += w * modes.dpsi(point.r).lazyProduct(inverse);
   }
   const std::span<const std::int32_t> mode = of_element(e);
   const std::span<const double> sign = signs(e);
@@ -137,11 +129,7 @@ base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
     fe::for_load_points(model_, mesh_, load, {on_side, inside});
   }
   for (std::size_t e = 0; e < mesh_.element_count() && temperature.size() > 0; ++e) {
-    shape::with_shape(mesh_.type[e], [&]<shape::ElementShape S>(S) {
-      if constexpr (S::dim == 3) {
-        add_thermal<S>(base::ElementId(e), temperature, f);
-      }
-    });
+    add_thermal(base::ElementId(e), temperature, f);
   }
   return f.cwiseProduct(free());
 }

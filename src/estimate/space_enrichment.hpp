@@ -9,7 +9,6 @@
 #include "model/freedoms.hpp"
 #include "model/loads.hpp"
 #include "model/mesh.hpp"
-#include "shape/shape.hpp"
 
 #include <cstdint>
 #include <span>
@@ -64,7 +63,6 @@ private:
                    base::Vector& f) const;
   void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,
                   base::Vector& f) const;
-  template <shape::ElementShape S>
   void add_thermal(base::ElementId e, const base::Vector& temperature, base::Vector& f) const;
 
   const model::Model& model_;
@@ -72,8 +70,5 @@ private:
   SpaceOperator operator_;
   std::vector<Eigen::Matrix3d> inverse_; ///< [mode]
 };
-
-/// Place on an element of a place on one of its sides, both in reference coordinates.
-base::Vec3 place_on_element(base::ElementType type, int side, const base::Vec2& r);
 
 } // namespace spricka::estimate

@@ -37,26 +37,27 @@ struct FunctionTable {
   [[nodiscard]] Eigen::Index points() const { return static_cast<Eigen::Index>(rule.size()); }
 
   static const FunctionTable& of(base::ElementType type) {
-    static const FunctionTable tet = make<shape::Tet10>();
-    static const FunctionTable penta = make<shape::Pentac15>();
-    static const FunctionTable hexa = make<shape::Hexec20>();
+    static const FunctionTable tet = make(base::ElementType::tet10);
+    static const FunctionTable penta = make(base::ElementType::pentac15);
+    static const FunctionTable hexa = make(base::ElementType::hexec20);
     return type == base::ElementType::tet10      ? tet
            : type == base::ElementType::pentac15 ? penta
                                                  : hexa;
   }
 
 private:
-  template <shape::ElementShape S> static FunctionTable make() {
+  static FunctionTable make(base::ElementType type) {
     FunctionTable table;
-    const auto rule = shape::quadrature<S>(rule_degree(S::type));
+    const fe::AnyElement<3>& element = shape::reference_element<3>(type);
+    const auto rule = shape::quadrature<3>(element.domain, rule_degree(type));
     table.rule.assign(rule.begin(), rule.end());
-    const SpaceModes& modes = SpaceModes::of(S::type);
-    table.nodes = S::nodes;
+    const SpaceModes& modes = SpaceModes::of(type);
+    table.nodes = element.nodes;
     table.modes = static_cast<Eigen::Index>(modes.modes().size());
     table.slopes.resize(table.functions(), 3 * table.points());
     for (Eigen::Index p = 0; p < table.points(); ++p) {
       const shape::Point<3>& r = table.rule[static_cast<std::size_t>(p)].r;
-      table.slopes.block(0, 3 * p, table.nodes, 3) = S::dN(r);
+      table.slopes.block(0, 3 * p, table.nodes, 3) = element.dN(r);
       table.slopes.block(table.nodes, 3 * p, table.modes, 3) = modes.dpsi(r);
     }
     return table;

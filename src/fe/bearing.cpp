@@ -62,16 +62,20 @@ struct Pin {
   model::BearingShape shape = model::BearingShape::cosine;
 };
 
+Vec2 place_on(const ElementSide<1>& edge, const shape::Point<1>& r) {
+  return Vec3(edge.X * edge.shape.N(r)).head<2>();
+}
+
 // Calls visit(t, main, across) at points of a piece of an edge: the forces of the two unit
 // pressures p = cos(theta) or 1, and p = sin(theta).
-template <shape::Shape Side, class Visit>
-void for_piece(const Pin& pin, const SideNodes<Side>& X, double from, double to, double thickness,
+template <class Visit>
+void for_piece(const Pin& pin, const ElementSide<1>& edge, double from, double to, double thickness,
                Visit&& visit) {
   const Vec2 across(-pin.d.y(), pin.d.x());
-  for (const auto& point : shape::quadrature<Side>(pressure_degree)) {
+  for (const auto& point : shape::line_rule(pressure_degree)) {
     const shape::Point<1> r(0.5 * (from + to) + 0.5 * (to - from) * point.r[0]);
-    const Vec2 arm = (X * Side::N(r)).template head<2>() - pin.bore.centre;
-    const Vec2 tangent = (X * Side::dN(r)).template head<2>();
+    const Vec2 arm = place_on(edge, r) - pin.bore.centre;
+    const Vec2 tangent = Vec3(edge.X * edge.shape.dN(r)).head<2>();
     const double distance = arm.norm();
     const Vec2 m = (pin.bore.side / distance) * arm; // the way the pressure pushes
     // Length of the exact arc: R dtheta.
@@ -87,17 +91,16 @@ void for_piece(const Pin& pin, const SideNodes<Side>& X, double from, double to,
   }
 }
 
-template <shape::Shape Side, class Visit>
-void for_edge(const Pin& pin, const SideNodes<Side>& X, double thickness, Visit&& visit) {
+template <class Visit>
+void for_edge(const Pin& pin, const ElementSide<1>& edge, double thickness, Visit&& visit) {
   // Along the load from the centre: its zeros are where |theta| = 90 degrees.
   const auto distance = [&](double r) {
-    const Vec2 x = (X * Side::N(shape::Point<1>(r))).template head<2>();
-    return (x - pin.bore.centre).dot(pin.d);
+    return (place_on(edge, shape::Point<1>(r)) - pin.bore.centre).dot(pin.d);
   };
   const Cuts cuts = cut_edge(distance(-1.0), distance(0.0), distance(1.0));
   for (std::size_t k = 0; k + 1 < cuts.count; ++k) {
     if (pin.bore.side * distance(0.5 * (cuts.at[k] + cuts.at[k + 1])) > 0.0) {
-      for_piece<Side>(pin, X, cuts.at[k], cuts.at[k + 1], thickness, visit);
+      for_piece(pin, edge, cuts.at[k], cuts.at[k + 1], thickness, visit);
     }
   }
 }
@@ -107,26 +110,23 @@ void for_edge(const Pin& pin, const SideNodes<Side>& X, double thickness, Visit&
 Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
   std::vector<WeightedPoint> points;
-  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-    for (int i = 0; i < Side::nodes; ++i) {
-      points.push_back({X.col(i).template head<2>(), 1.0});
+  for (const model::Face& face : faces) {
+    for (const base::NodeId n : nodes_of_face(mesh, face)) {
+      points.push_back({mesh.x[n.index()].head<2>(), 1.0});
     }
-  });
+  }
   const Circle circle = fit_circle(points);
   Bore bore;
   bore.centre = circle.centre;
   bore.radius = circle.radius;
 
   double inward = 0.0; // outer normals of a bore point to its centre
-  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    if constexpr (Side::dim == 1) {
-      const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-      const shape::Point<1> middle(0.0);
-      const Vec2 x = (X * Side::N(middle)).template head<2>();
-      inward += area_vector<Side>(X, middle).template head<2>().dot(bore.centre - x);
-    }
-  });
+  for (const model::Face& face : faces) {
+    const ElementSide<1> edge(mesh, face);
+    const shape::Point<1> middle(0.0);
+    const Vec3 normal = area_vector<1>(edge.shape, edge.X, middle);
+    inward += normal.head<2>().dot(bore.centre - place_on(edge, middle));
+  }
   bore.side = inward > 0.0 ? 1.0 : -1.0;
   return bore;
 }
@@ -135,10 +135,9 @@ std::array<bool, 3> cuts_by_mirrors(const model::Model& model, const model::Mesh
                                     const model::Load& load) {
   constexpr double in_plane = 1e-6; // of the faces' extent
   std::vector<base::NodeId> nodes;
-  for_faces(mesh, mesh.set(load.faces).faces,
-            [&]<shape::Shape Side>(Side, const model::Face& face) {
-              std::ranges::copy(nodes_of_face<Side>(mesh, face), std::back_inserter(nodes));
-            });
+  for (const model::Face& face : mesh.set(load.faces).faces) {
+    std::ranges::copy(nodes_of_face(mesh, face), std::back_inserter(nodes));
+  }
   std::array<bool, 3> cuts{};
   for (const model::MirrorPlane& plane : model.mirrors) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -166,14 +165,11 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
   }
   const Pin pin{fit_bore(mesh, faces), F.normalized(), load.shape};
   const auto for_points = [&](auto&& point) {
-    for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      if constexpr (Side::dim == 1) {
-        for_edge<Side>(
-            pin, side_coordinates<Side>(mesh, face),
-            model.property_of(mesh, face.element).thickness,
-            [&](double t, const Vec2& main, const Vec2& across) { point(face, t, main, across); });
-      }
-    });
+    for (const model::Face& face : faces) {
+      for_edge(
+          pin, ElementSide<1>(mesh, face), model.property_of(mesh, face.element).thickness,
+          [&](double t, const Vec2& main, const Vec2& across) { point(face, t, main, across); });
+    }
   };
   Eigen::Matrix2d total = Eigen::Matrix2d::Zero(); // column 0: sum of main, 1: of across
   for_points([&](const model::Face& /*face*/, double /*t*/, const Vec2& main, const Vec2& across) {
@@ -198,16 +194,12 @@ bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model
                  Vector& f) {
   return for_bearing_points(
       model, mesh, load, [&](const model::Face& face, double t, const Vec2& force) {
-        for_edges(mesh, {face}, [&]<shape::Shape Side>(Side, const model::Face&) {
-          if constexpr (Side::dim == 1) {
-            const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
-            const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(shape::Point<1>(t));
-            for (std::size_t i = 0; i < nodes.size(); ++i) {
-              f.segment<2>(2 * static_cast<Eigen::Index>(nodes[i].index())) +=
-                  N[static_cast<Eigen::Index>(i)] * force;
-            }
-          }
-        });
+        const std::vector<base::NodeId> nodes = nodes_of_face(mesh, face);
+        const auto N = shape::reference_line(static_cast<int>(nodes.size())).N(shape::Point<1>(t));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+          f.segment<2>(2 * static_cast<Eigen::Index>(nodes[i].index())) +=
+              N[static_cast<Eigen::Index>(i)] * force;
+        }
       });
 }
 

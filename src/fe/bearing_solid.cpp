@@ -23,13 +23,14 @@ constexpr int solid_pressure_degree = 15;
 // Calls f(x, a) with each integration point of the faces and its outward area vector.
 template <class F>
 void for_points(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-    for (const auto& point : shape::quadrature<Side>(load_degree)) {
-      const Vec3 a = point.weight * area_vector<Side>(X, point.r);
-      f(Vec3(X * Side::N(point.r)), a);
-    }
-  });
+  for (const model::Face& face : faces) {
+    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
+      for (const auto& point : shape::quadrature<dim>(side.domain, load_degree)) {
+        const Vec3 a = point.weight * area_vector<dim>(side, X, point.r);
+        f(Vec3(X * side.N(point.r)), a);
+      }
+    });
+  }
 }
 
 // The direction that no normal has a part in: that of the axis.
@@ -55,11 +56,11 @@ struct SolidPin {
 template <class Visit>
 void for_pin_points(const model::Mesh& mesh, const std::vector<model::Face>& faces,
                     const SolidPin& pin, Visit&& visit) {
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-    for (const auto& point : shape::quadrature<Side>(solid_pressure_degree)) {
-      const Vec3 x = X * Side::N(point.r);
-      const Vec3 outward = area_vector<Side>(X, point.r);
+  for (const model::Face& face : faces) {
+    const ElementSide<2> side(mesh, face);
+    for (const auto& point : shape::quadrature<2>(side.shape.domain, solid_pressure_degree)) {
+      const Vec3 x = side.X * side.shape.N(point.r);
+      const Vec3 outward = area_vector<2>(side.shape, side.X, point.r);
       const Vec2 arm = Vec2(x.dot(pin.along), x.dot(pin.across)) - pin.centre;
       // Against the outer normal: away from the centre of a bore, towards that of a shaft.
       const Vec3 radial = (arm.x() * pin.along + arm.y() * pin.across).normalized();
@@ -73,7 +74,7 @@ void for_pin_points(const model::Mesh& mesh, const std::vector<model::Face>& fac
       visit(face, Vec3(point.r[0], point.r[1], 0.0), Vec3((pin.cosine ? c : 1.0) * force),
             Vec3(push.dot(pin.across) * force));
     }
-  });
+  }
 }
 
 } // namespace
@@ -126,16 +127,12 @@ bool add_solid_bearing(const model::Model& model, const model::Mesh& mesh, const
                        Vector& f) {
   return for_solid_bearing_points(
       model, mesh, load, [&](const model::Face& face, const Vec3& r, const Vec3& force) {
-        with_side(mesh, face, [&]<shape::Shape Side>(Side) {
-          if constexpr (Side::dim == 2) {
-            const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
-            const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(shape::Point<2>(r.head<2>()));
-            for (std::size_t i = 0; i < nodes.size(); ++i) {
-              f.segment<3>(3 * static_cast<Eigen::Index>(nodes[i].index())) +=
-                  N[static_cast<Eigen::Index>(i)] * force;
-            }
-          }
-        });
+        const ElementSide<2> side(mesh, face);
+        const auto N = side.shape.N(r.head<2>());
+        for (std::size_t i = 0; i < side.nodes.size(); ++i) {
+          f.segment<3>(3 * static_cast<Eigen::Index>(side.nodes[i].index())) +=
+              N[static_cast<Eigen::Index>(i)] * force;
+        }
       });
 }
 

@@ -32,20 +32,20 @@ std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load
   return sides;
 }
 
-template <shape::Shape Side>
-void visit_side(const SideNodes<Side>& X, const model::Load& load, double largest,
-                BetweenNodes& worst) {
+template <int dim>
+void visit_side(const AnyElement<dim>& side, const SpaceNodes<dim>& X, const model::Load& load,
+                double largest, BetweenNodes& worst) {
   using At = std::array<double, 3>;
-  SideNodes<Side> nodal;
-  for (int n = 0; n < Side::nodes; ++n) {
+  SpaceNodes<dim> nodal(3, side.nodes);
+  for (int n = 0; n < side.nodes; ++n) {
     nodal.col(n) = load_value(load, X.col(n));
   }
   SeenValues seen{nodal.rowwise().minCoeff(), nodal.rowwise().maxCoeff()};
   const auto value = [&](const At& t) {
-    return load_value(load, base::Vec3(X * Side::N(unit_cube_point<Side>(t).r)));
+    return load_value(load, X * side.N(unit_cube_point<dim>(side.domain, t).r));
   };
   const auto look = [&](const At& t) {
-    const auto N = Side::N(unit_cube_point<Side>(t).r);
+    const auto N = side.N(unit_cube_point<dim>(side.domain, t).r);
     const base::Vec3 v = value(t);
     seen.low = seen.low.cwiseMin(v);
     seen.high = seen.high.cwiseMax(v);
@@ -55,21 +55,21 @@ void visit_side(const SideNodes<Side>& X, const model::Load& load, double larges
     }
   };
   // Deviations that are wide show on a grid; a peak between its points is searched for afterwards.
-  constexpr int pieces = Side::dim == 1 ? 32 : 8;
+  constexpr int pieces = dim == 1 ? 32 : 8;
   for (int i = 0; i < pieces; ++i) {
-    for (int j = 0; j < (Side::dim == 1 ? 1 : pieces); ++j) {
+    for (int j = 0; j < (dim == 1 ? 1 : pieces); ++j) {
       look({(i + 0.5) / pieces, (j + 0.5) / pieces, 0.0});
     }
   }
   constexpr double little = 0.005;
   const auto bounds = [&](const UnitBox& box, const SeenValues& known) {
-    return hidden_value(load, place_cell<Side>(X, box.low, box.high), known);
+    return hidden_value(load, place_cell<dim>(side, X, box.low, box.high), known);
   };
-  const SearchResult peak = search_hidden<Side::dim>(bounds, value, {{}, {1.0, 1.0, 1.0}}, seen,
-                                                     {little * largest, 0.0, 100});
+  const SearchResult peak =
+      search_hidden(dim, bounds, value, {{}, {1.0, 1.0, 1.0}}, seen, {little * largest, 0.0, 100});
   if (peak.found) {
     At middle{};
-    for (std::size_t k = 0; k < Side::dim; ++k) {
+    for (std::size_t k = 0; k < dim; ++k) {
       middle[k] = 0.5 * (peak.place.low[k] + peak.place.high[k]);
     }
     look(middle);
@@ -83,9 +83,11 @@ BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load, dou
   if (is_constant(load)) {
     return worst;
   }
-  for_faces(mesh, sides_inside(mesh, load), [&]<shape::Shape Side>(Side, const model::Face& face) {
-    visit_side<Side>(side_coordinates<Side>(mesh, face), load, largest, worst);
-  });
+  for (const model::Face& face : sides_inside(mesh, load)) {
+    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
+      visit_side<dim>(side, X, load, largest, worst);
+    });
+  }
   return worst;
 }
 

@@ -25,10 +25,10 @@ struct Chart {
 };
 
 /// The corner of an element that is one of some nodes; -1: none.
-template <shape::PlaneShape S>
-int corner_at(const model::Mesh& mesh, base::ElementId e, std::span<const base::NodeId> tips) {
+inline int corner_at(const model::Mesh& mesh, base::ElementId e,
+                     std::span<const base::NodeId> tips) {
   const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  for (int c = 0; c < base::info(S::type).corners; ++c) {
+  for (int c = 0; c < base::info(mesh.type[e.index()]).corners; ++c) {
     if (std::ranges::find(tips, nodes[static_cast<std::size_t>(c)]) != tips.end()) {
       return c;
     }
@@ -37,9 +37,9 @@ int corner_at(const model::Mesh& mesh, base::ElementId e, std::span<const base::
 }
 
 /// Charts of an element, collapsed into the corner `tip`; -1: nothing is singular.
-template <shape::PlaneShape S> std::vector<Chart> charts(int tip) {
-  constexpr int corners = base::info(S::type).corners;
-  const auto at = [](int i) { return shape::node<S>(i % corners); };
+inline std::vector<Chart> charts(const AnyElement<2>& element, int tip) {
+  const int corners = element.corners;
+  const auto at = [&](int i) { return element.node(i % corners); };
   if (corners == 4 && tip < 0) {
     return {{at(0), at(1) - at(0), at(3) - at(0), false}};
   }

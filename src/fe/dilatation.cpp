@@ -1,34 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/dilatation.hpp"
 
+#include "shape/solid.hpp"
+
 #include <Eigen/LU>
 
 namespace spricka::fe {
 
-template <shape::ElementShape S>
-Dilatation<S>::Dilatation(const NodeVectors<S>& X, const Law& law) {
+// Written out by components: products of so many sizes take the compiler long.
+template <shape::Element S>
+Dilatation<S>::Dilatation(const S& element, const NodeVectors<S>& X, const Law& law)
+    : C(Volume::Zero(mode_count(element), S::dim * element.nodes)),
+      G(Gram::Zero(mode_count(element), mode_count(element))) {
   // (fe.14), by the rule of the stiffness, which the projection is a part of.
-  for (const auto& point : stiffness_rule<S>(law)) {
-    const Jacobian<S> at = jacobian<S>(X, point.r);
-    const Hoop<S> hoop(X, law, point.r);
+  for (const auto& point : stiffness_rule(element, law)) {
+    const Jacobian<S> at = jacobian(element, X, point.r);
+    const Hoop<S> hoop(element, X, law, point.r);
     const double w = point.weight * at.det * law.depth(hoop.x);
-    const Modes p = phi(point.r);
-    Eigen::Matrix<double, 1, S::dim * S::nodes> theta;
-    for (int i = 0; i < S::nodes; ++i) {
-      theta.template segment<S::dim>(S::dim * i) = at.dNdx.row(i);
-      theta[S::dim * i] += hoop.h[i];
+    const Modes p = phi(element, point.r);
+    for (Eigen::Index m = 0; m < p.size(); ++m) {
+      for (int i = 0; i < element.nodes; ++i) {
+        for (int c = 0; c < S::dim; ++c) {
+          const double theta = at.dNdx(i, c) + (c == 0 ? hoop.h[i] : 0.0);
+          C(m, S::dim * i + c) += w * p[m] * theta;
+        }
+      }
+      for (Eigen::Index n = 0; n < p.size(); ++n) {
+        G(m, n) += w * p[m] * p[n];
+      }
     }
-    C.noalias() += (w * p) * theta;
-    G.noalias() += (w * p) * p.transpose();
   }
 }
 
-template <shape::ElementShape S>
-auto Dilatation<S>::of(const Eigen::Matrix<double, S::dim * S::nodes, 1>& u) const -> Modes {
-  return G.inverse() * (C * u);
+template <shape::Element S> auto Dilatation<S>::of(const NodeVectors<S>& U) const -> Modes {
+  Modes integrals = Modes::Zero(C.rows());
+  for (Eigen::Index m = 0; m < C.rows(); ++m) {
+    for (Eigen::Index i = 0; i < U.cols(); ++i) {
+      for (int c = 0; c < S::dim; ++c) {
+        integrals[m] += C(m, S::dim * i + c) * U(c, i);
+      }
+    }
+  }
+  return project(integrals);
+}
+
+template <shape::Element S> auto Dilatation<S>::project(const Modes& integrals) const -> Modes {
+  if (integrals.size() == 1) {
+    return (1.0 / G(0, 0)) * integrals;
+  }
+  using Full = Eigen::Matrix<double, most_modes, most_modes>;
+  return Full(G).inverse() * Eigen::Matrix<double, most_modes, 1>(integrals);
 }
 
 #define DILATATION(S) template struct Dilatation<S>;
 SPRICKA_EACH_SHAPE(DILATATION)
+DILATATION(shape::ReferenceElement<2>)
+DILATATION(shape::ReferenceElement<3>)
 
 } // namespace spricka::fe

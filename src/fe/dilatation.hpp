@@ -10,29 +10,54 @@ namespace spricka::fe {
 /// replaced by its projection onto phi: 1 on triangles, tetrahedra, wedges and linear elements,
 /// 1 and the reference coordinates on quadratic quadrilaterals and hexahedra. The energy of the
 /// volume change is lambda/2 times the integral of the projected theta squared. Compiled in
-/// dilatation.cpp for each element.
-template <shape::ElementShape S> struct Dilatation {
-  static constexpr bool full = base::info(S::type).corners == 1 << S::dim;
-  static constexpr int modes = full && base::info(S::type).quadratic ? 1 + S::dim : 1;
-  using Modes = Eigen::Matrix<double, modes, 1>;
-  using Volume = Eigen::Matrix<double, modes, S::dim * S::nodes>;
+/// dilatation.cpp for each element, and for elements known when run.
+template <shape::Element S> struct Dilatation {
+  static constexpr int modes_for(int corners, bool quadratic) {
+    return corners == 1 << S::dim && quadratic ? 1 + S::dim : 1;
+  }
+  /// Number of functions phi, or Eigen::Dynamic.
+  static constexpr int modes = [] {
+    if constexpr (shape::ElementShape<S>) {
+      return modes_for(base::info(S::type).corners, base::info(S::type).quadratic);
+    } else {
+      return Eigen::Dynamic;
+    }
+  }();
+  static constexpr int most_modes = modes == Eigen::Dynamic ? 1 + S::dim : modes;
+  static constexpr int most_freedoms = S::dim * shape::Counts<S>::most_nodes;
+  using Modes = Eigen::Matrix<double, modes, 1, 0, most_modes, 1>;
+  using Volume =
+      Eigen::Matrix<double, modes, modes == Eigen::Dynamic ? Eigen::Dynamic : most_freedoms,
+                    modes == 1 ? Eigen::RowMajor : Eigen::ColMajor, most_modes, most_freedoms>;
+  using Gram = Eigen::Matrix<double, modes, modes, 0, most_modes, most_modes>;
 
-  Volume C = Volume::Zero(); ///< integral of phi times the volume change of each freedom
-  Eigen::Matrix<double, modes, modes> G = Eigen::Matrix<double, modes, modes>::Zero();
+  Volume C; ///< integral of phi times the volume change of each freedom
+  Gram G;   ///< integral of phi phi^T
 
-  static Modes phi(const shape::Point<S::dim>& r) {
-    Modes p;
+  static int mode_count(const S& element) {
+    if constexpr (shape::ElementShape<S>) {
+      return modes;
+    } else {
+      return modes_for(element.corners, element.quadratic);
+    }
+  }
+  static Modes phi(const S& element, const shape::Point<S::dim>& r) {
+    Modes p(mode_count(element));
     p[0] = 1.0;
-    if constexpr (modes > 1) {
-      p.template tail<S::dim>() = r;
+    if constexpr (modes != 1) {
+      if (p.size() > 1) {
+        p.template tail<S::dim>() = r;
+      }
     }
     return p;
   }
 
-  Dilatation(const NodeVectors<S>& X, const Law& law);
+  Dilatation(const S& element, const NodeVectors<S>& X, const Law& law);
 
-  /// Coefficients of the projected volume change of displacements u [dim * nodes].
-  [[nodiscard]] Modes of(const Eigen::Matrix<double, S::dim * S::nodes, 1>& u) const;
+  /// Coefficients of the function whose integrals with phi these are.
+  [[nodiscard]] Modes project(const Modes& integrals) const;
+  /// Of the volume change of displacements U [dim, nodes].
+  [[nodiscard]] Modes of(const NodeVectors<S>& U) const;
 };
 
 } // namespace spricka::fe

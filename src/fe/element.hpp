@@ -66,26 +66,33 @@ template <shape::ElementShape S>
 ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law);
 
 /// Volume change at each point: div u with the hoop strain, or its projection.
-template <shape::ElementShape S> struct VolumeChange {
+template <shape::Element S> struct VolumeChange {
+  S element;
   const Law& law;
   typename Dilatation<S>::Modes projected;
 
-  VolumeChange(const NodeVectors<S>& X, const Law& law_, const NodeVectors<S>& U) : law(law_) {
+  VolumeChange(const S& element_, const NodeVectors<S>& X, const Law& law_, const NodeVectors<S>& U)
+      : element(element_), law(law_) {
     projected.setZero();
     if (law.projected) {
-      projected = Dilatation<S>(X, law).of(U.reshaped());
+      projected = Dilatation<S>(element, X, law).of(U);
     }
   }
   [[nodiscard]] double at(const shape::Point<S::dim>& r, double plain) const {
-    return law.projected ? Dilatation<S>::phi(r).dot(projected) : plain;
+    return law.projected ? Dilatation<S>::phi(element, r).dot(projected) : plain;
   }
 };
 
 /// Nodal forces Ke U of displacements U, both [dim, nodes], without forming Ke. With H = (U dN)
 /// J^-1 and F = w T J^-T dN^T no derivative with respect to x is formed at the nodes. Compiled in
-/// element_force.cpp for each element.
+/// element_force.cpp for each element, and for elements known when run.
+template <shape::Element S>
+NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Law& law,
+                             const NodeVectors<S>& U);
 template <shape::ElementShape S>
-NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U);
+NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
+  return element_force(S{}, X, law, U);
+}
 
 /// Calls f(type, block) for each run of equal element types in `elements`, in their order.
 template <class F>
@@ -111,12 +118,13 @@ void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elemen
   });
 }
 
-/// The same where all elements are plane.
+/// Calls f with the reference element of an element; f is a generic lambda
+/// `[&]<int dim>(const AnyElement<dim>& element)`.
 template <class F>
-void for_plane_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
-  for_runs(mesh, elements, [&](base::ElementType type, std::span<const base::ElementId> block) {
-    shape::with_plane_shape(type, [&]<shape::PlaneShape S>(S shape) { f(shape, block); });
-  });
+decltype(auto) with_any_element(const model::Mesh& mesh, base::ElementId e, F&& f) {
+  const base::ElementType type = mesh.type[e.index()];
+  return base::info(type).dim == 2 ? f(shape::reference_element<2>(type))
+                                   : f(shape::reference_element<3>(type));
 }
 
 } // namespace spricka::fe

@@ -3,35 +3,43 @@
 
 namespace spricka::fe {
 
-template <shape::ElementShape S>
-NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
+template <shape::Element S>
+NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Law& law,
+                             const NodeVectors<S>& U) {
   using Square = Eigen::Matrix<double, S::dim, S::dim>;
-  NodeVectors<S> F = NodeVectors<S>::Zero();
-  const VolumeChange<S> change(X, law, U);
-  for (const auto& point : stiffness_rule<S>(law)) {
-    const Gradients<S> dN = S::dN(point.r);
-    const Square J = X * dN;
+  NodeVectors<S> F = NodeVectors<S>::Zero(S::dim, element.nodes);
+  const VolumeChange<S> change(element, X, law, U);
+  for (const auto& point : stiffness_rule(element, law)) {
+    const Gradients<S> dN = element.dN(point.r);
+    const Square J = X.lazyProduct(dN); // as in jacobian.cpp
     const Square J_inverse = J.inverse();
-    const Hoop<S> hoop(X, law, point.r);
+    const Hoop<S> hoop(element, X, law, point.r);
     const double w = point.weight * J.determinant() * law.depth(hoop.x);
-    const Square H = (U * dN).eval() * J_inverse;
-    const double ring = U.row(0) * hoop.h;
+    const Square H = U.lazyProduct(dN).eval() * J_inverse;
+    double ring = 0.0;
+    if constexpr (S::dim == 2) {
+      ring = U.row(0) * hoop.h;
+    }
     // (fe.11); dN/dx is not formed: T (dN/dx)^T = T J^-T dN^T.
     const double pressure = law.lambda * change.at(point.r, H.trace() + ring);
     Square T = law.mu * (H + H.transpose());
     T.diagonal().array() += pressure;
     const Square flow = w * T * J_inverse.transpose();
     F.noalias() += flow * dN.transpose();
-    if (law.axisymmetric) {
-      F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
+    if constexpr (S::dim == 2) {
+      if (law.axisymmetric) {
+        F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
+      }
     }
   }
   return F;
 }
 
 #define FORCE(S)                                                                                   \
-  template NodeVectors<S> element_force<S>(const NodeVectors<S>&, const Law&,                      \
+  template NodeVectors<S> element_force<S>(const S&, const NodeVectors<S>&, const Law&,            \
                                            const NodeVectors<S>&);
 SPRICKA_EACH_SHAPE(FORCE)
+FORCE(shape::ReferenceElement<2>)
+FORCE(shape::ReferenceElement<3>)
 
 } // namespace spricka::fe

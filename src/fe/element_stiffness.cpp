@@ -36,7 +36,7 @@ template <shape::ElementShape S> struct Moments {
               weighted.col(p) * at.dNdx.col(q).transpose();
         }
       }
-      if (law.axisymmetric) {
+      if (dim == 2 && law.axisymmetric) {
         H.noalias() += (w * hoop.h) * hoop.h.transpose();
         for (int p = 0; p < dim; ++p) {
           L[static_cast<std::size_t>(p)].noalias() += hoop.h * weighted.col(p).transpose();
@@ -47,7 +47,7 @@ template <shape::ElementShape S> struct Moments {
 };
 
 /// Adds what the hoop strain h^T u_x brings to a stiffness.
-template <shape::ElementShape S>
+template <shape::PlaneShape S>
 void add_hoop(const Moments<S>& moments, double lambda, double mu, ElementMatrix<S>& Ke) {
   constexpr int dim = S::dim;
   for (int i = 0; i < S::nodes; ++i) {
@@ -61,6 +61,12 @@ void add_hoop(const Moments<S>& moments, double lambda, double mu, ElementMatrix
       }
     }
   }
+}
+
+/// Adds A B, which is symmetric but for round-off, of matrices of any size: compiled once.
+void add_volume_part(const base::Matrix& A, const base::Matrix& B, Eigen::Ref<base::Matrix> Ke) {
+  Ke.noalias() += A * B;
+  Ke = (0.5 * (Ke + Ke.transpose())).eval(); // symmetric to the last bit
 }
 
 } // namespace
@@ -92,13 +98,14 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law) {
       }
     }
   }
-  if (law.axisymmetric) {
-    add_hoop<S>(moments, lambda, mu, Ke);
+  if constexpr (dim == 2) {
+    if (law.axisymmetric) {
+      add_hoop<S>(moments, lambda, mu, Ke);
+    }
   }
   if (law.projected) {
-    const Dilatation<S> theta(X, law);
-    Ke.noalias() += law.lambda * theta.C.transpose() * theta.G.inverse() * theta.C;
-    Ke = (0.5 * (Ke + Ke.transpose())).eval(); // symmetric to the last bit
+    const Dilatation<S> theta(S{}, X, law);
+    add_volume_part(law.lambda * theta.C.transpose() * theta.G.inverse(), theta.C, Ke);
   }
   return Ke;
 }

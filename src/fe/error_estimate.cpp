@@ -186,16 +186,17 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       const StressElement<S> element(model, mesh, ElementId(e), field);
+      const AnyElement<S::dim>& corners = shape::reference<S>();
       double volume = 0.0;
       for (const auto& point : shape::quadrature<S>(std::max(S::degree, 2))) {
         const Jacobian<S> at = jacobian<S>(element.X, point.r);
         Vec3 x = Vec3::Zero();
         x.template head<S::dim>() = element.X * S::N(point.r);
         const double w = point.weight * at.det * element.law.depth(x.x());
-        const CornerValues<S> L = Linear<S>::N(point.r);
+        const CornerValues<S::dim> L = corners.linear().N(point.r);
         // s* - s, with s* blended from the polynomials of the corners (fe.37).
         Stress off = -element.from(at, point.r);
-        for (int c = 0; c < corners<S>(); ++c) {
+        for (int c = 0; c < corners.corners; ++c) {
           off += L[c] * smooth[patch_of[recovery.point_of(e, static_cast<std::size_t>(c))]].at(x);
         }
         // Half of e^2 of (fe.36).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat.hpp"
 
+#include "base/dense_solve.hpp"
 #include "fe/corner_rule.hpp"
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
@@ -22,37 +23,45 @@ constexpr double heat_round_off = 1e-9;
 
 // The function that an element takes, nearest to the temperature at the points: linear in x where
 // it does not hold quadratic functions, else in its reference coordinates (thermal_kernel.hpp).
-template <shape::PlaneShape S>
-CornerValues<S> nearest_to(const NodeVectors<S>& X, const Law& law,
+CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
                            std::span<const HeatPoint> points) {
-  const Vec2 centre = X.template leftCols<corners<S>()>().rowwise().mean();
-  const bool in_x = FreeExpansion<S>::wanted(X, law);
+  const Vec2 centre = X.leftCols(element.corners).rowwise().mean();
+  const bool in_x = FreeExpansion::wanted(element, X, law);
   const auto functions = [&](const Vec2& x, const shape::Point<2>& r) {
-    CornerValues<S> f = CornerValues<S>::Zero();
+    CornerValues<2> f;
     if (in_x) {
-      f.template head<3>() << 1.0, x - centre;
+      f = Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]);
     } else {
-      f = Linear<S>::N(r);
+      f = element.linear().N(r);
     }
     return f;
   };
-  const int terms = in_x ? 3 : corners<S>();
+  const int terms = in_x ? 3 : element.corners;
   base::Matrix G = base::Matrix::Zero(terms, terms);
   base::Vector right = base::Vector::Zero(terms);
   for (const HeatPoint& p : points) {
-    const base::Vector f = functions(X * S::N(p.r), p.r).head(terms);
+    const base::Vector f = functions(X * element.N(p.r), p.r);
     G += p.area * f * f.transpose();
     right += p.area * p.T * f;
   }
-  const base::Vector c = G.ldlt().solve(right);
-  CornerValues<S> T;
-  for (int n = 0; n < corners<S>(); ++n) {
-    T[n] = c.dot(functions(X.col(n), shape::node<S>(n)).head(terms));
+  const base::Vector c = base::solve_symmetric(G, right);
+  CornerValues<2> T(element.corners);
+  for (int n = 0; n < element.corners; ++n) {
+    T[n] = c.dot(functions(X.col(n), element.node(n)));
   }
   return T;
 }
 
-// Calls use(S{}, e, X, law, points) for all elements that have a rest.
+/// An element that has a rest.
+struct RestElement {
+  ElementId e;
+  const AnyElement<2>& shape;
+  AnyNodeVectors<2> X;
+  Law law;
+  std::span<const HeatPoint> points;
+};
+
+// Calls use(element) for all elements that have a rest.
 template <class Use>
 void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseHeat& heat, Use&& use) {
   for (std::size_t i = 0; i < mesh.element_count() && !heat.first.empty(); ++i) {
@@ -61,9 +70,8 @@ void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseHeat
     if (points.empty()) {
       continue;
     }
-    shape::with_plane_shape(mesh.type[i], [&]<shape::PlaneShape S>(S shape) {
-      use(shape, e, coordinates<S>(mesh, e), law_of(model, mesh, e), points);
-    });
+    const AnyElement<2>& shape = shape::reference_element<2>(mesh.type[i]);
+    use(RestElement{e, shape, coordinates(shape, mesh, e), law_of(model, mesh, e), points});
   }
 }
 
@@ -74,32 +82,31 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
     const Law law = law_of(model, mesh, e);
-    if (takes_rest(law, mesh.type[i]) && heat.field.varies(e)) {
-      shape::with_plane_shape(mesh.type[i], [&]<shape::PlaneShape S>(S) {
-        const NodeVectors<S> X = coordinates<S>(mesh, e);
-        SampledHeat sampled =
-            sample_heat<S>(X, heat.field, e, scale, corner_at<S>(mesh, e, patched.tips));
-        std::vector<HeatPoint>& points = sampled.points;
-        if (missed != nullptr) {
-          missed->add(sampled.missed, sampled.amount, law.thickness);
-        }
-        if (sampled.rough) {
-          heat.rough.resize(mesh.element_count(), false);
-          heat.rough[i] = true;
-        }
-        const CornerValues<S> T = nearest_to<S>(X, law, points);
-        double most = 0.0;
-        for (HeatPoint& p : points) {
-          // From here on points hold the rest, T - T_e of (fe.39).
-          p.T -= taken_temperature<S>(X, law, T, p.r);
-          most = std::max(most, std::abs(p.T));
-        }
-        // Elsewhere the element keeps what element_temperature found, and has no points.
-        if (most > heat_round_off * scale.largest) {
-          heat.temperature.segment<corners<S>()>(mesh.first[i]) = T;
-          heat.points.insert(heat.points.end(), points.begin(), points.end());
-        }
-      });
+    if (takes_rest(law, mesh.dim, base::info(mesh.type[i]).quadratic) && heat.field.varies(e)) {
+      const AnyElement<2>& element = shape::reference_element<2>(mesh.type[i]);
+      const AnyNodeVectors<2> X = coordinates(element, mesh, e);
+      SampledHeat sampled =
+          sample_heat(element, X, heat.field, e, scale, corner_at(mesh, e, patched.tips));
+      std::vector<HeatPoint>& points = sampled.points;
+      if (missed != nullptr) {
+        missed->add(sampled.missed, sampled.amount, law.thickness);
+      }
+      if (sampled.rough) {
+        heat.rough.resize(mesh.element_count(), false);
+        heat.rough[i] = true;
+      }
+      const CornerValues<2> T = nearest_to(element, X, law, points);
+      double most = 0.0;
+      for (HeatPoint& p : points) {
+        // From here on points hold the rest, T - T_e of (fe.39).
+        p.T -= taken_temperature(element, X, law, T, p.r);
+        most = std::max(most, std::abs(p.T));
+      }
+      // Elsewhere the element keeps what element_temperature found, and has no points.
+      if (most > heat_round_off * scale.largest) {
+        heat.temperature.segment(mesh.first[i], element.corners) = T;
+        heat.points.insert(heat.points.end(), points.begin(), points.end());
+      }
     }
     heat.first.push_back(heat.points.size());
   }
@@ -109,6 +116,14 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
 }
 
 } // namespace
+
+double taken_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
+                         const CornerValues<2>& T, const shape::Point<2>& r) {
+  if (FreeExpansion::wanted(element, X, law)) {
+    return FreeExpansion(element, X, law, T).temperature(X * element.N(r));
+  }
+  return T.dot(element.linear().N(r));
+}
 
 double unresolved_heat(const model::Model& model, const model::Mesh& mesh,
                        const model::Load& load) {
@@ -150,23 +165,21 @@ CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
 
 void add_rest_load(const model::Model& model, const model::Mesh& mesh, const ActingHeat& acting,
                    base::MaterialId only, base::Vector& f) {
-  for_rest(model, mesh, *acting.heat,
-           [&]<shape::PlaneShape S>(S, ElementId e, const NodeVectors<S>& X, const Law& law,
-                                    std::span<const HeatPoint> points) {
-             if (only.valid() && model.property_of(mesh, e).material != only) {
-               return;
-             }
-             NodeVectors<S> F = NodeVectors<S>::Zero();
-             // (fe.39).
-             const double beta = acting.factor * law.thickness * heat_modulus(law);
-             for (const HeatPoint& p : points) {
-               F += (beta * p.area * p.T) * jacobian<S>(X, p.r).dNdx.transpose();
-             }
-             Eigen::Index i = 0;
-             for (const base::NodeId n : mesh.nodes_of(e)) {
-               f.segment<2>(2 * static_cast<Eigen::Index>(n.index())) += F.col(i++);
-             }
-           });
+  for_rest(model, mesh, *acting.heat, [&](const RestElement& own) {
+    if (only.valid() && model.property_of(mesh, own.e).material != only) {
+      return;
+    }
+    AnyNodeVectors<2> F = AnyNodeVectors<2>::Zero(2, own.shape.nodes);
+    // (fe.39).
+    const double beta = acting.factor * own.law.thickness * heat_modulus(own.law);
+    for (const HeatPoint& p : own.points) {
+      F += (beta * p.area * p.T) * jacobian(own.shape, own.X, p.r).dNdx.transpose();
+    }
+    Eigen::Index i = 0;
+    for (const base::NodeId n : mesh.nodes_of(own.e)) {
+      f.segment<2>(2 * static_cast<Eigen::Index>(n.index())) += F.col(i++);
+    }
+  });
 }
 
 // 1/2 (alpha T)^T D (alpha T) is half of alpha beta T^2 in each heated direction. Of two cases each
@@ -175,27 +188,26 @@ void add_rest_energy(const model::Model& model, const model::Mesh& mesh,
                      std::span<const ActingHeat> acting, const base::Vector& u,
                      std::vector<double>& energy) {
   for (const ActingHeat& one : acting) {
-    for_rest(model, mesh, *one.heat,
-             [&]<shape::PlaneShape S>(S, ElementId e, const NodeVectors<S>& X, const Law& law,
-                                      std::span<const HeatPoint> points) {
-               const NodeVectors<S> U = gather<S>(mesh, e, u);
-               const double beta = one.factor * law.thickness * heat_modulus(law);
-               const double square = 0.5 * law.expansion * law.heated_directions();
-               for (const HeatPoint& p : points) {
-                 const Vec2 x = X * S::N(p.r);
-                 double all = 0.0;
-                 for (const ActingHeat& other : acting) {
-                   if (!other.heat->of(e).empty()) {
-                     const CornerValues<S> T =
-                         corner_temperature<S>(mesh, e, other.heat->temperature);
-                     all += other.factor *
-                            (other.heat->field(e, x) - taken_temperature<S>(X, law, T, p.r));
-                   }
-                 }
-                 const double div = (U * jacobian<S>(X, p.r).dNdx).trace();
-                 energy[e.index()] += beta * p.area * p.T * (square * all - div);
-               }
-             });
+    for_rest(model, mesh, *one.heat, [&](const RestElement& own) {
+      const AnyNodeVectors<2> U = gather(own.shape, mesh, own.e, u);
+      const double beta = one.factor * own.law.thickness * heat_modulus(own.law);
+      const double square = 0.5 * own.law.expansion * own.law.heated_directions();
+      for (const HeatPoint& p : own.points) {
+        const Vec2 x = own.X * own.shape.N(p.r);
+        double all = 0.0;
+        for (const ActingHeat& other : acting) {
+          if (!other.heat->of(own.e).empty()) {
+            const CornerValues<2> T =
+                corner_temperature(own.shape, mesh, own.e, other.heat->temperature);
+            all += other.factor * (other.heat->field(own.e, x) -
+                                   taken_temperature(own.shape, own.X, own.law, T, p.r));
+          }
+        }
+        const double div =
+            Eigen::Matrix2d(U.lazyProduct(jacobian(own.shape, own.X, p.r).dNdx)).trace();
+        energy[own.e.index()] += beta * p.area * p.T * (square * all - div);
+      }
+    });
   }
 }
 

@@ -50,16 +50,8 @@ struct ActingHeat {
 };
 
 /// What an element takes at a point; X and x belong to r.
-template <shape::PlaneShape S>
-double taken_temperature(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T,
-                         const shape::Point<2>& r) {
-  if constexpr (plane_quadratic<S>) {
-    if (FreeExpansion<S>::wanted(X, law)) {
-      return FreeExpansion<S>(X, law, T).temperature(X * S::N(r));
-    }
-  }
-  return T.dot(Linear<S>::N(r));
-}
+double taken_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
+                         const CornerValues<2>& T, const shape::Point<2>& r);
 
 /// Adds `factor` times the nodal forces of the rest to f [dim * node]; of one material, or all.
 void add_rest_load(const model::Model& model, const model::Mesh& mesh, const ActingHeat& acting,

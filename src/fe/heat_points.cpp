@@ -13,14 +13,11 @@ namespace spricka::fe {
 
 namespace {
 
-template <shape::PlaneShape S> class HeatSampler {
+class HeatSampler {
 public:
-  HeatSampler(const NodeVectors<S>& X, const HeatField& field, base::ElementId e,
-              const FieldScale& scale)
-      : field_(field), e_(e), scale_(scale) {
-    X_.setZero();
-    X_.template topRows<2>() = X;
-  }
+  HeatSampler(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const HeatField& field,
+              base::ElementId e, const FieldScale& scale)
+      : element_(element), X_(in_space<2>(X)), field_(field), e_(e), scale_(scale) {}
 
   SampledHeat points(int tip) {
     run(tip, scale_.largest);
@@ -59,14 +56,14 @@ private:
     rough_ = false;
     points_.clear();
     amount_ = missed_ = area_ = 0.0;
-    for (const Chart& chart : charts<S>(tip)) {
+    for (const Chart& chart : charts(element_, tip)) {
       chart_ = chart;
       split(take({0.0, 0.0}, {1.0, 1.0}), 0);
     }
   }
 
   [[nodiscard]] base::Vec2 place(const shape::Point<2>& r) const {
-    return (X_ * S::N(r)).template head<2>();
+    return X_.topRows<2>() * element_.N(r);
   }
 
   [[nodiscard]] Cell take(const std::array<double, 2>& low,
@@ -80,7 +77,8 @@ private:
       for (const auto& q : shape::line_rule(degree)) {
         const shape::Point<2> r = chart_.r(a, low[1] + 0.5 * size[1] * (1.0 + q.r[0]));
         const double w = 0.25 * size[0] * size[1] * p.weight * q.weight * chart_.area(a);
-        const double det = (X_.template topRows<2>() * S::dN(r)).determinant();
+        const double det =
+            Eigen::Matrix2d(X_.topRows<2>().lazyProduct(element_.dN(r))).determinant();
         const double T = field_(e_, place(r));
         cell.points.push_back({e_, r, w * det, T});
         cell.moments += (w * T) * Moments{{1.0, r[0], r[1], r[0] * r[0], r[0] * r[1], r[1] * r[1]}};
@@ -154,8 +152,8 @@ private:
     };
     const UnitBox box{{cell.low[0], cell.low[1], 0.0},
                       {cell.low[0] + cell.size[0], cell.low[1] + cell.size[1], 0.0}};
-    const SearchResult result = search_hidden<2>(
-        bounds, value, box, seen,
+    const SearchResult result = search_hidden(
+        2, bounds, value, box, seen,
         {little_peak * scale_.largest, little_open * scale_.mean * cell.size[0] * cell.size[1]});
     open = result.open;
     if (result.found) {
@@ -177,11 +175,11 @@ private:
         const double high = std::min(box.high[k], 1.0 - border);
         return 0.5 * (low + high) + 0.5 * v * (high - low);
       };
-      return base::Vec3(X_ * S::N(chart_.r(between(0, s), between(1, t))));
+      return base::Vec3(X_ * element_.N(chart_.r(between(0, s), between(1, t))));
     };
     base::PlaceCell cell;
     cell.centre = at(0.0, 0.0);
-    end_at_sides<S::nodes>(X_, cell);
+    end_at_sides(X_, cell);
     cell.axes.col(0) = 0.5 * (at(1.0, 0.0) - at(-1.0, 0.0));
     cell.axes.col(1) = 0.5 * (at(0.0, 1.0) - at(0.0, -1.0));
     // What is curved leaves the straight cell most at its corners, sides' middles and centre.
@@ -194,7 +192,8 @@ private:
     return cell;
   }
 
-  Eigen::Matrix<double, 3, S::nodes> X_;
+  const AnyElement<2>& element_;
+  SpaceNodes<2> X_;
   const HeatField& field_;
   base::ElementId e_;
   FieldScale scale_;
@@ -207,15 +206,10 @@ private:
 
 } // namespace
 
-template <shape::PlaneShape S>
-SampledHeat sample_heat(const NodeVectors<S>& X, const HeatField& field, base::ElementId e,
-                        const FieldScale& scale, int tip) {
-  return HeatSampler<S>(X, field, e, scale).points(tip);
+SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                        const HeatField& field, base::ElementId e, const FieldScale& scale,
+                        int tip) {
+  return HeatSampler(element, X, field, e, scale).points(tip);
 }
-
-#define SAMPLE(S)                                                                                  \
-  template SampledHeat sample_heat<S>(const NodeVectors<S>&, const HeatField&, base::ElementId,    \
-                                      const FieldScale&, int);
-SPRICKA_EACH_PLANE_SHAPE(SAMPLE)
 
 } // namespace spricka::fe

@@ -27,8 +27,8 @@ struct SampledHeat {
 /// A part of a chart (into the corner `tip`; -1: of the whole element) is halved in the direction
 /// in which its halves change most, until they agree with it as to six moments and bounds tell that
 /// nothing hides between the points.
-template <shape::PlaneShape S>
-SampledHeat sample_heat(const NodeVectors<S>& X, const HeatField& field, base::ElementId e,
-                        const FieldScale& scale, int tip);
+SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                        const HeatField& field, base::ElementId e, const FieldScale& scale,
+                        int tip);
 
 } // namespace spricka::fe

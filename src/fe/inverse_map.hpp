@@ -10,28 +10,29 @@ namespace spricka::fe {
 /// Newton's method from the centre with steps of at most half the domain; empty when it does not
 /// get there. At a quarter-point tip convergence is linear (J vanishes there), which the number of
 /// iterations allows for.
-template <shape::ElementShape S>
-std::optional<shape::Point<S::dim>> inverse_map(const NodeVectors<S>& X,
-                                                const shape::Point<S::dim>& x) {
+template <int dim>
+std::optional<shape::Point<dim>> inverse_map(const AnyElement<dim>& element,
+                                             const AnyNodeVectors<dim>& X,
+                                             const shape::Point<dim>& x) {
   const double size = (X.colwise() - X.col(0)).cwiseAbs().maxCoeff();
-  for (int i = 0; i < S::nodes; ++i) {
+  for (int i = 0; i < element.nodes; ++i) {
     if ((X.col(i) - x).norm() <= 1e-12 * size) {
-      return shape::node<S>(i);
+      return element.node(i);
     }
   }
-  shape::Point<S::dim> r = shape::centre<S>();
+  shape::Point<dim> r = element.centre();
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const shape::Point<S::dim> miss = x - X * S::N(r);
+    const shape::Point<dim> miss = x - X * element.N(r);
     if (miss.norm() <= 1e-13 * size) {
       return r;
     }
-    const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(r);
-    shape::Point<S::dim> step = J.inverse() * miss;
+    const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(r));
+    shape::Point<dim> step = J.inverse() * miss;
     const double length = step.norm();
     if (!(length < 1e6)) { // also when J is singular
       return std::nullopt;
     }
-    r += length > 0.5 ? shape::Point<S::dim>(step * (0.5 / length)) : step;
+    r += length > 0.5 ? shape::Point<dim>(step * (0.5 / length)) : step;
     if (length <= 1e-15) {
       return r;
     }

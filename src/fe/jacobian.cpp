@@ -3,9 +3,9 @@
 
 namespace spricka::fe {
 
-template <shape::ElementShape S>
-Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
-  const Gradients<S> dN = S::dN(r);
+template <shape::Element S>
+Jacobian<S> jacobian(const S& element, const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
+  const Gradients<S> dN = element.dN(r);
   Jacobian<S> at;
   // Eigen would pack such small matrices for a product of large ones.
   at.J = X.lazyProduct(dN);
@@ -16,7 +16,9 @@ Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
 }
 
 #define JACOBIAN(S)                                                                                \
-  template Jacobian<S> jacobian<S>(const NodeVectors<S>&, const shape::Point<S::dim>&);
+  template Jacobian<S> jacobian<S>(const S&, const NodeVectors<S>&, const shape::Point<S::dim>&);
 SPRICKA_EACH_SHAPE(JACOBIAN)
+JACOBIAN(shape::ReferenceElement<2>)
+JACOBIAN(shape::ReferenceElement<3>)
 
 } // namespace spricka::fe

@@ -28,12 +28,6 @@ void add_nodal_forces(const model::Mesh& mesh, const model::Load& load, Vector& 
   }
 }
 
-template <shape::ElementShape S> Vec3 in_space(const shape::Point<S::dim>& at) {
-  Vec3 x = Vec3::Zero();
-  x.head<S::dim>() = at;
-  return x;
-}
-
 // A total spreads evenly over the volume: weight and volume by one rule, which is exact for them in
 // the plane (shape function, Jacobian and radius of quadratic elements).
 void add_body_total(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
@@ -42,30 +36,30 @@ void add_body_total(const model::Model& model, const model::Mesh& mesh, const mo
   Vector weight = Vector::Zero(static_cast<Eigen::Index>(mesh.node_count()));
   double total = 0.0;
   const SetShares shares = set_shares(model, mesh, load.elements);
-  for_blocks(
-      mesh, shares.elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-        for (const base::ElementId e : block) {
-          const ElementShare* share = shares.of(e);
-          const NodeVectors<S> X = coordinates<S>(mesh, e);
-          const Law law = law_of(model, mesh, e);
-          Eigen::Matrix<double, S::nodes, 1> own = Eigen::Matrix<double, S::nodes, 1>::Zero();
-          for (const auto& point : shape::quadrature<S>(degree)) {
-            const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
-            const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-            double dV = point.weight * J.determinant() * law.depth(X.row(0) * N);
-            if (share != nullptr) {
-              dV *= (*share)(in_space<S>(X * N));
-            }
-            own += dV * N;
-            total += dV;
-          }
-          const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-          for (std::size_t i = 0; i < nodes.size(); ++i) {
-            weight[static_cast<Eigen::Index>(nodes[i].index())] +=
-                own[static_cast<Eigen::Index>(i)];
-          }
+  for (const base::ElementId e : shares.elements) {
+    with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
+      const ElementShare* share = shares.of(e);
+      const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
+      const Law law = law_of(model, mesh, e);
+      typename AnyElement<dim>::Values own = AnyElement<dim>::Values::Zero(element.nodes);
+      for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
+        const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
+        const auto N = element.N(point.r);
+        double dV = point.weight * J.determinant() * law.depth(X.row(0) * N);
+        if (share != nullptr) {
+          Vec3 x = Vec3::Zero();
+          x.template head<dim>() = X * N;
+          dV *= (*share)(x);
         }
-      });
+        own += dV * N;
+        total += dV;
+      }
+      const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        weight[static_cast<Eigen::Index>(nodes[i].index())] += own[static_cast<Eigen::Index>(i)];
+      }
+    });
+  }
   if (!(total > 0.0)) {
     return;
   }
@@ -114,21 +108,24 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
   LoadVisit visit;
   // (fe.16); on bodies (fe.17).
   visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
-    with_side(mesh, face, [&]<shape::Shape Side>(Side) {
-      const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+    const std::span<const int> local =
+        shape::side_nodes(mesh.type[face.element.index()], face.side);
+    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>&) {
       for (const LoadPoint& p : points) {
-        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(p.r.head<Side::dim>());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-          add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
+        const auto N = side.N(p.r.template head<dim>());
+        for (std::size_t i = 0; i < local.size(); ++i) {
+          add_at_node(mesh, nodes[static_cast<std::size_t>(local[i])],
+                      N[static_cast<Eigen::Index>(i)] * p.force, f);
         }
       }
     });
   };
   visit.on_body = [&](base::ElementId e, std::span<const LoadPoint> points) {
     const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-    shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
+    with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       for (const LoadPoint& p : points) {
-        const Eigen::Matrix<double, S::nodes, 1> N = S::N(p.r.head<S::dim>());
+        const auto N = element.N(p.r.template head<dim>());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
           add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
         }

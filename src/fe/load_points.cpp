@@ -38,28 +38,27 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
   Unresolved* const missed = spread.missed;
   const FieldScale scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
-  for_faces(
-      mesh, mesh.set(load.faces).faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-        const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-        const Law law = law_of(model, mesh, face.element);
-        const AdaptedRule<Side::dim> rule = load_rule<Side>(X, load, scale);
-        points.clear();
-        for (const auto& point : rule.points) {
-          const Vec3 x = X * Side::N(point.r);
-          LoadPoint& at = points.emplace_back();
-          at.r.template head<Side::dim>() = point.r;
-          // The density has the area; what stands behind it is (fe.5).
-          at.force = point.weight * law.depth(x.x()) * density(x, area_vector<Side>(X, point.r));
-        }
-        visit(face, points);
-        if (missed != nullptr) {
-          // Rules count by the reference side: its area and depth at the centre stand for all of
-          // it.
-          const auto centre = unit_cube_point<Side>({0.5, 0.5, 0.5}).r;
-          const double depth = law.depth((X * Side::N(centre)).x());
-          missed->add(rule.missed, rule.amount, depth * area_vector<Side>(X, centre).norm());
-        }
-      });
+  for (const model::Face& face : mesh.set(load.faces).faces) {
+    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
+      const Law law = law_of(model, mesh, face.element);
+      const AdaptedRule<dim> rule = load_rule<dim>(side, X, load, scale);
+      points.clear();
+      for (const auto& point : rule.points) {
+        const Vec3 x = X * side.N(point.r);
+        LoadPoint& at = points.emplace_back();
+        at.r.template head<dim>() = point.r;
+        // The density has the area; what stands behind it is (fe.5).
+        at.force = point.weight * law.depth(x.x()) * density(x, area_vector<dim>(side, X, point.r));
+      }
+      visit(face, points);
+      if (missed != nullptr) {
+        // Rules count by the reference side: its area and depth at the centre stand for all of it.
+        const auto centre = unit_cube_point<dim>(side.domain, {0.5, 0.5, 0.5}).r;
+        const double depth = law.depth(Vec3(X * side.N(centre)).x());
+        missed->add(rule.missed, rule.amount, depth * area_vector<dim>(side, X, centre).norm());
+      }
+    });
+  }
 }
 
 // The density counts by the elements' shares where the rim of the set cuts them.
@@ -72,32 +71,31 @@ void for_body_points(const Spread& spread, const BodyDensity& density, const OnB
   const SetShares shares = set_shares(model, mesh, load.elements);
   const FieldScale scale = load_scale(mesh, load, shares.elements);
   std::vector<LoadPoint> points;
-  for_blocks(mesh, shares.elements,
-             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-               for (const base::ElementId e : block) {
-                 const NodeVectors<S> X = coordinates<S>(mesh, e);
-                 const Law law = law_of(model, mesh, e);
-                 const ElementShare* share = shares.of(e);
-                 const AdaptedRule<S::dim> rule = body_load_rule<S>(X, load, scale);
-                 points.clear();
-                 for (const auto& point : rule.points) {
-                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
-                   Vec3 x = Vec3::Zero();
-                   x.template head<S::dim>() = X * S::N(point.r);
-                   const double part = share == nullptr ? 1.0 : (*share)(x);
-                   LoadPoint& at = points.emplace_back();
-                   at.r.template head<S::dim>() = point.r;
-                   at.force = point.weight * J.determinant() * part * law.depth(x.x()) * density(x);
-                 }
-                 visit(e, points);
-                 if (missed != nullptr) {
-                   const auto centre = unit_cube_point<S>({0.5, 0.5, 0.5}).r;
-                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(centre);
-                   const double depth = law.depth((X * S::N(centre))[0]);
-                   missed->add(rule.missed, rule.amount, depth * J.determinant());
-                 }
-               }
-             });
+  for (const base::ElementId e : shares.elements) {
+    with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
+      const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
+      const Law law = law_of(model, mesh, e);
+      const ElementShare* share = shares.of(e);
+      const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
+      points.clear();
+      for (const auto& point : rule.points) {
+        const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
+        Vec3 x = Vec3::Zero();
+        x.template head<dim>() = X * element.N(point.r);
+        const double part = share == nullptr ? 1.0 : (*share)(x);
+        LoadPoint& at = points.emplace_back();
+        at.r.template head<dim>() = point.r;
+        at.force = point.weight * J.determinant() * part * law.depth(x.x()) * density(x);
+      }
+      visit(e, points);
+      if (missed != nullptr) {
+        const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
+        const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(centre));
+        const double depth = law.depth(X.row(0) * element.N(centre));
+        missed->add(rule.missed, rule.amount, depth * J.determinant());
+      }
+    });
+  }
 }
 
 // A total spreads evenly over area or volume.

@@ -33,20 +33,20 @@ bool in_box(const model::Mesh& mesh, ElementId e, const Vec3& point) {
 }
 
 // A point beside the reference domain put onto it: shape functions are not asked outside.
-template <shape::ElementShape S> shape::Point<S::dim> into_domain(shape::Point<S::dim> r) {
-  constexpr bool prism = S::domain == shape::Domain::prism;
-  constexpr int flat = prism ? 2 : S::dim; // coordinates that share a simplex
-  if constexpr (base::info(S::type).corners != 1 << S::dim) {
-    r.template head<flat>() = r.template head<flat>().cwiseMax(0.0).eval();
-    const double sum = r.template head<flat>().sum();
-    r.template head<flat>() /= std::max(sum, 1.0);
-    if constexpr (prism) {
-      r[2] = std::clamp(r[2], -1.0, 1.0);
-    }
-    return r;
-  } else {
+template <int dim>
+shape::Point<dim> into_domain(const AnyElement<dim>& element, shape::Point<dim> r) {
+  if (element.corners == 1 << dim) {
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
+  const bool prism = element.domain == shape::Domain::prism;
+  const int flat = prism ? 2 : dim; // coordinates that share a simplex
+  r.head(flat) = r.head(flat).cwiseMax(0.0).eval();
+  const double sum = r.head(flat).sum();
+  r.head(flat) /= std::max(sum, 1.0);
+  if (prism) {
+    r[dim - 1] = std::clamp(r[dim - 1], -1.0, 1.0);
+  }
+  return r;
 }
 
 std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3& point) {
@@ -54,13 +54,13 @@ std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3&
   if (!in_box(mesh, e, point)) {
     return found;
   }
-  shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
-    const shape::Point<S::dim> x = point.head<S::dim>();
-    if (const auto r = inverse_map<S>(coordinates<S>(mesh, e), x)) {
-      const double outside = shape::outside<S>(*r);
+  with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
+    const shape::Point<dim> x = point.head<dim>();
+    if (const auto r = inverse_map<dim>(element, coordinates(element, mesh, e), x)) {
+      const double outside = element.outside(*r);
       if (outside <= boundary_tolerance) {
         found = PointHit{e, Vec3::Zero(), outside};
-        found->r.head<S::dim>() = into_domain<S>(*r);
+        found->r.head<dim>() = into_domain<dim>(element, *r);
       }
     }
   });
@@ -127,9 +127,8 @@ Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u, const Point
   // Displacements are continuous on one side: the element nearest to the point tells them.
   const PointHit& hit = *std::ranges::min_element(side, {}, &PointHit::outside);
   Vec3 value = Vec3::Zero();
-  shape::with_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
-    value.head<S::dim>() =
-        gather<S>(mesh, hit.element, u) * S::N(shape::Point<S::dim>(hit.r.head<S::dim>()));
+  with_any_element(mesh, hit.element, [&]<int dim>(const AnyElement<dim>& element) {
+    value.head<dim>() = gather(element, mesh, hit.element, u) * element.N(hit.r.head<dim>());
   });
   return value;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/set_shares.hpp"
 
+#include "fe/jacobian.hpp"
 #include "model/mesh.hpp"
 #include "model/model.hpp"
-#include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/Cholesky>
@@ -137,19 +137,14 @@ struct Box {
 // Integral of phi phi^T over an element, phi = 1, x, y about a point; entry 0, 0 is its area.
 Eigen::Matrix3d mass_of(const model::Mesh& mesh, ElementId e, const Vec2& at) {
   Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
-  shape::with_plane_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
-    Eigen::Matrix<double, 2, S::nodes> X;
-    Eigen::Index i = 0;
-    for (const base::NodeId n : mesh.nodes_of(e)) {
-      X.col(i++) = mesh.x[n.index()].head<2>() - at;
-    }
-    for (const auto& point : shape::quadrature<S>(moment_degree)) {
-      const Eigen::Matrix2d J = X * S::dN(point.r);
-      const Vec2 x = X * S::N(point.r);
-      const Vec3 phi(1.0, x.x(), x.y());
-      mass += point.weight * J.determinant() * phi * phi.transpose();
-    }
-  });
+  const AnyElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
+  const AnyNodeVectors<2> X = coordinates(element, mesh, e).colwise() - at;
+  for (const auto& point : shape::quadrature<2>(element.domain, moment_degree)) {
+    const Eigen::Matrix2d J = X.lazyProduct(element.dN(point.r));
+    const Vec2 x = X * element.N(point.r);
+    const Vec3 phi(1.0, x.x(), x.y());
+    mass += point.weight * J.determinant() * phi * phi.transpose();
+  }
   return mass;
 }
 

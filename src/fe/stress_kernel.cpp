@@ -7,7 +7,8 @@ template <shape::ElementShape S>
 StressElement<S>::StressElement(const model::Model& model, const model::Mesh& mesh,
                                 base::ElementId e, const StateField& field)
     : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), law(law_of(model, mesh, e)),
-      change(X, law, U), thermal(X, law, held_temperature(mesh, e, field)) {}
+      change(S{}, X, law, U),
+      thermal(shape::reference<S>(), X, law, held_temperature(mesh, e, field)) {}
 
 // In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
 // strain make of it.
@@ -37,16 +38,18 @@ template <shape::ElementShape S> Stress StressElement<S>::at(const shape::Point<
 
 // What stays of the temperature once bent elements have expanded freely.
 template <shape::ElementShape S>
-CornerValues<S> StressElement<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
-                                                   const StateField& field) {
+CornerValues<S::dim> StressElement<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
+                                                        const StateField& field) {
+  const AnyElement<S::dim>& element = shape::reference<S>();
+  const CornerValues<S::dim> none = CornerValues<S::dim>::Zero(element.corners);
   if (field.temperature == nullptr) {
-    return CornerValues<S>::Zero();
+    return none;
   }
-  CornerValues<S> T = corner_temperature<S>(mesh, e, *field.temperature);
-  if constexpr (plane_quadratic<S>) {
-    if (FreeExpansion<S>::wanted(X, law)) {
-      U -= FreeExpansion<S>(X, law, T).at_nodes(X);
-      return CornerValues<S>::Zero();
+  const CornerValues<S::dim> T = corner_temperature(element, mesh, e, *field.temperature);
+  if constexpr (S::dim == 2) {
+    if (FreeExpansion::wanted(element, X, law)) {
+      U -= FreeExpansion(element, X, law, T).at_nodes(X);
+      return none;
     }
   }
   return T;

@@ -11,7 +11,7 @@ template <shape::ElementShape S> struct StressElement {
   NodeVectors<S> U;
   Law law;
   VolumeChange<S> change;
-  ThermalStress<S> thermal;
+  ThermalStress<S::dim> thermal;
 
   StressElement(const model::Model& model, const model::Mesh& mesh, base::ElementId e,
                 const StateField& field);
@@ -26,8 +26,8 @@ template <shape::ElementShape S> struct StressElement {
   [[nodiscard]] Stress at(const shape::Point<S::dim>& r) const;
 
 private:
-  CornerValues<S> held_temperature(const model::Mesh& mesh, base::ElementId e,
-                                   const StateField& field);
+  CornerValues<S::dim> held_temperature(const model::Mesh& mesh, base::ElementId e,
+                                        const StateField& field);
   [[nodiscard]] double hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
                                    const shape::Point<S::dim>& r) const;
 };

@@ -24,7 +24,7 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
                                  const model::LoadCase& load_case, Unresolved* missed = nullptr);
 
 /// Whether the rest of a temperature acts on an element by itself (heat.hpp).
-bool takes_rest(const Law& law, base::ElementType type);
+bool takes_rest(const Law& law, int dim, bool quadratic);
 
 /// Consistent nodal forces [dim * node] of a temperature field as above: integral of
 /// B^T D alpha T dV.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/thermal_kernel.hpp"
 
+#include "base/dense_solve.hpp"
+
 #include <Eigen/Cholesky>
 
 namespace spricka::fe {
@@ -9,16 +11,14 @@ namespace {
 
 // Whether an element's displacements hold all quadratic functions of x: its nodes are where its
 // corners put them, those of a QUAMC8 on a parallelogram. Quarter-point elements do not.
-template <shape::ElementShape S> bool holds_quadratics(const NodeVectors<S>& X) {
-  const auto C = X.template leftCols<corners<S>()>();
+bool holds_quadratics(const AnyElement<2>& element, const AnyNodeVectors<2>& X) {
+  const auto C = X.leftCols(element.corners);
   const double least = 1e-9 * (C.rowwise().maxCoeff() - C.rowwise().minCoeff()).norm();
-  if constexpr (S::type == base::ElementType::quamc8) {
-    if ((X.col(0) - X.col(1) + X.col(2) - X.col(3)).norm() > least) {
-      return false;
-    }
+  if (element.nodes == 8 && (X.col(0) - X.col(1) + X.col(2) - X.col(3)).norm() > least) {
+    return false;
   }
-  for (int n = corners<S>(); n < S::nodes; ++n) {
-    if ((X.col(n) - C * Linear<S>::N(shape::node<S>(n))).norm() > least) {
+  for (int n = element.corners; n < element.nodes; ++n) {
+    if ((X.col(n) - C * element.linear().N(element.node(n))).norm() > least) {
       return false;
     }
   }
@@ -27,29 +27,26 @@ template <shape::ElementShape S> bool holds_quadratics(const NodeVectors<S>& X) 
 
 } // namespace
 
-template <shape::ElementShape S>
-FreeExpansion<S>::FreeExpansion(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T)
-    : centre_(X.template leftCols<corners<S>()>().rowwise().mean()),
+FreeExpansion::FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                             const Law& law, const CornerValues<2>& T)
+    : centre_(X.leftCols(element.corners).rowwise().mean()),
       strain_(law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu) /
               (2.0 * (law.lambda + law.mu))) {
-  Eigen::Matrix<double, corners<S>(), 3> A;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 4, 3> A(element.corners, 3);
   A.col(0).setOnes();
-  A.template rightCols<2>() = (X.template leftCols<corners<S>()>().colwise() - centre_).transpose();
+  A.rightCols<2>() = (X.leftCols(element.corners).colwise() - centre_).transpose();
   // The plane through three corners, or the nearest to four.
-  const Eigen::Matrix3d normal = A.transpose() * A;
-  plane_ = normal.ldlt().solve(A.transpose() * T);
+  const Eigen::Matrix3d normal = A.transpose().lazyProduct(A);
+  const Eigen::Vector3d right = A.transpose() * T;
+  plane_ = normal.ldlt().solve(right);
 }
 
-template <shape::ElementShape S>
-bool FreeExpansion<S>::wanted(const NodeVectors<S>& X, const Law& law) {
-  if constexpr (plane_quadratic<S>) {
-    return !law.axisymmetric && !law.projected && !holds_quadratics<S>(X);
-  }
-  return false;
+bool FreeExpansion::wanted(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                           const Law& law) {
+  return element.quadratic && !law.axisymmetric && !law.projected && !holds_quadratics(element, X);
 }
 
-template <shape::ElementShape S>
-base::Vec2 FreeExpansion<S>::displacement(const base::Vec2& x) const {
+base::Vec2 FreeExpansion::displacement(const base::Vec2& x) const {
   const base::Vec2 d = x - centre_;
   const base::Vec2 g = slope();
   // (fe.38).
@@ -59,8 +56,7 @@ base::Vec2 FreeExpansion<S>::displacement(const base::Vec2& x) const {
                     base::Vec2(g.x() * square + g.y() * product, g.x() * product - g.y() * square));
 }
 
-template <shape::ElementShape S>
-Eigen::Matrix2d FreeExpansion<S>::gradient(const base::Vec2& x) const {
+Eigen::Matrix2d FreeExpansion::gradient(const base::Vec2& x) const {
   const base::Vec2 d = x - centre_;
   const double turn = slope().y() * d.x() - slope().x() * d.y();
   const double T = temperature(x);
@@ -70,93 +66,161 @@ Eigen::Matrix2d FreeExpansion<S>::gradient(const base::Vec2& x) const {
   return strain_ * H;
 }
 
-template <shape::ElementShape S>
-NodeVectors<S> FreeExpansion<S>::at_nodes(const NodeVectors<S>& X) const {
-  NodeVectors<S> U;
-  for (int n = 0; n < S::nodes; ++n) {
+AnyNodeVectors<2> FreeExpansion::at_nodes(const AnyNodeVectors<2>& X) const {
+  AnyNodeVectors<2> U(2, X.cols());
+  for (Eigen::Index n = 0; n < X.cols(); ++n) {
     U.col(n) = displacement(X.col(n));
   }
   return U;
 }
 
-template <shape::ElementShape S> HeatFunctions<S>::HeatFunctions(const NodeVectors<S>& X) : X_(X) {
-  if constexpr (bent) {
-    const auto C = X.template leftCols<corners<S>()>();
-    const Eigen::Matrix<double, corners<S>(), S::dim> A =
-        (C.colwise() - C.rowwise().mean()).transpose();
-    const Eigen::Matrix<double, S::dim, S::dim> normal = A.transpose() * A;
-    slope_ = normal.ldlt().solve(A.transpose()).transpose();
-  } else {
-    slope_.setZero();
+template <int dim>
+HeatFunctions<dim>::HeatFunctions(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X)
+    : element_(&element), X_(X) {
+  if (bent()) {
+    const auto C = X.leftCols(element.corners);
+    const CornerGradients<dim> A = (C.colwise() - C.rowwise().mean()).transpose();
+    const Eigen::Matrix<double, dim, dim> normal = A.transpose().lazyProduct(A);
+    slope_ = A.lazyProduct(Eigen::Matrix<double, dim, dim>(
+        normal.ldlt().solve(Eigen::Matrix<double, dim, dim>::Identity())));
   }
 }
 
-template <shape::ElementShape S>
-CornerValues<S> HeatFunctions<S>::at(const shape::Point<S::dim>& r) const {
-  CornerValues<S> L = Linear<S>::N(r);
-  if constexpr (bent) {
+template <int dim> CornerValues<dim> HeatFunctions<dim>::at(const shape::Point<dim>& r) const {
+  CornerValues<dim> L = element_->linear().N(r);
+  if (bent()) {
     // How far a point is from where the corners put it.
-    return L + slope_ * (X_ * S::N(r) - X_.template leftCols<corners<S>()>() * L);
+    const Eigen::Matrix<double, dim, 1> off =
+        X_ * element_->N(r) - X_.leftCols(element_->corners) * L;
+    L += slope_ * off;
   }
   return L;
 }
 
-template <shape::ElementShape S>
-Eigen::Matrix<double, corners<S>(), S::dim>
-HeatFunctions<S>::gradients(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
-  Eigen::Matrix<double, corners<S>(), S::dim> G = Linear<S>::dN(r) * at.J.inverse();
-  if constexpr (bent) {
-    return G + slope_ * (Eigen::Matrix<double, S::dim, S::dim>::Identity() -
-                         X_.template leftCols<corners<S>()>() * G);
+template <int dim>
+CornerGradients<dim> HeatFunctions<dim>::gradients(const Eigen::Matrix<double, dim, dim>& J,
+                                                   const shape::Point<dim>& r) const {
+  using Square = Eigen::Matrix<double, dim, dim>;
+  const Square inverse = J.inverse();
+  CornerGradients<dim> G = element_->linear().dN(r).lazyProduct(inverse);
+  if (bent()) {
+    const Square off = Square::Identity() - Square(X_.leftCols(element_->corners).lazyProduct(G));
+    G += slope_.lazyProduct(off);
   }
   return G;
 }
 
-template <shape::ElementShape S>
-ThermalStress<S>::ThermalStress(const NodeVectors<S>& X, const Law& law_, const CornerValues<S>& T_)
-    : law(law_), T(T_), functions(X) {
-  if (!law.projected || (T.array() == 0.0).all()) {
+template <int dim>
+ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                  const Law& law, const CornerValues<dim>& T)
+    : element_(&element), law_(&law), T_(T), cold_((T.array() == 0.0).all()),
+      functions_(element, X) {
+  using Volume = Dilatation<AnyElement<dim>>;
+  if (!law.projected || cold_) {
     return;
   }
-  typename Dilatation<S>::Modes right = Dilatation<S>::Modes::Zero();
-  for (const auto& point : stiffness_rule<S>(law)) {
-    const Hoop<S> hoop(X, law, point.r);
-    const double w = point.weight * jacobian<S>(X, point.r).det * law.depth(hoop.x);
-    right += (w * temperature(point.r)) * Dilatation<S>::phi(point.r);
+  typename Volume::Modes right = Volume::Modes::Zero(Volume::mode_count(element));
+  for (const auto& point : stiffness_rule(element, law)) {
+    const Hoop<AnyElement<dim>> hoop(element, X, law, point.r);
+    const double w = point.weight * jacobian(element, X, point.r).det * law.depth(hoop.x);
+    right += (w * temperature(point.r)) * Volume::phi(element, point.r);
   }
   // As the volume change (fe.12): what drives it must be of the same functions.
-  projected = Dilatation<S>(X, law).G.inverse() * right;
+  projected_ = Volume(element, X, law).project(right);
 }
 
-template <shape::ElementShape S>
-NodeVectors<S> thermal_forces(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T) {
-  if constexpr (plane_quadratic<S>) {
-    if (FreeExpansion<S>::wanted(X, law)) {
+template <int dim>
+AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                   const Law& law, const CornerValues<dim>& T) {
+  if constexpr (dim == 2) {
+    if (FreeExpansion::wanted(element, X, law)) {
       // F = K_e u_T of (fe.38).
-      return element_force<S>(X, law, FreeExpansion<S>(X, law, T).at_nodes(X));
+      return element_force(element, X, law, FreeExpansion(element, X, law, T).at_nodes(X));
     }
   }
-  const ThermalStress<S> stress(X, law, T);
-  NodeVectors<S> F = NodeVectors<S>::Zero();
-  for (const auto& point : stiffness_rule<S>(law)) {
-    const Jacobian<S> at = jacobian<S>(X, point.r);
-    const Hoop<S> hoop(X, law, point.r);
+  const ThermalStress<dim> stress(element, X, law, T);
+  AnyNodeVectors<dim> F = AnyNodeVectors<dim>::Zero(dim, element.nodes);
+  for (const auto& point : stiffness_rule(element, law)) {
+    const auto at = jacobian(element, X, point.r);
+    const Hoop<AnyElement<dim>> hoop(element, X, law, point.r);
     // (fe.22).
     const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
-    F.noalias() += w * at.dNdx.transpose();
+    F += w * at.dNdx.transpose();
     F.row(0) += w * hoop.h.transpose();
   }
   return F;
 }
 
-#define EXPANSION(S) template class FreeExpansion<S>;
-SPRICKA_EACH_PLANE_SHAPE(EXPANSION)
+namespace {
 
-#define THERMAL(S)                                                                                 \
-  template class HeatFunctions<S>;                                                                 \
-  template struct ThermalStress<S>;                                                                \
-  template NodeVectors<S> thermal_forces<S>(const NodeVectors<S>&, const Law&,                     \
-                                            const CornerValues<S>&);
-SPRICKA_EACH_SHAPE(THERMAL)
+template <int dim> using Rule = std::span<const shape::QuadraturePoint<dim>>;
+template <int dim>
+using Functions = std::function<CornerValues<dim>(const Eigen::Matrix<double, dim, 1>& x,
+                                                  const CornerValues<dim>& of_corners)>;
+
+// Corner values of the function in the span of f(x, functions of the corners) that comes nearest to
+// a temperature field(x) at the points of a rule.
+template <int dim>
+CornerValues<dim> nearest_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                      const Law& law, const Rule<dim>& rule,
+                                      const Temperature<dim>& field,
+                                      const Functions<dim>& functions) {
+  const HeatFunctions<dim> heat(element, X);
+  base::Matrix G;
+  base::Vector right;
+  for (const auto& point : rule) {
+    const Eigen::Matrix<double, dim, 1> x = X * element.N(point.r);
+    const double w = point.weight * jacobian(element, X, point.r).det * law.depth(x[0]);
+    const base::Vector f = functions(x, heat.at(point.r));
+    if (G.size() == 0) {
+      G = base::Matrix::Zero(f.size(), f.size());
+      right = base::Vector::Zero(f.size());
+    }
+    G += (w * f) * f.transpose();
+    right += (w * field(x)) * f;
+  }
+  const base::Vector c = base::solve_symmetric(G, right);
+  CornerValues<dim> T(element.corners);
+  for (int n = 0; n < element.corners; ++n) {
+    T[n] = c.dot(functions(X.col(n), heat.at(element.node(n))));
+  }
+  return T;
+}
+
+} // namespace
+
+template <int dim>
+CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                      const Law& law,
+                                      std::span<const shape::QuadraturePoint<dim>> rule,
+                                      const Temperature<dim>& field) {
+  using Place = Eigen::Matrix<double, dim, 1>;
+  Functions<dim> functions = [](const Place&, const CornerValues<dim>& N) { return N; };
+  if (!element.quadratic) {
+    // The mean (fe.23).
+    functions = [](const Place&, const CornerValues<dim>&) {
+      return CornerValues<dim>(CornerValues<dim>::Ones(1));
+    };
+  } else if constexpr (dim == 2) {
+    if (FreeExpansion::wanted(element, X, law)) {
+      const Place centre = X.leftCols(element.corners).rowwise().mean();
+      functions = [centre](const Place& x, const CornerValues<2>&) {
+        return CornerValues<2>(Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]));
+      };
+    }
+  }
+  return nearest_temperature<dim>(element, X, law, rule, field, functions);
+}
+
+#define THERMAL(dim)                                                                               \
+  template class HeatFunctions<dim>;                                                               \
+  template class ThermalStress<dim>;                                                               \
+  template AnyNodeVectors<dim> thermal_forces<dim>(                                                \
+      const AnyElement<dim>&, const AnyNodeVectors<dim>&, const Law&, const CornerValues<dim>&);   \
+  template CornerValues<dim> project_temperature<dim>(                                             \
+      const AnyElement<dim>&, const AnyNodeVectors<dim>&, const Law&,                              \
+      std::span<const shape::QuadraturePoint<dim>>, const Temperature<dim>&);
+THERMAL(2)
+THERMAL(3)
 
 } // namespace spricka::fe

@@ -4,54 +4,45 @@
 #include "model/mesh.hpp"
 
 #include <functional>
-#include <type_traits>
 
-/// What a temperature does to one element. Bodies are compiled in thermal_kernel.cpp for each
-/// element.
+/// What a temperature does to one element, which is known when run.
 namespace spricka::fe {
 
-template <shape::ElementShape S> constexpr int corners() {
-  return base::info(S::type).corners;
-}
-
-/// The linear element with the same corners.
-template <shape::ElementShape S>
-using Linear = std::conditional_t<
-    S::dim == 2, std::conditional_t<corners<S>() == 3, shape::Trim3, shape::Quam4>,
-    std::conditional_t<corners<S>() == 4, shape::Tet4,
-                       std::conditional_t<corners<S>() == 6, shape::Penta6, shape::Hexe8>>>;
-
 /// Values at the corners of an element; between them its linear relative interpolates.
-template <shape::ElementShape S> using CornerValues = Eigen::Matrix<double, corners<S>(), 1>;
+template <int dim>
+using CornerValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, shape::most_corners<dim>, 1>;
+/// Their derivatives. [corners, dim]
+template <int dim>
+using CornerGradients =
+    Eigen::Matrix<double, Eigen::Dynamic, dim, 0, shape::most_corners<dim>, dim>;
 
 /// Corner temperatures of an element out of a field by connectivity index.
-template <shape::ElementShape S>
-CornerValues<S> corner_temperature(const model::Mesh& mesh, base::ElementId e,
-                                   const base::Vector& temperature) {
-  return temperature.template segment<corners<S>()>(mesh.first[e.index()]);
+template <int dim>
+CornerValues<dim> corner_temperature(const AnyElement<dim>& element, const model::Mesh& mesh,
+                                     base::ElementId e, const base::Vector& temperature) {
+  return temperature.segment(mesh.first[e.index()], element.corners);
 }
-
-template <shape::ElementShape S>
-inline constexpr bool plane_quadratic = S::dim == 2 && base::info(S::type).quadratic;
 
 /// A temperature that is linear in x in a plane element, and the displacement it drives where
 /// nothing holds the element, which strains it the same in all directions. Quadratic elements that
 /// do not hold quadratic functions cannot follow it: in them it is taken out beforehand and the
 /// nodes bear the rest, which leaves no stress of a linear temperature in any element.
-template <shape::ElementShape S> class FreeExpansion {
+class FreeExpansion {
 public:
   FreeExpansion() = default; ///< of nothing
   /// Of corner values that lie on a plane, or of the plane nearest to them.
-  FreeExpansion(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T);
+  FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
+                const CornerValues<2>& T);
   /// Whether an element has to take it out beforehand.
-  [[nodiscard]] static bool wanted(const NodeVectors<S>& X, const Law& law);
+  [[nodiscard]] static bool wanted(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                                   const Law& law);
   [[nodiscard]] double temperature(const base::Vec2& x) const {
-    return plane_[0] + plane_.template tail<2>().dot(x - centre_);
+    return plane_[0] + plane_.tail<2>().dot(x - centre_);
   }
-  [[nodiscard]] base::Vec2 slope() const { return plane_.template tail<2>(); }
+  [[nodiscard]] base::Vec2 slope() const { return plane_.tail<2>(); }
   [[nodiscard]] base::Vec2 displacement(const base::Vec2& x) const;
   [[nodiscard]] Eigen::Matrix2d gradient(const base::Vec2& x) const;
-  [[nodiscard]] NodeVectors<S> at_nodes(const NodeVectors<S>& X) const;
+  [[nodiscard]] AnyNodeVectors<2> at_nodes(const AnyNodeVectors<2>& X) const;
 
 private:
   base::Vec2 centre_ = base::Vec2::Zero();
@@ -62,58 +53,69 @@ private:
 /// Functions of the corner temperatures of an element: those of its linear relative, in quadratic
 /// solids with what makes a temperature that is linear in x that in the element too, wherever the
 /// nodes of its edges are (manual, fe.40).
-template <shape::ElementShape S> class HeatFunctions {
+template <int dim> class HeatFunctions {
 public:
-  explicit HeatFunctions(const NodeVectors<S>& X);
-  [[nodiscard]] CornerValues<S> at(const shape::Point<S::dim>& r) const;
-  /// Their gradients by x. [corners, dim]
-  [[nodiscard]] Eigen::Matrix<double, corners<S>(), S::dim>
-  gradients(const Jacobian<S>& at, const shape::Point<S::dim>& r) const;
+  HeatFunctions(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X);
+  [[nodiscard]] CornerValues<dim> at(const shape::Point<dim>& r) const;
+  /// Their gradients by x; J of the map at r. [corners, dim]
+  [[nodiscard]] CornerGradients<dim> gradients(const Eigen::Matrix<double, dim, dim>& J,
+                                               const shape::Point<dim>& r) const;
 
 private:
-  static constexpr bool bent = S::dim == 3 && base::info(S::type).quadratic;
+  [[nodiscard]] bool bent() const { return dim == 3 && element_->quadratic; }
 
-  NodeVectors<S> X_;
-  Eigen::Matrix<double, corners<S>(), S::dim> slope_; ///< of a plane through corner values
+  const AnyElement<dim>* element_;
+  AnyNodeVectors<dim> X_;
+  CornerGradients<dim> slope_; ///< of a plane through corner values
 };
 
 /// What a temperature T takes out of the normal stresses of an element: a body held all round
 /// carries -alpha (3 lambda T + 2 mu T); in plane stress, with the reduced lambda, two directions
 /// are held. Where the volume change is projected, so is the temperature that drives it: a body
 /// free to expand would keep stresses else.
-template <shape::ElementShape S> struct ThermalStress {
-  const Law& law;
-  CornerValues<S> T;
-  HeatFunctions<S> functions;
-  typename Dilatation<S>::Modes projected = Dilatation<S>::Modes::Zero();
-
-  ThermalStress(const NodeVectors<S>& X, const Law& law_, const CornerValues<S>& T_);
-  [[nodiscard]] double temperature(const shape::Point<S::dim>& r) const {
-    return T.dot(functions.at(r));
+template <int dim> class ThermalStress {
+public:
+  ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X, const Law& law,
+                const CornerValues<dim>& T);
+  [[nodiscard]] const HeatFunctions<dim>& functions() const { return functions_; }
+  [[nodiscard]] double temperature(const shape::Point<dim>& r) const {
+    return cold_ ? 0.0 : T_.dot(functions_.at(r));
   }
   /// The temperature that drives the volume change.
-  [[nodiscard]] double of_volume(const shape::Point<S::dim>& r) const {
-    return law.projected ? Dilatation<S>::phi(r).dot(projected) : temperature(r);
+  [[nodiscard]] double of_volume(const shape::Point<dim>& r) const {
+    return law_->projected && !cold_
+               ? Dilatation<AnyElement<dim>>::phi(*element_, r).dot(projected_)
+               : temperature(r);
   }
-  [[nodiscard]] double at(const shape::Point<S::dim>& r) const {
-    return law.expansion *
-           (law.heated_directions() * law.lambda * of_volume(r) + 2.0 * law.mu * temperature(r));
+  [[nodiscard]] double at(const shape::Point<dim>& r) const {
+    return cold_ ? 0.0
+                 : law_->expansion * (law_->heated_directions() * law_->lambda * of_volume(r) +
+                                      2.0 * law_->mu * temperature(r));
   }
+
+private:
+  const AnyElement<dim>* element_;
+  const Law* law_;
+  CornerValues<dim> T_;
+  bool cold_; ///< T is zero
+  HeatFunctions<dim> functions_;
+  typename Dilatation<AnyElement<dim>>::Modes projected_;
 };
 
 /// A temperature field(x) as an element takes it: constant in linear elements, linear in the
 /// reference coordinates of quadratic ones, and in x where plane ones do not hold quadratic
 /// functions, in solids by HeatFunctions; the nearest to the field at the points of a rule.
-/// Compiled in thermal_kernel_project.cpp.
-template <shape::ElementShape S>
-using Temperature = std::function<double(const Eigen::Matrix<double, S::dim, 1>& x)>;
-template <shape::ElementShape S>
-CornerValues<S> project_temperature(const NodeVectors<S>& X, const Law& law,
-                                    std::span<const shape::QuadraturePoint<S::dim>> rule,
-                                    const Temperature<S>& field);
+template <int dim>
+using Temperature = std::function<double(const Eigen::Matrix<double, dim, 1>& x)>;
+template <int dim>
+CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                      const Law& law,
+                                      std::span<const shape::QuadraturePoint<dim>> rule,
+                                      const Temperature<dim>& field);
 
 /// Consistent forces of an element's temperatures.
-template <shape::ElementShape S>
-NodeVectors<S> thermal_forces(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T);
+template <int dim>
+AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                   const Law& law, const CornerValues<dim>& T);
 
 } // namespace spricka::fe

@@ -92,29 +92,27 @@ std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
 Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
   Hit hit;
   hit.face = face;
-  for_faces(mesh, {face}, [&]<shape::Shape Side>(Side, const model::Face&) {
-    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-    const auto r = nearest_on_side<Side>(X, x);
-    const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
-    const Vec3 off = x - X * N;
-    const auto nodes = nodes_of_face<Side>(mesh, face);
-    hit.nodes.assign(nodes.begin(), nodes.end());
-    hit.distance = off.norm();
-    hit.size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
-    const Eigen::Index dim = mesh.dim;
-    hit.weight = Matrix::Zero(dim, dim * Side::nodes);
-    for (Eigen::Index i = 0; i < Side::nodes; ++i) {
-      hit.weight.middleCols(dim * i, dim).diagonal().setConstant(N[i]);
-    }
-    const auto corners =
-        static_cast<Eigen::Index>(shape::side_corners(mesh.type[face.element.index()], face.side));
-    const auto A = rotation_of(X.leftCols(corners), mesh.dim);
-    for (Eigen::Index i = 0; i < corners; ++i) {
-      // omega x off = - off x omega (fe.31).
-      const Eigen::Matrix3d carried = -cross(off) * A[static_cast<std::size_t>(i)];
-      hit.weight.middleCols(dim * i, dim) += carried.topLeftCorner(dim, dim);
-    }
-  });
+  hit.nodes = nodes_of_face(mesh, face);
+  with_any_side(mesh, face,
+                [&]<int side_dim>(const AnyElement<side_dim>& side, const SpaceNodes<side_dim>& X) {
+                  const auto N = side.N(nearest_on_side<side_dim>(side, X, x));
+                  const Vec3 off = x - X * N;
+                  hit.distance = off.norm();
+                  hit.size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
+                  const Eigen::Index dim = mesh.dim;
+                  hit.weight = Matrix::Zero(dim, dim * side.nodes);
+                  for (Eigen::Index i = 0; i < side.nodes; ++i) {
+                    hit.weight.middleCols(dim * i, dim).diagonal().setConstant(N[i]);
+                  }
+                  const auto corners = static_cast<Eigen::Index>(
+                      shape::side_corners(mesh.type[face.element.index()], face.side));
+                  const auto A = rotation_of(X.leftCols(corners), mesh.dim);
+                  for (Eigen::Index i = 0; i < corners; ++i) {
+                    // omega x off = - off x omega (fe.31).
+                    const Eigen::Matrix3d carried = -cross(off) * A[static_cast<std::size_t>(i)];
+                    hit.weight.middleCols(dim * i, dim) += carried.topLeftCorner(dim, dim);
+                  }
+                });
   return hit;
 }
 

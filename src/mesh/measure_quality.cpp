@@ -2,7 +2,7 @@
 #include "mesh/measure_quality.hpp"
 
 #include "shape/quadrature.hpp"
-#include "shape/shape.hpp"
+#include "shape/reference_element.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,18 +23,17 @@ struct Measures {
   base::Vec3 centroid = base::Vec3::Zero();
 };
 
-template <shape::ElementShape S>
-double scaled_jacobian(std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& x,
-                       bool triangle) {
-  Eigen::Matrix<double, S::nodes, 2> X;
-  for (int i = 0; i < S::nodes; ++i) {
-    X.row(i) = x[nodes[static_cast<std::size_t>(i)].index()].template head<2>().transpose();
+double scaled_jacobian(const shape::ReferenceElement<2>& element,
+                       std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& x) {
+  shape::ReferenceElement<2>::Derivatives X(element.nodes, 2); // [node, dim]
+  for (int i = 0; i < element.nodes; ++i) {
+    X.row(i) = x[nodes[static_cast<std::size_t>(i)].index()].head<2>().transpose();
   }
   // The columns of an equilateral triangle's Jacobian meet at 60 degrees.
-  const double ideal = triangle ? 0.5 * std::numbers::sqrt3 : 1.0;
+  const double ideal = element.corners == 3 ? 0.5 * std::numbers::sqrt3 : 1.0;
   double smallest = 1.0;
-  for (const shape::QuadraturePoint<2>& q : shape::quadrature<S>()) {
-    const Eigen::Matrix2d J = S::dN(q.r).transpose() * X;
+  for (const shape::QuadraturePoint<2>& q : shape::quadrature<2>(element.domain, element.degree)) {
+    const Eigen::Matrix2d J = element.dN(q.r).transpose().lazyProduct(X);
     const double lengths = J.row(0).norm() * J.row(1).norm();
     smallest = std::min(smallest, lengths > 0.0 ? J.determinant() / (ideal * lengths) : 0.0);
   }
@@ -61,9 +60,8 @@ Measures measure(const model::Mesh& mesh, base::ElementId e) {
     m.centroid += at / static_cast<double>(corners);
   }
   m.aspect = shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::infinity();
-  m.scaled_jacobian = shape::with_plane_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
-    return scaled_jacobian<S>(nodes, mesh.x, corners == 3);
-  });
+  m.scaled_jacobian =
+      scaled_jacobian(shape::reference_element<2>(mesh.type[e.index()]), nodes, mesh.x);
   return m;
 }
 

@@ -2,7 +2,7 @@
 #include "mesh/quality.hpp"
 
 #include "shape/quadrature.hpp"
-#include "shape/solid.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/LU>
@@ -22,17 +22,22 @@ constexpr double slight = 0.1;
 /// Body forces are integrated by this degree, closer to the corners than the stiffness.
 constexpr int finest_degree = 9;
 
+template <int dim> using Element = shape::ReferenceElement<dim>;
+/// Of the nodes of an element. [node, dim]
+template <int dim> using Coordinates = typename Element<dim>::Derivatives;
+
 /// Derivatives of the shape functions at the points where the determinant is taken.
-template <shape::ElementShape S> struct Samples {
-  std::vector<Eigen::Matrix<double, S::nodes, S::dim>> dN;
-  std::vector<shape::Point<S::dim>> at;
+template <int dim> struct Samples {
+  const Element<dim>* element = nullptr;
+  std::vector<typename Element<dim>::Derivatives> dN;
+  std::vector<shape::Point<dim>> at;
   std::vector<double> weight; ///< of the integration points, in sum 1
   std::size_t inner = 0;      ///< the first ones are the integration points
   std::size_t outer = 0;      ///< behind them the nodes, then points between nodes
 
-  Samples() {
+  explicit Samples(base::ElementType type) : element(&shape::reference_element<dim>(type)) {
     double sum = 0.0;
-    for (const auto& q : shape::quadrature<S>()) {
+    for (const auto& q : shape::quadrature<dim>(element->domain, element->degree)) {
       add(q.r);
       weight.push_back(q.weight);
       sum += q.weight;
@@ -41,105 +46,115 @@ template <shape::ElementShape S> struct Samples {
       w /= sum;
     }
     inner = at.size();
-    for (int i = 0; i < S::nodes; ++i) {
-      add(shape::node<S>(i));
+    for (int i = 0; i < element->nodes; ++i) {
+      add(element->node(i));
     }
     outer = at.size();
-    if (S::dim == 3 && base::info(S::type).quadratic) {
-      add_between_nodes();
+    if (dim == 3 && element->quadratic) {
+      add_between_nodes(type);
     }
   }
 
+  /// Of a type of this dimension; made once, for all of them.
+  static const Samples& of(base::ElementType type) {
+    static const std::vector<Samples> all = [] {
+      std::vector<Samples> made;
+      for (std::size_t t = 0; t < base::element_infos.size(); ++t) {
+        if (base::element_infos[t].dim == dim) {
+          made.emplace_back(static_cast<base::ElementType>(t));
+        }
+      }
+      return made;
+    }();
+    // Plane types come first, then solids.
+    const auto first =
+        static_cast<std::size_t>(dim == 2 ? base::ElementType::trim3 : base::ElementType::tet4);
+    return all[static_cast<std::size_t>(type) - first];
+  }
+
 private:
-  void add(const shape::Point<S::dim>& r) {
+  void add(const shape::Point<dim>& r) {
     at.push_back(r);
-    dN.push_back(S::dN(r));
+    dN.push_back(element->dN(r));
   }
   /// Quarter points of edges and centres of sides: where a curved solid turns over first.
-  void add_between_nodes() {
-    for (int m = 0; m < shape::edge_count(S::type); ++m) {
-      const auto [a, b] = shape::edge_corners(S::type, m);
-      add(0.75 * shape::node<S>(a) + 0.25 * shape::node<S>(b));
-      add(0.25 * shape::node<S>(a) + 0.75 * shape::node<S>(b));
+  void add_between_nodes(base::ElementType type) {
+    for (int m = 0; m < shape::edge_count(type); ++m) {
+      const auto [a, b] = shape::edge_corners(type, m);
+      add(0.75 * element->node(a) + 0.25 * element->node(b));
+      add(0.25 * element->node(a) + 0.75 * element->node(b));
     }
-    for (int s = 0; s < base::info(S::type).sides; ++s) {
-      const auto corners = static_cast<int>(shape::side_corners(S::type, s));
-      shape::Point<S::dim> middle = shape::Point<S::dim>::Zero();
-      for (const int i : shape::side_nodes(S::type, s).first(static_cast<std::size_t>(corners))) {
-        middle += shape::node<S>(i) / corners;
+    for (int s = 0; s < base::info(type).sides; ++s) {
+      const auto corners = static_cast<int>(shape::side_corners(type, s));
+      shape::Point<dim> middle = shape::Point<dim>::Zero();
+      for (const int i : shape::side_nodes(type, s).first(static_cast<std::size_t>(corners))) {
+        middle += element->node(i) / corners;
       }
       add(middle);
     }
   }
 };
 
-template <shape::ElementShape S> const Samples<S>& samples() {
-  static const Samples<S> all;
-  return all;
-}
-
 /// Mid-edge nodes of a tetrahedron halfway: its Jacobian is constant then.
-template <shape::ElementShape S>
-bool is_straight(const Eigen::Matrix<double, S::nodes, S::dim>& X) {
-  if constexpr (S::domain != shape::Domain::tetrahedron || S::nodes == 4) {
-    return S::nodes == S::dim + 1;
-  } else {
-    for (int m = 0; m < shape::edge_count(S::type); ++m) {
-      const auto [a, b] = shape::edge_corners(S::type, m);
-      const double off = (2.0 * X.row(4 + m) - X.row(a) - X.row(b)).squaredNorm();
-      if (!(off <= 1e-24 * (X.row(a) - X.row(b)).squaredNorm())) {
-        return false;
-      }
-    }
-    return true;
+template <int dim> bool is_straight(base::ElementType type, const Coordinates<dim>& X) {
+  if (type != base::ElementType::tet10) {
+    return X.rows() == dim + 1;
   }
+  for (int m = 0; m < shape::edge_count(type); ++m) {
+    const auto [a, b] = shape::edge_corners(type, m);
+    const double off = (2.0 * X.row(4 + m) - X.row(a) - X.row(b)).squaredNorm();
+    if (!(off <= 1e-24 * (X.row(a) - X.row(b)).squaredNorm())) {
+      return false;
+    }
+  }
+  return true;
 }
 
-template <shape::ElementShape S> using Coordinates = Eigen::Matrix<double, S::nodes, S::dim>;
-
-template <shape::ElementShape S>
-double determinant(const Coordinates<S>& X, const Eigen::Matrix<double, S::nodes, S::dim>& dN) {
-  return Eigen::Matrix<double, S::dim, S::dim>(dN.transpose() * X).determinant();
+template <int dim>
+double determinant(const Coordinates<dim>& X, const typename Element<dim>::Derivatives& dN) {
+  return Eigen::Matrix<double, dim, dim>(dN.transpose().lazyProduct(X)).determinant();
 }
 
 /// Whether the determinant is positive at the integration points of the finest rule.
-template <shape::ElementShape S> bool sound_inside(const Coordinates<S>& X, double least) {
-  const auto rule = shape::quadrature<S>(finest_degree);
+template <int dim>
+bool sound_inside(const Element<dim>& element, const Coordinates<dim>& X, double least) {
+  const auto rule = shape::quadrature<dim>(element.domain, finest_degree);
   return std::all_of(rule.begin(), rule.end(),
-                     [&](const auto& q) { return determinant<S>(X, S::dN(q.r)) > least; });
+                     [&](const auto& q) { return determinant<dim>(X, element.dN(q.r)) > least; });
 }
 
 /// What is wrong with one element.
 enum class Fault { none, corner, bad };
 
-template <shape::ElementShape S>
-Fault check(std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& x,
-            BadElement& worst, FoldedCorner& corner) {
-  Coordinates<S> X;
-  for (int i = 0; i < S::nodes; ++i) {
-    X.row(i) = x[nodes[static_cast<std::size_t>(i)].index()].template head<S::dim>().transpose();
+template <int dim>
+Fault check(base::ElementType type, std::span<const base::NodeId> nodes,
+            const std::vector<base::Vec3>& x, BadElement& worst, FoldedCorner& corner) {
+  const Samples<dim>& sample = Samples<dim>::of(type);
+  const Element<dim>& element = *sample.element;
+  Coordinates<dim> X(element.nodes, dim);
+  for (int i = 0; i < element.nodes; ++i) {
+    X.row(i) = x[nodes[static_cast<std::size_t>(i)].index()].template head<dim>().transpose();
   }
-  const Samples<S>& sample = samples<S>();
   double largest = 0.0;
   double mean = 0.0;
   bool first = true;
   const auto meet = [&](std::size_t k) {
-    const double det = determinant<S>(X, sample.dN[k]);
+    const double det = determinant<dim>(X, sample.dN[k]);
     largest = std::max(largest, std::abs(det));
     worst.turned = (first || worst.turned) && det < 0.0;
     if (first || det < worst.jacobian) {
       first = false;
       worst.jacobian = det;
       worst.at.setZero();
-      worst.at.template head<S::dim>() = (S::N(sample.at[k]).transpose() * X).transpose();
+      worst.at.template head<dim>() = X.transpose() * element.N(sample.at[k]);
     }
     return det;
   };
-  if (is_straight<S>(X)) {
+  if (is_straight<dim>(type, X)) {
     meet(0);
     // a flat element has a determinant of zero, measured by its longest side
     const double size = (X.rowwise() - X.row(0)).cwiseAbs().maxCoeff();
-    return worst.jacobian > zero * std::pow(size, S::dim) ? Fault::none : Fault::bad;
+    return worst.jacobian > zero * std::pow(size, dim) ? Fault::none : Fault::bad;
   }
   for (std::size_t k = 0; k < sample.inner; ++k) {
     mean += sample.weight[k] * meet(k);
@@ -161,8 +176,8 @@ Fault check(std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& 
   if (worst.jacobian > -zero * largest) {
     return Fault::none;
   }
-  const bool tolerable =
-      S::dim == 3 && between && corner.part >= -slight && sound_inside<S>(X, zero * largest);
+  const bool tolerable = dim == 3 && between && corner.part >= -slight &&
+                         sound_inside<dim>(element, X, zero * largest);
   return tolerable ? Fault::corner : Fault::bad;
 }
 
@@ -173,9 +188,10 @@ MeshFaults mesh_faults(const model::Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     BadElement worst{base::ElementId(e)};
     FoldedCorner corner{base::ElementId(e), {}, 0.0};
-    const Fault fault = shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
-      return check<S>(mesh.nodes_of(base::ElementId(e)), mesh.x, worst, corner);
-    });
+    const base::ElementType type = mesh.type[e];
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    const Fault fault = base::info(type).dim == 2 ? check<2>(type, nodes, mesh.x, worst, corner)
+                                                  : check<3>(type, nodes, mesh.x, worst, corner);
     if (fault == Fault::bad) {
       faults.bad.push_back(worst);
     } else if (fault == Fault::corner) {

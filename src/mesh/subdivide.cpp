@@ -2,7 +2,7 @@
 #include "mesh/subdivide.hpp"
 
 #include "mesh/numbering.hpp"
-#include "shape/solid.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -90,19 +90,16 @@ OnEdge edge_of(const Pattern& pattern, const Place& p) {
 // By the parent's own map.
 base::Vec3 position(const model::Mesh& mesh, ElementId e, const Place& p) {
   const std::span<const NodeId> nodes = mesh.nodes_of(e);
+  const shape::ReferenceElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
+  shape::Point<2> r(p[0] / 4.0, p[1] / 4.0);
+  if (element.domain == shape::Domain::quadrilateral) {
+    r = 2.0 * r - shape::Point<2>::Ones();
+  }
+  const shape::ReferenceElement<2>::Values N = element.N(r);
   base::Vec3 x = base::Vec3::Zero();
-  shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
-    if constexpr (S::dim == 2) {
-      shape::Point<2> r(p[0] / 4.0, p[1] / 4.0);
-      if (S::domain == shape::Domain::quadrilateral) {
-        r = 2.0 * r - shape::Point<2>::Ones();
-      }
-      const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-      for (int n = 0; n < S::nodes; ++n) {
-        x += N[n] * mesh.x[nodes[static_cast<std::size_t>(n)].index()];
-      }
-    }
-  });
+  for (int n = 0; n < element.nodes; ++n) {
+    x += N[n] * mesh.x[nodes[static_cast<std::size_t>(n)].index()];
+  }
   return x;
 }
 

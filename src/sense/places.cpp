@@ -48,8 +48,8 @@ Places::Places(const model::Mesh& mesh, std::vector<model::Face> faces,
     const contact::Box box = box_of(x);
     size_.push_back((box.high - box.low).norm());
     boxes.push_back(grown(box, bulge * size_.back()));
-    fe::with_side(mesh, face, [&]<shape::Shape Side>(Side) {
-      samples_.push_back(fe::side_coordinates<Side>(mesh, face) * Side::N(shape::centre<Side>()));
+    fe::with_any_side(mesh, face, [&](const auto& side, const auto& X) {
+      samples_.push_back(X * side.N(side.centre()));
     });
   }
   for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces_)) {
@@ -76,10 +76,11 @@ bool Places::has(const base::Vec3& x) const {
       off = (x - points_[i - faces_.size()]).norm();
     } else {
       allowed = same_side * size_[i];
-      fe::with_side(mesh_, faces_[i], [&]<shape::Shape Side>(Side) {
-        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh_, faces_[i]);
-        off = (x - X * Side::N(fe::nearest_on_side<Side>(X, x))).norm();
-      });
+      fe::with_any_side(
+          mesh_, faces_[i],
+          [&]<int dim>(const fe::AnyElement<dim>& side, const fe::SpaceNodes<dim>& X) {
+            off = (x - X * side.N(fe::nearest_on_side<dim>(side, X, x))).norm();
+          });
     }
     if (off <= allowed) {
       return true;

@@ -31,22 +31,14 @@ enum class Flat { first, last, none };
 
 // Sums f(point, area vector of a weight) over a side.
 template <class F> void over_side(const model::Mesh& mesh, const model::Face& face, F&& f) {
-  fe::with_side(mesh, face, [&]<shape::Shape Side>(Side) {
-    constexpr int degree = 4;
-    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh, face);
-    for (const auto& point : shape::quadrature<Side>(degree)) {
-      const Vec3 x = X * Side::N(point.r);
-      f(x, Vec3(point.weight * fe::area_vector<Side>(X, point.r)));
-    }
-  });
-}
-
-std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
-  std::vector<base::NodeId> nodes;
-  for (const int local : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-    nodes.push_back(mesh.nodes_of(face.element)[static_cast<std::size_t>(local)]);
-  }
-  return nodes;
+  fe::with_any_side(mesh, face,
+                    [&]<int dim>(const fe::AnyElement<dim>& side, const fe::SpaceNodes<dim>& X) {
+                      constexpr int degree = 4;
+                      for (const auto& point : shape::quadrature<dim>(side.domain, degree)) {
+                        const Vec3 x = X * side.N(point.r);
+                        f(x, Vec3(point.weight * fe::area_vector<dim>(side, X, point.r)));
+                      }
+                    });
 }
 
 /// Cuts one solid mesh across one axis.
@@ -80,7 +72,7 @@ private:
   [[nodiscard]] Flat flat(const model::Face& face) const {
     bool first = true;
     bool last = true;
-    for (const base::NodeId n : nodes_of(mesh_, face)) {
+    for (const base::NodeId n : fe::nodes_of_face(mesh_, face)) {
       const std::size_t i = n.index();
       first = first && first_[i];
       last = last && last_[i];
@@ -156,7 +148,7 @@ private:
     new_node_.assign(mesh_.node_count(), base::NodeId());
     std::vector<bool> used(mesh_.node_count(), false);
     for (const model::Face& face : faces_) {
-      for (const base::NodeId n : nodes_of(mesh_, face)) {
+      for (const base::NodeId n : fe::nodes_of_face(mesh_, face)) {
         used[n.index()] = true;
       }
     }
@@ -169,7 +161,7 @@ private:
     for (const model::Face& face : faces_) {
       const std::size_t e = face.element.index();
       std::vector<base::NodeId> nodes;
-      for (const base::NodeId n : nodes_of(mesh_, face)) {
+      for (const base::NodeId n : fe::nodes_of_face(mesh_, face)) {
         nodes.push_back(new_node_[n.index()]);
       }
       turn_left(nodes, shape::side_corners(mesh_.type[e], face.side));
@@ -235,7 +227,7 @@ private:
     for (const model::Face& face : set.faces) {
       flat_faces = flat_faces || flat(face) != Flat::none;
       over_side(mesh_, face, [&](const Vec3& /*x*/, const Vec3& part) { area += part.norm(); });
-      const std::vector<base::NodeId> nodes = nodes_of(mesh_, face);
+      const std::vector<base::NodeId> nodes = fe::nodes_of_face(mesh_, face);
       const std::size_t corners = shape::side_corners(mesh_.type[face.element.index()], face.side);
       for (std::size_t c = 0; c < corners; ++c) {
         const base::NodeId a = new_node_[nodes[c].index()];

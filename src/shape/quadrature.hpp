@@ -35,21 +35,20 @@ std::span<const QuadraturePoint<3>> prism_rule(int degree);
 /// 2000; Keast 1986); above, products of Gauss-Jacobi points on the collapsed cube (Stroud 1971).
 std::span<const QuadraturePoint<3>> tetrahedron_rule(int degree);
 
-/// The rule of a shape's domain.
-template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {
-  if constexpr (S::domain == Domain::line) {
+/// The rule of a domain.
+template <int dim> std::span<const QuadraturePoint<dim>> quadrature(Domain domain, int degree) {
+  if constexpr (dim == 1) {
     return line_rule(degree);
-  } else if constexpr (S::domain == Domain::triangle) {
-    return triangle_rule(degree);
-  } else if constexpr (S::domain == Domain::quadrilateral) {
-    return quadrilateral_rule(degree);
-  } else if constexpr (S::domain == Domain::tetrahedron) {
-    return tetrahedron_rule(degree);
-  } else if constexpr (S::domain == Domain::prism) {
-    return prism_rule(degree);
+  } else if constexpr (dim == 2) {
+    return domain == Domain::triangle ? triangle_rule(degree) : quadrilateral_rule(degree);
   } else {
-    return hexahedron_rule(degree);
+    return domain == Domain::tetrahedron ? tetrahedron_rule(degree)
+           : domain == Domain::prism     ? prism_rule(degree)
+                                         : hexahedron_rule(degree);
   }
+}
+template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {
+  return quadrature<S::dim>(S::domain, degree);
 }
 
 /// The rule that an element's stiffness is integrated with.

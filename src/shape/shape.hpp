@@ -23,10 +23,15 @@ template <int dim> using Point = Eigen::Matrix<double, dim, 1>;
 /// The body that the reference coordinates run over.
 enum class Domain { line, triangle, quadrilateral, tetrahedron, prism, hexahedron };
 
+/// A shape known when run only (reference_element.hpp).
+template <int dim> struct ReferenceElement;
+template <class S> inline constexpr bool known_when_run = false;
+template <int dim> inline constexpr bool known_when_run<ReferenceElement<dim>> = true;
+
 /// N(r) [nodes], dN(r) [nodes, dim] derivatives with respect to r, coordinates [nodes][dim] of the
 /// nodes in reference coordinates.
 template <class S>
-concept Shape = requires(const Point<S::dim>& r) {
+concept Shape = !known_when_run<S> && requires(const Point<S::dim>& r) {
   { S::nodes } -> std::convertible_to<int>;
   { S::domain } -> std::convertible_to<Domain>;
   { S::N(r) } -> std::same_as<Eigen::Matrix<double, S::nodes, 1>>;
@@ -52,10 +57,8 @@ struct Line2 {
   static constexpr Domain domain = Domain::line;
   static constexpr std::array<std::array<double, 1>, 2> coordinates{{{-1.0}, {1.0}}};
 
-  static Eigen::Matrix<double, 2, 1> N(const Point<1>& r) {
-    return {0.5 * (1.0 - r[0]), 0.5 * (1.0 + r[0])};
-  }
-  static Eigen::Matrix<double, 2, 1> dN(const Point<1>& /*r*/) { return {-0.5, 0.5}; }
+  static Eigen::Matrix<double, 2, 1> N(const Point<1>& r);
+  static Eigen::Matrix<double, 2, 1> dN(const Point<1>& r);
 };
 
 /// Ends first, then the middle.
@@ -65,14 +68,8 @@ struct Line3 {
   static constexpr Domain domain = Domain::line;
   static constexpr std::array<std::array<double, 1>, 3> coordinates{{{-1.0}, {1.0}, {0.0}}};
 
-  static Eigen::Matrix<double, 3, 1> N(const Point<1>& r) {
-    const double x = r[0];
-    return {0.5 * x * (x - 1.0), 0.5 * x * (x + 1.0), (1.0 - x) * (1.0 + x)};
-  }
-  static Eigen::Matrix<double, 3, 1> dN(const Point<1>& r) {
-    const double x = r[0];
-    return {x - 0.5, x + 0.5, -2.0 * x};
-  }
+  static Eigen::Matrix<double, 3, 1> N(const Point<1>& r);
+  static Eigen::Matrix<double, 3, 1> dN(const Point<1>& r);
 };
 
 struct Trim3 {
@@ -85,14 +82,8 @@ struct Trim3 {
   static constexpr std::array<std::array<double, 2>, 3> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
 
-  static Eigen::Matrix<double, 3, 1> N(const Point<2>& r) {
-    return {1.0 - r[0] - r[1], r[0], r[1]};
-  }
-  static Eigen::Matrix<double, 3, 2> dN(const Point<2>& /*r*/) {
-    Eigen::Matrix<double, 3, 2> d;
-    d << -1.0, -1.0, 1.0, 0.0, 0.0, 1.0;
-    return d;
-  }
+  static Eigen::Matrix<double, 3, 1> N(const Point<2>& r);
+  static Eigen::Matrix<double, 3, 2> dN(const Point<2>& r);
 };
 
 struct Trimc6 {
@@ -108,24 +99,8 @@ struct Trimc6 {
   static constexpr std::array<std::array<double, 2>, 6> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}}};
 
-  static Eigen::Matrix<double, 6, 1> N(const Point<2>& r) {
-    const double a = 1.0 - r[0] - r[1];
-    const double b = r[0];
-    const double c = r[1];
-    Eigen::Matrix<double, 6, 1> n;
-    n << a * (2.0 * a - 1.0), b * (2.0 * b - 1.0), c * (2.0 * c - 1.0), 4.0 * a * b, 4.0 * b * c,
-        4.0 * c * a;
-    return n;
-  }
-  static Eigen::Matrix<double, 6, 2> dN(const Point<2>& r) {
-    const double a = 1.0 - r[0] - r[1];
-    const double b = r[0];
-    const double c = r[1];
-    Eigen::Matrix<double, 6, 2> d;
-    d << 1.0 - 4.0 * a, 1.0 - 4.0 * a, 4.0 * b - 1.0, 0.0, 0.0, 4.0 * c - 1.0, 4.0 * (a - b),
-        -4.0 * b, 4.0 * c, 4.0 * b, -4.0 * c, 4.0 * (a - c);
-    return d;
-  }
+  static Eigen::Matrix<double, 6, 1> N(const Point<2>& r);
+  static Eigen::Matrix<double, 6, 2> dN(const Point<2>& r);
 };
 
 struct Quam4 {
@@ -138,19 +113,8 @@ struct Quam4 {
   static constexpr std::array<std::array<double, 2>, 4> coordinates{
       {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
 
-  static Eigen::Matrix<double, 4, 1> N(const Point<2>& r) {
-    const double x = r[0];
-    const double y = r[1];
-    return {0.25 * (1.0 - x) * (1.0 - y), 0.25 * (1.0 + x) * (1.0 - y),
-            0.25 * (1.0 + x) * (1.0 + y), 0.25 * (1.0 - x) * (1.0 + y)};
-  }
-  static Eigen::Matrix<double, 4, 2> dN(const Point<2>& r) {
-    const double x = 0.25 * r[0];
-    const double y = 0.25 * r[1];
-    Eigen::Matrix<double, 4, 2> d;
-    d << y - 0.25, x - 0.25, 0.25 - y, -0.25 - x, 0.25 + y, 0.25 + x, -0.25 - y, 0.25 - x;
-    return d;
-  }
+  static Eigen::Matrix<double, 4, 1> N(const Point<2>& r);
+  static Eigen::Matrix<double, 4, 2> dN(const Point<2>& r);
 };
 
 /// Serendipity.
@@ -171,35 +135,8 @@ struct Quamc8 {
                                                                      {-1.0, 0.0}}};
 
   // Corner i at (p, q): N = (1 + p x)(1 + q y)(p x + q y - 1) / 4.
-  static Eigen::Matrix<double, 8, 1> N(const Point<2>& r) {
-    const double x = r[0];
-    const double y = r[1];
-    Eigen::Matrix<double, 8, 1> n;
-    for (int i = 0; i < 4; ++i) {
-      const double p = coordinates[static_cast<std::size_t>(i)][0];
-      const double q = coordinates[static_cast<std::size_t>(i)][1];
-      n[i] = 0.25 * (1.0 + p * x) * (1.0 + q * y) * (p * x + q * y - 1.0);
-    }
-    n[4] = 0.5 * (1.0 - x * x) * (1.0 - y);
-    n[5] = 0.5 * (1.0 + x) * (1.0 - y * y);
-    n[6] = 0.5 * (1.0 - x * x) * (1.0 + y);
-    n[7] = 0.5 * (1.0 - x) * (1.0 - y * y);
-    return n;
-  }
-  static Eigen::Matrix<double, 8, 2> dN(const Point<2>& r) {
-    const double x = r[0];
-    const double y = r[1];
-    Eigen::Matrix<double, 8, 2> d;
-    for (int i = 0; i < 4; ++i) {
-      const double p = coordinates[static_cast<std::size_t>(i)][0];
-      const double q = coordinates[static_cast<std::size_t>(i)][1];
-      d(i, 0) = 0.25 * p * (1.0 + q * y) * (2.0 * p * x + q * y);
-      d(i, 1) = 0.25 * q * (1.0 + p * x) * (p * x + 2.0 * q * y);
-    }
-    d.bottomRows<4>() << -x * (1.0 - y), -0.5 * (1.0 - x * x), 0.5 * (1.0 - y * y), -y * (1.0 + x),
-        -x * (1.0 + y), 0.5 * (1.0 - x * x), -0.5 * (1.0 - y * y), -y * (1.0 - x);
-    return d;
-  }
+  static Eigen::Matrix<double, 8, 1> N(const Point<2>& r);
+  static Eigen::Matrix<double, 8, 2> dN(const Point<2>& r);
 };
 
 /// Lagrange; the ninth node is the centre.
@@ -223,29 +160,8 @@ struct Quamc9 {
   static constexpr std::array<std::array<int, 2>, 9> factors{
       {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {1, 2}, {2, 1}, {0, 2}, {2, 2}}};
 
-  static Eigen::Matrix<double, 9, 1> N(const Point<2>& r) {
-    const Eigen::Vector3d nx = Line3::N(Point<1>(r[0]));
-    const Eigen::Vector3d ny = Line3::N(Point<1>(r[1]));
-    Eigen::Matrix<double, 9, 1> n;
-    for (int i = 0; i < 9; ++i) {
-      const auto& f = factors[static_cast<std::size_t>(i)];
-      n[i] = nx[f[0]] * ny[f[1]];
-    }
-    return n;
-  }
-  static Eigen::Matrix<double, 9, 2> dN(const Point<2>& r) {
-    const Eigen::Vector3d nx = Line3::N(Point<1>(r[0]));
-    const Eigen::Vector3d ny = Line3::N(Point<1>(r[1]));
-    const Eigen::Vector3d dx = Line3::dN(Point<1>(r[0]));
-    const Eigen::Vector3d dy = Line3::dN(Point<1>(r[1]));
-    Eigen::Matrix<double, 9, 2> d;
-    for (int i = 0; i < 9; ++i) {
-      const auto& f = factors[static_cast<std::size_t>(i)];
-      d(i, 0) = dx[f[0]] * ny[f[1]];
-      d(i, 1) = nx[f[0]] * dy[f[1]];
-    }
-    return d;
-  }
+  static Eigen::Matrix<double, 9, 1> N(const Point<2>& r);
+  static Eigen::Matrix<double, 9, 2> dN(const Point<2>& r);
 };
 
 /// Reference coordinates of node i.
@@ -253,27 +169,35 @@ template <Shape S> Point<S::dim> node(int i) {
   return Eigen::Map<const Point<S::dim>>(S::coordinates[static_cast<std::size_t>(i)].data());
 }
 
-/// The middle of the reference domain.
-template <Shape S> Point<S::dim> centre() {
-  if constexpr (S::domain == Domain::prism) {
-    return {1.0 / 3.0, 1.0 / 3.0, 0.0};
-  } else if constexpr (S::domain == Domain::triangle || S::domain == Domain::tetrahedron) {
-    return Point<S::dim>::Constant(1.0 / (S::dim + 1.0));
-  } else {
-    return Point<S::dim>::Zero();
+/// The middle of a reference domain.
+template <int dim> Point<dim> centre(Domain domain) {
+  Point<dim> middle = Point<dim>::Zero();
+  if (domain == Domain::triangle || domain == Domain::tetrahedron) {
+    middle.setConstant(1.0 / (dim + 1.0));
+  } else if (domain == Domain::prism) {
+    middle[0] = middle[1 % dim] = 1.0 / 3.0;
   }
+  return middle;
+}
+template <Shape S> Point<S::dim> centre() {
+  return centre<S::dim>(S::domain);
 }
 
-/// How far a point lies outside the reference domain: the largest violation of a side, on domains
+/// How far a point lies outside a reference domain: the largest violation of a side, on domains
 /// of side 1 and 2 alike; negative inside.
-template <Shape S> double outside(const Point<S::dim>& r) {
-  if constexpr (S::domain == Domain::triangle || S::domain == Domain::tetrahedron) {
+template <int dim> double outside(Domain domain, const Point<dim>& r) {
+  if (domain == Domain::triangle || domain == Domain::tetrahedron) {
     return std::max(-r.minCoeff(), r.sum() - 1.0);
-  } else if constexpr (S::domain == Domain::prism) {
-    return std::max({-r[0], -r[1], r[0] + r[1] - 1.0, std::abs(r[2]) - 1.0});
-  } else {
-    return r.cwiseAbs().maxCoeff() - 1.0;
   }
+  if constexpr (dim == 3) {
+    if (domain == Domain::prism) {
+      return std::max({-r[0], -r[1], r[0] + r[1] - 1.0, std::abs(r[2]) - 1.0});
+    }
+  }
+  return r.cwiseAbs().maxCoeff() - 1.0;
+}
+template <Shape S> double outside(const Point<S::dim>& r) {
+  return outside<S::dim>(S::domain, r);
 }
 
 /// ONE(S) for each plane element: what a source compiles for all of them, so that headers need not

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "shape/shape.hpp"
-#include "shape/solid.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 namespace spricka::shape {
 
 /// A place r of a side of a solid in the reference coordinates of the element, in which sides are
 /// flat: their corners are enough.
-template <ElementShape S> Point<3> place_on_solid(int side, const Point<2>& r) {
-  const std::span<const int> local = side_nodes(S::type, side);
+inline Point<3> place_on_solid(base::ElementType type, int side, const Point<2>& r) {
+  const ReferenceElement<3>& element = reference_element<3>(type);
+  const std::span<const int> local = side_nodes(type, side);
+  const ReferenceElement<2>::Values N = reference_element<2>(solid_side(type, side)).linear().N(r);
   Point<3> place = Point<3>::Zero();
-  const auto add = [&](const auto& N) {
-    for (Eigen::Index k = 0; k < N.size(); ++k) {
-      const auto node = static_cast<std::size_t>(local[static_cast<std::size_t>(k)]);
-      place += N[k] * Eigen::Map<const Point<3>>(S::coordinates[node].data());
-    }
-  };
-  if (side_corners(S::type, side) == 3) {
-    add(Trim3::N(r));
-  } else {
-    add(Quam4::N(r));
+  for (Eigen::Index k = 0; k < N.size(); ++k) {
+    place += N[k] * element.node(local[static_cast<std::size_t>(k)]);
   }
   return place;
 }

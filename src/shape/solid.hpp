@@ -22,14 +22,8 @@ struct Tet4 {
   static constexpr std::array<std::array<double, 3>, 4> coordinates{
       {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
-  static Eigen::Matrix<double, 4, 1> N(const Point<3>& r) {
-    return {1.0 - r.sum(), r[0], r[1], r[2]};
-  }
-  static Eigen::Matrix<double, 4, 3> dN(const Point<3>& /*r*/) {
-    Eigen::Matrix<double, 4, 3> d;
-    d << -1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0;
-    return d;
-  }
+  static Eigen::Matrix<double, 4, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 4, 3> dN(const Point<3>& r);
 };
 
 struct Tet10 {
@@ -52,31 +46,8 @@ struct Tet10 {
   static constexpr std::array<std::array<int, 2>, 6> edges{
       {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
-  static Eigen::Matrix<double, 10, 1> N(const Point<3>& r) {
-    const Eigen::Vector4d l = Tet4::N(r);
-    Eigen::Matrix<double, 10, 1> n;
-    for (int i = 0; i < 4; ++i) {
-      n[i] = l[i] * (2.0 * l[i] - 1.0);
-    }
-    for (int m = 0; m < 6; ++m) {
-      const auto& [a, b] = edges[static_cast<std::size_t>(m)];
-      n[4 + m] = 4.0 * l[a] * l[b];
-    }
-    return n;
-  }
-  static Eigen::Matrix<double, 10, 3> dN(const Point<3>& r) {
-    const Eigen::Vector4d l = Tet4::N(r);
-    const Eigen::Matrix<double, 4, 3> dl = Tet4::dN(r);
-    Eigen::Matrix<double, 10, 3> d;
-    for (int i = 0; i < 4; ++i) {
-      d.row(i) = (4.0 * l[i] - 1.0) * dl.row(i);
-    }
-    for (int m = 0; m < 6; ++m) {
-      const auto& [a, b] = edges[static_cast<std::size_t>(m)];
-      d.row(4 + m) = 4.0 * (l[a] * dl.row(b) + l[b] * dl.row(a));
-    }
-    return d;
-  }
+  static Eigen::Matrix<double, 10, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 10, 3> dN(const Point<3>& r);
 };
 
 /// Sides 0 and 1 are triangles, 2 to 4 quadrilaterals.
@@ -93,19 +64,8 @@ struct Penta6 {
                                                                      {1.0, 0.0, 1.0},
                                                                      {0.0, 1.0, 1.0}}};
 
-  static Eigen::Matrix<double, 6, 1> N(const Point<3>& r) {
-    const Eigen::Vector3d l = Trim3::N(r.head<2>());
-    Eigen::Matrix<double, 6, 1> n;
-    n << 0.5 * (1.0 - r[2]) * l, 0.5 * (1.0 + r[2]) * l;
-    return n;
-  }
-  static Eigen::Matrix<double, 6, 3> dN(const Point<3>& r) {
-    const Eigen::Vector3d l = Trim3::N(r.head<2>());
-    const Eigen::Matrix<double, 3, 2> dl = Trim3::dN(r.head<2>());
-    Eigen::Matrix<double, 6, 3> d;
-    d << 0.5 * (1.0 - r[2]) * dl, -0.5 * l, 0.5 * (1.0 + r[2]) * dl, 0.5 * l;
-    return d;
-  }
+  static Eigen::Matrix<double, 6, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 6, 3> dN(const Point<3>& r);
 };
 
 /// Serendipity. Sides as Penta6.
@@ -133,37 +93,8 @@ struct Pentac15 {
 
   // Corner at the end q = -1 or 1: N = l (1 + q t)(2 l + q t - 2) / 2; on the edges of an end
   // 2 l m (1 + q t); between the ends l (1 - t^2).
-  static Eigen::Matrix<double, 15, 1> N(const Point<3>& r) {
-    const Eigen::Vector3d l = Trim3::N(r.head<2>());
-    Eigen::Matrix<double, 15, 1> n;
-    for (int end = 0; end < 2; ++end) {
-      const double qt = end == 0 ? -r[2] : r[2];
-      for (int i = 0; i < 3; ++i) {
-        n[3 * end + i] = 0.5 * l[i] * (1.0 + qt) * (2.0 * l[i] + qt - 2.0);
-        n[6 + 3 * end + i] = 2.0 * l[i] * l[(i + 1) % 3] * (1.0 + qt);
-      }
-    }
-    n.tail<3>() = (1.0 - r[2] * r[2]) * l;
-    return n;
-  }
-  static Eigen::Matrix<double, 15, 3> dN(const Point<3>& r) {
-    const Eigen::Vector3d l = Trim3::N(r.head<2>());
-    const Eigen::Matrix<double, 3, 2> dl = Trim3::dN(r.head<2>());
-    Eigen::Matrix<double, 15, 3> d;
-    for (int end = 0; end < 2; ++end) {
-      const double q = end == 0 ? -1.0 : 1.0;
-      const double qt = q * r[2];
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        d.row(3 * end + i) << 0.5 * (1.0 + qt) * (4.0 * l[i] + qt - 2.0) * dl.row(i),
-            0.5 * q * l[i] * (2.0 * l[i] + 2.0 * qt - 1.0);
-        d.row(6 + 3 * end + i) << 2.0 * (1.0 + qt) * (l[i] * dl.row(j) + l[j] * dl.row(i)),
-            2.0 * q * l[i] * l[j];
-      }
-    }
-    d.bottomRows<3>() << (1.0 - r[2] * r[2]) * dl, -2.0 * r[2] * l;
-    return d;
-  }
+  static Eigen::Matrix<double, 15, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 15, 3> dN(const Point<3>& r);
 };
 
 namespace detail {
@@ -194,25 +125,8 @@ struct Hexe8 {
   static constexpr std::array<std::array<double, 3>, 8> coordinates =
       detail::first_of_hexahedron<8>();
 
-  static Eigen::Matrix<double, 8, 1> N(const Point<3>& r) {
-    Eigen::Matrix<double, 8, 1> n;
-    for (int i = 0; i < 8; ++i) {
-      const auto& p = coordinates[static_cast<std::size_t>(i)];
-      n[i] = 0.125 * (1.0 + p[0] * r[0]) * (1.0 + p[1] * r[1]) * (1.0 + p[2] * r[2]);
-    }
-    return n;
-  }
-  static Eigen::Matrix<double, 8, 3> dN(const Point<3>& r) {
-    Eigen::Matrix<double, 8, 3> d;
-    for (int i = 0; i < 8; ++i) {
-      const auto& p = coordinates[static_cast<std::size_t>(i)];
-      const double x = 1.0 + p[0] * r[0];
-      const double y = 1.0 + p[1] * r[1];
-      const double z = 1.0 + p[2] * r[2];
-      d.row(i) << 0.125 * p[0] * y * z, 0.125 * p[1] * x * z, 0.125 * p[2] * x * y;
-    }
-    return d;
-  }
+  static Eigen::Matrix<double, 8, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 8, 3> dN(const Point<3>& r);
 };
 
 /// Serendipity.
@@ -227,29 +141,8 @@ struct Hexec20 {
 
   // Corner at p: N = prod(1 + p_k r_k) (sum p_k r_k - 2) / 8. In the middle of an edge the factor
   // along it is 1 - r^2, and 1/8 becomes 1/4.
-  static Eigen::Matrix<double, 20, 1> N(const Point<3>& r) {
-    Eigen::Matrix<double, 20, 1> n;
-    for (int i = 0; i < nodes; ++i) {
-      const Point<3> p = Eigen::Map<const Point<3>>(at(i).data());
-      const Point<3> f = factors(p, r);
-      n[i] = i < 8 ? 0.125 * f.prod() * (p.dot(r) - 2.0) : 0.25 * f.prod();
-    }
-    return n;
-  }
-  static Eigen::Matrix<double, 20, 3> dN(const Point<3>& r) {
-    Eigen::Matrix<double, 20, 3> d;
-    for (int i = 0; i < nodes; ++i) {
-      const Point<3> p = Eigen::Map<const Point<3>>(at(i).data());
-      const Point<3> f = factors(p, r);
-      const Point<3> others(f[1] * f[2], f[0] * f[2], f[0] * f[1]);
-      for (int k = 0; k < 3; ++k) {
-        const double slope = p[k] != 0.0 ? p[k] : -2.0 * r[k];
-        d(i, k) =
-            i < 8 ? 0.125 * p[k] * others[k] * (p.dot(r) - 2.0 + f[k]) : 0.25 * slope * others[k];
-      }
-    }
-    return d;
-  }
+  static Eigen::Matrix<double, 20, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 20, 3> dN(const Point<3>& r);
 
 private:
   static const std::array<double, 3>& at(int i) { return coordinates[static_cast<std::size_t>(i)]; }
@@ -271,24 +164,8 @@ struct Hexec27 {
   static constexpr Domain domain = Domain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 27> coordinates = detail::hexahedron;
 
-  static Eigen::Matrix<double, 27, 1> N(const Point<3>& r) {
-    const Lines line(r, Line3::N);
-    Eigen::Matrix<double, 27, 1> n;
-    for (int i = 0; i < nodes; ++i) {
-      n[i] = line(i, 0) * line(i, 1) * line(i, 2);
-    }
-    return n;
-  }
-  static Eigen::Matrix<double, 27, 3> dN(const Point<3>& r) {
-    const Lines line(r, Line3::N);
-    const Lines slope(r, Line3::dN);
-    Eigen::Matrix<double, 27, 3> d;
-    for (int i = 0; i < nodes; ++i) {
-      d.row(i) << slope(i, 0) * line(i, 1) * line(i, 2), line(i, 0) * slope(i, 1) * line(i, 2),
-          line(i, 0) * line(i, 1) * slope(i, 2);
-    }
-    return d;
-  }
+  static Eigen::Matrix<double, 27, 1> N(const Point<3>& r);
+  static Eigen::Matrix<double, 27, 3> dN(const Point<3>& r);
 
 private:
   /// The functions of Line3, or their derivatives, in the three directions.

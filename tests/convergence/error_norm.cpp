@@ -10,25 +10,24 @@ namespace spricka::test {
 
 namespace {
 
-template <shape::ElementShape S>
-void add_element(const model::Model& model, base::ElementId e, const base::Vector& u,
-                 const ExactField& exact, ErrorNorms& square) {
-  constexpr int dim = S::dim;
-  const fe::NodeVectors<S> X = fe::coordinates<S>(model.mesh, e);
-  const fe::NodeVectors<S> U = fe::gather<S>(model.mesh, e, u);
+template <int dim>
+void add_element(const fe::AnyElement<dim>& element, const model::Model& model, base::ElementId e,
+                 const base::Vector& u, const ExactField& exact, ErrorNorms& square) {
+  const fe::AnyNodeVectors<dim> X = fe::coordinates(element, model.mesh, e);
+  const fe::AnyNodeVectors<dim> U = fe::gather(element, model.mesh, e, u);
   const fe::Law law = fe::law_of(model, model.mesh, e);
-  for (const auto& point : shape::quadrature<S>(dim == 3 ? 7 : 10)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+  for (const auto& point : shape::quadrature<dim>(element.domain, dim == 3 ? 7 : 10)) {
+    const auto at = fe::jacobian(element, X, point.r);
     base::Vec3 x = base::Vec3::Zero();
-    x.template head<dim>() = X * S::N(point.r);
+    x.template head<dim>() = X * element.N(point.r);
     const base::Vec3 found = exact.u(x);
     const Eigen::Matrix<double, dim, dim> H =
-        exact.H(x).template topLeftCorner<dim, dim>() - U * at.dNdx;
-    const fe::Hoop<S> hoop(X, law, point.r);
+        exact.H(x).template topLeftCorner<dim, dim>() - U.lazyProduct(at.dNdx);
+    const fe::Hoop<fe::AnyElement<dim>> hoop(element, X, law, point.r);
     const double ring = law.axisymmetric ? found.x() / x.x() - U.row(0) * hoop.h : 0.0;
     const double trace = H.trace() + ring;
     const double w = point.weight * at.det * law.depth(x.x());
-    square.L2 += w * (found.template head<dim>() - U * S::N(point.r)).squaredNorm();
+    square.L2 += w * (found.template head<dim>() - U * element.N(point.r)).squaredNorm();
     square.energy += w * (law.lambda * trace * trace +
                           2.0 * law.mu * (0.25 * (H + H.transpose()).squaredNorm() + ring * ring));
   }
@@ -38,12 +37,11 @@ void add_element(const model::Model& model, base::ElementId e, const base::Vecto
 
 ErrorNorms error_norms(const model::Model& model, const base::Vector& u, const ExactField& exact) {
   ErrorNorms square;
-  fe::for_blocks(model.mesh, every_element(model.mesh),
-                 [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                   for (const base::ElementId e : block) {
-                     add_element<S>(model, e, u, exact, square);
-                   }
-                 });
+  for (const base::ElementId e : every_element(model.mesh)) {
+    fe::with_any_element(model.mesh, e, [&]<int dim>(const fe::AnyElement<dim>& element) {
+      add_element<dim>(element, model, e, u, exact, square);
+    });
+  }
   return {std::sqrt(square.L2), std::sqrt(square.energy)};
 }
 

@@ -40,12 +40,8 @@ std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontFields
   std::set<base::NodeId> nodes;
   for (const crack::FrontSide& side : fields.sides) {
     if (side.on == crack::FaceSide::none) {
-      fe::with_side(mesh, side.face, [&]<shape::Shape Side>(Side) {
-        if constexpr (Side::dim == 2) {
-          const auto own = fe::nodes_of_face<Side>(mesh, side.face);
-          nodes.insert(own.begin(), own.end());
-        }
-      });
+      const std::vector<base::NodeId> own = fe::nodes_of_face(mesh, side.face);
+      nodes.insert(own.begin(), own.end());
     }
   }
   return nodes;

@@ -163,14 +163,12 @@ crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
 double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
   Vec3 area = Vec3::Zero();
   for (const model::Face& face : cracked.faces[front.crack.index()].left_sides) {
-    fe::with_side(cracked.mesh, face, [&]<shape::Shape Side>(Side) {
-      if constexpr (Side::dim == 2) {
-        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(cracked.mesh, face);
-        for (const auto& point : shape::quadrature<Side>(2)) {
-          area += point.weight * fe::area_vector<Side>(X, point.r);
-        }
-      }
-    });
+    fe::with_any_side(cracked.mesh, face,
+                      [&]<int dim>(const fe::AnyElement<dim>& side, const fe::SpaceNodes<dim>& X) {
+                        for (const auto& point : shape::quadrature<dim>(side.domain, 2)) {
+                          area += point.weight * fe::area_vector<dim>(side, X, point.r);
+                        }
+                      });
   }
   const double chord = (front.points.back().x - front.points.front().x).norm();
   return chord > 0.0 ? area.norm() / chord : front.a;

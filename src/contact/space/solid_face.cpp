@@ -2,7 +2,7 @@
 #include "contact/space/solid_face.hpp"
 
 #include "shape/quadrature.hpp"
-#include "shape/shape.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/Geometry>
@@ -41,8 +41,7 @@ SolidFace make_solid_face(const model::Mesh& mesh, const model::Face& face) {
 }
 
 FaceValues face_N(ElementType type, const Vec2& r) {
-  return shape::with_plane_shape(
-      type, [&]<shape::PlaneShape S>(S) -> FaceValues { return FaceValues(S::N(r)); });
+  return shape::reference_element<2>(type).N(r);
 }
 
 Vec3 FacePoint::area_vector() const {
@@ -50,35 +49,29 @@ Vec3 FacePoint::area_vector() const {
 }
 
 FacePoint point_on(const SolidFace& face, const Vec2& r) {
-  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
-    const auto X = face.X.leftCols<S::nodes>();
-    return FacePoint{X * S::N(r), X * S::dN(r)};
-  });
+  const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
+  return {face.X * element.N(r), face.X.lazyProduct(element.dN(r))};
 }
 
 Vec2 node_r(ElementType type, int node) {
-  return shape::with_plane_shape(
-      type, [&]<shape::PlaneShape S>(S) { return Vec2(shape::node<S>(node)); });
+  return shape::reference_element<2>(type).node(node);
 }
 
 Vec2 centre_r(ElementType type) {
-  return shape::with_plane_shape(type,
-                                 [&]<shape::PlaneShape S>(S) { return Vec2(shape::centre<S>()); });
+  return shape::reference_element<2>(type).centre();
 }
 
 double outside(ElementType type, const Vec2& r) {
-  return shape::with_plane_shape(type,
-                                 [&]<shape::PlaneShape S>(S) { return shape::outside<S>(r); });
+  return shape::reference_element<2>(type).outside(r);
 }
 
 double area_of(const SolidFace& face) {
-  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
-    double area = 0.0;
-    for (const auto& [r, weight] : shape::quadrature<S>(area_degree)) {
-      area += weight * point_on(face, r).area_vector().norm();
-    }
-    return area;
-  });
+  const shape::Domain domain = shape::reference_element<2>(face.shape).domain;
+  double area = 0.0;
+  for (const auto& [r, weight] : shape::quadrature<2>(domain, area_degree)) {
+    area += weight * point_on(face, r).area_vector().norm();
+  }
+  return area;
 }
 
 std::span<const FaceTriangle> triangles_of(ElementType type) {

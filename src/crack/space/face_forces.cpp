@@ -2,7 +2,6 @@
 #include "crack/space/face_forces.hpp"
 
 #include "crack/space/front_rule.hpp"
-#include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
 #include "shape/quadrature.hpp"
 
@@ -14,18 +13,32 @@ using base::Vec3;
 
 namespace {
 
-template <shape::Shape Side>
-fe::SideNodes<Side> displacements(const std::array<base::NodeId, Side::nodes>& at,
-                                  const base::Vector& u) {
-  fe::SideNodes<Side> U;
-  for (std::size_t i = 0; i < at.size(); ++i) {
+fe::SpaceNodes<2> displacements(const fe::ElementSide<2>& side, const base::Vector& u) {
+  fe::SpaceNodes<2> U(3, side.shape.nodes);
+  for (std::size_t i = 0; i < side.nodes.size(); ++i) {
     U.col(static_cast<Eigen::Index>(i)) =
-        u.segment<3>(3 * static_cast<Eigen::Index>(at[i].index()));
+        u.segment<3>(3 * static_cast<Eigen::Index>(side.nodes[i].index()));
   }
   return U;
 }
 
+// - N_n c of each node, to what a partner releases.
+void take(const fe::ElementSide<2>& side, const fe::AnyElement<2>::Values& N, std::size_t partner,
+          const Vec3& c, FrontForces& out) {
+  for (std::size_t n = 0; n < side.nodes.size(); ++n) {
+    out[side.nodes[n]][partner] -= N[static_cast<Eigen::Index>(n)] * c;
+  }
+}
+
 } // namespace
+
+SurfaceGradients surface_gradients(const fe::ElementSide<2>& side, const shape::Point<2>& r) {
+  const fe::AnyElement<2>::Derivatives dN = side.shape.dN(r);
+  const Eigen::Matrix<double, 3, 2> slope = side.X.lazyProduct(dN);
+  const Eigen::Matrix2d metric = slope.transpose() * slope;
+  const Eigen::Matrix<double, 2, 3> back = metric.inverse() * slope.transpose();
+  return dN.lazyProduct(back);
+}
 
 void add_face_forces(const FrontSetting& set, const FrontFields& fields,
                      const std::vector<FaceForces>& forces, const base::Vector& u,
@@ -39,54 +52,39 @@ void add_face_forces(const FrontSetting& set, const FrontFields& fields,
     if (known == moved.end()) {
       continue;
     }
-    fe::with_side(set.mesh, on.face, [&]<shape::Shape Side>(Side) {
-      if constexpr (Side::dim == 2) {
-        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, on.face);
-        const auto nodes = fe::nodes_of_face<Side>(set.mesh, on.face);
-        const fe::SideNodes<Side> U = displacements<Side>(nodes, u);
-        for (const fe::LoadPoint& point : on.points) {
-          const shape::Point<2> r = point.r.head<2>();
-          const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
-          const FrontPlace place = set.axes.place(X * N, known->second);
-          if (!(place.r > 0.0)) {
-            continue; // the front itself, a line without an area
-          }
-          for (std::size_t k = 0; k < front_partners; ++k) {
-            const Tensor<3> H = k == 0 ? Tensor<3>(U * surface_gradients<Side>(X, r))
-                                       : moving_field(k, place, set.body).H;
-            const Vec3 c = H.transpose() * point.force;
-            for (std::size_t n = 0; n < nodes.size(); ++n) {
-              out[nodes[n]][k] -= N[static_cast<Eigen::Index>(n)] * c;
-            }
-          }
-        }
+    const fe::ElementSide<2> side(set.mesh, on.face);
+    const fe::SpaceNodes<2> U = displacements(side, u);
+    for (const fe::LoadPoint& point : on.points) {
+      const shape::Point<2> r = point.r.head<2>();
+      const fe::AnyElement<2>::Values N = side.shape.N(r);
+      const FrontPlace place = set.axes.place(side.X * N, known->second);
+      if (!(place.r > 0.0)) {
+        continue; // the front itself, a line without an area
       }
-    });
+      const TurningAxes axes(place);
+      for (std::size_t k = 0; k < front_partners; ++k) {
+        const Tensor<3> H = k == 0 ? Tensor<3>(U.lazyProduct(surface_gradients(side, r)))
+                                   : moving_field(k, axes, set.body).H;
+        take(side, N, k, H.transpose() * point.force, out);
+      }
+    }
   }
 }
 
 void add_partner_tractions(const FrontSetting& set, const FrontFields& fields,
                            const base::Vector& u, FrontForces& out) {
-  for (const FrontSide& side : fields.sides) {
-    fe::with_side(set.mesh, side.face, [&]<shape::Shape Side>(Side) {
-      if constexpr (Side::dim == 2) {
-        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, side.face);
-        const auto nodes = fe::nodes_of_face<Side>(set.mesh, side.face);
-        const fe::SideNodes<Side> U = displacements<Side>(nodes, u);
-        for (const auto& point : shape::quadrature<Side>(front_degree)) {
-          const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
-          const FrontPlace place = set.axes.place(X * N, side.on);
-          const Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
-          const Tensor<3> H = U * surface_gradients<Side>(X, point.r);
-          for (std::size_t k = 1; k < front_partners; ++k) {
-            const Vec3 c = H.transpose() * (moving_field(k, place, set.body).sigma * area);
-            for (std::size_t n = 0; n < nodes.size(); ++n) {
-              out[nodes[n]][k] -= N[static_cast<Eigen::Index>(n)] * c;
-            }
-          }
-        }
+  for (const FrontSide& moved : fields.sides) {
+    const fe::ElementSide<2> side(set.mesh, moved.face);
+    const fe::SpaceNodes<2> U = displacements(side, u);
+    for (const auto& point : shape::quadrature<2>(side.shape.domain, front_degree)) {
+      const fe::AnyElement<2>::Values N = side.shape.N(point.r);
+      const TurningAxes axes(set.axes.place(side.X * N, moved.on));
+      const Vec3 area = point.weight * fe::area_vector<2>(side.shape, side.X, point.r);
+      const Tensor<3> H = U.lazyProduct(surface_gradients(side, point.r));
+      for (std::size_t k = 1; k < front_partners; ++k) {
+        take(side, N, k, H.transpose() * (moving_field(k, axes, set.body).sigma * area), out);
       }
-    });
+    }
   }
 }
 

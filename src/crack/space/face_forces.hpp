@@ -17,14 +17,8 @@ void add_face_forces(const FrontSetting& set, const FrontFields& fields,
 void add_partner_tractions(const FrontSetting& set, const FrontFields& fields,
                            const base::Vector& u, FrontForces& out);
 
-/// Derivatives of a function on a side along it as a gradient in space: [Side::nodes, 3] times r.
-template <shape::Shape Side>
-Eigen::Matrix<double, Side::nodes, 3> surface_gradients(const fe::SideNodes<Side>& X,
-                                                        const shape::Point<2>& r) {
-  const Eigen::Matrix<double, Side::nodes, 2> dN = Side::dN(r);
-  const Eigen::Matrix<double, 3, 2> slope = X * dN;
-  const Eigen::Matrix2d metric = slope.transpose() * slope;
-  return dN * metric.inverse() * slope.transpose();
-}
+/// Derivatives of the functions of a side along it as gradients in space. [node, 3]
+using SurfaceGradients = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, shape::most_nodes<2>, 3>;
+SurfaceGradients surface_gradients(const fe::ElementSide<2>& side, const shape::Point<2>& r);
 
 } // namespace spricka::crack

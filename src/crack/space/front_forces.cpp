@@ -3,12 +3,12 @@
 
 #include "crack/space/front_heat.hpp"
 #include "crack/space/partner_table.hpp"
-#include "crack/space/solid_blocks.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/thermal_kernel.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace spricka::crack {
 
@@ -65,30 +65,34 @@ struct FrontElements {
   const FrontTerms& terms;
 };
 
-template <shape::ElementShape S> class FrontElement {
+class FrontElement {
 public:
   FrontElement(const FrontElements& all, base::ElementId e)
-      : all_(all), set_(all.set), e_(e), X_(fe::coordinates<S>(set_.mesh, e)),
-        U_(fe::gather<S>(set_.mesh, e, all.u)), heat_(X_) {
+      : all_(all), set_(all.set), e_(e),
+        element_(shape::reference_element<3>(set_.mesh.type[e.index()])),
+        X_(fe::coordinates(element_, set_.mesh, e)), U_(fe::gather(element_, set_.mesh, e, all.u)) {
     if (all.temperature.size() > 0) {
-      T_ = fe::corner_temperature<S>(set_.mesh, e, all.temperature);
+      T_ = fe::corner_temperature(element_, set_.mesh, e, all.temperature);
       beta_ = fe::heat_modulus(fe::law_of(set_.model, set_.mesh, e));
+      if (!all.linear) {
+        heat_.emplace(element_, X_);
+      }
     }
   }
 
   void add(FrontForces& out) const {
-    std::array<FrontForces::OfNode, S::nodes> P;
-    for (auto& node : P) {
-      node.fill(Vec3::Zero());
+    OfNodes P;
+    const auto nodes = static_cast<std::size_t>(element_.nodes);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      P[n].fill(Vec3::Zero());
     }
     std::size_t number = 0;
-    for (const auto& point : all_.partners.rule<S>(e_)) {
+    for (const auto& point : all_.partners.rule(element_, e_)) {
       add_point(point, number++, P);
     }
     add_body_loads(P);
-    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e_);
-    for (std::size_t n = 0; n < P.size(); ++n) {
-      FrontForces::OfNode& sum = out[nodes[n]];
+    for (std::size_t n = 0; n < nodes; ++n) {
+      FrontForces::OfNode& sum = out[set_.mesh.nodes_of(e_)[n]];
       for (std::size_t k = 0; k < front_partners; ++k) {
         sum[k] += P[n][k];
       }
@@ -96,16 +100,17 @@ public:
   }
 
 private:
-  using OfNodes = std::array<FrontForces::OfNode, S::nodes>;
+  /// Of the first nodes, as many as the element has.
+  using OfNodes = std::array<FrontForces::OfNode, shape::most_nodes<3>>;
 
   void add_point(const shape::QuadraturePoint<3>& point, std::size_t number, OfNodes& P) const {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
-    const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+    const fe::Jacobian<fe::AnyElement<3>> at = fe::jacobian(element_, X_, point.r);
+    const fe::AnyElement<3>::Values N = element_.N(point.r);
     const double weight = point.weight * at.det;
     const Vec3 x = X_ * N;
-    const Tensor<3> H = U_ * at.dNdx;
+    const Tensor<3> H = U_.lazyProduct(at.dNdx);
     const Tensor<3> cold = isotropic_stress(set_.body, H);
-    const Warmth heat = warmth(at, point.r, x);
+    const Warmth heat = warmth(at.J, point.r, x);
     for (std::size_t k = 0; k < front_partners; ++k) {
       Tensor<3> sigma = cold;
       sigma.diagonal().array() -= heat.beta_T;
@@ -122,7 +127,7 @@ private:
           c += H.transpose() * w.divergence;
         }
       }
-      for (int n = 0; n < S::nodes; ++n) {
+      for (int n = 0; n < element_.nodes; ++n) {
         P[static_cast<std::size_t>(n)][k] += weight * (T * at.dNdx.row(n).transpose() + N[n] * c);
       }
     }
@@ -134,16 +139,15 @@ private:
   };
 
   // A linear temperature is that in all elements (fe.40), another one what the element takes
-  // (crack.21, crack.22).
-  [[nodiscard]] Warmth warmth(const fe::Jacobian<S>& at, const shape::Point<3>& r,
-                              const Vec3& x) const {
+  // (crack.21, crack.22). J of the map at r.
+  [[nodiscard]] Warmth warmth(const Tensor<3>& J, const shape::Point<3>& r, const Vec3& x) const {
     if (beta_ == 0.0) {
       return {};
     }
     if (all_.linear) {
       return {beta_ * (*all_.linear)(x), beta_ * all_.linear->slope};
     }
-    return {beta_ * T_.dot(heat_.at(r)), beta_ * (heat_.gradients(at, r).transpose() * T_)};
+    return {beta_ * T_.dot(heat_->at(r)), beta_ * (heat_->gradients(J, r).transpose() * T_)};
   }
 
   // - q b . u,k (crack.19) and the same of the partners, at points of the load's own.
@@ -153,17 +157,18 @@ private:
       if (!std::ranges::binary_search(acting.elements, e_)) {
         continue;
       }
-      for (const auto& point : fe::body_load_rule<S>(X_, *acting.load, load.scale).points) {
-        const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
-        const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+      const auto rule = fe::body_load_rule<3>(element_, X_, *acting.load, load.scale);
+      for (const auto& point : rule.points) {
+        const fe::Jacobian<fe::AnyElement<3>> at = fe::jacobian(element_, X_, point.r);
+        const fe::AnyElement<3>::Values N = element_.N(point.r);
         const Vec3 x = X_ * N;
         const Vec3 b = acting.factor * point.weight * at.det * fe::load_value(*acting.load, x);
-        const FrontPlace place = set_.axes.place(x);
+        const TurningAxes axes(set_.axes.place(x));
         for (std::size_t k = 0; k < front_partners; ++k) {
           const Tensor<3> H =
-              k == 0 ? Tensor<3>(U_ * at.dNdx) : moving_field(k, place, set_.body).H;
+              k == 0 ? Tensor<3>(U_.lazyProduct(at.dNdx)) : moving_field(k, axes, set_.body).H;
           const Vec3 c = H.transpose() * b;
-          for (int n = 0; n < S::nodes; ++n) {
+          for (int n = 0; n < element_.nodes; ++n) {
             P[static_cast<std::size_t>(n)][k] -= N[n] * c;
           }
         }
@@ -174,10 +179,11 @@ private:
   const FrontElements& all_;
   const FrontSetting& set_;
   base::ElementId e_;
-  fe::NodeVectors<S> X_;
-  fe::NodeVectors<S> U_;
-  fe::HeatFunctions<S> heat_;
-  fe::CornerValues<S> T_ = fe::CornerValues<S>::Zero();
+  const fe::AnyElement<3>& element_;
+  fe::AnyNodeVectors<3> X_;
+  fe::AnyNodeVectors<3> U_;
+  std::optional<fe::HeatFunctions<3>> heat_; ///< where a temperature acts that is not linear
+  fe::CornerValues<3> T_;
   double beta_ = 0.0;
 };
 
@@ -191,12 +197,9 @@ void add_element_forces(const FrontSetting& set, const FrontFields& fields, cons
   const FrontElements all{
       set, *partners, body, loads.temperature, linear_heat(set.mesh, elements, loads.temperature),
       u,   terms};
-  for_solid_blocks(set.mesh, elements,
-                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     for (const base::ElementId e : block) {
-                       FrontElement<S>(all, e).add(out);
-                     }
-                   });
+  for (const base::ElementId e : elements) {
+    FrontElement(all, e).add(out);
+  }
 }
 
 } // namespace spricka::crack

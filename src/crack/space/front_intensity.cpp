@@ -40,11 +40,13 @@ public:
     AtFront at;
     at.across.assign(front_.points.size(), 0.0);
     at.thermal.assign(front_.points.size(), 0.0);
-    for (std::size_t i = 0; i < front_.points.size(); ++i) {
-      for (const FrontSide& side : fields_.sides) {
-        if (side.on != FaceSide::none) {
-          add_side(side, i, loads, at.across[i]);
-        }
+    for (const FrontSide& side : fields_.sides) {
+      if (side.on == FaceSide::none) {
+        continue;
+      }
+      const fe::ElementSide<2> own(set_.mesh, side.face);
+      for (std::size_t i = 0; i < front_.points.size(); ++i) {
+        add_side(side, own, i, loads, at.across[i]);
       }
     }
     add_heat(loads, at.thermal);
@@ -53,31 +55,26 @@ public:
 
 private:
   // Each side of the crack has one or two faces at a point: their mean, and the mean of both sides.
-  void add_side(const FrontSide& side, std::size_t i, const TipLoads& loads, double& sum) const {
-    fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
-      if constexpr (Side::dim == 2) {
-        const base::NodeId point = front_.points[i].node;
-        const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
-        const auto at = std::ranges::find(nodes, point);
-        if (at == nodes.end()) {
-          return;
-        }
-        const auto n = static_cast<int>(at - nodes.begin());
-        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
-        const shape::Point<2> r =
-            (1.0 - beside_front) * shape::node<Side>(n) + beside_front * shape::centre<Side>();
-        const Vec3 normal = fe::area_vector<Side>(X, shape::centre<Side>()).normalized();
-        const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
-        for (const ActingLoad& acting : loads.loads) {
-          if (std::ranges::find(acting.faces, side.face) != acting.faces.end()) {
-            const Vec3 value = fe::load_value(*acting.load, X * Side::N(r));
-            sum +=
-                part * acting.factor *
-                (acting.load->type == model::LoadType::pressure ? -value.x() : value.dot(normal));
-          }
-        }
+  void add_side(const FrontSide& side, const fe::ElementSide<2>& own, std::size_t i,
+                const TipLoads& loads, double& sum) const {
+    const base::NodeId point = front_.points[i].node;
+    const auto at = std::ranges::find(own.nodes, point);
+    if (at == own.nodes.end()) {
+      return;
+    }
+    const shape::Point<2> centre = own.shape.centre();
+    const shape::Point<2> r =
+        (1.0 - beside_front) * own.shape.node(static_cast<int>(at - own.nodes.begin())) +
+        beside_front * centre;
+    const Vec3 normal = fe::area_vector<2>(own.shape, own.X, centre).normalized();
+    const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
+    for (const ActingLoad& acting : loads.loads) {
+      if (std::ranges::find(acting.faces, side.face) != acting.faces.end()) {
+        const Vec3 value = fe::load_value(*acting.load, own.X * own.shape.N(r));
+        sum += part * acting.factor *
+               (acting.load->type == model::LoadType::pressure ? -value.x() : value.dot(normal));
       }
-    });
+    }
   }
 
   [[nodiscard]] std::ptrdiff_t faces_at(FaceSide on, base::NodeId point) const {

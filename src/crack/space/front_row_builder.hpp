@@ -5,7 +5,6 @@
 #include "crack/space/front_rule.hpp"
 #include "crack/space/other_functions.hpp"
 #include "crack/space/partner_table.hpp"
-#include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
 #include "shape/side_place.hpp"
 
@@ -61,36 +60,22 @@ public:
 
   [[nodiscard]] SparseRows rows() {
     partners_ = partner_table(set_, fields_);
-    for_solid_blocks(set_.mesh, fields_.elements(),
-                     [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                       for (const base::ElementId e : block) {
-                         add_element<S>(e);
-                       }
-                     });
+    for (const base::ElementId e : fields_.elements()) {
+      add_element(e);
+    }
     for (const FrontSide& side : fields_.sides) {
-      fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
-        if constexpr (Side::dim == 2) {
-          add_side<Side>(side);
-        }
-      });
+      add_side(side);
     }
     return made(3 * static_cast<Eigen::Index>(set_.mesh.node_count()));
   }
 
   [[nodiscard]] SparseRows rows_of(const OtherFunctions& others) {
     partners_ = partner_table(set_, fields_);
-    for_solid_blocks(set_.mesh, fields_.elements(),
-                     [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                       for (const base::ElementId e : block) {
-                         add_others<S>(e, others);
-                       }
-                     });
+    for (const base::ElementId e : fields_.elements()) {
+      add_others(e, others);
+    }
     for (const FrontSide& side : fields_.sides) {
-      fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
-        if constexpr (Side::dim == 2) {
-          add_others_on<Side>(side, others);
-        }
-      });
+      add_others_on(side, others);
     }
     return made(3 * others.count);
   }
@@ -104,11 +89,7 @@ public:
     for (const FaceForces& place : places) {
       const auto known = moved.find(place.face);
       if (known != moved.end()) {
-        fe::with_side(set_.mesh, place.face, [&]<shape::Shape Side>(Side) {
-          if constexpr (Side::dim == 2) {
-            add_places<Side>(place, known->second, first);
-          }
-        });
+        add_places(place, known->second, first);
       }
       first += 3 * static_cast<Eigen::Index>(place.points.size());
     }
@@ -116,17 +97,23 @@ public:
   }
 
 private:
+  using ElementMap = fe::Jacobian<fe::AnyElement<3>>;
+
   [[nodiscard]] SparseRows made(Eigen::Index count) const {
     SparseRows rows(count, columns_.count() * static_cast<Eigen::Index>(motion_.size()));
     rows.setFromTriplets(entries_.begin(), entries_.end());
     return rows;
   }
 
+  [[nodiscard]] const fe::AnyElement<3>& shape_of(base::ElementId e) const {
+    return shape::reference_element<3>(set_.mesh.type[e.index()]);
+  }
+
   // The motion of some nodes with a point of the front; false: they rest.
-  template <class Nodes, class Motion>
-  bool gather(std::size_t point, const Nodes& nodes, Motion& q) const {
+  template <class Motion>
+  bool gather(std::size_t point, std::span<const base::NodeId> nodes, Motion& q) const {
     bool moves = false;
-    q.setZero();
+    q.setZero(3, static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto at = motion_[point].find(nodes[n]);
       if (at != motion_[point].end()) {
@@ -150,13 +137,14 @@ private:
   // What the gradients of some functions of an element are contracted with, at each point of its
   // rule (crack_space.10). slopes_at(number of the point, Jacobian): [3, function], of type Values;
   // take(point of the front, partner's column, [3, function]).
-  template <shape::ElementShape S, class Values, class SlopesAt, class Take>
+  template <class Values, class SlopesAt, class Take>
   void contract(base::ElementId e, const Values& zero, const SlopesAt& slopes_at,
                 const Take& take) const {
-    const fe::NodeVectors<S> X = fe::coordinates<S>(set_.mesh, e);
-    std::vector<std::pair<std::size_t, fe::NodeVectors<S>>> moved;
+    const fe::AnyElement<3>& element = shape_of(e);
+    const fe::AnyNodeVectors<3> X = fe::coordinates(element, set_.mesh, e);
+    std::vector<std::pair<std::size_t, fe::AnyNodeVectors<3>>> moved;
     for (const std::size_t i : points_of_.at(e)) {
-      fe::NodeVectors<S> q;
+      fe::AnyNodeVectors<3> q;
       if (gather(i, set_.mesh.nodes_of(e), q)) {
         moved.emplace_back(i, q);
       }
@@ -164,9 +152,9 @@ private:
     const std::size_t width = columns_.partners.size();
     std::vector<Values> sums(moved.size() * width, zero);
     std::size_t number = 0;
-    for (const auto& point : partners_->rule<S>(e)) {
-      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+    for (const auto& point : partners_->rule(element, e)) {
+      const ElementMap at = fe::jacobian(element, X, point.r);
+      const fe::AnyElement<3>::Values N = element.N(point.r);
       const Values slopes = slopes_at(number, at);
       for (std::size_t j = 0; j < moved.size(); ++j) {
         const Tensor<3> grad = moved[j].second.lazyProduct(at.dNdx);
@@ -186,25 +174,24 @@ private:
     }
   }
 
-  template <shape::ElementShape S> void add_element(base::ElementId e) {
-    using Values = fe::NodeVectors<S>;
+  void add_element(base::ElementId e) {
+    using Values = fe::AnyNodeVectors<3>;
     const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
-    contract<S>(
-        e, Values(Values::Zero()),
-        [](std::size_t, const fe::Jacobian<S>& at) -> Values { return at.dNdx.transpose(); },
+    contract(
+        e, Values(Values::Zero(3, static_cast<Eigen::Index>(nodes.size()))),
+        [](std::size_t, const ElementMap& at) -> Values { return at.dNdx.transpose(); },
         [&](std::size_t point, std::size_t column, const Values& values) {
           put_nodes(nodes, point, column, values);
         });
   }
 
   // The same of other functions.
-  template <shape::ElementShape S>
   void add_others(base::ElementId e, const OtherFunctions& others) {
     const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
-    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(e, others);
-    contract<S>(
+    const std::vector<Eigen::MatrixX3d>& table = slope_table(e, others);
+    contract(
         e, Eigen::Matrix3Xd(Eigen::Matrix3Xd::Zero(3, count)),
-        [&](std::size_t number, const fe::Jacobian<S>& at) -> Eigen::Matrix3Xd {
+        [&](std::size_t number, const ElementMap& at) -> Eigen::Matrix3Xd {
           const Tensor<3> inverse = at.J.inverse();
           return table[number].lazyProduct(inverse).transpose();
         },
@@ -214,22 +201,21 @@ private:
   }
 
   // The partners' tractions on a side times the slopes along the motion of some functions.
-  // slopes_at(place r, X): [function, 3]; take as in contract.
-  template <shape::Shape Side, class SlopesAt, class Take>
-  void contract_side(const FrontSide& side, const SlopesAt& slopes_at, const Take& take) const {
-    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
-    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
+  // slopes_at(place r): [function, 3]; take as in contract.
+  template <class SlopesAt, class Take>
+  void contract_side(const FrontSide& side, const fe::ElementSide<2>& own,
+                     const SlopesAt& slopes_at, const Take& take) const {
     for (const std::size_t i : points_of_.at(side.face.element)) {
-      fe::SideNodes<Side> q;
-      if (!gather(i, nodes, q)) {
+      fe::SpaceNodes<2> q;
+      if (!gather(i, own.nodes, q)) {
         continue;
       }
-      for (const auto& point : shape::quadrature<Side>(front_degree)) {
-        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
-        const TurningAxes axes(set_.axes.place(X * N, side.on));
-        const base::Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
+      for (const auto& point : shape::quadrature<2>(own.shape.domain, front_degree)) {
+        const fe::AnyElement<2>::Values N = own.shape.N(point.r);
+        const TurningAxes axes(set_.axes.place(own.X * N, side.on));
+        const base::Vec3 area = point.weight * fe::area_vector<2>(own.shape, own.X, point.r);
         const base::Vec3 moved = q * N;
-        const Eigen::RowVectorXd along = (slopes_at(point.r, X) * moved).transpose();
+        const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
           const std::size_t partner = columns_.partners[k];
           const base::Vec3 t =
@@ -240,34 +226,29 @@ private:
     }
   }
 
-  template <shape::Shape Side> void add_side(const FrontSide& side) {
-    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
-    contract_side<Side>(
-        side,
-        [](const shape::Point<2>& r, const fe::SideNodes<Side>& X) {
-          return surface_gradients<Side>(X, r);
-        },
+  void add_side(const FrontSide& side) {
+    const fe::ElementSide<2> own(set_.mesh, side.face);
+    contract_side(
+        side, own, [&](const shape::Point<2>& r) { return surface_gradients(own, r); },
         [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
-          put_nodes(nodes, point, column, values);
+          put_nodes(own.nodes, point, column, values);
         });
   }
 
   // The motion runs along the side, so that the element's own gradient serves.
-  template <shape::Shape Side>
   void add_others_on(const FrontSide& side, const OtherFunctions& others) {
-    contract_side<Side>(
-        side,
-        [&](const shape::Point<2>& r, const fe::SideNodes<Side>&) {
-          return slopes_on(side.face, r, others);
-        },
+    contract_side(
+        side, fe::ElementSide<2>(set_.mesh, side.face),
+        [&](const shape::Point<2>& r) { return slopes_on(side.face, r, others); },
         [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
           put_others(side.face.element, point, column, values, others);
         });
   }
 
   // Rows of nodes. [3, node]
-  template <class Nodes, class Values>
-  void put_nodes(const Nodes& nodes, std::size_t point, std::size_t column, const Values& values) {
+  template <class Values>
+  void put_nodes(std::span<const base::NodeId> nodes, std::size_t point, std::size_t column,
+                 const Values& values) {
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       put(3 * static_cast<Eigen::Index>(nodes[n].index()), point, column,
           values.col(static_cast<Eigen::Index>(n)));
@@ -286,13 +267,13 @@ private:
   }
 
   // Slopes of other functions at the points of the rule.
-  template <shape::ElementShape S>
   const std::vector<Eigen::MatrixX3d>& slope_table(base::ElementId e,
                                                    const OtherFunctions& others) {
-    std::vector<Eigen::MatrixX3d>& table = slopes_[{S::type, fields_.degree.at(e)}];
+    const base::ElementType type = set_.mesh.type[e.index()];
+    std::vector<Eigen::MatrixX3d>& table = slopes_[{type, fields_.degree.at(e)}];
     if (table.empty()) {
-      for (const auto& point : partners_->rule<S>(e)) {
-        table.push_back(others.slopes(S::type, point.r));
+      for (const auto& point : partners_->rule(shape_of(e), e)) {
+        table.push_back(others.slopes(type, point.r));
       }
     }
     return table;
@@ -309,29 +290,25 @@ private:
   // Gradients in space of other functions at a place of a side. [function, 3]
   [[nodiscard]] Eigen::MatrixX3d slopes_on(const model::Face& face, const shape::Point<2>& r,
                                            const OtherFunctions& others) const {
-    Eigen::MatrixX3d slopes;
-    shape::with_shape(set_.mesh.type[face.element.index()], [&]<shape::ElementShape S>(S) {
-      if constexpr (S::dim == 3) {
-        const shape::Point<3> at = shape::place_on_solid<S>(face.side, r);
-        const fe::Jacobian<S> J = fe::jacobian<S>(fe::coordinates<S>(set_.mesh, face.element), at);
-        slopes = others.slopes(S::type, at) * J.J.inverse();
-      }
-    });
-    return slopes;
+    const base::ElementType type = set_.mesh.type[face.element.index()];
+    const fe::AnyElement<3>& element = shape_of(face.element);
+    const shape::Point<3> at = shape::place_on_solid(type, face.side, r);
+    const fe::AnyNodeVectors<3> X = fe::coordinates(element, set_.mesh, face.element);
+    const Tensor<3> J = X.lazyProduct(element.dN(at));
+    const Tensor<3> inverse = J.inverse();
+    return others.slopes(type, at).lazyProduct(inverse);
   }
 
-  template <shape::Shape Side>
   void add_places(const FaceForces& on, FaceSide side, Eigen::Index first) {
-    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, on.face);
-    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, on.face);
+    const fe::ElementSide<2> own(set_.mesh, on.face);
     for (const std::size_t i : points_of_.at(on.face.element)) {
-      fe::SideNodes<Side> q;
-      if (!gather(i, nodes, q)) {
+      fe::SpaceNodes<2> q;
+      if (!gather(i, own.nodes, q)) {
         continue;
       }
       for (std::size_t p = 0; p < on.points.size(); ++p) {
-        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(on.points[p].r.head<2>());
-        const FrontPlace place = set_.axes.place(X * N, side);
+        const fe::AnyElement<2>::Values N = own.shape.N(on.points[p].r.head<2>());
+        const FrontPlace place = set_.axes.place(own.X * N, side);
         if (!(place.r > 0.0)) {
           continue; // the front itself, a line without an area
         }

@@ -53,21 +53,22 @@ std::vector<FaceForces> forces_on_faces(const model::Mesh& mesh, const TipLoads&
     }
     const fe::FieldScale scale =
         acting.load->faces.valid() ? fe::load_scale(mesh, *acting.load) : fe::FieldScale();
-    fe::for_faces(mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh, face);
+    for (const model::Face& face : acting.faces) {
+      const fe::ElementSide<2> side(mesh, face);
       FaceForces on{face, {}};
-      for (const auto& point : fe::load_rule<Side>(X, *acting.load, scale).points) {
-        const Vec3 area = fe::area_vector<Side>(X, point.r);
-        const Vec3 value = fe::load_value(*acting.load, X * Side::N(point.r));
+      const auto rule = fe::load_rule<2>(side.shape, side.X, *acting.load, scale);
+      for (const auto& point : rule.points) {
+        const Vec3 area = fe::area_vector<2>(side.shape, side.X, point.r);
+        const Vec3 value = fe::load_value(*acting.load, side.X * side.shape.N(point.r));
         const Vec3 density = acting.load->type == model::LoadType::pressure
                                  ? Vec3(-value.x() * area)
                                  : Vec3(value * area.norm());
         fe::LoadPoint& at = on.points.emplace_back();
-        at.r.template head<Side::dim>() = point.r;
+        at.r.head<2>() = point.r;
         at.force = acting.factor * point.weight * density;
       }
       forces.push_back(std::move(on));
-    });
+    }
   }
   return forces;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/partner_table.hpp"
 
-#include "crack/space/solid_blocks.hpp"
-
 #include <algorithm>
 #include <numbers>
 
@@ -32,31 +30,27 @@ PartnerTable::PartnerTable(const FrontSetting& set, const FrontFields& fields)
   first_ = elements_.front().index();
   slot_.assign(elements_.back().index() - first_ + 1, 0);
   std::size_t points = 0;
-  for_solid_blocks(set.mesh, elements_,
-                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     for (const base::ElementId e : block) {
-                       points += shape::quadrature<S>(fields.degree.at(e)).size();
-                     }
-                   });
+  for (const base::ElementId e : elements_) {
+    const shape::Domain domain = shape::reference_element<3>(set.mesh.type[e.index()]).domain;
+    points += shape::quadrature<3>(domain, fields.degree.at(e)).size();
+  }
   fields_.reserve(points);
-  for_solid_blocks(set.mesh, elements_,
-                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     for (const base::ElementId e : block) {
-                       slot_[e.index() - first_] = start_.size();
-                       start_.push_back(fields_.size());
-                       degree_.push_back(fields.degree.at(e));
-                       places_.push_back(places_of(set.mesh, e));
-                       const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-                       for (const auto& point : rule<S>(e)) {
-                         const TurningAxes axes(set.axes.place(X * S::N(point.r)));
-                         Fields& at = fields_.emplace_back();
-                         for (std::size_t k = 1; k < front_partners; ++k) {
-                           const MovingField w = moving_field(k, axes, set.body);
-                           at[k - 1] = {w.H, w.divergence};
-                         }
-                       }
-                     }
-                   });
+  for (const base::ElementId e : elements_) {
+    slot_[e.index() - first_] = start_.size();
+    start_.push_back(fields_.size());
+    degree_.push_back(fields.degree.at(e));
+    places_.push_back(places_of(set.mesh, e));
+    const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
+    const fe::AnyNodeVectors<3> X = fe::coordinates(element, set.mesh, e);
+    for (const auto& point : rule(element, e)) {
+      const TurningAxes axes(set.axes.place(X * element.N(point.r)));
+      Fields& at = fields_.emplace_back();
+      for (std::size_t k = 1; k < front_partners; ++k) {
+        const MovingField w = moving_field(k, axes, set.body);
+        at[k - 1] = {w.H, w.divergence};
+      }
+    }
+  }
 }
 
 bool PartnerTable::is_of(const FrontSetting& set) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/space/front_setting.hpp"
+#include "fe/jacobian.hpp"
 #include "shape/quadrature.hpp"
 
 #include <array>
@@ -17,9 +18,9 @@ public:
   PartnerTable(const FrontSetting& set, const FrontFields& fields);
 
   /// The rule over an element.
-  template <shape::ElementShape S>
-  [[nodiscard]] std::span<const shape::QuadraturePoint<3>> rule(base::ElementId e) const {
-    return shape::quadrature<S>(degree_[slot_[e.index() - first_]]);
+  [[nodiscard]] std::span<const shape::QuadraturePoint<3>> rule(const fe::AnyElement<3>& element,
+                                                                base::ElementId e) const {
+    return shape::quadrature<3>(element.domain, degree_[slot_[e.index() - first_]]);
   }
 
   /// The partners 1 to 4 of an element at a point of its rule.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/smooth_front.hpp"
 
+#include "base/dense_solve.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/QR>
 
 namespace spricka::crack {
 
@@ -153,7 +152,8 @@ base::Vector weights_at_zero(const std::vector<double>& d) {
       powers(i, k) = k == 0 ? 1.0 : powers(i, k - 1) * x;
     }
   }
-  const base::Matrix inverse = powers.colPivHouseholderQr().solve(base::Matrix::Identity(n, n));
+  const base::Matrix inverse =
+      base::least_squares(powers, base::Matrix(base::Matrix::Identity(n, n)));
   return inverse.row(0);
 }
 

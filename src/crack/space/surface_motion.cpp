@@ -25,28 +25,25 @@ constexpr double piercing = 0.3;
 
 SurfaceMotion::SurfaceMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
                              const InTheWay& in_the_way) {
-  fe::for_faces(mesh, sides, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    if constexpr (Side::dim == 2) {
-      const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh, face);
-      const auto nodes = fe::nodes_of_face<Side>(mesh, face);
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!in_the_way(nodes[i], face)) {
-          continue;
-        }
-        const shape::Point<2> at = (1.0 - inside) * shape::node<Side>(static_cast<int>(i)) +
-                                   inside * shape::centre<Side>();
-        const Vec3 n = fe::area_vector<Side>(X, at).normalized();
-        std::vector<Vec3>& known = normals_[nodes[i]];
-        const auto alike = std::ranges::find_if(
-            known, [&](const Vec3& sum) { return sum.normalized().dot(n) > one_surface; });
-        if (alike == known.end()) {
-          known.push_back(n);
-        } else {
-          *alike += n;
-        }
+  for (const model::Face& face : sides) {
+    const fe::ElementSide<2> side(mesh, face);
+    for (int i = 0; i < side.shape.nodes; ++i) {
+      const base::NodeId node = side.nodes[static_cast<std::size_t>(i)];
+      if (!in_the_way(node, face)) {
+        continue;
+      }
+      const shape::Point<2> at = (1.0 - inside) * side.shape.node(i) + inside * side.shape.centre();
+      const Vec3 n = fe::area_vector<2>(side.shape, side.X, at).normalized();
+      std::vector<Vec3>& known = normals_[node];
+      const auto alike = std::ranges::find_if(
+          known, [&](const Vec3& sum) { return sum.normalized().dot(n) > one_surface; });
+      if (alike == known.end()) {
+        known.push_back(n);
+      } else {
+        *alike += n;
       }
     }
-  });
+  }
 }
 
 std::optional<Vec3> SurfaceMotion::along(base::NodeId node, const Vec3& m, const Vec3& t) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/surface_face.hpp"
 
-#include "shape/shape.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -34,12 +34,12 @@ Vec2 into_domain(shape::Domain domain, const Vec2& r) {
 }
 
 /// Foot of the perpendicular by Gauss and Newton's method, kept inside the face.
-template <shape::PlaneShape S> Vec2 foot_on(const SurfaceFace& face, const Vec3& x) {
-  const auto X = face.X.leftCols<S::nodes>();
-  Vec2 r = shape::centre<S>();
+Vec2 foot_on(const SurfaceFace& face, const Vec3& x) {
+  const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
+  Vec2 r = element.centre();
   for (int i = 0; i < most_steps; ++i) {
-    const Eigen::Matrix<double, 3, 2> T = X * S::dN(r);
-    const Vec3 miss = x - X * S::N(r);
+    const Eigen::Matrix<double, 3, 2> T = face.X.lazyProduct(element.dN(r));
+    const Vec3 miss = x - face.X * element.N(r);
     const Eigen::Matrix2d H = T.transpose() * T;
     Vec2 step = H.inverse() * (T.transpose() * miss);
     const double length = step.norm();
@@ -47,7 +47,7 @@ template <shape::PlaneShape S> Vec2 foot_on(const SurfaceFace& face, const Vec3&
       break; // a face without area
     }
     step *= std::min(1.0, 0.5 / std::max(length, 1e-300));
-    const Vec2 next = into_domain(S::domain, r + step);
+    const Vec2 next = into_domain(element.domain, r + step);
     const double moved = (next - r).norm();
     r = next;
     if (moved <= 1e-15) {
@@ -58,17 +58,18 @@ template <shape::PlaneShape S> Vec2 foot_on(const SurfaceFace& face, const Vec3&
 }
 
 /// The foot on the edge from corner i to the next, as t.
-template <shape::PlaneShape S> double foot_on_edge(const SurfaceFace& face, int i, const Vec3& x) {
-  using Edge = typename S::Side;
-  const std::span<const int> nodes = shape::side_nodes(S::type, i);
-  Eigen::Matrix<double, 3, Edge::nodes> E;
-  for (int k = 0; k < Edge::nodes; ++k) {
+double foot_on_edge(const SurfaceFace& face, int i, const Vec3& x) {
+  const std::span<const int> nodes = shape::side_nodes(face.shape, i);
+  const shape::ReferenceElement<1>& edge = shape::reference_line(static_cast<int>(nodes.size()));
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<1>> E(3, edge.nodes);
+  for (int k = 0; k < edge.nodes; ++k) {
     E.col(k) = face.X.col(nodes[static_cast<std::size_t>(k)]);
   }
   shape::Point<1> t(0.0);
   for (int step = 0; step < most_steps; ++step) {
-    const Vec3 T = E * Edge::dN(t);
-    const double to = T.dot(x - E * Edge::N(t)) / std::max(T.squaredNorm(), 1e-300);
+    const Vec3 T = E * edge.dN(t);
+    const Vec3 miss = x - E * edge.N(t);
+    const double to = T.dot(miss) / std::max(T.squaredNorm(), 1e-300);
     const double next = std::clamp(t[0] + std::clamp(to, -0.5, 0.5), -1.0, 1.0);
     const double moved = std::abs(next - t[0]);
     t[0] = next;
@@ -100,45 +101,38 @@ Vec3 SurfacePoint::normal() const {
 }
 
 SurfacePoint point_on(const SurfaceFace& face, const Vec2& r) {
-  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
-    const auto X = face.X.leftCols<S::nodes>();
-    return SurfacePoint{X * S::N(r), X * S::dN(r)};
-  });
+  const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
+  return {face.X * element.N(r), face.X.lazyProduct(element.dN(r))};
 }
 
 Vec2 edge_r(base::ElementType shape, int i, double t) {
-  return shape::with_plane_shape(shape, [&]<shape::PlaneShape S>(S) -> Vec2 {
-    const int next = (i + 1) % base::info(S::type).corners;
-    return 0.5 * (1.0 - t) * shape::node<S>(i) + 0.5 * (1.0 + t) * shape::node<S>(next);
-  });
+  const shape::ReferenceElement<2>& element = shape::reference_element<2>(shape);
+  const int next = (i + 1) % element.corners;
+  return 0.5 * (1.0 - t) * element.node(i) + 0.5 * (1.0 + t) * element.node(next);
 }
 
 double outside(base::ElementType shape, const Vec2& r) {
-  return shape::with_plane_shape(shape,
-                                 [&]<shape::PlaneShape S>(S) { return shape::outside<S>(r); });
+  return shape::reference_element<2>(shape).outside(r);
 }
 
 Vec2 into_face(base::ElementType shape, const Vec2& r) {
-  return shape::with_plane_shape(shape,
-                                 [&]<shape::PlaneShape S>(S) { return into_domain(S::domain, r); });
+  return into_domain(shape::reference_element<2>(shape).domain, r);
 }
 
 Vec2 nearest_on(const SurfaceFace& face, const Vec3& x) {
-  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
-    Vec2 best = foot_on<S>(face, x);
-    // A foot that was kept from leaving is not the nearest place of its edge.
-    double least = outside(face.shape, best) < -1e-14 ? (x - point_on(face, best).x).norm()
-                                                      : std::numeric_limits<double>::max();
-    for (int i = 0; i < face.corners(); ++i) {
-      const Vec2 r = edge_r(face.shape, i, foot_on_edge<S>(face, i, x));
-      const double distance = (x - point_on(face, r).x).norm();
-      if (distance < (1.0 - 1e-9) * least) {
-        least = distance;
-        best = r;
-      }
+  Vec2 best = foot_on(face, x);
+  // A foot that was kept from leaving is not the nearest place of its edge.
+  double least = outside(face.shape, best) < -1e-14 ? (x - point_on(face, best).x).norm()
+                                                    : std::numeric_limits<double>::max();
+  for (int i = 0; i < face.corners(); ++i) {
+    const Vec2 r = edge_r(face.shape, i, foot_on_edge(face, i, x));
+    const double distance = (x - point_on(face, r).x).norm();
+    if (distance < (1.0 - 1e-9) * least) {
+      least = distance;
+      best = r;
     }
-    return best;
-  });
+  }
+  return best;
 }
 
 // A quadratic face lies in the hull of its Bezier points (Farin 2002): corners, twice the mid nodes

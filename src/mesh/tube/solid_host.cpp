@@ -2,13 +2,14 @@
 #include "mesh/tube/solid_host.hpp"
 
 #include "mesh/side_index.hpp"
-#include "shape/solid.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace spricka::mesh {
@@ -186,30 +187,30 @@ void SolidHost::find_extents() {
 }
 
 double outside_of(const model::Mesh& mesh, ElementId e, const Vec3& x) {
-  return shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
-    if constexpr (S::dim == 3) {
-      Eigen::Matrix<double, S::nodes, 3> X;
-      const auto nodes = mesh.nodes_of(e);
-      for (int i = 0; i < S::nodes; ++i) {
-        X.row(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()].transpose();
-      }
-      shape::Point<3> r = shape::centre<S>();
-      for (int k = 0; k < 12; ++k) { // Newton's method; far outside it need not converge
-        const Eigen::Matrix3d J = X.transpose() * S::dN(r);
-        const Vec3 step = J.inverse() * (x - X.transpose() * S::N(r));
-        if (!step.allFinite()) {
-          break;
-        }
-        r += step.norm() > 1.0 ? Vec3(step.normalized()) : step;
-        if (step.norm() < 1e-12) {
-          break;
-        }
-      }
-      return shape::outside<S>(r);
-    } else {
-      return std::numeric_limits<double>::max();
+  const base::ElementType type = mesh.type[e.index()];
+  if (base::info(type).dim != 3) {
+    return std::numeric_limits<double>::max();
+  }
+  const shape::ReferenceElement<3>& element = shape::reference_element<3>(type);
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<3>> X(3, element.nodes);
+  const auto nodes = mesh.nodes_of(e);
+  for (int i = 0; i < element.nodes; ++i) {
+    X.col(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()];
+  }
+  shape::Point<3> r = element.centre();
+  for (int k = 0; k < 12; ++k) { // Newton's method; far outside it need not converge
+    const Eigen::Matrix3d J = X.lazyProduct(element.dN(r));
+    const Vec3 miss = x - X * element.N(r);
+    const Vec3 step = J.inverse() * miss;
+    if (!step.allFinite()) {
+      break;
     }
-  });
+    r += step.norm() > 1.0 ? Vec3(step.normalized()) : step;
+    if (step.norm() < 1e-12) {
+      break;
+    }
+  }
+  return element.outside(r);
 }
 
 std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) const {

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_crack_face_term {
 namespace {
 
 /// A square plate with a crack along its middle to the origin, turned by an angle, and forces of
@@ -151,4 +151,4 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_crack_face_term

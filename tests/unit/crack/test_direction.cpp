@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+namespace spricka::test_direction {
 namespace {
 
-using namespace spricka;
 using crack::Criterion;
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -79,3 +79,4 @@ TEST(Direction, KinkWithoutK2) {
 }
 
 } // namespace
+} // namespace spricka::test_direction

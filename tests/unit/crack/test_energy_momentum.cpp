@@ -7,20 +7,19 @@
 
 // The energy of an element whose nodes keep their displacements while they move, by central
 // differences, against the nodal forces of the energy-momentum: in the plane and in space.
-namespace spricka::crack {
+namespace spricka::crack::test_energy_momentum {
 namespace {
 
-template <shape::ElementShape S> fe::Elasticity<S::dim> steel() {
+template <int dim> fe::Elasticity<dim> steel() {
   model::Material material;
   material.E = 210.0;
   material.nu = 0.3;
-  return fe::elasticity<S::dim>(material,
-                                S::dim == 3 ? model::State::solid : model::State::plane_strain);
+  return fe::elasticity<dim>(material, dim == 3 ? model::State::solid : model::State::plane_strain);
 }
 
 /// Nodal values without a pattern, a reproducible part of one.
-template <shape::ElementShape S> fe::NodeVectors<S> rough(double seed) {
-  fe::NodeVectors<S> V;
+template <int dim> fe::AnyNodeVectors<dim> rough(const fe::AnyElement<dim>& element, double seed) {
+  fe::AnyNodeVectors<dim> V(dim, element.nodes);
   for (Eigen::Index i = 0; i < V.size(); ++i) {
     V(i) = std::sin(seed + 1.7 * static_cast<double>(i * i));
   }
@@ -28,38 +27,39 @@ template <shape::ElementShape S> fe::NodeVectors<S> rough(double seed) {
 }
 
 /// The reference element with its nodes pushed about.
-template <shape::ElementShape S> fe::NodeVectors<S> skewed() {
-  fe::NodeVectors<S> X;
-  for (int i = 0; i < S::nodes; ++i) {
-    X.col(i) = shape::node<S>(i);
+template <int dim> fe::AnyNodeVectors<dim> skewed(const fe::AnyElement<dim>& element) {
+  fe::AnyNodeVectors<dim> X = 0.04 * rough(element, 0.3);
+  for (int i = 0; i < element.nodes; ++i) {
+    X.col(i) += element.node(i);
   }
-  return X + 0.04 * rough<S>(0.3);
+  return X;
 }
 
 constexpr int degree = 8;
 
 /// Sum over nodes of what their motion V releases.
-template <shape::ElementShape S>
-double released(const fe::NodeVectors<S>& X, const fe::NodeVectors<S>& U,
-                const fe::NodeVectors<S>& V) {
+template <int dim>
+double released(const fe::AnyElement<dim>& element, const fe::AnyNodeVectors<dim>& X,
+                const fe::AnyNodeVectors<dim>& U, const fe::AnyNodeVectors<dim>& V) {
   double sum = 0.0;
-  for (const auto& point : shape::quadrature<S>(degree)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    const Tensor<S::dim> H = U * at.dNdx;
-    const Tensor<S::dim> sigma = stress_of<S::dim>(steel<S>(), H);
-    const Tensor<S::dim> T = energy_momentum<S::dim>({H, sigma});
-    sum += point.weight * at.det * T.cwiseProduct(Tensor<S::dim>(V * at.dNdx)).sum();
+  for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
+    const auto at = fe::jacobian(element, X, point.r);
+    const Tensor<dim> H = U.lazyProduct(at.dNdx);
+    const Tensor<dim> sigma = stress_of<dim>(steel<dim>(), H);
+    const Tensor<dim> T = energy_momentum<dim>({H, sigma});
+    sum += point.weight * at.det * T.cwiseProduct(Tensor<dim>(V.lazyProduct(at.dNdx))).sum();
   }
   return sum;
 }
 
-template <shape::ElementShape S>
-double energy(const fe::NodeVectors<S>& X, const fe::NodeVectors<S>& U) {
+template <int dim>
+double energy(const fe::AnyElement<dim>& element, const fe::AnyNodeVectors<dim>& X,
+              const fe::AnyNodeVectors<dim>& U) {
   double sum = 0.0;
-  for (const auto& point : shape::quadrature<S>(degree)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    const Tensor<S::dim> H = U * at.dNdx;
-    sum += 0.5 * point.weight * at.det * stress_of<S::dim>(steel<S>(), H).cwiseProduct(H).sum();
+  for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
+    const auto at = fe::jacobian(element, X, point.r);
+    const Tensor<dim> H = U.lazyProduct(at.dNdx);
+    sum += 0.5 * point.weight * at.det * stress_of<dim>(steel<dim>(), H).cwiseProduct(H).sum();
   }
   return sum;
 }
@@ -70,25 +70,27 @@ using Shapes = testing::Types<shape::Trimc6, shape::Quamc8, shape::Tet10, shape:
 TYPED_TEST_SUITE(EnergyMomentum, Shapes);
 
 TYPED_TEST(EnergyMomentum, IsWhatMovingNodesRelease) {
-  using S = TypeParam;
-  const fe::NodeVectors<S> X = skewed<S>();
-  const fe::NodeVectors<S> U = rough<S>(1.1);
-  const fe::NodeVectors<S> V = rough<S>(2.9);
+  const auto& element = shape::reference<TypeParam>();
+  using Vectors = fe::AnyNodeVectors<TypeParam::dim>;
+  const Vectors X = skewed(element);
+  const Vectors U = rough(element, 1.1);
+  const Vectors V = rough(element, 2.9);
   const double h = 1e-5;
-  const fe::NodeVectors<S> ahead = X + h * V;
-  const fe::NodeVectors<S> back = X - h * V;
-  const double slope = (energy<S>(ahead, U) - energy<S>(back, U)) / (2.0 * h);
-  EXPECT_NEAR(released<S>(X, U, V), -slope, 1e-7 * std::abs(energy<S>(X, U)));
+  const Vectors ahead = X + h * V;
+  const Vectors back = X - h * V;
+  const double slope = (energy(element, ahead, U) - energy(element, back, U)) / (2.0 * h);
+  EXPECT_NEAR(released(element, X, U, V), -slope, 1e-7 * std::abs(energy(element, X, U)));
 }
 
 // Two displacements: the release of their sum less those of each.
 TYPED_TEST(EnergyMomentum, OfTwoIsTheBilinearForm) {
   constexpr int dim = TypeParam::dim;
-  const Tensor<dim> Hu = rough<TypeParam>(0.2).template leftCols<dim>();
-  const Tensor<dim> Hv = rough<TypeParam>(0.7).template leftCols<dim>();
+  const auto& element = shape::reference<TypeParam>();
+  const Tensor<dim> Hu = rough(element, 0.2).template leftCols<dim>();
+  const Tensor<dim> Hv = rough(element, 0.7).template leftCols<dim>();
   const Tensor<dim> H = Hu + Hv;
-  const Tensor<dim> su = stress_of<dim>(steel<TypeParam>(), Hu);
-  const Tensor<dim> sv = stress_of<dim>(steel<TypeParam>(), Hv);
+  const Tensor<dim> su = stress_of<dim>(steel<dim>(), Hu);
+  const Tensor<dim> sv = stress_of<dim>(steel<dim>(), Hv);
   const Tensor<dim> s = su + sv;
   const Tensor<dim> both = energy_momentum<dim>({Hu, su}, {Hv, sv});
   const Tensor<dim> rest = energy_momentum<dim>({H, s}) - energy_momentum<dim>({Hu, su}) -
@@ -97,4 +99,4 @@ TYPED_TEST(EnergyMomentum, OfTwoIsTheBilinearForm) {
 }
 
 } // namespace
-} // namespace spricka::crack
+} // namespace spricka::crack::test_energy_momentum

@@ -9,7 +9,7 @@
 #include <cmath>
 
 // A crack along y = 5 with its tip at (4, 5), in a block of 10 x 10 elements of size 1.
-namespace spricka::crack {
+namespace spricka::crack::test_extension {
 namespace {
 
 struct Block {
@@ -90,4 +90,4 @@ TEST(Extension, LeavesTheFacesOfAnotherCrackAlone) {
 }
 
 } // namespace
-} // namespace spricka::crack
+} // namespace spricka::crack::test_extension

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G along fronts in space against the difference of the potential energy when nodes move.
-#include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
@@ -12,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_energy {
 namespace {
 
 using base::Op;
@@ -83,44 +82,40 @@ public:
 
   [[nodiscard]] double of(const model::Mesh& mesh, const base::Vector& u) const {
     double sum = 0.0;
-    crack::for_solid_blocks(mesh, all_,
-                            [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                              for (const base::ElementId e : block) {
-                                sum += element<S>(mesh, e, u);
-                              }
-                            });
-    fe::for_faces(mesh, faces_, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      if constexpr (Side::dim == 2) {
-        const auto X = fe::side_coordinates<Side>(mesh, face);
-        const auto nodes = fe::nodes_of_face<Side>(mesh, face);
-        for (const auto& point : shape::quadrature<Side>(9)) {
-          const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
-          Vec3 moved = Vec3::Zero();
-          for (std::size_t n = 0; n < nodes.size(); ++n) {
-            moved += N[static_cast<Eigen::Index>(n)] *
-                     u.segment<3>(3 * static_cast<Eigen::Index>(nodes[n].index()));
-          }
-          const double p = acting_.pressure ? fe::load_value(pressure_, X * N).x() : 0.0;
-          sum += point.weight * p * fe::area_vector<Side>(X, point.r).dot(moved);
+    for (const base::ElementId e : all_) {
+      sum += element(mesh, e, u);
+    }
+    for (const model::Face& face : faces_) {
+      const fe::ElementSide<2> side(mesh, face);
+      for (const auto& point : shape::quadrature<2>(side.shape.domain, 9)) {
+        const fe::AnyElement<2>::Values N = side.shape.N(point.r);
+        Vec3 moved = Vec3::Zero();
+        for (std::size_t n = 0; n < side.nodes.size(); ++n) {
+          moved += N[static_cast<Eigen::Index>(n)] *
+                   u.segment<3>(3 * static_cast<Eigen::Index>(side.nodes[n].index()));
         }
+        const double p = acting_.pressure ? fe::load_value(pressure_, side.X * N).x() : 0.0;
+        sum += point.weight * p * fe::area_vector<2>(side.shape, side.X, point.r).dot(moved);
       }
-    });
+    }
     return sum;
   }
 
 private:
-  template <shape::ElementShape S>
-  double element(const model::Mesh& mesh, base::ElementId e, const base::Vector& u) const {
-    const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-    const fe::NodeVectors<S> U = fe::gather<S>(mesh, e, u);
+  [[nodiscard]] double element(const model::Mesh& mesh, base::ElementId e,
+                               const base::Vector& u) const {
+    const fe::AnyElement<3>& shape = shape::reference_element<3>(mesh.type[e.index()]);
+    const fe::AnyNodeVectors<3> X = fe::coordinates(shape, mesh, e);
+    const fe::AnyNodeVectors<3> U = fe::gather(shape, mesh, e, u);
     const fe::Elasticity<3> D = fe::elasticity<3>(tube_.model.materials[0], model::State::solid);
     const double beta = fe::heat_modulus(fe::law_of(tube_.model, mesh, e));
     double sum = 0.0;
     const auto known = degree_.find(e); // that of the nodal forces, so that they are its slopes
-    for (const auto& point : shape::quadrature<S>(known == degree_.end() ? 9 : known->second)) {
-      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-      const crack::Tensor<3> H = U * at.dNdx;
-      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+    const int degree = known == degree_.end() ? 9 : known->second;
+    for (const auto& point : shape::quadrature<3>(shape.domain, degree)) {
+      const fe::Jacobian<fe::AnyElement<3>> at = fe::jacobian(shape, X, point.r);
+      const crack::Tensor<3> H = U.lazyProduct(at.dNdx);
+      const fe::AnyElement<3>::Values N = shape.N(point.r);
       const double T = acting_.heat ? linear_temperature(X * N) : 0.0;
       double density = 0.5 * crack::stress_of<3>(D, H).cwiseProduct(H).sum() - beta * T * H.trace();
       if (acting_.body) {
@@ -201,4 +196,4 @@ TEST(FrontEnergyOfObliqueEnds, IsReleasedAsNodesMove) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_energy

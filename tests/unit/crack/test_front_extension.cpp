@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_extension {
 namespace {
 
 using base::Vec3;
@@ -197,4 +197,4 @@ TEST(SmoothFront, GoesOnFromFewPointsByALine) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_extension

@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_intensity {
 namespace {
 
 using base::Vec3;
@@ -46,27 +46,27 @@ crack::FrontLoads end_tractions(const Tube& tube) {
   crack::FrontLoads loads;
   const crack::FrontAxes axes(*tube.front().curve);
   for (const model::Face& face : mesh::boundary_faces(tube.mesh())) {
-    fe::with_side(tube.mesh(), face, [&]<shape::Shape Side>(Side) {
-      if constexpr (Side::dim == 2) {
-        const auto X = fe::side_coordinates<Side>(tube.mesh(), face);
-        crack::FaceForces on{face, {}};
-        for (const auto& point : shape::quadrature<Side>(9)) {
-          const Vec3 area = fe::area_vector<Side>(X, point.r);
-          if (std::abs(area.normalized().z()) < 0.99) {
-            return;
-          }
-          crack::Tensor<3> sigma = crack::Tensor<3>::Zero();
-          sigma(0, 0) = 1.0;
-          sigma(2, 2) = 0.3;
-          for (std::size_t m = 1; m <= 3; ++m) {
-            sigma += K_given[m - 1] *
-                     crack::moving_field(m, axes.place(X * Side::N(point.r)), body_of(tube)).sigma;
-          }
-          on.points.push_back({Vec3(point.r[0], point.r[1], 0.0), point.weight * (sigma * area)});
-        }
-        loads.contact.push_back(std::move(on));
+    const fe::ElementSide<2> side(tube.mesh(), face);
+    const auto off_end = [&](const shape::QuadraturePoint<2>& point) {
+      return std::abs(fe::area_vector<2>(side.shape, side.X, point.r).normalized().z()) < 0.99;
+    };
+    const auto rule = shape::quadrature<2>(side.shape.domain, 9);
+    if (std::ranges::any_of(rule, off_end)) {
+      continue;
+    }
+    crack::FaceForces on{face, {}};
+    for (const auto& point : rule) {
+      const Vec3 area = fe::area_vector<2>(side.shape, side.X, point.r);
+      const crack::FrontPlace place = axes.place(side.X * side.shape.N(point.r));
+      crack::Tensor<3> sigma = crack::Tensor<3>::Zero();
+      sigma(0, 0) = 1.0;
+      sigma(2, 2) = 0.3;
+      for (std::size_t m = 1; m <= 3; ++m) {
+        sigma += K_given[m - 1] * crack::moving_field(m, place, body_of(tube)).sigma;
       }
-    });
+      on.points.push_back({Vec3(point.r[0], point.r[1], 0.0), point.weight * (sigma * area)});
+    }
+    loads.contact.push_back(std::move(on));
   }
   return loads;
 }
@@ -192,17 +192,15 @@ protected:
     std::vector<crack::FaceForces> forces;
     const mesh::CrackFaces& faces = tube.cracked.faces.front();
     for (const auto* sides : {&faces.left_sides, &faces.right_sides}) {
-      fe::for_faces(tube.mesh(), *sides, [&]<shape::Shape Side>(Side, const model::Face& face) {
-        if constexpr (Side::dim == 2) {
-          const auto X = fe::side_coordinates<Side>(tube.mesh(), face);
-          crack::FaceForces on{face, {}};
-          for (const auto& point : shape::quadrature<Side>(9)) {
-            on.points.push_back({Vec3(point.r[0], point.r[1], 0.0),
-                                 -point.weight * fe::area_vector<Side>(X, point.r)});
-          }
-          forces.push_back(std::move(on));
+      for (const model::Face& face : *sides) {
+        const fe::ElementSide<2> side(tube.mesh(), face);
+        crack::FaceForces on{face, {}};
+        for (const auto& point : shape::quadrature<2>(side.shape.domain, 9)) {
+          on.points.push_back({Vec3(point.r[0], point.r[1], 0.0),
+                               -point.weight * fe::area_vector<2>(side.shape, side.X, point.r)});
         }
-      });
+        forces.push_back(std::move(on));
+      }
     }
     return forces;
   }
@@ -318,4 +316,4 @@ TEST(FrontInvariance, OfAMirror) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_intensity

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_rule {
 namespace {
 
 using base::Vec3;
@@ -117,4 +117,4 @@ TEST_F(RuledBend, FinerRulesLeaveKAlone) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_rule

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::crack {
+namespace spricka::crack::test_moving_field {
 namespace {
 
 using base::Vec3;
@@ -143,4 +143,4 @@ TEST(FrontAxes, GoRoundAClosedFront) {
 }
 
 } // namespace
-} // namespace spricka::crack
+} // namespace spricka::crack::test_moving_field

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_point_force {
 namespace {
 
 using crack::TipFrame;
@@ -121,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(States, PointForce,
                          testing::Values(model::State::plane_stress, model::State::plane_strain));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_point_force

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_stress_intensity {
 namespace {
 
 constexpr double K1 = 3.0;
@@ -147,4 +147,4 @@ TEST(StressIntensity, StateOfTheCrackRescalesK) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_stress_intensity

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_tip_terms {
 namespace {
 
 using base::Op;
@@ -223,4 +223,4 @@ TEST(CrackSides, LieOppositeEachOther) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_tip_terms

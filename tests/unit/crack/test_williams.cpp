@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_williams {
 namespace {
 
 using crack::TipFrame;
@@ -81,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(Modes, Williams,
                                                           model::State::plane_strain)));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_williams

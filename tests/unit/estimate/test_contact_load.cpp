@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 // Pressures of a pair's hats on the cubic modes of the other body's edges.
-namespace spricka {
+namespace spricka::test_contact_load {
 namespace {
 
 // A pressure that is linear along the surface, which the hats hold exactly: the integral of x times
@@ -45,4 +45,4 @@ TEST(ContactLoad, ALinearPressureWorksOnTheModesAsInTheIntegral) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_contact_load

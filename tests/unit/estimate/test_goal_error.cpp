@@ -15,7 +15,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace spricka {
+namespace spricka::test_goal_error {
 namespace {
 
 const base::NetId net0 = base::NetId(std::size_t{0});
@@ -376,4 +376,4 @@ INSTANTIATE_TEST_SUITE_P(Types, GoalError,
                                          base::ElementType::quamc9));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_goal_error

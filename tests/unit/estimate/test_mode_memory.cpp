@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// Matrices of modes that are kept from one crack length to the next.
-namespace spricka {
+namespace spricka::test_mode_memory {
 namespace {
 
 class ModeMemory : public testing::TestWithParam<base::ElementType> {};
@@ -74,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Types, ModeMemory,
                                          base::ElementType::quamc9));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_mode_memory

@@ -10,10 +10,11 @@
 #include <map>
 #include <numbers>
 
-namespace spricka {
+namespace spricka::test_modes {
 namespace {
 
 using estimate::Modes;
+using estimate::PlaneModes;
 using estimate::SideState;
 
 template <class S> class CubicModes : public testing::Test {};
@@ -126,7 +127,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
       const double sign = sides.sign[static_cast<std::size_t>(s)];
       const shape::Point<2> r = on_side<S>(s, 0.3 * sign);
       const Eigen::Matrix2d J = X * S::dN(r);
-      const auto G = estimate::mode_gradients<S>(X, r, J, sides);
+      const auto G = estimate::mode_gradients(PlaneModes::of(S::type), X, r, J, sides);
       const base::Vec2 along =
           sign * J * (shape::node<S>((s + 1) % Modes<S>::sides) - shape::node<S>(s));
       Seen found;
@@ -168,11 +169,13 @@ TYPED_TEST(CubicModes, FollowACurvedSideInItsFrame) {
     sides.framed[static_cast<std::size_t>(s)] = true;
     const auto value = [&](const shape::Point<2>& r, std::size_t k) -> base::Vec2 {
       return Modes<S>::psi(r)[s] *
-             estimate::side_frame(estimate::side_points<S>(X, s), Modes<S>::along(r, s)).axis[k];
+             estimate::side_frame(estimate::side_points(PlaneModes::of(S::type), X, s),
+                                  Modes<S>::along(r, s))
+                 .axis[k];
     };
     for (const shape::Point<2>& r : inner_points<S>()) {
       const Eigen::Matrix2d J = X * S::dN(r);
-      const auto G = estimate::mode_gradients<S>(X, r, J, sides);
+      const auto G = estimate::mode_gradients(PlaneModes::of(S::type), X, r, J, sides);
       for (std::size_t k = 0; k < 2; ++k) {
         const double h = 1e-5;
         Eigen::Matrix2d slope;
@@ -217,4 +220,4 @@ TYPED_TEST(CubicModes, HaveTheSameStiffnessInTheFrameOfAStraightSide) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_modes

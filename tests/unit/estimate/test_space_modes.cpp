@@ -10,7 +10,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-namespace spricka::estimate {
+namespace spricka::estimate::test_space_modes {
 namespace {
 
 using base::ElementType;
@@ -127,4 +127,4 @@ TEST(SpaceModes, BothSidesOfAFaceHaveTheSame) {
 }
 
 } // namespace
-} // namespace spricka::estimate
+} // namespace spricka::estimate::test_space_modes

@@ -14,7 +14,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-namespace spricka::estimate {
+namespace spricka::estimate::test_space_operator {
 namespace {
 
 using base::ElementType;
@@ -74,22 +74,19 @@ struct Block {
   [[nodiscard]] base::Vector by_points(const base::Vector& motion) const {
     base::Vector forces = base::Vector::Zero(nodal() + modal());
     for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-      shape::with_shape(model.mesh.type[e], [&]<shape::ElementShape S>(S) {
-        if constexpr (S::dim == 3) {
-          if (SpaceModes::has(S::type)) {
-            add<S>(base::ElementId(e), motion, forces);
-          }
-        }
-      });
+      if (SpaceModes::has(model.mesh.type[e])) {
+        add(base::ElementId(e), motion, forces);
+      }
     }
     return forces;
   }
 
 private:
-  template <shape::ElementShape S>
   void add(base::ElementId e, const base::Vector& motion, base::Vector& forces) const {
-    const SpaceModes& modes = SpaceModes::of(S::type);
-    const auto count = S::nodes + static_cast<Eigen::Index>(modes.modes().size());
+    const ElementType type = model.mesh.type[e.index()];
+    const fe::AnyElement<3>& element = shape::reference_element<3>(type);
+    const SpaceModes& modes = SpaceModes::of(type);
+    const auto count = element.nodes + static_cast<Eigen::Index>(modes.modes().size());
     std::vector<Eigen::Index> at;
     std::vector<double> sign;
     for (const base::NodeId n : model.mesh.nodes_of(e)) {
@@ -100,12 +97,14 @@ private:
       at.push_back(nodal() + 3 * static_cast<Eigen::Index>(numbers.mode[m]));
       sign.push_back(numbers.sign[m]);
     }
-    const fe::NodeVectors<S> X = fe::coordinates<S>(model.mesh, e);
+    const fe::AnyNodeVectors<3> X = fe::coordinates(element, model.mesh, e);
     const fe::Law law = fe::law_of(model, model.mesh, e);
-    for (const auto& point : shape::quadrature<S>(S::type == ElementType::tet10 ? 5 : 7)) {
+    const int degree = type == ElementType::tet10 ? 5 : 7;
+    for (const auto& point : shape::quadrature<3>(element.domain, degree)) {
+      const fe::AnyElement<3>::Derivatives dN = element.dN(point.r);
       base::Matrix slopes(count, 3);
-      slopes << S::dN(point.r), modes.dpsi(point.r);
-      const Eigen::Matrix3d J = X * S::dN(point.r);
+      slopes << dN, modes.dpsi(point.r);
+      const Eigen::Matrix3d J = X.lazyProduct(dN);
       slopes = (slopes * J.inverse()).eval();
       Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
       for (std::size_t k = 0; k < at.size(); ++k) {
@@ -186,4 +185,4 @@ INSTANTIATE_TEST_SUITE_P(Types, SpaceOperatorOf,
                          [](const auto& type) { return std::string(base::info(type.param).name); });
 
 } // namespace
-} // namespace spricka::estimate
+} // namespace spricka::estimate::test_space_operator

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_wedge {
 namespace {
 
 using estimate::least_exponent;
@@ -94,4 +94,4 @@ TEST(Wedge, MaterialsJoinWithoutATraceWhereTheyAreOne) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_wedge

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::fe {
+namespace spricka::fe::test_assemble {
 namespace {
 
 using base::ElementType;
@@ -168,4 +168,4 @@ TEST(assemble_stiffness, takes_elements_with_a_node_named_twice) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_assemble

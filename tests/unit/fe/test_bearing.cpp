@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spricka::fe {
+namespace spricka::fe::test_bearing {
 namespace {
 
 using base::ElementType;
@@ -212,4 +212,4 @@ TEST_P(Bearing, follows_the_direction_without_jumps) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_bearing

@@ -13,7 +13,7 @@
 
 // The pin load in space, on a ring extruded along z (and then turned in space): its resultant, its
 // arms, and its forces against those of the plane on the ring's cross-section.
-namespace spricka::fe {
+namespace spricka::fe::test_bearing_solid {
 namespace {
 
 using base::ElementType;
@@ -210,4 +210,4 @@ TEST_P(SolidBearing, meets_the_loaded_half_only) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_bearing_solid

@@ -9,7 +9,7 @@
 #include <random>
 
 // Ties solved for by hand.
-namespace spricka::fe {
+namespace spricka::fe::test_dependence {
 namespace {
 
 using base::Matrix;
@@ -213,4 +213,4 @@ TEST(Dependence, LongRing) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_dependence

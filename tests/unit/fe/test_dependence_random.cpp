@@ -10,7 +10,7 @@
 #include <random>
 
 // Random ties against a dense null space.
-namespace spricka::fe {
+namespace spricka::fe::test_dependence_random {
 namespace {
 
 using base::Matrix;
@@ -219,4 +219,4 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_dependence_random

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::fe {
+namespace spricka::fe::test_dof_map {
 namespace {
 
 using base::ElementType;
@@ -175,4 +175,4 @@ TEST(free_modes, depends_on_no_unit_of_length) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_dof_map

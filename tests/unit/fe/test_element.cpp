@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace spricka::fe {
+namespace spricka::fe::test_element {
 namespace {
 
 model::Material steel() {
@@ -81,13 +81,13 @@ TYPED_TEST(EveryElement, stiffness_is_the_integral_of_BtDB) {
   for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
     const Elasticity<2> D = elasticity<2>(steel(), state);
     for (const Sample<S>& sample : samples<S>()) {
-      ElementMatrix<S> expected = ElementMatrix<S>::Zero();
+      base::Matrix expected = base::Matrix::Zero(2 * S::nodes, 2 * S::nodes);
       for (const auto& point : shape::quadrature<S>()) {
         const Jacobian<S> at = jacobian<S>(sample.X, point.r);
-        const auto B = strain_matrix<S>(at.dNdx);
+        const base::Matrix B = strain_matrix<S>(at.dNdx);
         expected += 2.5 * point.weight * at.det * B.transpose() * D * B;
       }
-      const ElementMatrix<S> Ke = element_stiffness<S>(sample.X, law(state, 2.5));
+      const base::Matrix Ke = element_stiffness<S>(sample.X, law(state, 2.5));
       EXPECT_LT((Ke - expected).norm(), 1e-13 * expected.norm()) << sample.name;
       EXPECT_LT((Ke - Ke.transpose()).norm(), 1e-14 * expected.norm()) << sample.name;
     }
@@ -98,9 +98,8 @@ TYPED_TEST(EveryElement, has_three_rigid_modes_and_no_other_zero) {
   using S = TypeParam;
   for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
     for (const Sample<S>& sample : samples<S>()) {
-      const ElementMatrix<S> Ke = element_stiffness<S>(sample.X, law(state));
-      const Eigen::SelfAdjointEigenSolver<ElementMatrix<S>> eigen(Ke);
-      const auto& values = eigen.eigenvalues();
+      const base::Matrix Ke = element_stiffness<S>(sample.X, law(state));
+      const base::Vector values = Eigen::SelfAdjointEigenSolver<base::Matrix>(Ke).eigenvalues();
       const double largest = values[values.size() - 1];
       EXPECT_EQ((values.array().abs() < 1e-10 * largest).count(), 3) << sample.name;
       EXPECT_GT(values[3], 1e-5 * largest) << sample.name;
@@ -121,6 +120,26 @@ TYPED_TEST(EveryElement, rigid_rotation_makes_no_force) {
   }
 }
 
+// Compiled for the shape and with the shape as data: one function of the same points.
+TYPED_TEST(EveryElement, known_when_run_it_has_the_same_forces) {
+  using S = TypeParam;
+  const shape::ReferenceElement<2>& element = shape::reference<S>();
+  Law projected = law(model::State::plane_strain);
+  projected.projected = true;
+  for (const Sample<S>& sample : samples<S>()) {
+    const NodeVectors<S> U =
+        (sample.X.array() * sample.X.array() + 0.3 * sample.X.array()).matrix();
+    NodeVectors<S> X = sample.X;
+    X.row(0).array() += 5.0; // off the axis
+    for (const Law& one : {law(model::State::axisymmetric), projected}) {
+      const NodeVectors<S> compiled = element_force<S>(X, one, U);
+      const NodeVectors<S> run =
+          element_force(element, AnyNodeVectors<2>(X), one, AnyNodeVectors<2>(U));
+      EXPECT_LT((run - compiled).norm(), 1e-12 * compiled.norm()) << sample.name;
+    }
+  }
+}
+
 TYPED_TEST(EveryElement, force_is_stiffness_times_displacement) {
   using S = TypeParam;
   const Law thin = law(model::State::plane_stress, 0.7);
@@ -129,8 +148,8 @@ TYPED_TEST(EveryElement, force_is_stiffness_times_displacement) {
     for (int i = 0; i < U.size(); ++i) {
       U(i) = std::sin(1.0 + 2.0 * i);
     }
-    const Eigen::Matrix<double, 2 * S::nodes, 1> f =
-        element_stiffness<S>(sample.X, thin) * U.reshaped();
+    const base::Matrix Ke = element_stiffness<S>(sample.X, thin);
+    const base::Vector f = Ke * base::Vector(U.reshaped());
     EXPECT_LT((element_force<S>(sample.X, thin, U).reshaped() - f).norm(), 1e-13 * f.norm())
         << sample.name;
   }
@@ -166,7 +185,7 @@ TYPED_TEST(EveryElement, inverse_map_finds_points_inside_on_sides_and_at_nodes) 
     }
     for (const shape::Point<2>& r : places) {
       const Eigen::Vector2d x = sample.X * S::N(r);
-      const auto found = inverse_map<S>(sample.X, x);
+      const auto found = inverse_map<2>(shape::reference<S>(), sample.X, x);
       ASSERT_TRUE(found.has_value()) << sample.name << ' ' << r.transpose();
       EXPECT_LT((*found - r).norm(), 1e-6) << sample.name << ' ' << r.transpose();
       EXPECT_LT((sample.X * S::N(*found) - x).norm(), 1e-12) << sample.name;
@@ -237,4 +256,4 @@ TEST(strain, follows_the_strain_matrix_in_space) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_element

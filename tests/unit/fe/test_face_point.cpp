@@ -8,36 +8,28 @@
 #include <random>
 
 // The nearest point of a side against all points of a fine raster on it.
-namespace spricka::fe {
+namespace spricka::fe::test_face_point {
 namespace {
 
 using base::Vec3;
 
-template <class Side> class EverySide : public testing::Test {};
-using Sides = testing::Types<shape::Line2, shape::Line3, shape::Trim3, shape::Trimc6, shape::Quam4,
-                             shape::Quamc8, shape::Quamc9>;
-TYPED_TEST_SUITE(EverySide, Sides);
-
-constexpr bool is_line(shape::Domain domain) {
-  return domain == shape::Domain::line;
-}
-
-template <class Side> double raster_distance(const SideNodes<Side>& X, const Vec3& x) {
-  constexpr int n = is_line(Side::domain) ? 4000 : 300;
+template <int dim>
+double raster_distance(const AnyElement<dim>& side, const SpaceNodes<dim>& X, const Vec3& x) {
+  constexpr int n = dim == 1 ? 4000 : 300;
   double best = 1e300;
   for (int i = 0; i <= n; ++i) {
     const double a = static_cast<double>(i) / n;
-    for (int j = 0; j <= (Side::dim == 1 ? 0 : n); ++j) {
+    for (int j = 0; j <= (dim == 1 ? 0 : n); ++j) {
       const double b = static_cast<double>(j) / n;
-      shape::Point<Side::dim> r;
+      shape::Point<dim> r;
       r[0] = 2.0 * a - 1.0;
-      if constexpr (Side::dim == 2) {
+      if constexpr (dim == 2) {
         r[1] = 2.0 * b - 1.0;
-        if (Side::domain == shape::Domain::triangle) {
+        if (side.domain == shape::Domain::triangle) {
           r = {a * (1.0 - b), b};
         }
       }
-      best = std::min(best, (x - X * Side::N(r)).norm());
+      best = std::min(best, (x - X * side.N(r)).norm());
     }
   }
   return best;
@@ -45,37 +37,47 @@ template <class Side> double raster_distance(const SideNodes<Side>& X, const Vec
 
 // Skewed, stretched and a little curved sides, points off them and beyond their edges and corners
 // by as much as a tie allows.
-TYPED_TEST(EverySide, has_its_nearest_point_found) {
-  using Side = TypeParam;
+template <int dim> void expect_nearest_points(const AnyElement<dim>& side) {
   std::mt19937 random(7);
   const auto number = [&] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
   for (int trial = 0; trial < 40; ++trial) {
     const Vec3 across(2.0 * number(), 0.6, 0.4 * number());
-    SideNodes<Side> X;
-    for (int i = 0; i < Side::nodes; ++i) {
-      const shape::Point<Side::dim> r = shape::node<Side>(i);
+    SpaceNodes<dim> X(3, side.nodes);
+    for (int i = 0; i < side.nodes; ++i) {
+      const shape::Point<dim> r = side.node(i);
       Vec3 x(r[0], 0.0, 0.0);
-      if constexpr (Side::dim == 2) {
+      if constexpr (dim == 2) {
         x += r[1] * across;
       }
       X.col(i) = x + 0.02 * Vec3(number(), number(), number());
     }
     const double size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
-    shape::Point<Side::dim> at;
-    for (int c = 0; c < Side::dim; ++c) {
+    shape::Point<dim> at;
+    for (int c = 0; c < dim; ++c) {
       at[c] = 1.2 * number();
     }
-    if (Side::domain == shape::Domain::triangle) {
+    if (side.domain == shape::Domain::triangle) {
       at = (0.5 * (at.array() + 1.0)).matrix();
     }
-    const Vec3 x = X * Side::N(into_side<Side>(at)) +
+    const Vec3 x = X * side.N(into_side<dim>(side, at)) +
                    0.1 * size * Vec3(number(), number(), number()).normalized();
-    const shape::Point<Side::dim> r = nearest_on_side<Side>(X, x);
-    EXPECT_LT((into_side<Side>(r) - r).norm(), 1e-14);
-    const double raster = raster_distance<Side>(X, x);
-    EXPECT_LT((x - X * Side::N(r)).norm(), raster + 1e-9 * size) << trial;
+    const shape::Point<dim> r = nearest_on_side<dim>(side, X, x);
+    EXPECT_LT((into_side<dim>(side, r) - r).norm(), 1e-14);
+    const double raster = raster_distance<dim>(side, X, x);
+    EXPECT_LT((x - X * side.N(r)).norm(), raster + 1e-9 * size) << trial;
+  }
+}
+
+TEST(FacePoint, IsTheNearestOfEverySide) {
+  expect_nearest_points(shape::reference_line(2));
+  expect_nearest_points(shape::reference_line(3));
+  for (const base::ElementType type :
+       {base::ElementType::trim3, base::ElementType::trimc6, base::ElementType::quam4,
+        base::ElementType::quamc8, base::ElementType::quamc9}) {
+    SCOPED_TRACE(base::info(type).name);
+    expect_nearest_points(shape::reference_element<2>(type));
   }
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_face_point

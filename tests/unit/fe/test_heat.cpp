@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_heat {
 namespace {
 
 using base::Op;
@@ -149,11 +149,12 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
       exact += 0.4 * std::pow(height / sine, 2.5) * angle / steps;
     }
     double sum = 0.0;
-    const auto X = fe::coordinates<shape::Trimc6>(mesh, e);
+    const auto& element = shape::reference<shape::Trimc6>();
+    const auto X = fe::coordinates(element, mesh, e);
     const fe::Law law = fe::law_of(plate.model, mesh, e);
-    const auto T = fe::corner_temperature<shape::Trimc6>(mesh, e, heat.temperature);
+    const auto T = fe::corner_temperature(element, mesh, e, heat.temperature);
     for (const fe::HeatPoint& p : heat.of(e)) {
-      sum += p.area * (p.T + fe::taken_temperature<shape::Trimc6>(X, law, T, p.r));
+      sum += p.area * (p.T + fe::taken_temperature(element, X, law, T, p.r));
     }
     EXPECT_NEAR(sum, exact, 2e-6 * exact);
     ++found;
@@ -162,4 +163,4 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_heat

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spricka::fe {
+namespace spricka::fe::test_load {
 namespace {
 
 using base::ElementType;
@@ -173,4 +173,4 @@ TEST(prescribed_displacement, sets_the_components_given_and_no_force) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_load

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <random>
 
-namespace spricka::fe {
+namespace spricka::fe::test_load_rule {
 namespace {
 
 using base::ElementType;
@@ -259,7 +259,7 @@ TEST_P(Sides, a_smooth_load_keeps_the_usual_points) {
   card.type = model::LoadType::traction;
   card.value = {(1.0 + 0.2 * X + 0.1 * X * Y).e};
   const Eigen::Matrix<double, 3, 3> side{{0.0, 1.0, 0.5}, {0.0, 0.3, 0.15}, {0.0, 0.0, 0.0}};
-  const auto rule = load_rule<shape::Quamc8::Side>(side, card, {1.0, 1.0});
+  const auto rule = load_rule<1>(shape::reference_line(3), side, card, {1.0, 1.0});
   EXPECT_EQ(rule.points.size(), shape::quadrature<shape::Quamc8::Side>(load_degree).size());
 }
 
@@ -269,8 +269,8 @@ TEST(LoadRule, NoiseIsNotResolved) {
   card.type = model::LoadType::traction;
   card.value = {sin(1e9 * X).e};
   const Eigen::Matrix<double, 3, 3> side{{0.0, 1.0, 0.5}, {0.0, 0.3, 0.15}, {0.0, 0.0, 0.0}};
-  EXPECT_GT(load_rule<shape::Quamc8::Side>(side, card, {1.0, 1.0}).missed, 0.0);
+  EXPECT_GT(load_rule<1>(shape::reference_line(3), side, card, {1.0, 1.0}).missed, 0.0);
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_load_rule

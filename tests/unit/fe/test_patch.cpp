@@ -9,7 +9,7 @@
 
 // Patch tests (K01): a linear displacement gives constant stress in any mesh. E = 1e6, nu = 0.25,
 // u = 1e-3 (x + y/2), v = 1e-3 (y + x/2), so that in plane stress sxx = syy = 4000/3, sxy = 400.
-namespace spricka::fe {
+namespace spricka::fe::test_patch {
 namespace {
 
 using base::ElementType;
@@ -146,4 +146,4 @@ TEST_P(Patch, tractions_on_the_rim) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_patch

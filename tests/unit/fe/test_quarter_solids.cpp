@@ -16,7 +16,7 @@
 
 // Solids with mid nodes at quarter points, the elements of crack fronts: K01 and K02 hold for them
 // too, round a single node and along a line of nodes.
-namespace spricka::fe {
+namespace spricka::fe::test_quarter_solids {
 namespace {
 
 using base::ElementType;
@@ -158,4 +158,4 @@ TEST_P(QuarterSolids, have_six_rigid_modes_and_no_other_zero) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_quarter_solids

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace spricka::fe {
+namespace spricka::fe::test_stress {
 namespace {
 
 using base::ElementType;
@@ -196,4 +196,4 @@ TEST(stress, takes_points_of_an_arc_between_the_nodes) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_stress

@@ -2,6 +2,7 @@
 #include "fe/face.hpp"
 #include "fe/ties.hpp"
 #include "model/model.hpp"
+#include "tests/unit/mesh/distorted.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 
 // TRANSITION on every side of every element against fields that the ties must let through, RIGID on
 // clouds of nodes against rigid motions. Slave nodes belong to no element: ties do not ask.
-namespace spricka::fe {
+namespace spricka::fe::test_ties {
 namespace {
 
 using base::NodeId;
@@ -59,22 +60,26 @@ Motion rigid(const Vec3& t, const Vec3& theta) {
 }
 
 /// One master element with all its sides as masters; slave nodes are added on them.
-template <class S> class Master {
+class Master {
 public:
-  static constexpr int dim = S::dim;
   model::Model model;
   std::vector<TieTrouble> troubles;
 
   // Straight sides (planes, for quadrilaterals too), or mid nodes and corners off their places.
-  explicit Master(bool curved) {
+  Master(base::ElementType type, bool curved) {
+    const int dim = base::info(type).dim;
     mesh().dim = dim;
     std::vector<NodeId> nodes;
     Eigen::Matrix3d A;
     A << 1.7, 0.3, 0.2, -0.2, 1.1, 0.1, 0.1, -0.3, 1.4;
-    for (int i = 0; i < S::nodes; ++i) {
+    for (int i = 0; i < base::info(type).nodes; ++i) {
       Vec3 r = Vec3::Zero();
-      r.template head<dim>() = shape::node<S>(i);
-      Vec3 x = A.topLeftCorner(3, dim) * r.template head<dim>() + Vec3(0.5, -2.0, 1.0);
+      if (dim == 2) {
+        r.head<2>() = shape::reference_element<2>(type).node(i);
+      } else {
+        r = shape::reference_element<3>(type).node(i);
+      }
+      Vec3 x = A.leftCols(dim) * r.head(dim) + Vec3(0.5, -2.0, 1.0);
       if (curved) {
         for (int c = 0; c < dim; ++c) {
           x[c] += 0.05 * std::sin(3.0 * i + 5.0 * c);
@@ -83,9 +88,9 @@ public:
       x[2] = dim == 3 ? x[2] : 0.0;
       nodes.push_back(model::add_node(mesh(), x, 100 + i, base::NetId(0)));
     }
-    model::add_element(mesh(), S::type, nodes, 1, base::NetId(0));
+    model::add_element(mesh(), type, nodes, 1, base::NetId(0));
     model::FaceSet sides;
-    for (int s = 0; s < base::info(S::type).sides; ++s) {
+    for (int s = 0; s < base::info(type).sides; ++s) {
       sides.faces.push_back({base::ElementId(0), s});
     }
     mesh().face_sets.push_back(sides);
@@ -101,29 +106,30 @@ public:
   }
   void add_slave(NodeId n) { mesh().node_sets[0].nodes.push_back(n); }
 
-  // Calls f(Side, face, X, r) for some points inside each side.
+  // Calls f(side, face, X, r) for some points inside each side.
   template <class F> void for_points(F&& f) {
     const std::vector<model::Face> sides = mesh().face_sets[0].faces;
-    for_faces(mesh(), sides, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      const SideNodes<Side> X = side_coordinates<Side>(mesh(), face);
-      for (const double a : {0.13, 0.4}) {
-        for (const double b : {0.21, 0.55}) {
-          shape::Point<Side::dim> r;
-          r[0] = Side::domain == shape::Domain::triangle ? a : 2.0 * a - 1.0;
-          if constexpr (Side::dim == 2) {
-            r[1] = Side::domain == shape::Domain::triangle ? b : 2.0 * b - 1.0;
+    for (const model::Face& face : sides) {
+      with_any_side(mesh(), face, [&]<int d>(const AnyElement<d>& side, const SpaceNodes<d>& X) {
+        for (const double a : {0.13, 0.4}) {
+          for (const double b : {0.21, 0.55}) {
+            shape::Point<d> r;
+            r[0] = side.domain == shape::Domain::triangle ? a : 2.0 * a - 1.0;
+            if constexpr (d == 2) {
+              r[1] = side.domain == shape::Domain::triangle ? b : 2.0 * b - 1.0;
+            }
+            f(side, face, X, r);
           }
-          f(Side{}, face, X, r);
         }
-      }
-    });
+      });
+    }
   }
   // Slaves off the sides by a share of the side's size along its normal.
   void add_slaves(double off) {
-    for_points([&]<shape::Shape Side>(Side, const model::Face&, const SideNodes<Side>& X,
-                                      const shape::Point<Side::dim>& r) {
+    for_points([&]<int d>(const AnyElement<d>& side, const model::Face&, const SpaceNodes<d>& X,
+                          const shape::Point<d>& r) {
       const double size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
-      add_slave(X * Side::N(r) + off * size * area_vector<Side>(X, r).normalized());
+      add_slave(X * side.N(r) + off * size * area_vector<d>(side, X, r).normalized());
     });
   }
   std::vector<Tie> ties() { return make_ties(model, mesh(), troubles); }
@@ -132,18 +138,19 @@ private:
   int next_ = 0;
 };
 
-template <class S> class EveryMaster : public testing::Test {};
-using Elements = testing::Types<shape::Trim3, shape::Trimc6, shape::Quam4, shape::Quamc8,
-                                shape::Quamc9, shape::Tet4, shape::Tet10, shape::Penta6,
-                                shape::Pentac15, shape::Hexe8, shape::Hexec20, shape::Hexec27>;
-TYPED_TEST_SUITE(EveryMaster, Elements);
+class EveryMaster : public testing::TestWithParam<base::ElementType> {
+protected:
+  [[nodiscard]] static int dim() { return base::info(GetParam()).dim; }
+};
+INSTANTIATE_TEST_SUITE_P(Elements, EveryMaster, testing::ValuesIn(test::all_types),
+                         [](const auto& type) { return std::string(base::info(type.param).name); });
 
-TYPED_TEST(EveryMaster, transition_passes_constant_strain_on_straight_sides) {
-  Master<TypeParam> master(false);
+TEST_P(EveryMaster, transition_passes_constant_strain_on_straight_sides) {
+  Master master(GetParam(), false);
   master.add_slaves(0.0);
   const std::vector<Tie> ties = master.ties();
   EXPECT_TRUE(master.troubles.empty());
-  EXPECT_EQ(ties.size(), TypeParam::dim * master.mesh().node_sets[0].nodes.size());
+  EXPECT_EQ(ties.size(), static_cast<std::size_t>(dim()) * master.mesh().node_sets[0].nodes.size());
   Random random;
   for (int trial = 0; trial < 5; ++trial) {
     Eigen::Matrix3d H;
@@ -156,25 +163,23 @@ TYPED_TEST(EveryMaster, transition_passes_constant_strain_on_straight_sides) {
 
 // Any displacement of the side's own nodes, quadratic where the side is, also on curved sides: the
 // slave moves as the point of the side that it lies on.
-TYPED_TEST(EveryMaster, transition_follows_the_sides_own_field) {
+TEST_P(EveryMaster, transition_follows_the_sides_own_field) {
   for (const bool curved : {false, true}) {
-    Master<TypeParam> master(curved);
-    constexpr int dim = TypeParam::dim;
+    Master master(GetParam(), curved);
+    const int dim = EveryMaster::dim();
     Random random;
     std::vector<Vec3> U;
-    U.reserve(TypeParam::nodes);
-    for (int i = 0; i < TypeParam::nodes; ++i) {
+    for (int i = 0; i < base::info(GetParam()).nodes; ++i) {
       U.push_back(random.vec(dim));
     }
-    master.for_points([&]<shape::Shape Side>(Side, const model::Face& face,
-                                             const SideNodes<Side>& X,
-                                             const shape::Point<Side::dim>& r) {
-      const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
+    master.for_points([&]<int d>(const AnyElement<d>& side, const model::Face& face,
+                                 const SpaceNodes<d>& X, const shape::Point<d>& r) {
+      const auto N = side.N(r);
       master.add_slave(X * N);
       Vec3 u = Vec3::Zero();
-      const auto nodes = nodes_of_face<Side>(master.mesh(), face);
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        u += N[static_cast<Eigen::Index>(i)] * U[nodes[i].index()];
+      Eigen::Index i = 0; // of the element's own nodes, which are the first
+      for (const int n : shape::side_nodes(GetParam(), face.side)) {
+        u += N[i++] * U[static_cast<std::size_t>(n)];
       }
       U.push_back(u);
     });
@@ -182,34 +187,33 @@ TYPED_TEST(EveryMaster, transition_follows_the_sides_own_field) {
     EXPECT_TRUE(master.troubles.empty());
     base::Vector u(dim * static_cast<Eigen::Index>(U.size()));
     for (std::size_t n = 0; n < U.size(); ++n) {
-      u.segment(dim * static_cast<Eigen::Index>(n), dim) = U[n].template head<dim>();
+      u.segment(dim * static_cast<Eigen::Index>(n), dim) = U[n].head(dim);
     }
     EXPECT_LT(residual(ties, u), 1e-12) << (curved ? "curved" : "straight");
     for (const Tie& tie : ties) { // it is the slave that follows
-      EXPECT_GE(tie.terms.front().freedom, dim * TypeParam::nodes);
+      EXPECT_GE(tie.terms.front().freedom, dim * base::info(GetParam()).nodes);
     }
   }
 }
 
-TYPED_TEST(EveryMaster, transition_leaves_rigid_motions_free_off_curved_sides) {
+TEST_P(EveryMaster, transition_leaves_rigid_motions_free_off_curved_sides) {
   for (const double off : {0.05, -0.03}) {
-    Master<TypeParam> master(true);
+    Master master(GetParam(), true);
     master.add_slaves(off);
     const std::vector<Tie> ties = master.ties();
     ASSERT_EQ(master.troubles.size(), 1U);
     EXPECT_EQ(master.troubles.front().severity, TieSeverity::note); // carried along, which is said
     Random random;
     for (int trial = 0; trial < 5; ++trial) {
-      const Vec3 theta =
-          TypeParam::dim == 3 ? random.vec(3) : Vec3(Vec3(0.0, 0.0, random.number()));
-      const base::Vector u = nodal(master.mesh(), rigid(random.vec(TypeParam::dim), theta));
+      const Vec3 theta = dim() == 3 ? random.vec(3) : Vec3(Vec3(0.0, 0.0, random.number()));
+      const base::Vector u = nodal(master.mesh(), rigid(random.vec(dim()), theta));
       EXPECT_LT(residual(ties, u), 1e-12);
     }
   }
 }
 
-TYPED_TEST(EveryMaster, transition_refuses_a_node_far_away_by_its_name) {
-  Master<TypeParam> master(false);
+TEST_P(EveryMaster, transition_refuses_a_node_far_away_by_its_name) {
+  Master master(GetParam(), false);
   master.add_slaves(0.0);
   const NodeId far = master.add_slave(master.mesh().x[0] - Vec3(9.0, 9.0, 0.0));
   master.ties();
@@ -220,15 +224,15 @@ TYPED_TEST(EveryMaster, transition_refuses_a_node_far_away_by_its_name) {
       << master.troubles.front().why;
 }
 
-TYPED_TEST(EveryMaster, transition_leaves_out_nodes_of_the_master) {
-  Master<TypeParam> master(true);
+TEST_P(EveryMaster, transition_leaves_out_nodes_of_the_master) {
+  Master master(GetParam(), true);
   const NodeId slave = master.add_slave(master.mesh().x[1]); // another node at the same place
   master.add_slave(NodeId(std::size_t{0}));
   master.add_slave(NodeId(std::size_t{1}));
   const std::vector<Tie> ties = master.ties();
   EXPECT_TRUE(master.troubles.empty());
-  ASSERT_EQ(ties.size(), static_cast<std::size_t>(TypeParam::dim));
-  constexpr int dim = TypeParam::dim;
+  const int dim = EveryMaster::dim();
+  ASSERT_EQ(ties.size(), static_cast<std::size_t>(dim));
   for (int c = 0; c < dim; ++c) { // u_slave = u_1 and nothing else
     const std::vector<Term>& terms = ties[static_cast<std::size_t>(c)].terms;
     EXPECT_EQ(terms[0].freedom, dim * slave.value + c);
@@ -369,4 +373,4 @@ TEST(Equation, NamesFreedomsOfNodes) {
 }
 
 } // namespace
-} // namespace spricka::fe
+} // namespace spricka::fe::test_ties

@@ -2,7 +2,7 @@
 #pragma once
 #include "model/mesh.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/solid.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/Geometry>
@@ -14,27 +14,28 @@
 
 namespace spricka::test {
 
+template <int dim> double area(const model::Mesh& mesh, base::ElementId e) {
+  const shape::ReferenceElement<dim>& element = shape::reference_element<dim>(mesh.type[e.index()]);
+  double sum = 0.0;
+  for (const auto& q : shape::quadrature<dim>(element.domain, 7)) {
+    Eigen::Matrix<double, dim, dim> J = Eigen::Matrix<double, dim, dim>::Zero();
+    const auto d = element.dN(q.r);
+    Eigen::Index i = 0;
+    for (const base::NodeId n : mesh.nodes_of(e)) {
+      J += d.row(i++).transpose() * mesh.x[n.index()].template head<dim>().transpose();
+    }
+    sum += q.weight * J.determinant();
+  }
+  return sum;
+}
+
 /// Area of plane elements or volume of solids, exact for curved ones (the determinant is a
 /// polynomial).
 inline double area(const model::Mesh& mesh) {
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
-    sum += shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
-      double part = 0.0;
-      for (const auto& q : shape::quadrature<S>(7)) {
-        Eigen::Matrix<double, S::dim, S::dim> J;
-        J.setZero();
-        const Eigen::Matrix<double, S::nodes, S::dim> d = S::dN(q.r);
-        for (int i = 0; i < S::nodes; ++i) {
-          J += d.row(i).transpose() * mesh.x[nodes[static_cast<std::size_t>(i)].index()]
-                                          .template head<S::dim>()
-                                          .transpose();
-        }
-        part += q.weight * J.determinant();
-      }
-      return part;
-    });
+    const base::ElementId id(e);
+    sum += base::info(mesh.type[e]).dim == 2 ? area<2>(mesh, id) : area<3>(mesh, id);
   }
   return sum;
 }

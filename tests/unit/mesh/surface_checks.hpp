@@ -3,6 +3,7 @@
 #include "mesh/surface/region_patches.hpp"
 #include "mesh/surface/surface_fold.hpp"
 #include "shape/quadrature.hpp"
+#include "shape/reference_element.hpp"
 #include "surface_cracks.hpp"
 
 #include <map>
@@ -21,14 +22,13 @@ struct Areas {
 };
 
 inline double area_of(const SurfaceFace& face) {
-  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
-    double area = 0.0;
-    for (const auto& [r, weight] : shape::quadrature<S>(9)) {
-      const SurfacePoint p = point_on(face, r);
-      area += weight * p.slope.col(0).cross(p.slope.col(1)).norm();
-    }
-    return area;
-  });
+  double area = 0.0;
+  for (const auto& [r, weight] :
+       shape::quadrature<2>(shape::reference_element<2>(face.shape).domain, 9)) {
+    const SurfacePoint p = point_on(face, r);
+    area += weight * p.slope.col(0).cross(p.slope.col(1)).norm();
+  }
+  return area;
 }
 
 inline Areas areas_of(const SurfaceGeometry& surface, const SurfaceCut& cut) {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace spricka::shape {
+namespace spricka::shape::test_quadrature {
 namespace {
 
 double line_moment(int degree, int p) {
@@ -203,4 +203,4 @@ TEST(quadrature, takes_the_rule_of_the_shape) {
 }
 
 } // namespace
-} // namespace spricka::shape
+} // namespace spricka::shape::test_quadrature

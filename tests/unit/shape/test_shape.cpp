@@ -2,6 +2,7 @@
 #include "shape/solid.hpp"
 
 #include "shape/quadrature.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace spricka::shape {
+namespace spricka::shape::test_shape {
 namespace {
 
 static_assert(Shape<Line2> && Shape<Line3>);
@@ -56,6 +57,28 @@ template <class S> std::vector<Point<S::dim>> sample() {
     }
   }
   return points;
+}
+
+// The shape as data is the shape.
+TYPED_TEST(EveryShape, has_a_reference_element) {
+  using S = TypeParam;
+  const ReferenceElement<S::dim>& element = reference<S>();
+  ASSERT_EQ(element.nodes, S::nodes);
+  EXPECT_EQ(element.quadratic, element.nodes > element.corners);
+  EXPECT_EQ(element.centre(), centre<S>());
+  for (int i = 0; i < S::nodes; ++i) {
+    EXPECT_EQ(element.node(i), node<S>(i));
+    if constexpr (S::dim > 1) { // its linear relative has the same corners
+      const auto L = element.linear().N(node<S>(i));
+      EXPECT_EQ(L.size(), element.corners);
+      EXPECT_TRUE(i >= element.corners || std::abs(L[i] - 1.0) < 1e-15);
+    }
+  }
+  for (const auto& r : sample<S>()) {
+    EXPECT_EQ(element.N(r), S::N(r));
+    EXPECT_EQ(element.dN(r), S::dN(r));
+    EXPECT_EQ(element.outside(r), outside<S>(r));
+  }
 }
 
 TYPED_TEST(EveryShape, sums_to_one) {
@@ -256,4 +279,4 @@ TYPED_TEST(EverySolid, sides_enclose_the_reference_volume) {
 }
 
 } // namespace
-} // namespace spricka::shape
+} // namespace spricka::shape::test_shape

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace spricka::shape {
+namespace spricka::shape::test_topology {
 namespace {
 
 using base::ElementType;
@@ -70,4 +70,4 @@ TEST_P(EveryType, sides_close_and_agree_on_mid_nodes) {
 }
 
 } // namespace
-} // namespace spricka::shape
+} // namespace spricka::shape::test_topology

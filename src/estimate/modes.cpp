@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/modes.hpp"
+
+namespace spricka::estimate {
+
+namespace {
+
+template <class M> PlaneModes describe() {
+  PlaneModes modes;
+  modes.sides = M::sides;
+  modes.count = M::count;
+  modes.degree = M::degree;
+  modes.psi = [](const shape::Point<2>& r) { return PlaneModes::Values(M::psi(r)); };
+  modes.dpsi = [](const shape::Point<2>& r) { return PlaneModes::Slopes(M::dpsi(r)); };
+  modes.along = M::along;
+  modes.d_along = M::d_along;
+  return modes;
+}
+
+} // namespace
+
+const PlaneModes& PlaneModes::of(base::ElementType type) {
+  static const PlaneModes trimc6 = describe<Modes<shape::Trimc6>>();
+  static const PlaneModes quamc8 = describe<Modes<shape::Quamc8>>();
+  static const PlaneModes quamc9 = describe<Modes<shape::Quamc9>>();
+  assert(has_modes(type));
+  return type == base::ElementType::trimc6   ? trimc6
+         : type == base::ElementType::quamc8 ? quamc8
+                                             : quamc9;
+}
+
+} // namespace spricka::estimate

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/reference_element.hpp"
+
+#include "shape/quadrature.hpp"
+#include "shape/solid.hpp"
+
+#include <type_traits>
+
+namespace spricka::shape {
+
+namespace {
+
+template <Shape S> ReferenceElement<S::dim> describe() {
+  using Element = ReferenceElement<S::dim>;
+  Element element;
+  element.domain = S::domain;
+  element.nodes = S::nodes;
+  element.N = [](const Point<S::dim>& r) { return typename Element::Values(S::N(r)); };
+  element.dN = [](const Point<S::dim>& r) { return typename Element::Derivatives(S::dN(r)); };
+  element.coordinates = S::coordinates;
+  return element;
+}
+
+// The linear element with the same corners.
+template <ElementShape S> const ReferenceElement<S::dim>& linear_relative() {
+  constexpr int corners = base::info(S::type).corners;
+  using Linear = std::conditional_t<
+      S::dim == 2, std::conditional_t<corners == 3, Trim3, Quam4>,
+      std::conditional_t<corners == 4, Tet4, std::conditional_t<corners == 6, Penta6, Hexe8>>>;
+  return reference_element<S::dim>(Linear::type);
+}
+
+template <ElementShape S> const ReferenceElement<S::dim>& element_of() {
+  static const ReferenceElement<S::dim> element = [] {
+    ReferenceElement<S::dim> described = describe<S>();
+    described.corners = base::info(S::type).corners;
+    described.degree = S::degree;
+    described.quadratic = base::info(S::type).quadratic;
+    described.relative = described.quadratic ? &linear_relative<S>() : nullptr;
+    return described;
+  }();
+  return element;
+}
+
+template <Shape S> const ReferenceElement<1>& line_of() {
+  static const ReferenceElement<1> line = [] {
+    ReferenceElement<1> described = describe<S>();
+    described.corners = 2;
+    described.quadratic = S::nodes == 3;
+    return described;
+  }();
+  return line;
+}
+
+} // namespace
+
+template <int dim> const ReferenceElement<dim>& reference_element(base::ElementType type) {
+  return with_shape(type, []<ElementShape S>(S) -> const ReferenceElement<dim>& {
+    if constexpr (S::dim == dim) {
+      return element_of<S>();
+    } else {
+      assert(false && "reference_element: a type of another dimension");
+      std::abort();
+    }
+  });
+}
+template const ReferenceElement<2>& reference_element<2>(base::ElementType);
+template const ReferenceElement<3>& reference_element<3>(base::ElementType);
+
+const ReferenceElement<1>& reference_line(int nodes) {
+  assert(nodes == 2 || nodes == 3);
+  return nodes == 2 ? line_of<Line2>() : line_of<Line3>();
+}
+
+} // namespace spricka::shape

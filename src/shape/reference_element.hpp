@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "shape/quadrature_point.hpp"
+#include "shape/shape.hpp"
+
+#include <span>
+
+namespace spricka::shape {
+
+/// Nodes of an element at most.
+template <int dim> inline constexpr int most_nodes = dim == 1 ? 3 : (dim == 2 ? 9 : 27);
+/// Its corners at most.
+template <int dim> inline constexpr int most_corners = 1 << dim;
+
+/// The shape of an element or a side as data, for kernels that are not hot: they are compiled once
+/// for a dimension instead of once for each shape. What a shape struct has as N and dN this has,
+/// too, in matrices of run-time size that keep their numbers in place.
+template <int d> struct ReferenceElement {
+  static constexpr int dim = d;
+  /// One number for each node. [nodes]
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_nodes<d>, 1>;
+  /// [nodes, dim]
+  using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, d, 0, most_nodes<d>, d>;
+
+  Domain domain{};
+  int nodes = 0;
+  int corners = 0;
+  int degree = 0; ///< of the rule of its stiffness; lines have none
+  bool quadratic = false;
+  Values (*N)(const Point<d>& r) = nullptr;
+  Derivatives (*dN)(const Point<d>& r) = nullptr;
+  std::span<const std::array<double, d>> coordinates; ///< of its nodes
+  const ReferenceElement* relative = nullptr;         ///< of a quadratic element, see linear()
+
+  /// Reference coordinates of node i.
+  [[nodiscard]] Point<d> node(int i) const {
+    return Eigen::Map<const Point<d>>(coordinates[static_cast<std::size_t>(i)].data());
+  }
+  /// The linear element with the same corners.
+  [[nodiscard]] const ReferenceElement& linear() const {
+    return relative == nullptr ? *this : *relative;
+  }
+  /// The middle of the reference domain.
+  [[nodiscard]] Point<d> centre() const { return shape::centre<d>(domain); }
+  /// How far a point lies outside it (shape.hpp).
+  [[nodiscard]] double outside(const Point<d>& r) const { return shape::outside<d>(domain, r); }
+};
+
+/// A shape known when compiled, or one known when run.
+template <class S>
+concept Element = known_when_run<S> || ElementShape<S>;
+
+/// Nodes and corners of a shape as the sizes of matrices: constants, or not known when compiled but
+/// bounded.
+template <class S> struct Counts {
+  static constexpr int nodes = S::nodes;
+  static constexpr int most_nodes = S::nodes;
+};
+template <int dim> struct Counts<ReferenceElement<dim>> {
+  static constexpr int nodes = Eigen::Dynamic;
+  static constexpr int most_nodes = shape::most_nodes<dim>;
+};
+
+/// The elements of dimension 2 and 3; compiled for both.
+template <int dim> const ReferenceElement<dim>& reference_element(base::ElementType type);
+
+/// A side of two nodes, or of three.
+const ReferenceElement<1>& reference_line(int nodes);
+
+/// A shape struct as data.
+template <Shape S> const ReferenceElement<S::dim>& reference() {
+  if constexpr (S::dim == 1) {
+    return reference_line(S::nodes);
+  } else {
+    return reference_element<S::dim>(S::type);
+  }
+}
+
+} // namespace spricka::shape
