@@ -32,8 +32,7 @@ endfunction()
 # The headers nearly every source reads, parsed once by the target OWNER and read ready-made by the
 # others, which must be compiled with its flags (a room with more of them sets
 # DISABLE_PRECOMPILE_HEADERS). A source still includes what it uses: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON
-# builds without, and tools that only read the sources do not see these. ccache keeps the objects if
-# CCACHE_SLOPPINESS is pch_defines,time_macros,include_file_mtime,include_file_ctime.
+# builds without, and tools that only read the sources do not see these.
 function(spricka_precompiled target owner)
   if(NOT target STREQUAL owner)
     target_precompile_headers(${target} REUSE_FROM ${owner})

@@ -98,6 +98,13 @@ quietly() {
   fi
 }
 
+# timed WHAT COMMAND ..: runs a command and says how long it took.
+timed() {
+  local TIMEFORMAT="$1 took %0R s, and of all processors %0U s + %0S s for the system"
+  shift
+  time "$@"
+}
+
 # build PRESET TARGET [CMAKE OPTION..]: configures once, builds what is out of date. The options
 # count at the first configuration only.
 build() {
