@@ -53,7 +53,7 @@ def lug(program, full):
     plain = Run(program, without_checks(text_of("lug_friction")), ["mu=0"])
     limit = plain.stress_intensity()[("LOAD", "TOP")]
     rows.append(Row("S04", "lug, mu = 0: frictionless K1", plain, number=limit, reference=630.62, allowed=0.001))
-    for mu in (0.001, 0.1, 0.3, 0.5, 0.8, 1.0, 1.2, 2.0) if full else (0.001, 0.3):
+    for mu in (0.001, 0.1, 0.3, 0.5, 0.8, 1.0, 1.2, 2.0) if full else (0.3,):
         run = Run(program, without_checks(text_of("lug_friction")), [f"mu={mu}"])
         if run.code != 0:
             rows.append(Row("S04", f"lug, mu = {mu}", run, ok=run.code == 5))

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cracks in solids: what must not matter to K along a front (threads, which side has the pressures, units, place),
-and K from the interaction integrals against G from the solution alone, at every point."""
+and K from the interaction integrals against G from the solution alone, at every point.
+SPRICKA_FULL: more units and places, solids of hexahedra through nodes."""
 
 import csv
 import math
+import os
 
 from program import TOP, ProgramTest, main
 
@@ -18,6 +20,9 @@ def corner(scale=1.0, shift=0.0, ratio=2.0, kind="TET10", across=3, layers=5, he
     text += f"$CRACK NAME=C NET=B A={at(1)} C={at(1 / ratio)} X0={at(shift)} Y0={at(shift)} Z0={at(shift + height)} NORMAL=Z\n"
     text += f"$LOAD CASE=L TYPE=TRACTION\n  B.ZMAX 0.3 0.2 1\n$STEP NAME=S\n  LOAD L 1\n$END\n"
     return text
+
+
+FULL = bool(os.environ.get("SPRICKA_FULL"))
 
 
 class Fronts(ProgramTest):
@@ -50,7 +55,8 @@ class Fronts(ProgramTest):
         one = self.points(self.run_deck(corner()))
         # A patch is meshed in the crack's own frame, by rounded coordinates of which zeros have no sign.
         allowed = 1e-6
-        for change in ({"scale": 1024.0}, {"scale": 1e-3}, {"scale": 3.7}, {"shift": 16.0}, {"shift": 7.3}):
+        changes = ({"scale": 3.7}, {"shift": 7.3}, {"scale": 1024.0}, {"scale": 1e-3}, {"shift": 16.0})
+        for change in changes if FULL else changes[:2]:
             other = self.points(self.run_deck(corner(**change)))
             root = math.sqrt(change.get("scale", 1.0))
             self.assertEqual(len(one), len(other))
@@ -60,7 +66,7 @@ class Fronts(ProgramTest):
 
     # Plane, centre and ends of the front in nodes of the host: no other K than a little beside them.
     def test_cracks_through_nodes(self):
-        for kind in ("TET10", "HEXEC20"):
+        for kind in ("TET10", "HEXEC20") if FULL else ("TET10",):
             at_nodes = [self.points(self.run_deck(corner(ratio=1.0, kind=kind, across=4, layers=8, height=h))) for h in (4.0, 4.01)]
             self.assertEqual(*(len(rows) for rows in at_nodes))
             for a, b in zip(*at_nodes):
