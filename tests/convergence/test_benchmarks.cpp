@@ -10,7 +10,7 @@
 
 // Problems whose answers are known to many digits: references recomputed to convergence (Cook, LE1)
 // or closed forms (thick cylinder).
-namespace spricka::test {
+namespace spricka::test::test_benchmarks {
 namespace {
 
 using base::ElementType;
@@ -119,4 +119,4 @@ TEST_P(Quadratics, K06_thick_cylinder) {
 }
 
 } // namespace
-} // namespace spricka::test
+} // namespace spricka::test::test_benchmarks

@@ -9,7 +9,7 @@
 
 // The estimated error in energy against the true one on manufactured problems: their ratio, the
 // effectivity, tends to 1.
-namespace spricka::test {
+namespace spricka::test::test_error_estimate {
 namespace {
 
 using base::ElementType;
@@ -78,4 +78,4 @@ TEST_P(SolidEstimate, tends_to_the_error) {
 }
 
 } // namespace
-} // namespace spricka::test
+} // namespace spricka::test::test_error_estimate

@@ -11,7 +11,7 @@
 #include <numbers>
 
 // K08: a round hole (R = 1) in a plate under tension 1 along x, a quarter of it.
-namespace spricka::test {
+namespace spricka::test::test_kirsch {
 namespace {
 
 using base::ElementType;
@@ -124,4 +124,4 @@ TEST_P(Kirsch2, strip) {
 }
 
 } // namespace
-} // namespace spricka::test
+} // namespace spricka::test::test_kirsch

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 // Rates on a smooth manufactured solution in the plane.
-namespace spricka::test {
+namespace spricka::test::test_rates {
 namespace {
 
 using base::ElementType;
@@ -59,4 +59,4 @@ TEST_P(Rates, are_those_of_the_theory) {
 }
 
 } // namespace
-} // namespace spricka::test
+} // namespace spricka::test::test_rates

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 // Rates on a smooth manufactured solution about an axis, on the axis too.
-namespace spricka::test {
+namespace spricka::test::test_rates_ring {
 namespace {
 
 using base::ElementType;
@@ -36,4 +36,4 @@ TEST_P(RingRates, are_those_of_the_theory) {
 }
 
 } // namespace
-} // namespace spricka::test
+} // namespace spricka::test::test_rates_ring

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 // Rates in space on a sector of a thick spherical shell with bent lines inside.
-namespace spricka::test {
+namespace spricka::test::test_rates_solid {
 namespace {
 
 using base::ElementType;
@@ -67,4 +67,4 @@ TEST_P(NearlyIncompressible, does_not_lock) {
 }
 
 } // namespace
-} // namespace spricka::test
+} // namespace spricka::test::test_rates_solid

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
+#include "tests/places.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,14 +13,18 @@
 #include <gtest/gtest.h>
 
 /// One deck for each kind of mistake and, beside it, the messages its author should see.
-namespace spricka::deck {
+namespace spricka::deck::test_diagnostics {
 namespace {
 
 namespace fs = std::filesystem;
 
+fs::path folder() {
+  return test::source_folder() + "/tests/diagnostics";
+}
+
 std::vector<std::string> corpus() {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(CORPUS)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
     if (entry.path().extension() == ".deck") {
       names.push_back(entry.path().stem().string());
     }
@@ -36,7 +41,7 @@ std::string read_text(const fs::path& path) {
 class Corpus : public testing::TestWithParam<std::string> {};
 
 TEST_P(Corpus, MessagesAreAsExpected) {
-  fs::current_path(CORPUS); // so that messages name the file alone
+  fs::current_path(folder()); // so that messages name the file alone
   base::Sources sources;
   base::Diagnostics diagnostics;
   const auto model = read_deck(GetParam() + ".deck", {}, sources, diagnostics);
@@ -54,9 +59,9 @@ INSTANTIATE_TEST_SUITE_P(Diagnostics, Corpus, testing::ValuesIn(corpus()),
 TEST(Corpus, IsComplete) {
   EXPECT_GE(corpus().size(), 120U);
   for (const std::string& name : corpus()) {
-    EXPECT_TRUE(fs::exists(fs::path(CORPUS) / (name + ".expect"))) << name;
+    EXPECT_TRUE(fs::exists(folder() / (name + ".expect"))) << name;
   }
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_diagnostics

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus.hpp"
+#include "tests/places.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -47,7 +48,7 @@ std::vector<Deck> load() {
   std::vector<Deck> decks;
   const Reader reader;
   for (const char* folder : {"decks", "tests/diagnostics", "tests/fuzz"}) {
-    for (const fs::path& path : files(fs::path(TOP) / folder)) {
+    for (const fs::path& path : files(fs::path(test::source_folder()) / folder)) {
       if (path.extension() == ".deck") {
         Deck deck;
         deck.name = path.stem().string();
@@ -67,7 +68,7 @@ Reader::Reader()
     : folder_(fs::temp_directory_path() / ("spricka-fuzz-" + std::to_string(getpid()))) {
   fs::create_directories(folder_);
   for (const char* from : {"decks", "tests/diagnostics", "tests/fuzz"}) {
-    for (const fs::path& path : files(fs::path(TOP) / from)) {
+    for (const fs::path& path : files(fs::path(test::source_folder()) / from)) {
       const bool mesh =
           path.extension() == ".geo" || path.extension() == ".msh" || path.extension() == ".inp";
       if (path.extension() == ".inc" || (mesh && std::string_view(from) == "tests/fuzz")) {

@@ -12,7 +12,7 @@
 
 /// Every card and key of the catalogue stands in a deck that is accepted; what has no analysis is
 /// named with its place, and all of it is in the model.
-namespace spricka::fuzz {
+namespace spricka::fuzz::test_cards {
 namespace {
 
 const Deck& deck_of(const std::string& name) {
@@ -134,4 +134,4 @@ TEST(Cards, WhatHasNoAnalysisIsNamedWithItsLine) {
 }
 
 } // namespace
-} // namespace spricka::fuzz
+} // namespace spricka::fuzz::test_cards

@@ -2,6 +2,7 @@
 #include "corpus.hpp"
 #include "grammar/format.hpp"
 #include "mutator.hpp"
+#include "tests/places.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -9,7 +10,7 @@
 #include <gtest/gtest.h>
 
 /// Whatever the text, reading it ends soon, in a model or in messages that can be shown.
-namespace spricka::fuzz {
+namespace spricka::fuzz::test_mutations {
 namespace {
 
 constexpr std::size_t k_shards = 4;
@@ -21,7 +22,7 @@ std::uint64_t seed() {
 }
 
 std::size_t readings() {
-  return (std::getenv("SPRICKA_FULL") == nullptr ? 1'500 : 100'000) / k_shards;
+  return (!test::full_size() ? 1'500 : 100'000) / k_shards;
 }
 
 // Well-formed UTF-8 without control characters but for tabs and ends of lines.
@@ -107,4 +108,4 @@ TEST_P(Mutations, AreReadOrRefused) {
 INSTANTIATE_TEST_SUITE_P(Fuzz, Mutations, testing::Range<std::size_t>(0, k_shards));
 
 } // namespace
-} // namespace spricka::fuzz
+} // namespace spricka::fuzz::test_mutations

@@ -8,7 +8,7 @@
 
 /// No unknown word is ever passed over: each word of the language in each sound deck, misspelt, is
 /// refused where it stands.
-namespace spricka::fuzz {
+namespace spricka::fuzz::test_words {
 namespace {
 
 std::vector<std::string> sound_decks() {
@@ -66,4 +66,4 @@ TEST(Words, AreFound) {
 }
 
 } // namespace
-} // namespace spricka::fuzz
+} // namespace spricka::fuzz::test_words

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/pinned_ring.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 
@@ -7,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_adjoint {
 namespace {
 
 using test::SolvedScene;
@@ -199,7 +200,7 @@ $CRACK NAME=LOW NET=LUG A0=(0.3*R) ANGLE=-90[deg] STATE=STRESS
   0 (-R)
 $END
 )",
-                                 DECKS_DIR));
+                                 test::decks_folder()));
   for (const std::size_t step : {0U, 1U, 2U}) {
     const std::optional<analysis::StepState> state = solved.solve(step);
     ASSERT_TRUE(state);
@@ -218,4 +219,4 @@ TEST(Adjoint, OfSlidingContactsIsNotGiven) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_adjoint

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_axial_bars {
 namespace {
 
 using test::solve_text;
@@ -180,4 +180,4 @@ TEST(AxialBars, HoldTheTruthOfAPressedShaft) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_axial_bars

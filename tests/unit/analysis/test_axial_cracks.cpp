@@ -13,7 +13,7 @@
 
 // Cracks in bodies about an axis: cones and rings in a bar, against energies, motions, differences.
 // What the decks check (D05, D06, D09, pennies) is not repeated here.
-namespace spricka {
+namespace spricka::test_axial_cracks {
 namespace {
 
 using results::TipResult;
@@ -332,4 +332,4 @@ TEST(AxialCracks, ClosedFacesCarryPressure) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_axial_cracks

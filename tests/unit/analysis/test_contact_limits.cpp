@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_contact_limits {
 namespace {
 
 std::string notes_of(const test::Solved& s, std::size_t step = 0) {
@@ -219,4 +219,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_contact_limits

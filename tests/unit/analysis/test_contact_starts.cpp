@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed rows of contacts between solids are the same wherever the search for them begins.
 #include "solve/contact_qp.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 
 #include <algorithm>
@@ -13,16 +14,17 @@
 #include <utility>
 #include <vector>
 
-namespace spricka {
+namespace spricka::test_contact_starts {
 namespace {
 
 // A deck of decks/ with changes of its text, what it imports found where it is.
 std::string deck_with(const std::string& name,
                       std::vector<std::pair<std::string, std::string>> changes) {
-  std::ifstream file(std::string(DECKS_DIR) + "/" + name);
+  std::ifstream file(test::decks_folder() + "/" + name);
   std::string text(std::istreambuf_iterator<char>(file), {});
   if (text.find("$IMPORT FILE='") != std::string::npos) {
-    changes.emplace_back("$IMPORT FILE='", std::string("$IMPORT FILE='") + DECKS_DIR + "/");
+    changes.emplace_back("$IMPORT FILE='",
+                         std::string("$IMPORT FILE='") + test::decks_folder() + "/");
   }
   for (const auto& [from, to] : changes) {
     const std::size_t at = text.find(from);
@@ -101,4 +103,4 @@ TEST(ContactStarts, RankDeficientPair) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_contact_starts

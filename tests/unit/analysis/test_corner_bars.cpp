@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_corner_bars {
 namespace {
 
 using test::solve_text;
@@ -134,4 +134,4 @@ TEST(CornerBars, ASmallNegativeK1BesideK2HasOne) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_corner_bars

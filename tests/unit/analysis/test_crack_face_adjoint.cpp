@@ -2,7 +2,7 @@
 #include "tests/unit/support/crack_face_plate.hpp"
 
 // Derivatives and error bars of K where the faces of a crack bear on each other.
-namespace spricka {
+namespace spricka::test_crack_face_adjoint {
 namespace {
 
 using results::Cause;
@@ -126,4 +126,4 @@ TEST(CrackFaceAdjoint, BarsOfACrackThatIsClosedInPart) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_crack_face_adjoint

@@ -2,7 +2,7 @@
 #include "tests/unit/support/crack_face_plate.hpp"
 
 // Crack faces that touch, together with whatever else a deck may hold.
-namespace spricka {
+namespace spricka::test_crack_face_company {
 namespace {
 
 using test::bent;
@@ -217,4 +217,4 @@ TEST(CrackFaceContact, GrowsWithMountedParts) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_crack_face_company

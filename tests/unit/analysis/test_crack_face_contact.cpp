@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/unit/support/crack_face_plate.hpp"
 
-namespace spricka {
+namespace spricka::test_crack_face_contact {
 namespace {
 
 using test::bent;
@@ -286,4 +286,4 @@ TEST(CrackFaceContact, ThreadsChangeNoBit) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_crack_face_contact

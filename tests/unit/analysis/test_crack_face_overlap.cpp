@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_crack_face_overlap {
 namespace {
 
 // A crack |x| < 1 in a large plate whose stress across it is x + r.
@@ -70,4 +70,4 @@ TEST(CrackFaceOverlap, IsResolvedByTwoNeighboursOrAtTheEnds) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_crack_face_overlap

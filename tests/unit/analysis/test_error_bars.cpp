@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_error_bars {
 namespace {
 
 using test::solve_text;
@@ -186,4 +186,4 @@ TEST(ErrorBars, AreQuantitiesOfChecks) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_error_bars

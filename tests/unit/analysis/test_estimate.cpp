@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/places.hpp"
 #include "tests/unit/support/deck_parts.hpp"
 #include "tests/unit/support/run_text.hpp"
 #include "tests/unit/support/solved_text.hpp"
@@ -8,7 +9,7 @@
 // The estimated error of plain stress analyses: beams whose stiffness is known, and what is said.
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_estimate {
 namespace {
 
 using test::Folder;
@@ -43,7 +44,7 @@ std::string block(const std::string& type_and_counts) {
 std::string trapezia(bool serendipity) {
   return fmt::format("$PARAMETER\n  form = 2\n  n = 6\n  serendipity = {}\n"
                      "$IMPORT FILE='{}/cantilever.geo' FORMAT=GEO\n",
-                     serendipity ? 1 : 0, DECKS_DIR);
+                     serendipity ? 1 : 0, test::decks_folder());
 }
 
 bool warned(const Outcome& outcome) {
@@ -140,4 +141,4 @@ TEST(Estimate, RoundOffIsNoError) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_estimate

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_found_crack {
 namespace {
 
 constexpr int across = 16; // elements across the strip, of edge 1/16
@@ -128,4 +128,4 @@ TEST(FoundCrack, IsNotWhereNodesAreNotDoubled) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_found_crack

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_free_fronts {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -103,4 +103,4 @@ TEST(FreeFronts, AreRefusedWhereDomainsHaveNoRoom) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_free_fronts

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <array>
@@ -7,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_friction {
 namespace {
 
 using results::ContactState;
@@ -333,7 +334,7 @@ $END
 }
 
 std::string block_deck() {
-  std::ifstream in(std::filesystem::path(DECKS_DIR) / "friction_block.deck");
+  std::ifstream in(std::filesystem::path(test::decks_folder()) / "friction_block.deck");
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -372,4 +373,4 @@ TEST(Friction, MuchFrictionIsNoReasonToWarn) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_friction

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_friction_work {
 namespace {
 
 // A stiff bar of 10 by 1, 2 thick, on a rigid floor under p = 1, drawn along by 0.1: mu p A d =
@@ -116,4 +116,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_friction_work

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error bars of K along fronts against closed forms: do they hold, and are they tight?
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <array>
@@ -10,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_bars {
 namespace {
 
 constexpr double nu = 0.3;
@@ -135,10 +136,16 @@ TEST(FrontBars, PennyUnderTensionAndShear) {
 }
 
 TEST(FrontBars, PennyWithASmallTube) {
+  if (!test::full_size()) {
+    GTEST_SKIP() << "at full size; bars of a penny: PennyUnderTensionAndShear";
+  }
   judge(buried(1.0, 1.0, 20.0, "$TIPNET CRACK=C1 RADIUS=0.12"), penny);
 }
 
 TEST(FrontBars, PennyWithFewSectors) {
+  if (!test::full_size()) {
+    GTEST_SKIP() << "at full size; bars of a penny: PennyUnderTensionAndShear";
+  }
   judge(buried(1.0, 1.0, 20.0, "$TIPNET CRACK=C1 SECTORS=6"), penny);
 }
 
@@ -167,4 +174,4 @@ TEST(FrontBars, PennyInABlockThatCoolsBetweenWalls) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_bars

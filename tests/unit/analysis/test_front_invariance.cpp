@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A crack in a solid has the same K along its front wherever the body is, however it is turned,
 // measured and numbered.
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_invariance {
 namespace {
 
 using base::Vec3;
@@ -180,7 +181,7 @@ TEST(FrontInvariance, PlaceTurnUnitNumbersAndThreads) {
       Eigen::AngleAxisd(1.1, Vec3(-2, 1, 1).normalized()).toRotationMatrix();
   std::vector<Put> puts{
       {.turn = odd, .shift = Vec3(1e-3, 2e-3, 3e-3), .unit = 1e-3, .backwards = true}};
-  if (std::getenv("SPRICKA_FULL") != nullptr) { // one by one
+  if (test::full_size()) { // one by one
     puts.insert(puts.end(), {{.shift = Vec3(7.3, -11.1, 23.7)},
                              {.turn = cyclic},
                              {.turn = odd, .shift = Vec3(1, 2, 3)},
@@ -235,4 +236,4 @@ TEST(FrontInvariance, MirrorImagesAgreeWithinTheirBars) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_invariance

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace spricka {
+namespace spricka::test_front_pitfalls {
 namespace {
 
 // The punch is coarser than the cracked body, which carries the multipliers.
@@ -56,4 +56,4 @@ TEST(FrontPitfalls, EachLipHasItsOwnPressure) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_pitfalls

@@ -3,6 +3,7 @@
 #include "analysis/adjoint/front_advance.hpp"
 #include "analysis/scene/front_functionals.hpp"
 #include "fe/assemble.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/analysis/front_decks.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 #include "tests/unit/support/solved_text.hpp"
@@ -12,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_sensitivity {
 namespace {
 
 struct Values {
@@ -78,8 +79,10 @@ TEST(FrontSensitivity, AgreesWithDifferences) {
   constexpr double part = 1e-5;
   compare(front, find(front, results::Cause::load, "PULL"), part, {.pull = 1.0 + part},
           {.pull = 1.0 - part});
-  compare(front, find(front, results::Cause::load, "PRESS"), part, {.press = 1.0 + part},
-          {.press = 1.0 - part});
+  if (test::full_size()) {
+    compare(front, find(front, results::Cause::load, "PRESS"), part, {.press = 1.0 + part},
+            {.press = 1.0 - part});
+  }
   compare(front, find(front, results::Cause::modulus, "M"), part, {.E = 1000.0 * (1.0 + part)},
           {.E = 1000.0 * (1.0 - part)});
 }
@@ -221,4 +224,4 @@ TEST(FrontSensitivity, LoadsAndFitsAddUpToK) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_sensitivity

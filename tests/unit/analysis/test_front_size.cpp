@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_front_size {
 namespace {
 
 // A crack through a block of 1 x 1 x 2 from its side x = 0, drawn by points.
@@ -45,4 +45,4 @@ TEST(FrontSize, OfAStraightFrontIsTheDepth) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_front_size

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace spricka {
+namespace spricka::test_gliding_body {
 namespace {
 
 // Two bars end to end that are 0.02 too long for their place; the second is held along its axis
@@ -45,4 +45,4 @@ TEST(GlidingBody, RestsAlongTheJoint) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_gliding_body

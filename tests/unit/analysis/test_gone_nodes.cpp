@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_gone_nodes {
 namespace {
 
 // A strip pulled along x has u = s x / E and v = -nu s y / E, with a crack along x, which it does
@@ -138,4 +138,4 @@ TEST(GoneNodes, TheReactionOfOneReplacedNodeIsNotTold) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_gone_nodes

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_growing_fronts {
 namespace {
 
 // A bar with a penny across it, whose right end, much stiffer, glides between a floor and a plane
@@ -187,4 +187,4 @@ TEST(GrowingFronts, HaveTheLengthOfTheirFirstPoint) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_growing_fronts

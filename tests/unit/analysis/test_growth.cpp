@@ -6,6 +6,7 @@
 #include "analysis/lengths/path_correction.hpp"
 #include "growth/trajectory.hpp"
 #include "results/growth.hpp"
+#include "tests/places.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_growth {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -220,13 +221,13 @@ TEST(Growth, PathDoesNotDependOnTheAdvance) {
 TEST(Growth, PathIntoAHole) {
   std::vector<std::vector<base::Vec3>> path;
   for (const std::string da : {"3", "1.5"}) {
-    std::string deck = test::slurp(std::string(DECKS_DIR) + "/hole_path.deck");
+    std::string deck = test::slurp(test::decks_folder() + "/hole_path.deck");
     const auto put = [&](const std::string& old, const std::string& now) {
       const std::size_t at = deck.find(old);
       ASSERT_NE(at, std::string::npos) << old;
       deck.replace(at, old.size(), now);
     };
-    put("plate_hole.geo", std::string(DECKS_DIR) + "/plate_hole.geo");
+    put("plate_hole.geo", test::decks_folder() + "/plate_hole.geo");
     put("da = 3", "da = " + da);
     const auto solved = test::solve_text(deck);
     ASSERT_TRUE(solved && solved->run.growth);
@@ -255,7 +256,7 @@ TEST(Growth, PathIntoAHole) {
 
 // Six tips on a line: the long crack meets a short one; left and right are alike.
 TEST(Growth, CracksOnALineLinkUp) {
-  const auto solved = test::solve_text(test::slurp(std::string(DECKS_DIR) + "/link_up.deck"));
+  const auto solved = test::solve_text(test::slurp(test::decks_folder() + "/link_up.deck"));
   ASSERT_TRUE(solved && solved->run.growth);
   const results::Growth& growth = *solved->run.growth;
   EXPECT_EQ(growth.ended, "LINK-UP");
@@ -272,7 +273,9 @@ TEST(Growth, CracksOnALineLinkUp) {
 // through press fit and full load (ratios: prototype with node pairs, reduced model of the lug).
 TEST(Growth, OneScaledKIsWrongOnTheLug) {
   const std::string deck = "$DECK VERSION=1 LENGTH=mm FORCE=N\n"
-                           "$INCLUDE FILE='" DECKS_DIR "/lug_model.inc'\n"
+                           "$INCLUDE FILE='" +
+                           test::decks_folder() +
+                           "/lug_model.inc'\n"
                            "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
                            "$CONTACT NAME=PIN  SLAVE=SHAFT.OUTER  MASTER=SLEEVE.INNER GAP=0\n"
                            "$STEP NAME=PRESS\n  FIT BUSH 1\n"
@@ -309,4 +312,4 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_growth

@@ -13,7 +13,7 @@
 
 /// Lives of decks against an integration of their own K(a) that shares no code with the program,
 /// and ends of a growth that no other test comes to.
-namespace spricka {
+namespace spricka::test_growth_laws {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -183,4 +183,4 @@ TEST(GrowthLaws, AdvanceThatCannotBeSolvedEndsTheGrowth) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_growth_laws

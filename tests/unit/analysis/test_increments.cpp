@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_increments {
 namespace {
 
 // A crowned block pressed on a flat one and pushed aside at the same time: contact widens while it
@@ -104,4 +104,4 @@ TEST(Increments, TheSameDeckTwiceGivesTheSameBits) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_increments

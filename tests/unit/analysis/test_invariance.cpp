@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spricka {
+namespace spricka::test_invariance {
 namespace {
 
 using test::column;
@@ -125,4 +125,4 @@ TEST(Invariance, SameBitsForOneAndTwoThreads) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_invariance

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_judged_size {
 namespace {
 
 std::string notes_of(const std::string& deck) {
@@ -82,4 +82,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_judged_size

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_leaning_fronts {
 namespace {
 
 // A plate 4 thick with an edge crack, whose front is an arc of radius 3: it leaves both faces 42
@@ -53,4 +53,4 @@ TEST(LeaningFronts, HaveOneKByBothWays) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_leaning_fronts

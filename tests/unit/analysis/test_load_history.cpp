@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_load_history {
 namespace {
 
 // The strip of decks/friction_life.deck behind a clamped block: it feels the load behind a play of
@@ -167,4 +167,4 @@ TEST(LoadHistory, TooManyTurningPointsAreRefused) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_load_history

@@ -3,6 +3,7 @@
 // every contact force, and where rows close and open, is what direct solutions say.
 #include "solve/contact_qp.hpp"
 #include "solve/parametric.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_load_maps_solid {
 namespace {
 
 class MapDice {
@@ -34,7 +35,7 @@ private:
 
 // decks/lug_solid.deck up to its loads, then two steps and a path for each pair.
 std::string lug_deck(int pairs, bool full, MapDice& dice) {
-  std::ifstream file(std::string(DECKS_DIR) + "/lug_solid.deck");
+  std::ifstream file(test::decks_folder() + "/lug_solid.deck");
   std::string deck(std::istreambuf_iterator<char>(file), {});
   deck.resize(deck.find("$LOAD "));
   const auto replace = [&](const std::string& from, const std::string& to) {
@@ -43,7 +44,7 @@ std::string lug_deck(int pairs, bool full, MapDice& dice) {
       deck.replace(at, from.size(), to);
     }
   };
-  replace("$IMPORT FILE='", std::string("$IMPORT FILE='") + DECKS_DIR + "/");
+  replace("$IMPORT FILE='", std::string("$IMPORT FILE='") + test::decks_folder() + "/");
   if (!full) {
     replace("fine = 0.7", "fine = 0.3");
     replace("nz   = 2", "nz   = 1");
@@ -116,7 +117,7 @@ MapError compare_with_direct(solve::ParametricProblem problem, MapDice& dice) {
 }
 
 TEST(LoadMaps, LugOfSolidsAgreesWithDirectSolutions) {
-  const bool full = std::getenv("SPRICKA_FULL") != nullptr;
+  const bool full = test::full_size();
   const int pairs = full ? 100 : 10;
   MapDice dice;
   test::SolvedScene scene(lug_deck(pairs, full, dice));
@@ -140,4 +141,4 @@ TEST(LoadMaps, LugOfSolidsAgreesWithDirectSolutions) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_load_maps_solid

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/piecewise_linear.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <cmath>
@@ -9,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_load_paths {
 namespace {
 
 using test::Folder;
@@ -50,7 +51,7 @@ $CONTACT NAME=PIN  SLAVE=SHAFT.OUTER  MASTER=SLEEVE.INNER GAP=0
 $STEP NAME=PRESS
   FIT BUSH 1
 )",
-                                 DECKS_DIR);
+                                 test::decks_folder());
   for (int k = 1; k <= 31; ++k) {
     deck += fmt::format("$STEP NAME=F{}\n  LOAD SHAFTLOAD ({}/20)\n", k, k);
   }
@@ -93,7 +94,7 @@ void compare_with_steps(const Solved& solved) {
 }
 
 TEST(LoadPaths, LugAgreesWithThirtyOneLoads) {
-  const bool full = std::getenv("SPRICKA_FULL") != nullptr;
+  const bool full = test::full_size();
   const std::vector<double> ratios =
       full ? std::vector<double>{0.05, 0.1, 0.2, 0.3, 0.5, 0.8} : std::vector<double>{0.8};
   for (const double ratio : ratios) {
@@ -317,4 +318,4 @@ TEST(PiecewiseLinear, FindsItsSegmentsHoweverTheyCrowd) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_load_paths

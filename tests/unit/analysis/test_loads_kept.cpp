@@ -9,7 +9,7 @@
 
 // Loads that do not fit the mesh: sets whose rim a crack's patch cuts, steps and peaks between
 // nodes. Totals are exact, K that of a mesh that fits.
-namespace spricka {
+namespace spricka::test_loads_kept {
 namespace {
 
 using test::Folder;
@@ -234,4 +234,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_loads_kept

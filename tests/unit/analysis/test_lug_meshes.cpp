@@ -9,7 +9,7 @@
 
 // The paper's lug with short cracks on coarse meshes that match nowhere: the bore refined by the
 // patches is round but for the chords of its quadratic edges, so is not about the sleeve's centre.
-namespace spricka {
+namespace spricka::test_lug_meshes {
 namespace {
 
 struct LugMesh {
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(Lug, ShortCracks,
                                            LugMesh{"QUAMC8", 7, 80, 1, 80, 8, 80}));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_lug_meshes

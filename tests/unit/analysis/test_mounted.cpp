@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_mounted {
 namespace {
 
 // A plate under tension, cracked from below; when the load is on, a strap is bonded to its upper
@@ -83,4 +83,4 @@ TEST(Mounted, FirstNeedsTheSameRowsAtAllLengths) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_mounted

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_mouths {
 namespace {
 
 struct K {
@@ -238,4 +238,4 @@ TEST(Mouths, BordersOfContactsThatAPatchMovesAreTold) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_mouths

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 /// Lives under loads that close the crack: the law is given the K_min that its authors mean.
-namespace spricka {
+namespace spricka::test_negative_ratio {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -173,4 +173,4 @@ TEST(NegativeRatio, LoadsThatAreFollowed) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_negative_ratio

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_net_hash {
 namespace {
 
 /// A bar of four bricks along x, of which the last two are the net.
@@ -86,4 +86,4 @@ TEST_F(HalfBar, APlaceOrAModulusMakesItAnother) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_net_hash

@@ -2,7 +2,7 @@
 #include "tests/unit/support/run_text.hpp"
 
 // What a user is told about cracks that cannot be: the code, the place, what to do.
-namespace spricka {
+namespace spricka::test_odd_cracks {
 namespace {
 
 struct Odd {
@@ -80,4 +80,4 @@ INSTANTIATE_TEST_SUITE_P(
             {"crack B meets crack A at (4, 5)", "branches"}}));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_odd_cracks

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_partner_surfaces {
 namespace {
 
 using test::solve_text;
@@ -133,4 +133,4 @@ TEST(PartnerSurfaces, EndsOfTiesAreInTheBar) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_partner_surfaces

@@ -8,7 +8,7 @@
 
 // Patches that meet their host edge to edge and by a transition, cracks that share a patch: fields
 // that the joins must let through, and K that must not depend on them.
-namespace spricka {
+namespace spricka::test_patch_joins {
 namespace {
 
 using test::solve_text;
@@ -110,4 +110,4 @@ TEST(PatchJoins, ThreadsChangeNothing) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_patch_joins

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_path_of_fronts {
 namespace {
 
 TEST(PathOfFronts, AgreesWithStepsBetween) {
@@ -48,4 +48,4 @@ TEST(PathOfFronts, AgreesWithStepsBetween) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_path_of_fronts

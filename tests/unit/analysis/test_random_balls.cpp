@@ -2,6 +2,7 @@
 // Balls on balls, on flats and in sockets, of random radii, materials and meshes, rolled so that
 // the contact lies elsewhere on the meshes: the pressure is that of Hertz (1882), less by less than
 // a quarter over the number of elements in its radius.
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <array>
@@ -14,7 +15,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_random_balls {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -86,7 +87,7 @@ $LOAD CASE=PRESS TYPE=DISP
   LOAD PRESS 1
 $END
 )",
-                      SOURCE_DIR, turned ? "CAP2" : "CAP1", turned ? "CAP1" : "CAP2",
+                      test::source_folder(), turned ? "CAP2" : "CAP1", turned ? "CAP1" : "CAP2",
                       far_field(1, "+"), far_field(2, "-"));
   balls.deck = std::move(deck);
 }
@@ -162,7 +163,7 @@ Found compare(const Balls& balls, const results::ContactResult& contact) {
 }
 
 TEST(RandomBalls, PressHertzPressure) {
-  const unsigned tries = std::getenv("SPRICKA_FULL") != nullptr ? 200U : 3U;
+  const unsigned tries = test::full_size() ? 200U : 3U;
   double worst = 0.0;
   double sum = 0.0;
   for (unsigned seed = 1; seed <= tries; ++seed) {
@@ -197,4 +198,4 @@ TEST(RandomBalls, PressHertzPressure) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_random_balls

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random small contacts between solids: every one is solved and obeys its conditions, or the body
 // that nothing holds is named.
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_random_solids {
 namespace {
 
 class Dice {
@@ -150,7 +151,7 @@ void expect_same(const Attempt& one, const Attempt& two) {
 
 // Seeds: so many, and those that were hard once.
 std::vector<unsigned> seeds() {
-  std::vector<unsigned> all(std::getenv("SPRICKA_FULL") != nullptr ? 5000U : 60U);
+  std::vector<unsigned> all(test::full_size() ? 5000U : 60U);
   std::iota(all.begin(), all.end(), 1U);
   for (const unsigned hard : {741U, 1149U, 2022U, 2634U, 3008U, 4606U}) {
     if (hard > all.size()) {
@@ -207,7 +208,7 @@ double difference_of(const results::StepResult& a, const results::StepResult& b,
 // an answer may be one of several: nodes at the corner of floor and wall are in two pairs, which on
 // coarse partners share their forces in many ways (manual, theory/solve.md). Then both are answers.
 TEST(RandomSolids, AreTheSameWholeAndCondensed) {
-  const unsigned tries = std::getenv("SPRICKA_FULL") != nullptr ? 1000U : 40U;
+  const unsigned tries = test::full_size() ? 1000U : 40U;
   unsigned compared = 0;
   unsigned several = 0;
   for (unsigned seed = 1; seed <= tries; ++seed) {
@@ -243,4 +244,4 @@ TEST(RandomSolids, AreTheSameWholeAndCondensed) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_random_solids

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 // Models held by rigid targets alone: what holds, what does not, and closed forms.
-namespace spricka {
+namespace spricka::test_rigid_target {
 namespace {
 
 using test::Folder;
@@ -293,4 +293,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_rigid_target

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_rough_loads {
 namespace {
 
 using test::solve_text;
@@ -114,4 +114,4 @@ TEST(RoughLoads, ClosedCracksBlameNoK) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_rough_loads

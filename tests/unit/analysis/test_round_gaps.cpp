@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_round_gaps {
 namespace {
 
 // A ring in a ring that it fits without a gap, pressed from outside with 1: by Lame 0.8 comes
@@ -85,4 +85,4 @@ TEST(RoundGaps, SayNothingOfDeclaredGapsFineMeshesAndSoftBodies) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_round_gaps

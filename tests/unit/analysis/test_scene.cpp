@@ -4,7 +4,7 @@
 
 // What only the mesh of a crack length shows: forces that nothing takes, ties that do not pass
 // constant stress.
-namespace spricka {
+namespace spricka::test_scene {
 namespace {
 
 using test::Folder;
@@ -142,4 +142,4 @@ TEST(Scene, TransitionsBetweenMeshesThatDoNotNestAreTold) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_scene

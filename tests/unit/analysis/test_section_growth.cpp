@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_section_growth {
 namespace {
 
 constexpr double width = 8.0, thickness = 2.0, flow = 125.0;
@@ -97,4 +97,4 @@ TEST(SectionGrowth, MayBeAtItsLimitFromTheStart) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_section_growth

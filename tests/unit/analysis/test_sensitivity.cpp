@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
 #include "model/model.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/pinned_ring.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 #include "tests/unit/support/solved_text.hpp"
@@ -11,7 +12,7 @@
 #include <fmt/format.h>
 
 // Derivatives of K against differences of whole solutions.
-namespace spricka {
+namespace spricka::test_sensitivity {
 namespace {
 
 using results::Cause;
@@ -124,7 +125,7 @@ $CRACK NAME=TOP NET=LUG A0=(0.3*R) ANGLE=90[deg] STATE=STRESS
   0 (R)
 $END
 )",
-                     DECKS_DIR, factor);
+                     test::decks_folder(), factor);
 }
 
 // An edge crack in a strip that is pulled, bent by displacements and heavy.
@@ -357,4 +358,4 @@ TEST(Sensitivity, OfANetFitBeforeItIsLoaded) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_sensitivity

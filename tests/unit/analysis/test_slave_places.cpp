@@ -6,7 +6,7 @@
 #include <array>
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_slave_places {
 namespace {
 
 struct Side {
@@ -92,4 +92,4 @@ TEST(SlavePlaces, OfTheFeetOneBehindTheOther) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_slave_places

@@ -5,7 +5,7 @@
 
 // Ties together with what else a deck may have: cracks that grow, bodies about an axis, heat,
 // contacts of tied surfaces, several steps.
-namespace spricka {
+namespace spricka::test_tied_analyses {
 namespace {
 
 using base::NodeId;
@@ -209,4 +209,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_tied_analyses

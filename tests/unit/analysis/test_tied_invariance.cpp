@@ -10,7 +10,7 @@
 
 // Results of a solid and of tied nets know neither units nor the origin, neither the numbers of
 // nodes and elements nor their order, nor how many threads there are.
-namespace spricka {
+namespace spricka::test_tied_invariance {
 namespace {
 
 using base::NodeId;
@@ -262,4 +262,4 @@ TEST(TiedInvariance, NumbersAndOrder) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_tied_invariance

@@ -6,7 +6,7 @@
 
 // Nets tied to each other, by decks: one mesh in pieces is the mesh in one piece; forces that pass
 // through ties obey statics.
-namespace spricka {
+namespace spricka::test_tied_nets {
 namespace {
 
 using base::NodeId;
@@ -325,4 +325,4 @@ TEST(TiedNets, SlaveOffTheMasterIsNamed) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_tied_nets

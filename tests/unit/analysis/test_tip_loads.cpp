@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_tip_loads {
 namespace {
 
 using test::Folder;
@@ -272,4 +272,4 @@ TEST(TipLoads, OpeningComesNearK) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_tip_loads

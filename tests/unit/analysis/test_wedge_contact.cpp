@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_wedge_contact {
 namespace {
 
 struct WedgeRing {
@@ -211,4 +211,4 @@ TEST(SlidesOfSolids, AreGoodForAnElementAndToldBeyond) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_wedge_contact

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 // Rows and pressures about an axis: the upper disc stands on the lower one, x is the radius.
-namespace spricka {
+namespace spricka::test_axial {
 namespace {
 
 using base::ElementType;
@@ -143,4 +143,4 @@ TEST(AxialRecovery, PressureAtTheAxisConverges) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_axial

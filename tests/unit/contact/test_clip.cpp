@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::contact {
+namespace spricka::contact::test_clip {
 namespace {
 
 using base::Vec2;
@@ -91,4 +91,4 @@ TEST(BoxTree, FindsWhatAllBoxesAskedOneByOneGive) {
 }
 
 } // namespace
-} // namespace spricka::contact
+} // namespace spricka::contact::test_clip

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::contact {
+namespace spricka::contact::test_hull {
 namespace {
 
 using base::ElementType;
@@ -93,4 +93,4 @@ TEST(Hull, KnowsHowFarItsTrianglesLeaveACurve) {
 }
 
 } // namespace
-} // namespace spricka::contact
+} // namespace spricka::contact::test_hull

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_pair_points {
 namespace {
 
 using base::ElementType;
@@ -207,4 +207,4 @@ TEST(MakeRows, SliversJoinTheirNeighbours) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_pair_points

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_pairing {
 namespace {
 
 using base::ElementType;
@@ -145,4 +145,4 @@ TEST(Pairing, FrictionHasTheSlipRowsOfABondedPair) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_pairing

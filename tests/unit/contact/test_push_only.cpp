@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_push_only {
 namespace {
 
 using base::Vector;
@@ -178,4 +178,4 @@ TEST(Outline, TellsInsideFromOutsideByTheNearestPlace) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_push_only

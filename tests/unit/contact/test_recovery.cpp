@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_recovery {
 namespace {
 
 TEST(Recovery, UniformPressureComesBackFromBothMasses) {
@@ -205,4 +205,4 @@ TEST(Recovery, WavesBetweenCornersAndMiddlesAreLeftOut) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_recovery

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 // Rigid targets: the upper block of two_blocks.hpp, lower side y = 1, against lines and arcs.
-namespace spricka {
+namespace spricka::test_rigid {
 namespace {
 
 using base::ElementType;
@@ -268,4 +268,4 @@ TEST(SharpEnd, IsAlsoTheMouthOfACrack) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_rigid

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::contact {
+namespace spricka::contact::test_round {
 namespace {
 
 using base::Vec3;
@@ -148,4 +148,4 @@ TEST(Place, AngleAndLengthOfACylinder) {
 }
 
 } // namespace
-} // namespace spricka::contact
+} // namespace spricka::contact::test_round

@@ -15,7 +15,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_space_limits {
 namespace {
 
 using base::ElementType;
@@ -291,4 +291,4 @@ TEST(CornerMultipliers, HaveOneRowForEachCorner) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_space_limits

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_space_rows {
 namespace {
 
 using base::ElementType;
@@ -223,4 +223,4 @@ TEST(SpacePressure, OfEqualMultipliersIsTheSameEverywhere) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_space_rows

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_stretch {
 namespace {
 
 using Places = std::vector<std::vector<std::size_t>>;
@@ -36,4 +36,4 @@ TEST(Stretch, LinksGoWhereNumbersDoNot) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_stretch

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_system {
 namespace {
 
 // A body of two freedoms x, y at node 0 that floats in x and is held in y by a spring of 4.
@@ -195,4 +195,4 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_system

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::deck {
+namespace spricka::deck::test_bind {
 namespace {
 
 struct Binder {
@@ -78,4 +78,4 @@ TEST(Bind, MistakesHaveTheirCodes) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_bind

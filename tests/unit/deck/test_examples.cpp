@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::deck {
+namespace spricka::deck::test_examples {
 namespace {
 
 // An example as the middle of a deck: the names it uses may be missing, but every card, key, value,
@@ -28,4 +28,4 @@ TEST(Examples, BindWithoutAMistake) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_examples

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace spricka::deck {
+namespace spricka::deck::test_meshes {
 namespace {
 
 const std::string k_head = "$DECK VERSION=1 LENGTH=mm FORCE=N\n";
@@ -139,4 +139,4 @@ TEST(Meshes, ASlightlyFoldedCornerOfASolidIsTold) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_meshes

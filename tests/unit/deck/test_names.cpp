@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::deck {
+namespace spricka::deck::test_names {
 namespace {
 
 Definition of(Kind kind, std::size_t index) {
@@ -65,4 +65,4 @@ TEST(Labels, NearAndFarNumbers) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_names

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::deck {
+namespace spricka::deck::test_read_deck {
 namespace {
 
 TEST(ReadDeck, ASmallDeckBecomesAModel) {
@@ -308,4 +308,4 @@ TEST(ReadDeck, ADeckThatCannotBeReadThrows) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_read_deck

@@ -8,7 +8,7 @@
 
 // What cards ask for together: contradictions are mistakes, analyses that are not there are noted
 // with their place, heat that nothing feels is told.
-namespace spricka::deck {
+namespace spricka::deck::test_scope {
 namespace {
 
 const std::string head = "$DECK VERSION=1 LENGTH=mm FORCE=N\n";
@@ -184,4 +184,4 @@ TEST(Scope, CracksInSpace) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_scope

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::deck {
+namespace spricka::deck::test_sets {
 namespace {
 
 // Two rows of four nodes; net B is the same, moved by 10 along x.
@@ -112,4 +112,4 @@ TEST(SetItems, FacesAndNodesStandForEachOther) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_sets

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::deck {
+namespace spricka::deck::test_solid_cracks {
 namespace {
 
 using base::Vec3;
@@ -94,4 +94,4 @@ TEST(SolidCrack, WordsOfTheOtherDimension) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_solid_cracks

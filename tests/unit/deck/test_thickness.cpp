@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 // A forgotten THICK is 1, and a plane answer shows nothing of it: it is asked for or said.
-namespace spricka::deck {
+namespace spricka::deck::test_thickness {
 namespace {
 
 std::string block(const std::string& name, double y) {
@@ -95,4 +95,4 @@ TEST(Displacements, OfOneCaseDoNotContradictEachOther) {
 }
 
 } // namespace
-} // namespace spricka::deck
+} // namespace spricka::deck::test_thickness

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::grammar {
+namespace spricka::grammar::test_catalogue {
 namespace {
 
 bool has_word(std::string_view words, std::string_view word) {
@@ -106,4 +106,4 @@ TEST(Catalogue, RangesSpeak) {
 }
 
 } // namespace
-} // namespace spricka::grammar
+} // namespace spricka::grammar::test_catalogue

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::grammar {
+namespace spricka::grammar::test_expression {
 namespace {
 
 /// One expression read on its own, with a few parameters.
@@ -148,4 +148,4 @@ TEST(Expression, MessagesAreFreeOfMangledNames) {
 }
 
 } // namespace
-} // namespace spricka::grammar
+} // namespace spricka::grammar::test_expression

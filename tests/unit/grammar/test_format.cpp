@@ -4,6 +4,7 @@
 #include "grammar/format.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
+#include "tests/places.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -13,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::grammar {
+namespace spricka::grammar::test_format {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,7 +112,8 @@ private:
 
 std::vector<fs::path> corpus() {
   std::vector<fs::path> files;
-  for (const char* folder : {DECKS_DIR, DIAGNOSTICS_DIR}) {
+  for (const std::string& folder :
+       {test::decks_folder(), test::source_folder() + "/tests/diagnostics"}) {
     for (const auto& entry : fs::directory_iterator(folder)) {
       const std::string extension = entry.path().extension().string();
       if (extension == ".deck" || extension == ".inc") {
@@ -218,4 +220,4 @@ TEST(Format, RefusesSyntaxErrors) {
 }
 
 } // namespace
-} // namespace spricka::grammar
+} // namespace spricka::grammar::test_format

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace spricka::grammar {
+namespace spricka::grammar::test_help {
 namespace {
 
 bool has(const std::string& text, std::string_view part) {
@@ -146,4 +146,4 @@ TEST(Editors, NameEveryCardAndKey) {
 }
 
 } // namespace
-} // namespace spricka::grammar
+} // namespace spricka::grammar::test_help

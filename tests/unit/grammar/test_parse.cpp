@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::grammar {
+namespace spricka::grammar::test_parse {
 namespace {
 
 struct Reader {
@@ -103,4 +103,4 @@ TEST(Parse, AssignmentsKeepTheNameAsWritten) {
 }
 
 } // namespace
-} // namespace spricka::grammar
+} // namespace spricka::grammar::test_parse

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka::grammar {
+namespace spricka::grammar::test_table {
 namespace {
 
 struct Reader {
@@ -137,4 +137,4 @@ TEST(Table, ABadLineCostsOnlyItself) {
 }
 
 } // namespace
-} // namespace spricka::grammar
+} // namespace spricka::grammar::test_table

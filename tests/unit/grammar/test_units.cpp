@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::base {
+namespace spricka::base::test_units {
 namespace {
 
 TEST(Units, FactorsBetweenDeckUnitsAreExactWhereTheyAreDecimal) {
@@ -64,4 +64,4 @@ TEST(Units, SystemsNameTheirStress) {
 }
 
 } // namespace
-} // namespace spricka::base
+} // namespace spricka::base::test_units

@@ -11,9 +11,9 @@
 #include <numbers>
 #include <string>
 
+namespace spricka::test_ellipse_joins {
 namespace {
 
-using namespace spricka;
 using namespace spricka::test;
 
 constexpr double last_length = 2.5; // of all ends
@@ -145,3 +145,4 @@ TEST(EllipsesThatMeet, EndWhereThereIsNoSuchEllipse) {
 }
 
 } // namespace
+} // namespace spricka::test_ellipse_joins

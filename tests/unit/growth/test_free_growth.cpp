@@ -2,6 +2,7 @@
 #include "exact_front.hpp"
 #include "growing_block.hpp"
 #include "growth/free_ways.hpp"
+#include "tests/places.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -9,9 +10,9 @@
 #include <numbers>
 #include <vector>
 
+namespace spricka::test_free_growth {
 namespace {
 
-using namespace spricka;
 using namespace spricka::test;
 
 /// An embedded ellipse of `ratio` by 1 that grows freely by da/dN = K^m until its longer axis is
@@ -107,7 +108,7 @@ TEST(FreeGrowth, OfHalfAnEllipseIsTheTrueOne) {
 
 // Longer, steeper, flatter.
 TEST(FreeGrowth, OfOtherEllipsesIsTheTrueOne) {
-  if (std::getenv("SPRICKA_FULL") == nullptr) { // NOLINT(concurrency-mt-unsafe)
+  if (!test::full_size()) {
     GTEST_SKIP() << "with SPRICKA_FULL=1";
   }
   grows_as({0.5, 3, 1.5, 0.4690921, 0.869814, 3e-3, 3e-3, 96});
@@ -117,3 +118,4 @@ TEST(FreeGrowth, OfOtherEllipsesIsTheTrueOne) {
 }
 
 } // namespace
+} // namespace spricka::test_free_growth

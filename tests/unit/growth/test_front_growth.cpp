@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
+namespace spricka::test_front_growth {
 namespace {
 
-using namespace spricka;
 using namespace spricka::test;
 
 constexpr double pi = std::numbers::pi;
@@ -378,3 +378,4 @@ TEST(FreeWays, GoesOnAlikeAsOne) {
 }
 
 } // namespace
+} // namespace spricka::test_front_growth

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace spricka {
+namespace spricka::test_fronts_at_holes {
 namespace {
 
 using base::Vec3;
@@ -117,4 +117,4 @@ TEST(FrontsAtHoles, CrackUnderAWebBecomesThree) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_fronts_at_holes

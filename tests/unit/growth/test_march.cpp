@@ -9,9 +9,9 @@
 #include <functional>
 #include <numbers>
 
+namespace spricka::test_march {
 namespace {
 
-using namespace spricka;
 using base::Vec3;
 using growth::TipStation;
 
@@ -401,3 +401,4 @@ TEST(March, RefusesArraysThatAreNoState) {
 }
 
 } // namespace
+} // namespace spricka::test_march

@@ -9,12 +9,12 @@
 #include <memory>
 #include <utility>
 
+namespace spricka::test_march_steps {
 namespace {
 
-using namespace spricka;
 using growth::TipStation;
 
-constexpr double first_arm = 1.0;
+constexpr double initial_arm = 1.0;
 constexpr double last_arm = 3.0;
 
 /// A crack without a mesh. It never goes on by less than a part of its arm, as an axis of an
@@ -26,8 +26,8 @@ public:
   [[nodiscard]] const std::vector<growth::GrowingTip>& tips() const override { return tips_; }
   [[nodiscard]] bool turns() const override { return false; }
   void go_on(const growth::State& /*state*/) override {}
-  [[nodiscard]] growth::CrackState here() override { return at(::first_arm); }
-  [[nodiscard]] double first_arm(std::size_t /*tip*/) const override { return ::first_arm; }
+  [[nodiscard]] growth::CrackState here() override { return at(initial_arm); }
+  [[nodiscard]] double first_arm(std::size_t /*tip*/) const override { return initial_arm; }
   [[nodiscard]] double length_left(const growth::State& state, std::size_t tip) const override {
     return last_arm - state.stations.back().tips[tip].a;
   }
@@ -111,3 +111,4 @@ TEST(March, EndsWhereWaysGoFartherThanTheyAreAsked) {
 }
 
 } // namespace
+} // namespace spricka::test_march_steps

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_section_limit {
 namespace {
 
 using base::Vec2;
@@ -75,4 +75,4 @@ TEST(SectionLimit, NothingCarriesNothing) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_section_limit

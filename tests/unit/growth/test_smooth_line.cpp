@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace spricka::growth {
+namespace spricka::growth::test_smooth_line {
 namespace {
 
 using base::Vec3;
@@ -74,4 +74,4 @@ TEST(SmoothLine, PolylineEndsAlongTheTangentAndHardlyKinks) {
 }
 
 } // namespace
-} // namespace spricka::growth
+} // namespace spricka::growth::test_smooth_line

@@ -11,9 +11,9 @@
 #include <numbers>
 #include <vector>
 
+namespace spricka::test_split_fronts {
 namespace {
 
-using namespace spricka;
 using namespace spricka::test;
 
 // A plate of thickness 2 along y, 40 wide and high.
@@ -226,3 +226,4 @@ TEST(SplitFronts, ThroughCrackOfTheDeckHasTwoFronts) {
 }
 
 } // namespace
+} // namespace spricka::test_split_fronts

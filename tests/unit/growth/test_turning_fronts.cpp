@@ -7,9 +7,9 @@
 #include <memory>
 
 /// Fronts that leave their plane by angles that a formula gives.
+namespace spricka::test_turning_fronts {
 namespace {
 
-using namespace spricka;
 using namespace spricka::test;
 
 constexpr double kink = 0.3;
@@ -107,3 +107,4 @@ TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
 }
 
 } // namespace
+} // namespace spricka::test_turning_fronts

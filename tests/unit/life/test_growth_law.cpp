@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::life {
+namespace spricka::life::test_growth_law {
 namespace {
 
 LawConstants constants(double C, double m) {
@@ -190,4 +190,4 @@ TEST(GrowthLaw, FormanWithoutThresholdHasAnInverseForTheSmallestRates) {
 }
 
 } // namespace
-} // namespace spricka::life
+} // namespace spricka::life::test_growth_law

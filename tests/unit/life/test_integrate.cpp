@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::life {
+namespace spricka::life::test_integrate {
 namespace {
 
 TEST(Integrate, SmoothToTheTolerance) {
@@ -40,4 +40,4 @@ TEST(Integrate, NoLengthNoIntegral) {
 }
 
 } // namespace
-} // namespace spricka::life
+} // namespace spricka::life::test_integrate

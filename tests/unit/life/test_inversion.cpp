@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::life {
+namespace spricka::life::test_inversion {
 namespace {
 
 // G02 of the open benchmarks: a(N) of Paris with m = 3 and beta = 1.12 in closed form, a from 1 to
@@ -185,4 +185,4 @@ TEST(Smoothing, StudentsQuantiles) { // tables of the t distribution, two-sided 
 }
 
 } // namespace
-} // namespace spricka::life
+} // namespace spricka::life::test_inversion

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::life {
+namespace spricka::life::test_life_curve {
 namespace {
 
 using Function = std::function<double(double)>;
@@ -261,4 +261,4 @@ TEST(Spline, ReproducesCubics) {
 }
 
 } // namespace
-} // namespace spricka::life
+} // namespace spricka::life::test_life_curve

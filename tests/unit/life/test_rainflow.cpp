@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::life {
+namespace spricka::life::test_rainflow {
 namespace {
 
 using Counts = std::map<std::pair<double, double>, double>;
@@ -145,4 +145,4 @@ TEST(Rainflow, AgreesWithTheFourPointRule) {
 }
 
 } // namespace
-} // namespace spricka::life
+} // namespace spricka::life::test_rainflow

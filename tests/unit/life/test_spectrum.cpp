@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::life {
+namespace spricka::life::test_spectrum {
 namespace {
 
 GrowthLaw paris(double m) {
@@ -128,4 +128,4 @@ TEST(Spectrum, AConstantLoadGrowsNothing) {
 }
 
 } // namespace
-} // namespace spricka::life
+} // namespace spricka::life::test_spectrum

@@ -9,7 +9,7 @@
 #include <array>
 #include <span>
 
-namespace spricka {
+namespace spricka::test_boundary {
 namespace {
 
 model::Mesh block(int nx, int ny) {
@@ -104,4 +104,4 @@ TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatTrianglesMeet) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_boundary

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace spricka::mesh {
+namespace spricka::mesh::test_coincidence {
 namespace {
 
 using base::NodeId;
@@ -87,4 +87,4 @@ TEST(Coincidence, AMeshReadTwiceIsFoundElementByElement) {
 }
 
 } // namespace
-} // namespace spricka::mesh
+} // namespace spricka::mesh::test_coincidence

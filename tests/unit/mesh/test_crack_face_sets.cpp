@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace spricka {
+namespace spricka::test_crack_face_sets {
 namespace {
 
 using base::NodeId;
@@ -94,4 +94,4 @@ TEST(CrackFaceSets, NodesOfTheNetsOwnMeshAlike) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_crack_face_sets

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <set>
 
-namespace spricka {
+namespace spricka::test_free_fronts {
 namespace {
 
 using base::ElementId;
@@ -187,4 +187,4 @@ TEST(FreeFronts, DoNotTakeThePlaceOfATubeThatIsAskedFor) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_free_fronts

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::mesh {
+namespace spricka::mesh::test_front_curve {
 namespace {
 
 using base::Vec3;
@@ -99,4 +99,4 @@ TEST(FrontCurve, StraightFrontOfTwoPoints) {
 }
 
 } // namespace
-} // namespace spricka::mesh
+} // namespace spricka::mesh::test_front_curve

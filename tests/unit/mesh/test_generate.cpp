@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace spricka {
+namespace spricka::test_generate {
 namespace {
 
 using base::ElementType;
@@ -242,4 +242,4 @@ TEST_P(GenerateSolid, ManyCellsShareTheirSides) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_generate

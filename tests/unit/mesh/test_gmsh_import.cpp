@@ -9,7 +9,7 @@
 #include <fstream>
 #include <numbers>
 
-namespace spricka {
+namespace spricka::test_gmsh_import {
 namespace {
 
 namespace fs = std::filesystem;
@@ -305,4 +305,4 @@ TEST_F(GmshImport, OutOfPlane) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_gmsh_import

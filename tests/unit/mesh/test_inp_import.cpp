@@ -11,7 +11,7 @@
 #include <fstream>
 #include <unistd.h>
 
-namespace spricka {
+namespace spricka::test_inp_import {
 namespace {
 
 namespace fs = std::filesystem;
@@ -279,4 +279,4 @@ TEST_F(Inp, ElementsWithManyNodesGoOnOverLines) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_inp_import

@@ -25,7 +25,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace spricka {
+namespace spricka::test_mesher {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ TEST_F(Mesher, WithoutASandboxNoScriptIsRun) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_mesher

@@ -16,7 +16,7 @@
 #include <random>
 #include <set>
 
-namespace spricka {
+namespace spricka::test_msh_files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -232,4 +232,4 @@ TEST_P(MshFiles, ChangedBytesDoNoHarm) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_msh_files

@@ -3,7 +3,7 @@
 #include "mesh/cut/crack_region.hpp"
 #include "model/cracks.hpp"
 
-namespace spricka {
+namespace spricka::test_patch {
 namespace {
 
 using base::Vec3;
@@ -296,4 +296,4 @@ TEST(Patch, RegionHoldsEveryCavityAndALayer) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_patch

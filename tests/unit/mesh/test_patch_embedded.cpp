@@ -2,7 +2,7 @@
 #include "cracked.hpp"
 #include "mesh/cut/mouth.hpp"
 
-namespace spricka {
+namespace spricka::test_patch_embedded {
 namespace {
 
 using base::Vec3;
@@ -91,4 +91,4 @@ TEST(PatchEmbedded, RefusesWhatIsNoEmbeddedCrack) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_patch_embedded

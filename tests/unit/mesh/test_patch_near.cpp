@@ -3,7 +3,7 @@
 #include "model/cracks.hpp"
 
 // Cracks near each other, lines that cannot be, patches that are finer than their host.
-namespace spricka {
+namespace spricka::test_patch_near {
 namespace {
 
 using base::Vec3;
@@ -187,4 +187,4 @@ TEST(PatchTransition, RimLiesOnTheHostsEdges) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_patch_near

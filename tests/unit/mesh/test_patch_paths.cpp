@@ -2,7 +2,7 @@
 #include "cracked.hpp"
 #include "model/cracks.hpp"
 
-namespace spricka {
+namespace spricka::test_patch_paths {
 namespace {
 
 using base::NodeId;
@@ -172,4 +172,4 @@ TEST(CrackErrors, LinearHost) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_patch_paths

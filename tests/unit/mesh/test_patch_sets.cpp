@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
 
-namespace spricka {
+namespace spricka::test_patch_sets {
 namespace {
 
 using base::NodeId;
@@ -118,4 +118,4 @@ TEST(PatchSets, PropertiesBesideThePatchAreKept) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_patch_sets

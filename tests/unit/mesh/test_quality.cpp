@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace spricka {
+namespace spricka::test_quality {
 namespace {
 
 model::Mesh one(base::ElementType type, const std::vector<base::Vec3>& x) {
@@ -151,4 +151,4 @@ TEST(Quality, APlaneElementMayNotFoldAtAll) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_quality

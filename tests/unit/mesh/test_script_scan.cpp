@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace spricka {
+namespace spricka::test_script_scan {
 namespace {
 
 std::vector<std::string> refused(const std::string& text) {
@@ -129,4 +129,4 @@ TEST_F(Parameters, TellWhatTheScriptSetsItself) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_script_scan

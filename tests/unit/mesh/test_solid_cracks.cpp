@@ -8,6 +8,7 @@
 #include "shape/solid.hpp"
 #include "shape/topology.hpp"
 #include "surface_hosts.hpp"
+#include "tests/places.hpp"
 
 #include "tests/unit/mesh/meshes.hpp"
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@
 #include <set>
 #include <tuple>
 
-namespace spricka {
+namespace spricka::test_solid_cracks {
 namespace {
 
 using base::ElementId;
@@ -278,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(SolidCracks, EllipsesInRandomPlanes) {
-  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 150 : 12;
+  const int tries = test::full_size() ? 150 : 12;
   const std::array<model::Mesh, 4> hosts{box(ElementType::tet10, 4), box(ElementType::tet10, 9),
                                          box(ElementType::hexec20, 8), box(ElementType::hexe8, 7)};
   std::mt19937 random(7);
@@ -648,7 +649,7 @@ TEST(SolidCracks, AtTheSkinOfACoarseRing) {
 }
 
 TEST(SolidCracks, EllipsesThatComeOutAnywhere) {
-  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 200 : 6;
+  const int tries = test::full_size() ? 200 : 6;
   const std::array<model::Mesh, 4> hosts{box(ElementType::tet10, 4), box(ElementType::tet10, 9),
                                          box(ElementType::hexec20, 8), box(ElementType::hexe8, 7)};
   int refused = 0;
@@ -687,4 +688,4 @@ TEST(SolidCracks, EllipsesThatComeOutAnywhere) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_solid_cracks

@@ -6,6 +6,7 @@
 #include "shape/quadrature.hpp"
 #include "shape/solid.hpp"
 #include "surface_hosts.hpp"
+#include "tests/places.hpp"
 
 #include "tests/unit/mesh/meshes.hpp"
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@
 #include <random>
 #include <set>
 
-namespace spricka {
+namespace spricka::test_solid_random {
 namespace {
 
 using base::ElementId;
@@ -360,7 +361,7 @@ struct Count {
 };
 
 TEST(SolidRandom, CracksAreCutSoundlyOrRefusedWithThePlace) {
-  const bool full = std::getenv("SPRICKA_FULL") != nullptr;
+  const bool full = test::full_size();
   const int tries = full ? 300 : 12;
   const std::vector<Host> all = hosts();
   const std::vector<Maker> makers{embedded, surface, at_edge, through, special, across_edge};
@@ -556,4 +557,4 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_solid_random

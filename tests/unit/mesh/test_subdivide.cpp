@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace spricka {
+namespace spricka::test_subdivide {
 namespace {
 
 using base::ElementId;
@@ -166,4 +166,4 @@ TEST(Subdivide, OtherNetsStayAsTheyAre) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_subdivide

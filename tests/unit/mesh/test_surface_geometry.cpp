@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::mesh {
+namespace spricka::mesh::test_surface_geometry {
 namespace {
 
 using base::ElementType;
@@ -168,4 +168,4 @@ TEST(SurfaceGeometry, NearestMayBeAskedAmongSomeFacesOnly) {
 }
 
 } // namespace
-} // namespace spricka::mesh
+} // namespace spricka::mesh::test_surface_geometry

@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-namespace spricka::mesh {
+namespace spricka::mesh::test_surface_random {
 namespace {
 
 using base::ElementType;
@@ -119,4 +119,4 @@ TEST(SurfaceRandom, CracksInRoundBodies) {
 }
 
 } // namespace
-} // namespace spricka::mesh
+} // namespace spricka::mesh::test_surface_random

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::mesh {
+namespace spricka::mesh::test_surface_remesh {
 namespace {
 
 using base::ElementType;
@@ -155,4 +155,4 @@ TEST(SurfaceRemesh, TroubleIsSaidWithItsPlace) {
 }
 
 } // namespace
-} // namespace spricka::mesh
+} // namespace spricka::mesh::test_surface_remesh

@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace spricka::mesh {
+namespace spricka::mesh::test_surface_trace {
 namespace {
 
 using base::ElementType;
@@ -238,4 +238,4 @@ TEST(FrontArcs, OpenFrontIsProlongedToTheSurface) {
 }
 
 } // namespace
-} // namespace spricka::mesh
+} // namespace spricka::mesh::test_surface_trace

@@ -15,7 +15,7 @@
 #include <vector>
 
 /// Cracks that have turned out of their plane, cut into blocks.
-namespace spricka {
+namespace spricka::test_turned_cracks {
 namespace {
 
 using base::ElementType;
@@ -232,4 +232,4 @@ INSTANTIATE_TEST_SUITE_P(Hosts, TurnedIn,
                                          std::pair{ElementType::tet10, 5}));
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_turned_cracks

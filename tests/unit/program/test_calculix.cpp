@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_calculix {
 namespace {
 
 using program::read_frd;
@@ -68,4 +68,4 @@ TEST(Calculix, PlaneElementsAreAskedForAtTheirOwnNodes) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_calculix

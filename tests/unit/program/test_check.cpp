@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace spricka {
+namespace spricka::test_check {
 namespace {
 
 using nlohmann::json;
@@ -337,4 +337,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_check

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::program {
+namespace spricka::program::test_check_words {
 namespace {
 
 TEST(CheckWords, AllOfTheCatalogueAreAvailable) {
@@ -40,4 +40,4 @@ TEST(CheckWords, OfTipsAndContactsSayTheSameInTheCatalogue) {
 }
 
 } // namespace
-} // namespace spricka::program
+} // namespace spricka::program::test_check_words

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/code_texts.hpp"
+#include "tests/places.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -11,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::program {
+namespace spricka::program::test_code_texts {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +22,8 @@ std::map<std::string, fs::path> codes_in_sources() {
   static const std::regex pattern("\"([EW][0-9]{3})\"");
   std::map<std::string, fs::path> found;
   for (const char* room : {"src", "grammar"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / room)) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(test::source_folder()) / room)) {
       if (entry.path().extension() != ".cpp" || entry.path().stem() == "code_texts") {
         continue;
       }
@@ -62,4 +64,4 @@ TEST(ErrorCodes, AdviceIsOnCodesThatExist) {
 }
 
 } // namespace
-} // namespace spricka::program
+} // namespace spricka::program::test_code_texts

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace spricka::program {
+namespace spricka::program::test_convergence {
 namespace {
 
 constexpr double sizes[] = {2.0, 1.4, 1.0, 0.7, 0.5};
@@ -75,4 +75,4 @@ TEST(Convergence, a_plateau_begins_where_errors_stop_falling) {
 }
 
 } // namespace
-} // namespace spricka::program
+} // namespace spricka::program::test_convergence

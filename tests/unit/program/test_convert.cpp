@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-namespace spricka {
+namespace spricka::test_convert {
 namespace {
 
 using test::Folder;
@@ -197,4 +197,4 @@ TEST(Convert, AFileThatIsThereStaysUntilToldOtherwise) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_convert

@@ -4,13 +4,14 @@
 #include "deck/read_deck.hpp"
 #include "program/study/deck_edits.hpp"
 #include "program/study/name_uses.hpp"
+#include "tests/places.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-namespace spricka {
+namespace spricka::test_deck_text {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +47,7 @@ TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
   for (const char* name : {"lug_single.deck", "edge_crack.deck", "press_fit_hub.deck",
                            "penny_solid.deck", "lug_load_path.deck", "lug_friction.deck"}) {
     base::Sources sources;
-    const fs::path file = fs::path(DECKS_DIR) / name;
+    const fs::path file = fs::path(test::decks_folder()) / name;
     const auto before = model_of(file);
     const auto after = model_of(written(text_of(file, sources)));
     ASSERT_TRUE(before && after) << name;
@@ -60,7 +61,7 @@ TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
 
 TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
   base::Sources sources;
-  deck::DeckText text = text_of(fs::path(DECKS_DIR) / "press_fit_hub.deck", sources);
+  deck::DeckText text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
   program::drop_requests(text);
   EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
   program::drop_lost_loads(text);
@@ -74,7 +75,7 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
 
 TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
   base::Sources sources;
-  const deck::DeckText text = text_of(fs::path(DECKS_DIR) / "edge_crack.deck", sources);
+  const deck::DeckText text = text_of(fs::path(test::decks_folder()) / "edge_crack.deck", sources);
   const auto uses = program::uses_of_parameters(text, sources);
   EXPECT_FALSE(uses.at("FINE").elsewhere);
   EXPECT_EQ(uses.at("FINE").counts.size(), 1U);
@@ -89,4 +90,4 @@ TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_deck_text

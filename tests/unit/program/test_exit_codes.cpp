@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/exit_codes.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
 
-namespace spricka {
+namespace spricka::test_exit_codes {
 namespace {
 
 using test::Folder;
@@ -234,7 +235,7 @@ TEST(ExitCode, OldResultsOutliveAFailedRun) {
 
 // What scripts rely on is said in one place of the sources and in one of the manual.
 TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
-  const std::string page = test::slurp(std::string(SOURCE_DIR) + "/manual/exit_codes.md");
+  const std::string page = test::slurp(test::source_folder() + "/manual/exit_codes.md");
   for (std::size_t i = 0; i < base::exit_texts.size(); ++i) {
     const auto outcome = static_cast<base::Outcome>(i);
     const int code = base::exit_code(outcome);
@@ -250,4 +251,4 @@ TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_exit_codes

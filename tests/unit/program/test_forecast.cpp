@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/places.hpp"
 #include "tests/unit/support/check_text.hpp"
 
 #include <array>
@@ -10,7 +11,7 @@
 #include <sys/wait.h>
 
 // What `spricka check` foretells of a run against the run.
-namespace spricka {
+namespace spricka::test_forecast {
 namespace {
 
 using nlohmann::json;
@@ -72,14 +73,14 @@ std::string run_program(const std::vector<std::string>& arguments, const Folder&
       _exit(126);
     }
     std::vector<std::string> words = arguments;
-    words.insert(words.begin(), SPRICKA);
+    words.insert(words.begin(), test::program_file());
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (std::string& word : words) {
       argv.push_back(word.data());
     }
     argv.push_back(nullptr);
-    execv(SPRICKA, argv.data());
+    execv(test::program_file().c_str(), argv.data());
     _exit(127);
   }
   int status = 0;
@@ -151,4 +152,4 @@ TEST(Forecast, MemoryIsForetoldWithinAFifth) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_forecast

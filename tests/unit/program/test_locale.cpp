@@ -19,7 +19,7 @@
 
 /// A comma as decimal sign in the user's locale changes nothing: neither what is read, nor what is
 /// worked out, nor what is written.
-namespace spricka {
+namespace spricka::test_locale {
 namespace {
 
 using test::Folder;
@@ -174,4 +174,4 @@ TEST(Locale, CoordinatesComeBackBitwise) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_locale

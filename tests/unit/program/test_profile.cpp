@@ -9,6 +9,7 @@
 #include "program/profile/profile_tables.hpp"
 #include "program/profile/trace.hpp"
 #include "program/trials/child_run.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace spricka {
+namespace spricka::test_profile {
 namespace {
 
 using nlohmann::json;
@@ -337,8 +338,9 @@ TEST(Profile, ThePeakOfMemoryIsTheProgramsOwn) {
   EXPECT_GT(base::peak_memory(), much.size());
   const program::ChildRun run{
       .deck = file, .out = folder.path() / "out", .defines = {}, .threads = 1};
-  program::ChildRuns(SPRICKA).run(
-      {&run, 1}, 1, [](std::size_t, const program::ChildEnd& end) { EXPECT_EQ(end.exit_code, 0); });
+  program::ChildRuns(test::program_file())
+      .run({&run, 1}, 1,
+           [](std::size_t, const program::ChildEnd& end) { EXPECT_EQ(end.exit_code, 0); });
   const std::string listing = test::slurp(run.out / "listing.txt");
   const std::string before = "at most ";
   const std::size_t at = listing.find(before);
@@ -348,4 +350,4 @@ TEST(Profile, ThePeakOfMemoryIsTheProgramsOwn) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_profile

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-namespace spricka {
+namespace spricka::test_quantities {
 namespace {
 
 // A bar under tension: every quantity of $CHECK that has a closed form here.
@@ -299,4 +299,4 @@ TEST(Quantities, RigidMotionInSpaceHasThreeComponents) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_quantities

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace spricka {
+namespace spricka::test_sections {
 namespace {
 
 // @0 and @1 are the directions of the section, @a that of the axis; capital ones for keys.
@@ -273,4 +273,4 @@ TEST(Section, IsRefusedWhereSomethingChangesAlongTheAxis) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_sections

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/command_table.hpp"
 #include "program/shell/reply_text.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/shell_text.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_shell_commands {
 namespace {
 
 using program::ShellReply;
@@ -167,10 +168,10 @@ TEST(ShellCommands, Completion) {
 }
 
 TEST(ShellCommands, ManualHasTheTable) {
-  const std::string page = test::slurp(std::string(SOURCE_DIR) + "/manual/shell.md");
+  const std::string page = test::slurp(test::source_folder() + "/manual/shell.md");
   EXPECT_NE(page.find(program::shell_commands_markdown()), std::string::npos)
       << program::shell_commands_markdown();
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_shell_commands

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_shell_session {
 namespace {
 
 using test::cracked_hub;
@@ -392,4 +392,4 @@ TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_shell_session

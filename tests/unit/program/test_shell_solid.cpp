@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_shell_solid {
 namespace {
 
 using test::ShellOnText;
@@ -145,4 +145,4 @@ TEST(ShellSolid, DrawnFrontsHaveNoLength) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_shell_solid

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
 
 #include <chrono>
@@ -7,7 +8,7 @@
 #include <csignal>
 #include <sys/wait.h>
 
-namespace spricka {
+namespace spricka::test_sweep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -200,13 +201,14 @@ TEST(Sweep, ASignalLeavesFinishedPointsAndNothingHalf) {
     const std::string deck = (folder.path() / "test.deck").string();
     std::ofstream(deck) << sweep_of_a("1.0 1.1 1.2 1.3 1.4 1.5 1.6 1.7 1.8 1.9 2.0 2.1 2.2 2.3");
     const std::string run_folder = out(folder).string();
+    const std::string program = test::program_file();
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
       std::signal(SIGINT, SIG_DFL);
       std::freopen("/dev/null", "w", stderr);
-      execl(SPRICKA, SPRICKA, "run", deck.c_str(), "--out", run_folder.c_str(), "--quiet",
-            static_cast<char*>(nullptr));
+      execl(program.c_str(), program.c_str(), "run", deck.c_str(), "--out", run_folder.c_str(),
+            "--quiet", static_cast<char*>(nullptr));
       _exit(127);
     }
     for (int i = 0; i < 3000 && !fs::exists(out(folder) / "001"); ++i) {
@@ -232,4 +234,4 @@ TEST(Sweep, ASignalLeavesFinishedPointsAndNothingHalf) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_sweep

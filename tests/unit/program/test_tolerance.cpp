@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 // K to a tolerance: strips with an edge crack, K of benchmark F01, on hosts of every origin.
-namespace spricka {
+namespace spricka::test_tolerance {
 namespace {
 
 using test::Folder;
@@ -266,4 +266,4 @@ TEST(Tolerance, WhatNoMeshCanGiveIsSaid) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_tolerance

@@ -3,6 +3,7 @@
 // or is ended concerns no other.
 #include "program/trials/child_run.hpp"
 #include "program/trials/deck_outcome.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
 
 #include <atomic>
@@ -11,7 +12,7 @@
 #include <csignal>
 #include <thread>
 
-namespace spricka {
+namespace spricka::test_trials {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,7 +65,9 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   runs[2].defines = {{"s", "2*10"}};
   runs[2].out = folder.path() / "double";
   std::vector<ChildEnd> ends(runs.size());
-  ChildRuns(SPRICKA).run(runs, 2, [&](std::size_t i, const ChildEnd& end) { ends[i] = end; });
+  ChildRuns(test::program_file()).run(runs, 2, [&](std::size_t i, const ChildEnd& end) {
+    ends[i] = end;
+  });
   EXPECT_EQ(ends[0].exit_code, 1) << ends[0].messages; // a check that cannot hold
   EXPECT_EQ(ends[1].exit_code, 3);
   EXPECT_NE(ends[1].messages.find("bad.deck:2"), std::string::npos) << ends[1].messages;
@@ -102,8 +105,9 @@ TEST_F(Trials, ASweepIsAnOutcomeForEachPoint) {
                                                                "$CHECK\n"
                                                                "  K1(C,PULL) = 1 ABS 1e9\n")));
   int code = -1;
-  ChildRuns(SPRICKA).run({&run, 1}, 1,
-                         [&](std::size_t, const ChildEnd& end) { code = end.exit_code; });
+  ChildRuns(test::program_file()).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& end) {
+    code = end.exit_code;
+  });
   EXPECT_EQ(code, 0);
   const std::vector<DeckOutcome> points = program::read_outcomes(run.out);
   ASSERT_EQ(points.size(), 2U);
@@ -117,7 +121,9 @@ TEST_F(Trials, AProcessThatIsTooSlowIsEndedAndLeavesNoResults) {
   run.defines = {{"n", "400"}};
   run.seconds = 0.2;
   ChildEnd end;
-  ChildRuns(SPRICKA).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
+  ChildRuns(test::program_file()).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
+    end = e;
+  });
   EXPECT_TRUE(end.late);
   EXPECT_NE(end.exit_code, 0);
   EXPECT_FALSE(fs::exists(run.out));
@@ -129,7 +135,9 @@ TEST_F(Trials, ALimitOfCpuTimeHoldsToo) {
   run.defines = {{"n", "400"}};
   run.cpu_seconds = 0.2;
   ChildEnd end;
-  ChildRuns(SPRICKA).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
+  ChildRuns(test::program_file()).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
+    end = e;
+  });
   EXPECT_TRUE(end.late);
   EXPECT_GE(end.cpu, 0.2);
   EXPECT_FALSE(fs::exists(run.out));
@@ -158,7 +166,7 @@ TEST_F(Trials, AreStoppedTogetherAndNoneIsBegunAfterwards) {
     runs.back().out += std::to_string(i);
     runs.back().defines = {{"n", "400"}};
   }
-  ChildRuns children(SPRICKA);
+  ChildRuns children(test::program_file());
   std::atomic<int> told{0};
   std::jthread stopper([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -181,4 +189,4 @@ TEST_F(Trials, AProgramThatIsNotThereIsTold) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_trials

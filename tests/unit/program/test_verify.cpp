@@ -9,13 +9,14 @@
 #include "program/verify/verification.hpp"
 #include "program/verify/verification_csv.hpp"
 #include "program/verify/verification_page.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-namespace spricka::program {
+namespace spricka::program::test_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -227,7 +228,7 @@ TEST_F(Tiers, CostsStayWhileTheyAreAboutRight) {
 TEST(ShippedDecks, EachIsInATierAndTheTiersKeepTheirTime) {
   double quick = 0.0;
   double all = 0.0;
-  for (const ListedDeck& deck : list_decks(DECKS_DIR)) {
+  for (const ListedDeck& deck : list_decks(test::decks_folder())) {
     ASSERT_TRUE(deck.cost) << deck.name << " is in no tier: spricka verify " << deck.name
                            << " --costs";
     all += deck.cost->cpu;
@@ -239,10 +240,10 @@ TEST(ShippedDecks, EachIsInATierAndTheTiersKeepTheirTime) {
 
 TEST(ShippedDecks, ProblemsNameDecksThatAreThereOrAReason) {
   std::set<std::string> names;
-  for (const ListedDeck& deck : list_decks(DECKS_DIR)) {
+  for (const ListedDeck& deck : list_decks(test::decks_folder())) {
     names.insert(deck.name);
   }
-  const std::vector<Problem> problems = read_problems(DECKS_DIR);
+  const std::vector<Problem> problems = read_problems(test::decks_folder());
   std::set<std::string> ids;
   for (const Problem& problem : problems) {
     EXPECT_TRUE(ids.insert(problem.name).second) << problem.name << " stands there twice";
@@ -255,4 +256,4 @@ TEST(ShippedDecks, ProblemsNameDecksThatAreThereOrAReason) {
 }
 
 } // namespace
-} // namespace spricka::program
+} // namespace spricka::program::test_verify

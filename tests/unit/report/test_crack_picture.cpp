@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spricka::report {
+namespace spricka::report::test_crack_picture {
 namespace {
 
 // A part of a circle round the origin in the plane z = 0, run so that t = m x b with b = z.
@@ -71,4 +71,4 @@ TEST(CrackPicture, FacesOnEachOtherAreOpenedByWhatPartsThem) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_crack_picture

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spricka::report {
+namespace spricka::report::test_of_figures {
 namespace {
 
 TEST(Ticks, AreRoundInsideAndAboutAsManyAsWanted) {
@@ -325,4 +325,4 @@ TEST(LeadingStep, IsKmaxOrTheLast) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_of_figures

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::report {
+namespace spricka::report::test_growth_tests {
 namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
@@ -80,4 +80,4 @@ TEST(GrowthTests, TablesHaveARowForEachPoint) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_growth_tests

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_k_bars {
 namespace {
 
 results::KBar bar_of(double mesh, double edge, double floor, double best) {
@@ -55,4 +55,4 @@ TEST(KBars, AreListedForTipsThatHaveThem) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_k_bars

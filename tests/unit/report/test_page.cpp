@@ -16,7 +16,7 @@
 
 #include <charconv>
 
-namespace spricka::report {
+namespace spricka::report::test_page {
 namespace {
 
 std::string page_of(const test::Sample& sample) {
@@ -311,4 +311,4 @@ TEST(SweepPage, HasLives) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_page

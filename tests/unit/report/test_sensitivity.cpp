@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::report {
+namespace spricka::report::test_sensitivity {
 namespace {
 
 using results::Cause;
@@ -103,4 +103,4 @@ TEST(Tornado, BarsAreToScale) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_sensitivity

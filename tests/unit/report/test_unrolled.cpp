@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::report {
+namespace spricka::report::test_unrolled {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -62,4 +62,4 @@ TEST(Unrolled, PushIsTheIntegralRoundTheAxis) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_unrolled

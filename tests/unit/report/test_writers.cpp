@@ -16,7 +16,7 @@
 
 #include <Eigen/Geometry>
 
-namespace spricka::report {
+namespace spricka::report::test_writers {
 namespace {
 
 std::vector<std::vector<std::string>> read_csv(const std::filesystem::path& file) {
@@ -174,4 +174,4 @@ TEST(StressInvariants, PrincipalStressesOfATurnedTensor) {
 }
 
 } // namespace
-} // namespace spricka::report
+} // namespace spricka::report::test_writers

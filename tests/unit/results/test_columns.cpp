@@ -3,6 +3,7 @@
 #include "results/contact_result.hpp"
 #include "results/front_result.hpp"
 #include "results/tip_result.hpp"
+#include "tests/places.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -12,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::results {
+namespace spricka::results::test_columns {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -44,7 +45,7 @@ std::string trimmed(const std::string& text) {
 
 // The rows of all tables of three columns in a section of manual/run_folder.md.
 std::vector<ManualRow> manual_rows(const std::string& section) {
-  std::ifstream in(std::string(SOURCE_DIR) + "/manual/run_folder.md");
+  std::ifstream in(test::source_folder() + "/manual/run_folder.md");
   std::vector<ManualRow> rows;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
@@ -201,4 +202,4 @@ TEST(Columns, have_one_source_each) {
 }
 
 } // namespace
-} // namespace spricka::results
+} // namespace spricka::results::test_columns

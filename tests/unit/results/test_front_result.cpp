@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::results {
+namespace spricka::results::test_front_result {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -64,4 +64,4 @@ TEST(FrontValue, TakesWhatThereIsOnAShortFront) {
 }
 
 } // namespace
-} // namespace spricka::results
+} // namespace spricka::results::test_front_result

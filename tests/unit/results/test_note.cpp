@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::results {
+namespace spricka::results::test_note {
 namespace {
 
 // Files of all versions keep the mark in the text.
@@ -17,4 +17,4 @@ TEST(Note, IsMarkedInFilesOnly) {
 }
 
 } // namespace
-} // namespace spricka::results
+} // namespace spricka::results::test_note

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::results {
+namespace spricka::results::test_store {
 namespace {
 
 /// Fills every field with something of its own, and compares bit by bit.
@@ -338,4 +338,4 @@ TEST(Store, trouble_is_said) {
 }
 
 } // namespace
-} // namespace spricka::results
+} // namespace spricka::results::test_store

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_contact_sense {
 namespace {
 
 struct Joint {
@@ -119,4 +119,4 @@ TEST(ContactSense, BodiesThatOverlapAsDrawn) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_contact_sense

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 /// What only the whole run shows.
-namespace spricka {
+namespace spricka::test_end_warnings {
 namespace {
 
 bool has(const std::string& text, const std::string& part) {
@@ -182,4 +182,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_end_warnings

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spricka {
+namespace spricka::test_half_model {
 namespace {
 
 // Largest difference of displacements where the part has elements, to the largest of the whole.
@@ -382,4 +382,4 @@ TEST(HalfModel, PressureOnFacesIsComparedFaceByFace) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_half_model

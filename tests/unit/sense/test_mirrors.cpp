@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace spricka {
+namespace spricka::test_mirrors {
 namespace {
 
 // What stands against each plane that is offered, by "y 0"; empty: nothing does.
@@ -129,4 +129,4 @@ $END
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_mirrors

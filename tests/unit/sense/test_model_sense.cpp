@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 /// Models that the language allows and that hardly anybody means.
-namespace spricka {
+namespace spricka::test_model_sense {
 namespace {
 
 bool has(const std::string& text, const std::string& part) {
@@ -228,4 +228,4 @@ TEST(SteepRings, AreRefusedWithTheRemedy) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_model_sense

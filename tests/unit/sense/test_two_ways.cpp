@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_two_ways {
 namespace {
 
 constexpr double E = 1000.0;
@@ -79,4 +79,4 @@ TEST(TwoWays, RoundOffIsNotCompared) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_two_ways

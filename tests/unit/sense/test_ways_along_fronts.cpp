@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka {
+namespace spricka::test_ways_along_fronts {
 namespace {
 
 constexpr double E = 1000.0;
@@ -86,4 +86,4 @@ TEST(WaysAlongFronts, DoNotCountWhereThereIsNoAnswer) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_ways_along_fronts

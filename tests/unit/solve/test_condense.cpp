@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace spricka::solve {
+namespace spricka::solve::test_condense {
 namespace {
 
 using base::Matrix;
@@ -415,4 +415,4 @@ TEST(Condensation, MovesWithItsFactor) {
 }
 
 } // namespace
-} // namespace spricka::solve
+} // namespace spricka::solve::test_condense

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-namespace spricka::solve::test {
+namespace spricka::solve::test::test_contact_qp {
 namespace {
 
 TEST(ContactQp, CyclingMatrixFromEveryStart) {
@@ -215,4 +215,4 @@ TEST(ContactQp, CostOfSixHundredRows) {
 }
 
 } // namespace
-} // namespace spricka::solve::test
+} // namespace spricka::solve::test::test_contact_qp

@@ -2,11 +2,12 @@
 #include "qp_problems.hpp"
 #include "solve/held_problem.hpp"
 #include "solve/mode_split.hpp"
+#include "tests/places.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 
-namespace spricka::solve::test {
+namespace spricka::solve::test::test_contact_qp_random {
 namespace {
 
 /// The answer by trying every set of closed rows; nothing when no set satisfies the conditions.
@@ -184,7 +185,7 @@ ContactProblem without_left_over(ContactProblem p, const ContactSolution& s) {
 }
 
 TEST(ContactQp, RandomProblemsAgreeWithEnumeration) {
-  const int tries = std::getenv("SPRICKA_FULL") == nullptr ? 1000 : 10000;
+  const int tries = !spricka::test::full_size() ? 1000 : 10000;
   int solved = 0;
   int fallbacks = 0;
   int sharp = 0;
@@ -230,4 +231,4 @@ TEST(ContactQp, RandomProblemsAgreeWithEnumeration) {
 }
 
 } // namespace
-} // namespace spricka::solve::test
+} // namespace spricka::solve::test::test_contact_qp_random

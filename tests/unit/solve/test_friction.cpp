@@ -4,6 +4,7 @@
 #include "solve/friction_index.hpp"
 #include "solve/friction_unique.hpp"
 #include "solve/lemke.hpp"
+#include "tests/places.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -13,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace spricka::solve {
+namespace spricka::solve::test_friction {
 namespace {
 
 using base::Matrix;
@@ -192,7 +193,7 @@ FrictionProblem random_problem(Dice& dice) {
   return p;
 }
 
-std::vector<Touch> random_start(Dice& dice, Eigen::Index n) {
+std::vector<Touch> random_touch(Dice& dice, Eigen::Index n) {
   std::vector<Touch> start;
   for (Eigen::Index i = 0; i < n; ++i) {
     start.push_back(static_cast<Touch>(dice.whole(0, 3)));
@@ -295,7 +296,7 @@ TEST(Friction, AnswerDoesNotDependOnTheStart) {
       continue;
     }
     const FrictionSolution cold = solve(p);
-    const FrictionSolution warm = solve(p, random_start(dice, p.contact.b.size()));
+    const FrictionSolution warm = solve(p, random_touch(dice, p.contact.b.size()));
     if (cold.contact.status == ContactStatus::solved &&
         warm.contact.status == ContactStatus::solved) {
       ++compared;
@@ -307,7 +308,7 @@ TEST(Friction, AnswerDoesNotDependOnTheStart) {
 }
 
 TEST(Friction, RandomProblemsAgreeWithEnumeration) {
-  const int tries = std::getenv("SPRICKA_FULL") == nullptr ? 1000 : 10000;
+  const int tries = !spricka::test::full_size() ? 1000 : 10000;
   int solved = 0;
   int certain = 0;
   int pivoted = 0;
@@ -326,7 +327,7 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
     p.contact.b *= length;
     p.contact.h *= force;
     const FrictionSolution s =
-        solve(p, dice.chance(0.5) ? std::vector<Touch>{} : random_start(dice, p.contact.b.size()));
+        solve(p, dice.chance(0.5) ? std::vector<Touch>{} : random_touch(dice, p.contact.b.size()));
     pivoted += s.contact.pivots > 0 ? 1 : 0;
     if (unique.certain && !unique.apart_from_motions) {
       ++certain;
@@ -363,4 +364,4 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
 }
 
 } // namespace
-} // namespace spricka::solve
+} // namespace spricka::solve::test_friction

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace spricka::solve {
+namespace spricka::solve::test_mode_split {
 namespace {
 
 // Openings of `n` radial rows round a bore whose centre is `off` to the right of that of a ring of
@@ -52,4 +52,4 @@ TEST(ModeSplit, AnEccentricRingRoundAHeldShaftIsHeld) {
 }
 
 } // namespace
-} // namespace spricka::solve
+} // namespace spricka::solve::test_mode_split

@@ -2,13 +2,14 @@
 #include "dice.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/parametric.hpp"
+#include "tests/places.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace spricka::solve {
+namespace spricka::solve::test_parametric {
 namespace {
 
 using base::Matrix;
@@ -172,7 +173,7 @@ void compare(const SolutionPath& path, const ParametricProblem& p, Dice& dice, T
 }
 
 TEST(Parametric, RandomPathsAgreeWithPointSolutions) {
-  const int tries = std::getenv("SPRICKA_FULL") == nullptr ? 400 : 20000;
+  const int tries = !spricka::test::full_size() ? 400 : 20000;
   int complete = 0;
   int cut = 0;
   int kinks = 0;
@@ -394,4 +395,4 @@ TEST(Parametric, ListOfPivotsAndFreshFactorsAgreeAndRepeatToTheBit) {
 }
 
 } // namespace
-} // namespace spricka::solve
+} // namespace spricka::solve::test_parametric

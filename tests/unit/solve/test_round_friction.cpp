@@ -3,6 +3,7 @@
 #include "dice.hpp"
 #include "solve/friction.hpp"
 #include "solve/friction_index.hpp"
+#include "tests/places.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -12,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace spricka::solve {
+namespace spricka::solve::test_round_friction {
 namespace {
 
 using base::Matrix;
@@ -112,7 +113,7 @@ TEST(RoundFriction, OnePointSlipsAgainstItsPushAndSticksBelow) {
 
 TEST(RoundFriction, AnswersKeepEveryCondition) {
   Dice dice(20241);
-  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 4000 : 150;
+  const int tries = spricka::test::full_size() ? 4000 : 150;
   int several = 0;
   for (int t = 0; t < tries; ++t) {
     const int points = dice.whole(1, 14);
@@ -193,4 +194,4 @@ TEST(RoundFriction, ABlockOnLegsRestsUntilItSlides) {
 }
 
 } // namespace
-} // namespace spricka::solve
+} // namespace spricka::solve::test_round_friction

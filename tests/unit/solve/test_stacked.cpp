@@ -11,7 +11,7 @@
 #include <vector>
 
 // Dense blocks on top of a sparse matrix against the dense elimination of their sum.
-namespace spricka::solve {
+namespace spricka::solve::test_stacked {
 namespace {
 
 using base::Matrix;
@@ -182,4 +182,4 @@ TEST(Stacked, PaysWhereTheBlockFillsTheTop) {
 }
 
 } // namespace
-} // namespace spricka::solve
+} // namespace spricka::solve::test_stacked

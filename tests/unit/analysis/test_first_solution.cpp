@@ -18,7 +18,7 @@
 
 // A first program on the library: K of an edge crack in a strip that is pulled at both ends. Read
 // the test first; what it calls stands above it.
-namespace spricka {
+namespace spricka::test_first_solution {
 namespace {
 
 constexpr double W = 10.0; // width
@@ -121,4 +121,4 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
 }
 
 } // namespace
-} // namespace spricka
+} // namespace spricka::test_first_solution
