@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What laws are given along fronts in space.
+#include "tests/places.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <algorithm>
@@ -98,6 +99,9 @@ TEST(GrowingFronts, CyclesThatRepeatBehindAClamp) {
 
 // K of a load path has the errors taken out as K of steps has.
 TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
+  if (!test::full_size()) {
+    GTEST_SKIP() << "at full size; in the plane: analysis.growth";
+  }
   const results::Growth plain = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF")));
   const results::Growth steps = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF CORRECT=YES")));
   const results::Growth spectra = growth_of(clamped_bar("", spectrum("CORRECT=YES", "0.5 1 10")));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shell on a crack in space: its answers are those of runs.
 #include "program/shell/command_table.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/support/shell_text.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
@@ -103,6 +104,10 @@ TEST(ShellSolid, LoadsAndSizesAreThoseOfARun) {
 
 // What `save` writes is the state: a run of it has the same K.
 TEST(ShellSolid, SavedDeckHasTheSameK) {
+  if (!test::full_size()) {
+    GTEST_SKIP() << "at full size; decks that the shell saves: terminal.shell_session, "
+                    "program.shell_session";
+  }
   const ShellOnText shell(buried("A=1 C=(r) X0=0 Y0=0 Z0=0 NORMAL=Z"));
   const auto type = [&](const std::string& line) {
     const program::ShellReply reply = program::run_shell_line(*shell, {}, line);

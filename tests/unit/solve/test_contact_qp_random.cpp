@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/dense_solve.hpp"
 #include "qp_problems.hpp"
 #include "solve/held_problem.hpp"
 #include "solve/mode_split.hpp"
@@ -141,7 +142,7 @@ bool strict(const ContactProblem& p, const ContactSolution& s) {
       M(i, j) = p.W(A[at(i)], A[at(j)]) + p.B.row(A[at(i)]).dot(p.B.row(A[at(j)]));
     }
   }
-  return a == 0 || Eigen::ColPivHouseholderQR<Matrix>(M).setThreshold(1e-7).rank() == a;
+  return a == 0 || base::column_rank(M, 1e-7) == a;
 }
 
 // What the forces do is unique, the forces of redundant rows are not: openings, and through them
