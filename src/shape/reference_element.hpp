@@ -50,7 +50,7 @@ template <int d> struct ReferenceElement {
 template <class S>
 concept Element = known_when_run<S> || ElementShape<S>;
 
-/// Nodes and corners of a shape as the sizes of matrices: constants, or not known when compiled but
+/// The nodes of a shape as the size of matrices: a constant, or not known when compiled but
 /// bounded.
 template <class S> struct Counts {
   static constexpr int nodes = S::nodes;

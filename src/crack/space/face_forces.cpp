@@ -23,8 +23,8 @@ fe::SpaceNodes<2> displacements(const fe::ElementSide<2>& side, const base::Vect
 }
 
 // - N_n c of each node, to what a partner releases.
-void take(const fe::ElementSide<2>& side, const fe::AnyElement<2>::Values& N, std::size_t partner,
-          const Vec3& c, FrontForces& out) {
+void subtract_at_nodes(const fe::ElementSide<2>& side, const fe::AnyElement<2>::Values& N,
+                       std::size_t partner, const Vec3& c, FrontForces& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
     out[side.nodes[n]][partner] -= N[static_cast<Eigen::Index>(n)] * c;
   }
@@ -65,7 +65,7 @@ void add_face_forces(const FrontSetting& set, const FrontFields& fields,
       for (std::size_t k = 0; k < front_partners; ++k) {
         const Tensor<3> H = k == 0 ? Tensor<3>(U.lazyProduct(surface_gradients(side, r)))
                                    : moving_field(k, axes, set.body).H;
-        take(side, N, k, H.transpose() * point.force, out);
+        subtract_at_nodes(side, N, k, H.transpose() * point.force, out);
       }
     }
   }
@@ -82,7 +82,8 @@ void add_partner_tractions(const FrontSetting& set, const FrontFields& fields,
       const Vec3 area = point.weight * fe::area_vector<2>(side.shape, side.X, point.r);
       const Tensor<3> H = U.lazyProduct(surface_gradients(side, point.r));
       for (std::size_t k = 1; k < front_partners; ++k) {
-        take(side, N, k, H.transpose() * (moving_field(k, axes, set.body).sigma * area), out);
+        subtract_at_nodes(side, N, k,
+                          H.transpose() * (moving_field(k, axes, set.body).sigma * area), out);
       }
     }
   }

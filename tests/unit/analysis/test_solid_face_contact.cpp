@@ -266,9 +266,6 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
 
 // Pulled, pressed and pulled again: faces close and open again, and what friction did is gone.
 TEST(SolidFaceContact, OpensAgain) {
-  if (!test::full_size()) {
-    GTEST_SKIP() << "at full size; faces that close and open: KnowsClosedPointsOnPathsAndInBars";
-  }
   const auto solved = solve_text(penny(
       "", "$STEP NAME=A\n  LOAD UP 1\n$STEP NAME=B\n  LOAD UP -1\n$STEP NAME=C\n  LOAD UP 1\n"));
   ASSERT_TRUE(solved);
