@@ -77,7 +77,6 @@ template <int dim> class ThermalStress {
 public:
   ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X, const Law& law,
                 const CornerValues<dim>& T);
-  [[nodiscard]] const HeatFunctions<dim>& functions() const { return functions_; }
   [[nodiscard]] double temperature(const shape::Point<dim>& r) const {
     return cold_ ? 0.0 : T_.dot(functions_.at(r));
   }

@@ -19,10 +19,10 @@ BEGINNINGS = {
     "lug_corner_life": (("AMAX=6 ", "AMAX=1.9 "), ()),
     "surface_crack_life": (("AMAX=6 ", "AMAX=2.3 "), ("N(2.602)", "N(3.064)")),
 }
-# Who sees day by day what these see.
+# Who sees day by day what these see, or most of it.
 SEEN_BY = {
     "friction_solid_life": "restart.growth runs its beginning, with its checks",
-    "link_up_solid": "growth.ellipse_joins joins fronts with K in closed form, mesh.free_fronts meshes notched ones",
+    "link_up_solid": "growth.front_growth joins fronts with K in closed form; K along a notched front is seen here alone",
     "surface_through_life": "growth.split_fronts splits fronts, stability.passages has K behind a passage",
 }
 
