@@ -112,9 +112,6 @@ TEST(SolidFaceContact, PressureAllRoundLeavesNothingOfACrack) {
 
 // Friction that holds the faces everywhere leaves nothing of it either.
 TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
-  if (!test::full_size()) {
-    GTEST_SKIP() << "at full size; friction: SlipsAgainstFriction";
-  }
   const auto solved =
       solve_text(penny("MU=1", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n"));
   ASSERT_TRUE(solved);
