@@ -53,6 +53,11 @@ public:
       return fail("no part of its front lies in the body", crack_.front.front());
     }
     const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    if (const std::optional<Vec3> other = place_in_other_body(surface)) {
+      return fail(fmt::format("its front lies in two bodies of one net, round {} and",
+                              text_of(host_.extent(request_.seed).middle)),
+                  *other, "give each body a net of its own and name the cracked one with NET=");
+    }
     const FrontArcs arcs = arcs_inside(surface, whole_);
     if (arcs.trouble) {
       return fail(arcs.trouble.why, arcs.trouble.at);
@@ -92,6 +97,21 @@ private:
       }
     }
     return request_.seed.valid();
+  }
+
+  /// A place of the whole front in another body than the one that it begins in: which of the two is
+  /// cracked would be left to chance.
+  [[nodiscard]] std::optional<Vec3> place_in_other_body(const SurfaceGeometry& surface) const {
+    constexpr double at_surface = 1e-3; // of the front: where bodies touch their meshes may overlap
+    for (int i = 0; i < samples; ++i) {
+      const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
+      const auto e = host_.element_at(x, crack_.net);
+      if (e && &host_.surface(*e) != &host_.surface(request_.seed) &&
+          (surface.nearest(x).x - x).norm() > at_surface * whole_.length()) {
+        return x;
+      }
+    }
+    return std::nullopt;
   }
 
   /// The curve of an arc on its own, through the same points.

@@ -539,6 +539,28 @@ TEST(SolidCracks, RefusalsNameThePlace) {
   EXPECT_EQ(told(ellipse({0, 0, 3.999}, flat, 0.5, 0.5), {}), "E423");
 }
 
+// A half penny at a face; with a second body of the same net on the other side of that face it would
+// be a whole one in two bodies.
+TEST(SolidCracks, OfTwoBodiesThatTouchNeitherIsChosen) {
+  model::Mesh host = box(ElementType::tet10, 4);
+  mesh::BlockSpec below;
+  below.type = ElementType::hexec20;
+  below.origin = Vec3(-4.0, -10.0, -4.0);
+  below.size = Vec3(8.0, 6.0, 8.0);
+  below.nx = below.ny = below.nz = 5;
+  mesh::generate_solid_block(host, base::NetId(std::size_t{0}), "BELOW.", below);
+  const auto told = [&](const Vec3& centre) {
+    base::Diagnostics diagnostics;
+    const auto cracked = mesh::insert_solid_cracks(
+        host, std::vector{ellipse(centre, Eigen::Matrix3d::Identity(), 1.0, 1.0)},
+        std::vector<mesh::TubeMesh>(1), std::vector<base::Span>(1), diagnostics);
+    EXPECT_NE(cracked.has_value(), diagnostics.has_errors());
+    return diagnostics.all().empty() ? std::string() : diagnostics.all()[0].text;
+  };
+  EXPECT_NE(told({0, -4, 0}).find("two bodies"), std::string::npos);
+  EXPECT_EQ(told({0, 0, 0}).find("two bodies"), std::string::npos);
+}
+
 // A hole wholly inside: all round a bore, and behind the front of a crack from face to face.
 TEST(SolidCracks, WithAHoleInside) {
   test::HolePlate plate;
