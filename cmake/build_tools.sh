@@ -39,10 +39,51 @@ missing_of() {
 
 apt_log() { mktemp "${TMPDIR:-/tmp}/spricka-apt.XXXXXX"; }
 
+# How long the scripts wait in all while another process holds a lock of apt or dpkg, and how often they
+# try again, in seconds.
+lock_patience=600
+lock_pause=3
+lock_deadline=
+
+# is_locked OUTPUT: did apt-get end because another process holds a lock of apt or dpkg?
+is_locked() {
+  case $1 in
+    *"Could not get lock"* | *"Unable to lock directory"* | *"Unable to acquire the dpkg"* | \
+      *"frontend lock was locked"* | *"status database is locked"*) true ;;
+    *) false ;;
+  esac
+}
+
+# apt_get LOG ARGUMENT..: apt-get as root, without questions; the output of the last attempt goes to LOG.
+# While another process holds a lock of apt or dpkg it waits, says so once, and tries again.
+apt_get() {
+  local log=$1 output result=0
+  shift
+  while true; do
+    result=0
+    output=$(as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q "$@" 2>&1) || result=$?
+    if [ $result -eq 0 ] || ! is_locked "$output"; then
+      break
+    fi
+    if [ -z "$lock_deadline" ]; then
+      lock_deadline=$((SECONDS + lock_patience))
+      say "waiting up to $lock_patience s: another process holds a lock of apt or dpkg"
+      say "$(printf '%s\n' "$output" | grep -m 1 -i 'lock')"
+    fi
+    if [ $SECONDS -ge $lock_deadline ]; then
+      say "the lock of apt or dpkg is still held: giving up"
+      break
+    fi
+    sleep "$lock_pause"
+  done
+  printf '%s\n' "$output" >>"$log"
+  return $result
+}
+
 # update_index LOG: fetch the package index; a failure shows later, by the package it lacks.
 update_index() {
   say "updating the package index"
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q >>"$1" 2>&1 || true
+  apt_get "$1" update || true
 }
 
 # install_packages FILE..: installs what is missing of these lists, without what Debian only
@@ -84,8 +125,7 @@ install_packages() {
 apt_install() {
   local log=$1
   shift
-  as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -q --no-install-recommends "$@" >>"$log" 2>&1
+  apt_get "$log" install -y --no-install-recommends "$@"
 }
 
 # quietly LOG COMMAND..: shows what the command said only if it fails.

@@ -34,13 +34,14 @@ constexpr std::array contact_keys{
          "overlap along the normal (on the radius), used exactly"),
     real("DIAMETRAL", length, anything,
          "overlap on the diameter: twice INTERFERENCE; negative: clearance"),
-    real("GAP", length, anything, "normal gap, used exactly; 0: a net fit; negative: overlap"),
+    real("GAP", length, anything,
+         "normal gap, used exactly; 0: a neat fit (zero clearance); negative: overlap"),
     preset(real("MU", number, at_least(0), "coefficient of Coulomb friction"), "0"),
     preset(word("PAIRING", "NODE|SEGMENT", "SEGMENT: any two meshes; NODE: matching nodes"),
            "SEGMENT"),
     preset(word("MULTIPLIER", "NODE|CORNER",
-                "between solids, a pressure at each node or at corners of elements only: fewer "
-                "unknowns, smoother, blunter at ends of contact"),
+                "between solids: a pressure at each node, or at the corners of elements only "
+                "(fewer unknowns, smoother, less sharp at the ends of contact)"),
            "NODE"),
     preset(word("RECOVERY", "LUMPED|CONSISTENT", "how pressure follows from NODE forces"),
            "LUMPED"),
@@ -135,8 +136,8 @@ constexpr std::array crack_when{
 
 constexpr std::array tipnet_keys{
     required(refers("CRACK", crack, "whose tips")),
-    real("RADIUS", length, above(0), "of the rings round the tip"),
-    real("SIZE", length, above(0), "of the elements at the tip"),
+    real("RADIUS", length, above(0), "radius of the rings round the tip"),
+    real("SIZE", length, above(0), "size of the elements at the tip"),
     preset(integer("RINGS", between(2, 200),
                    "number of element rings round the tip; in space 3 if left out"),
            "5"),
@@ -144,17 +145,18 @@ constexpr std::array tipnet_keys{
                    "elements round a full circle; in space 8 if left out"),
            "24"),
     preset(real("FINER", number, between(0.2, 20.0),
-                "so many times smaller elements, and more rings and sectors in the plane, than the "
-                "other keys say"),
+                "makes elements this many times smaller than the other keys say; in the plane also "
+                "more rings and sectors"),
            "1"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     preset(word("JOIN", "CONFORMING|TRANSITION",
-                "how the patch meets the host: edge to edge, or finer and tied to its edges"),
+                "how the patch joins the mesh of the part: edge to edge, or finer and tied to its "
+                "edges"),
            "CONFORMING"),
     preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
     preset(word("TUBE", "YES|NO",
-                "in space; NO: tetrahedra up to the front, even ones within RADIUS, as where no "
-                "tube fits"),
+                "YES: in space a tube of quarter-point elements along the front; NO: tetrahedra up "
+                "to the front, even ones within RADIUS, as where no tube fits"),
            "YES"),
     real("TOL", number, above(0),
          "refine until the error bars of K1 and K2 are below TOL*K, of fronts TOL times the "
@@ -201,13 +203,13 @@ constexpr std::array grow_keys{
                   "(dK/(1-R)^(1-P))^M; FORMAN: C dK^M/((1-R) KC - dK); NASGRO: Forman and Mettu's "
                   "with Newman's crack opening; TABLE: lines delta_K da/dN")),
     preset(word("DIRECTION", "PATH|HOOP|K2ZERO",
-                "where a crack grows to: along its line or in its plane, or by K1 and K2"),
+                "PATH: along its line or in its plane; HOOP: to the largest hoop stress; K2ZERO: "
+                "to where K2 vanishes"),
            "PATH"),
-    of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
-    preset(
-        word("SHAPE", "FREE|ELLIPSE",
-             "in space: fronts as K shapes them, or ellipses with an arm at each end of an axis"),
-        "FREE"),
+    of_type(KeyType::references, "CRACKS", crack, "the cracks that grow; all when left out"),
+    preset(word("SHAPE", "FREE|ELLIPSE",
+                "FREE: in space K shapes the front; ELLIPSE: in space the front stays an ellipse"),
+           "FREE"),
     refers("KMAX", step, "the step of the largest K"),
     refers("KMIN", step, "the step of the smallest K"),
     refers("SPECTRUM", spectrum, "the load history of one pass, in place of KMAX and KMIN"),
@@ -220,8 +222,8 @@ constexpr std::array grow_keys{
     real("DA", length, above(0), "largest advance of an increment"),
     real("TOL", number, between(1e-6, 0.1),
          "error of the cycles, as a part of them; 1e-3 when left out, 0.02 in space"),
-    real("AMAX", length, above(0), "stops the growth"),
-    real("CYCLES", number, above(0), "stops the growth"),
+    real("AMAX", length, above(0), "crack length at which the growth stops"),
+    real("CYCLES", number, above(0), "cycles, or passes, at which the growth stops"),
     real("C", number, above(0), "factor of the law, in KUNIT and AUNIT"),
     real("M", number, above(0), "exponent of the law"),
     preset(real("P", number, anything, "exponent of WALKER (gamma) or of NASGRO"), "0"),
@@ -258,7 +260,7 @@ constexpr std::array test_keys{
     required(refers("CRACK", crack, "that was measured")),
     preset(word("METHOD", "SECANT|POLYNOMIAL|E647|SPLINE", "how rates follow from lengths"),
            "POLYNOMIAL"),
-    word("AXIS", "A|C", "half axis of a crack in space that was read; else A"),
+    word("AXIS", "A|C", "semi-axis of a crack in space that was read; else A"),
     preset(integer("POINTS", between(5, 99), "readings in a parabola, an odd number"), "7"),
     text("FILE", "lines N a [c] from this file, in place of data lines"),
     text("REFERENCE", "lines delta_K da/dN from this file, in place of RATE"),
@@ -274,8 +276,8 @@ constexpr std::array test_when{
 };
 
 constexpr std::array sweep_keys{
-    required(refers("PARAMETER", parameter, "the one that varies")),
-    refers("WITH", parameter, "another that varies with it, in pairs"),
+    required(refers("PARAMETER", parameter, "the parameter that varies")),
+    refers("WITH", parameter, "a second parameter that varies with it, in pairs"),
 };
 
 constexpr std::array control_keys{
@@ -316,38 +318,39 @@ constexpr std::array cards{
              .keys = contact_keys,
              .exclusive = "INTERFERENCE DIAMETRAL GAP",
              .when = contact_when,
-             .doc = "A contact pair; without a given gap it is measured from the geometry."},
+             .doc = "A contact pair and its fit; without one the gap is that of the geometry."},
     CardSpec{.name = "RIGID",
              .group = "contact",
              .keys = rigid_keys,
              .when = rigid_when,
              .doc = "A rigid target, usable as MASTER: a line or circle in 2D or about an axis, a "
                     "plane, cylinder, cone or sphere in 3D."},
-    CardSpec{.name = "CRACK",
-             .group = "crack",
-             .keys = crack_keys,
-             .data = Data::rows,
-             .data_form = "in the plane: x y, from the mouth (or first tip) on; in space: x y z of "
-                          "the front",
-             .when = crack_when,
-             .doc =
-                 "A crack: in the plane along PATH or free by its points, in space an ellipse or "
-                 "by its front."},
+    CardSpec{
+        .name = "CRACK",
+        .group = "crack",
+        .keys = crack_keys,
+        .data = Data::rows,
+        .data_form = "in the plane: x y, from the mouth (or first tip) on; in space: x y z of "
+                     "the front",
+        .when = crack_when,
+        .doc =
+            "A crack: in the plane along PATH or through points, in space an ellipse or a front."},
     CardSpec{.name = "TIPNET",
              .group = "crack",
              .keys = tipnet_keys,
              .when = tipnet_when,
-             .doc = "How the patch round the tip is made; what is left out is chosen and printed."},
-    CardSpec{.name = "VCE",
-             .group = "crack",
-             .keys = vce_keys,
-             .doc = "Virtual crack extension: analytic without SHIFT, a finite shift with it."},
+             .doc = "The mesh at a tip or front; the program chooses and prints what is left out."},
+    CardSpec{
+        .name = "VCE",
+        .group = "crack",
+        .keys = vce_keys,
+        .doc = "Virtual crack extension, the way to K: analytic, or with SHIFT by a finite shift."},
     CardSpec{.name = "STEP",
              .group = "loads",
              .keys = step_keys,
              .data = Data::rows,
              .data_form = "LOAD case factor, FIT contact factor, MOUNT contact, DISMOUNT contact",
-             .doc = "Sets factors of loads and fits; those not named keep theirs."},
+             .doc = "Sets the factors of loads and fits; a factor not named stays as it was."},
     CardSpec{.name = "LOADPATH",
              .group = "loads",
              .keys = load_path_keys,
@@ -372,7 +375,7 @@ constexpr std::array cards{
              .data = Data::rows,
              .data_form = "N a [c]; or RATE delta_K da/dN",
              .when = test_when,
-             .doc = "Measured crack growth, turned back into K beside the computed one."},
+             .doc = "A crack growth test: measured lengths turned into K, beside the computed K."},
     CardSpec{.name = "SWEEP",
              .group = "requests",
              .keys = sweep_keys,
@@ -390,14 +393,15 @@ constexpr std::array cards{
              .keys = restart_keys,
              .once = true,
              .when = restart_when,
-             .doc = "Keeps the state after increments, and goes on from there."},
+             .doc = "Keeps the state of a run, so that a stopped run can continue."},
     CardSpec{.name = "TASK",
              .group = "requests",
              .data = Data::rows,
              .data_required = true,
              .once = true,
              .data_form = "TOPOLOGY STIFFNESS CONDENSE CONTACT VCE GROW RECOVER OUTPUT",
-             .doc = "The chain of processors; left out, it follows from the cards."},
+             .doc =
+                 "The stages of the run in order; without this card they follow from the others."},
     CardSpec{.name = "OUTPUT",
              .group = "requests",
              .keys = output_keys,

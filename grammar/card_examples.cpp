@@ -33,9 +33,9 @@ constexpr std::array texts{
         "$INCLUDE FILE='lug_model.inc'\n"},
     CardText{
         "NET",
-        "Everything up to $ENDNET belongs to the net. Bodies that touch should be nets of their "
-        "own. Outside the net its set BORE is called LUG.BORE, inside it BORE. A net is "
-        "condensed once, and again only when its own content changes.",
+        "Everything up to $ENDNET belongs to the net. Parts that touch each other should be nets "
+        "of their own. Of a net LUG the set BORE is called BORE inside the net and LUG.BORE "
+        "outside. The program condenses a net once, and again only when the net itself changes.",
         "$NET NAME=LUG\n"
         "  $MESH SHAPE=LUG TYPE=QUAMC8 RI=36 W=173 L=232.5 NR=8 NT=48\n"
         "$ENDNET\n"},
@@ -55,8 +55,8 @@ constexpr std::array texts{
              "RING with RI=0 is a disc.",
              "$MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=40 NR=8 NT=48\n"},
     CardText{"COOR",
-             "One node a line. Numbers are free, need no order and are those of the net the card "
-             "stands in. With SYSTEM=CYL the columns are r, theta (radians) and z.",
+             "One node a line. Node numbers are free and need no order; they count in the net that "
+             "the card stands in. With SYSTEM=CYL the columns are r, theta (radians) and z.",
              "$COOR DIM=2 NSET=CORNERS\n"
              "  1   0   0\n"
              "  2  10   0\n"
@@ -81,9 +81,8 @@ constexpr std::array texts{
     CardText{"ESET", "Items as on $NSET; WHERE is asked at the centroid of each element.",
              "$ESET NAME=HOT FROM=BODY WHERE=(rho < 40)\n"},
     CardText{"FSET",
-             "Faces are what loads and contacts work on. A node set that stands where faces are "
-             "wanted means the faces all of whose nodes it holds, so that this card is seldom "
-             "needed.",
+             "Faces are what loads and contacts work on. Where a card wants faces, a node set "
+             "stands for the faces whose nodes all lie in the set; so this card is seldom needed.",
              "$FSET NAME=UPPER_BORE FROM=LUG.BORE WHERE=(y > -1e-9)\n"},
     CardText{"MATERIAL",
              "RHO and ALPHA are kept for analyses to come; a load of TYPE=BODY gives its force per "
@@ -92,32 +91,33 @@ constexpr std::array texts{
     CardText{
         "PROPERTY",
         "Every element needs exactly one property. STRESS is plane stress, STRAIN plane strain; "
-        "forces and energies count for the whole THICK. Left out it is 1, which is an error where "
-        "another plane property has one, and a warning where loads are whole forces. Bodies that "
-        "meet in a contact, a tie or an edge and differ in THICK or STATE are warned of.",
+        "forces and energies count for the whole THICK. Without THICK it is 1; that is an error "
+        "where another plane property has a THICK, and a warning where loads are total forces. A "
+        "warning names bodies that meet in a contact, a tie or an edge and differ in THICK or "
+        "STATE.",
         "$PROPERTY ESET=LUG.BODY MATERIAL=AL7475 STATE=STRESS THICK=14\n"},
-    CardText{
-        "FREEDOM",
-        "SUPPRESSED freedoms are zero: supports and symmetry lines. PRESCRIBED ones move as "
-        "$LOAD TYPE=DISP says. EXTERNAL ones survive condensation, which no result depends on. "
-        "Bodies that contact holds need no support.",
-        "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"
-        "  LUG.END\n"},
+    CardText{"FREEDOM",
+             "A freedom is a displacement component of a node. SUPPRESSED freedoms are zero: "
+             "supports and symmetry lines. PRESCRIBED freedoms move as $LOAD TYPE=DISP says. "
+             "EXTERNAL freedoms are kept when a net is condensed; no result depends on that. All "
+             "other freedoms are free. A body that contact holds needs no support.",
+             "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"
+             "  LUG.END\n"},
     CardText{"MPC",
              "TRANSITION ties the SLAVE nodes to the MASTER faces by their shape functions; RIGID "
              "makes the SLAVE nodes one rigid body; EQUATION is a linear equation between "
-             "freedoms, whose "
-             "first one follows the others. TRANSITION is exact where every side of the SLAVE mesh "
+             "displacement components; the first one follows the others. TRANSITION is exact where "
+             "every side of the SLAVE mesh "
              "lies on one MASTER face.",
              "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
     CardText{"SYMMETRY",
-             "Bodies, supports, loads, contacts and cracks are drawn whole; one side of the plane "
-             "in their middle is modelled, and the nodes in it are held across it. All of it has "
-             "to be mirrored by the plane (check lists the planes that are), and no element may "
-             "lie across. Totals are given whole; forces, energies and areas of results are those "
-             "of the side. In a plane model a crack that is drawn across the plane begins in it, "
-             "and one that is drawn in it opens by half. Two cards make a quarter, three an "
-             "eighth.",
+             "The deck has the whole bodies, supports, loads, contacts and cracks. The program "
+             "models one side of the plane in their middle and holds the nodes in the plane across "
+             "it. Everything in the deck has to be symmetric about the plane (spricka check lists "
+             "such planes), and no element may lie across it. Give total loads of the whole model; "
+             "forces, energies and areas in the results are those of the modelled side. In a plane "
+             "model a crack that is drawn across the plane begins in the plane, and a crack that "
+             "is drawn in the plane opens by half. Two cards make a quarter, three an eighth.",
              "$SYMMETRY NORMAL=Y KEEP=ABOVE\n"},
     CardText{
         "LOAD",
@@ -141,10 +141,10 @@ constexpr std::array texts{
         "$LOAD CASE=LEAK TYPE=FACES\n"
         "  TOP  5[MPa]\n"},
     CardText{"CONTACT",
-             "The surfaces cannot pass into each other and can always part, without penalty and "
-             "without stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
+             "The surfaces cannot overlap and can always separate. There is no penalty and no "
+             "contact stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
              "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
-             "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
+             "The conditions are the same whichever surface is SLAVE; SEGMENT pairs need no "
              "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
              "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
              "whole circumference. Where the contact is pressed up to an edge of one surface, the "
@@ -177,17 +177,18 @@ constexpr std::array texts{
         "or a line through several points; the program cuts it into the mesh. If the first point "
         "lies inside the body both ends are tips, NAME.1 at the first point and NAME.2 at the "
         "last, and the crack's length a is half of the line's. LINE=SMOOTH draws a spline through "
-        "the points (straight lines between points of an arc would bend K with each kink). "
+        "the points (straight lines between points of an arc would disturb K at each kink). "
         "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
         "are released and K counts both halves. Two sides of a bore are two cards. With "
         "FACES=CONTACT the faces of a crack touch where they would overlap, slip with MU against "
-        "friction and part again; K1 is 0 at a tip where they touch. Where they do, they are a "
-        "contact NAME.FACES of the listing, of CPRESS and of $CHECK, with places along the crack "
-        "from its mouth or first point. FACES=FREE lets them overlap and says so. "
-        "In space a crack is a plane one: an ellipse by its centre and semi-axes A and C (left "
-        "out: a circle), or what a front encloses that is drawn smoothly through its points. Where "
-        "an ellipse lies beside the body nothing is cut: with its centre inside it is embedded, on "
-        "a face a surface crack, on an edge a corner crack. An open front starts and ends on the "
+        "friction and part again; K1 is 0 at a tip where they touch. Faces that touch are a "
+        "contact NAME.FACES in the listing, in CPRESS and in $CHECK; places on it are lengths "
+        "along the crack from its mouth or first point. FACES=FREE lets them overlap and says so. "
+        "In space a crack is plane: an ellipse, given by its centre and its semi-axes A and C "
+        "(without C a circle), or the area inside a front, given by points that a smooth curve "
+        "joins. Only what lies inside the body is cut: with the centre inside the body the crack "
+        "is embedded, on a face it is a surface crack, on an edge a corner crack. An open front "
+        "starts and ends on the "
         "surface or outside, X0 Y0 Z0 is a point within the crack. K belongs to the points along "
         "the front; its angle phi counts from the axis C towards A, which is normal x C. The face "
         "that the normal points away from is NAME.RIGHT, the other one NAME.LEFT. With STATE=AXI a "
@@ -196,14 +197,14 @@ constexpr std::array texts{
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
         "  0  36\n"
         "$CRACK NAME=CORNER NET=LUG A=3.6 X0=20 Y0=0 Z0=0 NORMAL=Y\n"},
-    CardText{
-        "TIPNET",
-        "The patch round a tip holds rings of quarter-point elements (the rosette) and a graded "
-        "mesh that meets the net. It moves with the tip. Without this card sizes follow the "
-        "crack's length and what is near: boundaries, contact surfaces, other cracks; the listing "
-        "names them. Smaller SIZE: finer. JOIN=TRANSITION divides the patch's rim into finer edges "
-        "that follow those of the net: for nets that are coarse round the crack.",
-        "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
+    CardText{"TIPNET",
+             "The patch is the new mesh round a tip: rings of quarter-point elements (the "
+             "rosette), and a graded mesh that joins them to the net. It moves with the tip. "
+             "Without this card the sizes follow from the crack's length and from what is near "
+             "(boundaries, contact surfaces, other cracks); the listing names them. Smaller SIZE: "
+             "finer. JOIN=TRANSITION divides the patch's rim into finer edges "
+             "that follow those of the net: for nets that are coarse round the crack.",
+             "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
     CardText{
         "VCE",
         "K comes from the derivative of the energy for a virtual motion of the tip. Each number "
@@ -226,13 +227,14 @@ constexpr std::array texts{
         "  LOAD SHAFTLOAD 1\n"
         "$STEP NAME=UNLOAD\n"
         "  LOAD SHAFTLOAD 0\n"},
-    CardText{"LOADPATH",
-             "Loads and fits run from those of step FROM to those of step TO and on in a straight "
-             "line, (1-t) FROM + t TO. Without friction K is piecewise linear in t: every "
-             "breakpoint, where a pair opens or closes, is found. With friction it can only say "
-             "what the t of a spectrum mean. Nothing may be mounted or dismounted between the "
-             "two steps.",
-             "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
+    CardText{
+        "LOADPATH",
+        "Loads and fits run from those of step FROM to those of step TO and on in a straight "
+        "line, (1-t) FROM + t TO. Without friction K is piecewise linear in t: every "
+        "breakpoint, where a pair opens or closes, is found. With friction the card only defines "
+        "what the t of a spectrum mean. Nothing may be mounted or dismounted between the "
+        "two steps.",
+        "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
     CardText{"SPECTRUM",
              "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
              "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
@@ -258,9 +260,10 @@ constexpr std::array texts{
     CardText{
         "TEST",
         "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "
-        "it; in space N a c, both half axes, of which AXIS is compared, or it alone. The rate "
-        "da/dN at a length is that of a reference at a range of K; so K of the part "
-        "is known. The reference is the law of $GROW, or rates of a specimen: lines RATE delta_K "
+        "it; in space N a c, both semi-axes, or the one of AXIS alone; AXIS says which one is "
+        "compared. At the same range of K the part and a reference grow at the same rate da/dN, so "
+        "that the measured rate gives K of the part. The reference is the law of $GROW, or rates "
+        "of a specimen: lines RATE delta_K "
         "da/dN, straight in the logarithms in between. K_min/K_max of each length comes from the "
         "steps KMIN and KMAX of $GROW. Results are in test.csv with the scatter band; manual, "
         "inversion.md.",
@@ -283,12 +286,13 @@ constexpr std::array texts{
         "CONTROL",
         "Seldom needed. THREADS never changes a result; the command line's --threads goes first.",
         "$CONTROL THREADS=2\n"},
-    CardText{"RESTART",
-             "The state is kept after every crack length, so that a run that was stopped goes on "
-             "to the same bits: spricka run DECK --restart. Files lie relative to the deck. A "
-             "state fits a deck whose cards are the same but for $OUTPUT, $CHECK, $CONTROL, $TASK, "
-             "lengths of $GROW and steps taken away at the end.",
-             "$RESTART WRITE='lug.rst'\n"},
+    CardText{
+        "RESTART",
+        "The state is kept after every crack length. spricka run DECK --restart continues a "
+        "stopped run and gives the same results to the last bit. Files lie relative to the deck. A "
+        "state fits a deck whose cards are the same but for $OUTPUT, $CHECK, $CONTROL, $TASK, "
+        "lengths of $GROW and steps taken away at the end.",
+        "$RESTART WRITE='lug.rst'\n"},
     CardText{"TASK",
              "Its names and their order are checked; in this version the chain always follows from "
              "the cards.",

@@ -24,22 +24,25 @@ constexpr std::array quantities{
     ResultQuantity{"K1", "cs?aa", stress_intensity, "stress intensity of mode I"},
     ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
     ResultQuantity{"K1.BAR", "cs?aa", stress_intensity, "error bar of K1, half its width"},
-    ResultQuantity{"K2.BAR", "cs?aa", stress_intensity, "error bar of K2"},
+    ResultQuantity{"K2.BAR", "cs?aa", stress_intensity, "error bar of K2, half its width"},
     ResultQuantity{"K1.BEST", "cs?aa", stress_intensity, "K1 with its estimated error taken out"},
     ResultQuantity{"K2.BEST", "cs?aa", stress_intensity, "K2 with its estimated error taken out"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
-    ResultQuantity{"T", "cs?aa", stress, "stress along the crack at the tip"},
+    ResultQuantity{"T", "cs?aa", stress, "T stress: stress along the crack at the tip"},
     ResultQuantity{"DK1.LOAD", "cso?a", stress_intensity,
-                   "factor of a load case times dK1 by it, contact kept"},
+                   "factor of a load case times dK1/d(factor), contact kept"},
     ResultQuantity{"DK1.FIT", "csp?a", stress_intensity,
-                   "interference of a contact times dK1 by it"},
+                   "interference of a contact times dK1/d(interference)"},
     ResultQuantity{"DK1.E", "csm?a", stress_intensity,
-                   "Young's modulus of a material times dK1 by it"},
-    ResultQuantity{"DK1.A", "cs?a", stress_intensity, "crack length times dK1 by it"},
-    ResultQuantity{"DK2.LOAD", "cso?a", stress_intensity, "the same of K2"},
-    ResultQuantity{"DK2.FIT", "csp?a", stress_intensity, "the same of K2"},
-    ResultQuantity{"DK2.E", "csm?a", stress_intensity, "the same of K2"},
-    ResultQuantity{"DK2.A", "cs?a", stress_intensity, "the same of K2"},
+                   "Young's modulus of a material times dK1/dE"},
+    ResultQuantity{"DK1.A", "cs?a", stress_intensity, "crack length times dK1/da"},
+    ResultQuantity{"DK2.LOAD", "cso?a", stress_intensity,
+                   "factor of a load case times dK2/d(factor), contact kept"},
+    ResultQuantity{"DK2.FIT", "csp?a", stress_intensity,
+                   "interference of a contact times dK2/d(interference)"},
+    ResultQuantity{"DK2.E", "csm?a", stress_intensity,
+                   "Young's modulus of a material times dK2/dE"},
+    ResultQuantity{"DK2.A", "cs?a", stress_intensity, "crack length times dK2/da"},
     ResultQuantity{"CPRESS.MIN", "ps?a", stress, "smallest contact pressure"},
     ResultQuantity{"CPRESS.MAX", "ps?a", stress, "largest contact pressure"},
     ResultQuantity{"CPRESS.MEAN", "ps?a", stress, "mean pressure over the part in contact"},
@@ -115,11 +118,13 @@ constexpr std::array quantities{
     ResultQuantity{"ERROR", "es?a", number, "estimated error of a net in the energy norm, 0 to 1"},
     ResultQuantity{"PATH.K1", "cla?a", stress_intensity, "K1 at a place t of a load path"},
     ResultQuantity{"PATH.K2", "cla?a", stress_intensity, "K2 at a place t of a load path"},
-    ResultQuantity{"PATH.SLOPE", "cla?a", stress_intensity, "dK1/dt there, behind a breakpoint"},
+    ResultQuantity{"PATH.SLOPE", "cla?a", stress_intensity,
+                   "slope dK1/dt at a place t of a load path; at a breakpoint the slope behind it"},
     ResultQuantity{"PATH.K1.SUM", "claa?a", stress_intensity,
                    "K1 under x times FROM plus y times TO of a load path"},
-    ResultQuantity{"PATH.OPENING", "pl?a", number, "t at which a load path opens the first pair"},
-    ResultQuantity{"PATH.KNOTS", "l?a", number, "breakpoints of a load path"},
+    ResultQuantity{"PATH.OPENING", "pl?a", number,
+                   "t at which the first contact pair opens on a load path"},
+    ResultQuantity{"PATH.KNOTS", "l?a", number, "number of breakpoints of a load path"},
     ResultQuantity{"N", "a", number, "cycles (or passes of the spectrum) until a crack length"},
     ResultQuantity{"LIFE", "", number, "cycles (or passes of the spectrum) to the end"},
     ResultQuantity{"TEST.K", "ta", stress_intensity, "K that a test had at a crack length"},
@@ -160,14 +165,14 @@ std::vector<AlongFronts> along_fronts() {
   }
   for (const char* K : {"K1", "K2", "K3"}) {
     all.push_back({fmt::format("D{}.LOAD", K), "so", stress_intensity,
-                   fmt::format("factor of a load case times d{} by it", K), false});
+                   fmt::format("factor of a load case times d{}/d(factor)", K), false});
     all.push_back({fmt::format("D{}.FIT", K), "sp", stress_intensity,
-                   fmt::format("interference of a contact times d{} by it", K), false});
+                   fmt::format("interference of a contact times d{}/d(interference)", K), false});
     all.push_back({fmt::format("D{}.E", K), "sm", stress_intensity,
-                   fmt::format("Young's modulus of a material times d{} by it", K), false});
+                   fmt::format("Young's modulus of a material times d{}/dE", K), false});
     for (const char* axis : {"A", "C"}) {
       all.push_back({fmt::format("D{}.{}", K, axis), "s", stress_intensity,
-                     fmt::format("semi-axis {} of an ellipse times d{} by it", axis, K), false});
+                     fmt::format("semi-axis {0} of an ellipse times d{1}/d{0}", axis, K), false});
     }
   }
   return all;

@@ -3,6 +3,7 @@
 
 #include "base/units.hpp"
 #include "grammar/compile.hpp"
+#include "grammar/field_words.hpp"
 #include "grammar/phrases.hpp"
 #include "grammar/wrap.hpp"
 
@@ -186,6 +187,28 @@ std::string word_help(std::string_view word, std::size_t width) {
     }
   }
   return table.rows.empty() ? std::string() : table.text(width);
+}
+
+std::string field_help(std::string_view word, std::size_t width) {
+  const FieldWord* found = find_field_word(word);
+  if (found == nullptr) {
+    return {};
+  }
+  const auto topics = split_words(found->topics);
+  const auto pages = split_words(found->pages);
+  return paragraph(fmt::format("{} (also: {})", found->word, found->also), 0, width) +
+         paragraph(found->text, k_body, width) + '\n' +
+         paragraph(fmt::format("More: spricka help {}", fmt::join(topics, ", ")), k_body, width) +
+         paragraph(fmt::format("Manual: {}.md", fmt::join(pages, ".md, ")), k_body, width);
+}
+
+std::string field_words_help(std::size_t width) {
+  Columns table{{}, {24, 0}};
+  for (const FieldWord& word : field_words()) {
+    table.rows.push_back({std::string(word.word), std::string(word.also)});
+  }
+  return "Words of damage tolerance; spricka help WORD says what each one is here:\n" +
+         table.text(width);
 }
 
 std::string quantities_help(std::size_t width, const ResultQuantity* one) {

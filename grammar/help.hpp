@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// What `spricka help` prints, made of the catalogue alone, in lines of at most `width` columns
-/// (but for examples and words that are longer).
+/// What `spricka help` prints, made of the catalogue and the words of the field, in lines of at
+/// most `width` columns (but for examples and words that are longer).
 namespace spricka::grammar {
 
 /// All cards by group, one line each.
@@ -21,6 +21,12 @@ std::string word_help(std::string_view word, std::size_t width);
 
 /// Where the texts of cards, keys and results have a word, given in any case. Empty: nowhere.
 std::string text_help(std::string_view word, std::size_t width);
+
+/// Where a word of damage tolerance leads, given in any case. Empty: it is not known.
+std::string field_help(std::string_view word, std::size_t width);
+
+/// All words of damage tolerance that lead somewhere, with others for each.
+std::string field_words_help(std::size_t width);
 
 /// The results that $CHECK can name; `one` alone if it is given.
 std::string quantities_help(std::size_t width, const ResultQuantity* one = nullptr);

@@ -102,8 +102,14 @@ std::string words() {
 } // namespace
 
 std::string cards_markdown() {
-  std::string out = "# The cards\n\nMade of the program's own catalogue by `spricka help "
-                    "--markdown`; do not edit. On the terminal:\n`spricka help CARD`.\n\n";
+  std::string out = "# The cards\n\nThis page has every card of the deck language, with its "
+                    "keys, their values and defaults, and an example. Look here\nwhile you write "
+                    "or read a deck. To learn the language, begin with [a first "
+                    "deck](first_deck.md).\n\nA card is `$` and its name, then keys `KEY=VALUE`; "
+                    "data lines may stand below it. `!` starts a comment, and upper\nand lower "
+                    "case are the same. `spricka help CARD` prints one card on the terminal. "
+                    "This page is made from the\nprogram's own catalogue by `spricka help "
+                    "--markdown`; do not edit it. The cards by group:\n\n";
   out += contents();
   for (const std::string_view group : groups()) {
     out += fmt::format("## {}: {}\n\n", group, about_group(group));

@@ -12,7 +12,7 @@ using enum Kind;
 using enum Quantity;
 
 constexpr std::array deck_keys{
-    required(integer("VERSION", between(1, 1), "of the language; this is 1")),
+    required(integer("VERSION", between(1, 1), "version of the language; this is 1")),
     required(word("LENGTH", "M|MM|IN", "unit of every length of the deck")),
     required(word("FORCE", "N|KN|LBF", "unit of every force; stresses are FORCE/LENGTH^2")),
     text("TITLE", "heads the listing"),
@@ -130,9 +130,9 @@ constexpr std::array property_when{
 
 constexpr std::array freedom_keys{
     required(word("CLASS", "SUPPRESSED|PRESCRIBED|EXTERNAL",
-                  "PRESCRIBED ones get values from $LOAD TYPE=DISP, EXTERNAL ones survive "
-                  "condensation")),
-    required(word("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions it is about")),
+                  "SUPPRESSED: held at zero; PRESCRIBED: moved by $LOAD TYPE=DISP; EXTERNAL: kept "
+                  "in condensation")),
+    required(word("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions that the class is for")),
 };
 
 constexpr std::array mpc_keys{
@@ -149,7 +149,8 @@ constexpr std::array mpc_when{
 };
 
 constexpr std::array symmetry_keys{
-    required(word("NORMAL", "X|Y|Z", "across the plane, which lies in the middle of all bodies")),
+    required(
+        word("NORMAL", "X|Y|Z", "normal of the plane, which lies in the middle of all bodies")),
     preset(word("KEEP", "ABOVE|BELOW",
                 "the side that is modelled: of the larger coordinates, or "
                 "of the smaller ones"),
@@ -175,11 +176,13 @@ constexpr std::array cards{
              .group = "deck",
              .keys = include_keys,
              .doc = "Reads the cards of another file in place of this one."},
-    CardSpec{.name = "NET",
-             .group = "subnets",
-             .keys = net_keys,
-             .doc = "Opens a subnet with its own node and element numbers and sets."},
-    CardSpec{.name = "ENDNET", .group = "subnets", .doc = "Closes the subnet; nets do not nest."},
+    CardSpec{
+        .name = "NET",
+        .group = "subnets",
+        .keys = net_keys,
+        .doc =
+            "Opens a net: the mesh of one part, with its own node and element numbers and sets."},
+    CardSpec{.name = "ENDNET", .group = "subnets", .doc = "Closes the net; nets do not nest."},
     CardSpec{.name = "IMPORT",
              .group = "topology",
              .keys = import_keys,
@@ -204,7 +207,7 @@ constexpr std::array cards{
              .data = Data::table,
              .data_required = true,
              .data_form = "id n1 n2 ..",
-             .doc = "Topology; corners first, then mid-edge nodes."},
+             .doc = "Elements with their nodes: corners first, then mid-edge nodes."},
     CardSpec{.name = "NSET",
              .group = "topology",
              .keys = nset_keys,
@@ -231,14 +234,15 @@ constexpr std::array cards{
              .group = "material and geometry",
              .keys = property_keys,
              .when = property_when,
-             .doc = "Theory, thickness and material of an element set."},
+             .doc =
+                 "Plane stress, plane strain or solid, thickness and material of an element set."},
     CardSpec{.name = "FREEDOM",
              .group = "freedoms",
              .keys = freedom_keys,
              .data = Data::rows,
              .data_required = true,
              .data_form = items,
-             .doc = "Class of freedoms; all others are LOCAL."},
+             .doc = "Supports and prescribed displacements, by the class of degrees of freedom."},
     CardSpec{.name = "MPC",
              .group = "freedoms",
              .keys = mpc_keys,
@@ -246,11 +250,11 @@ constexpr std::array cards{
              .data_form =
                  "EQUATION: coefficient node dof, again and again; NET.12 for a node of a net",
              .when = mpc_when,
-             .doc = "Ties between freedoms."},
+             .doc = "Ties between nodes: multi-point constraints."},
     CardSpec{.name = "SYMMETRY",
              .group = "freedoms",
              .keys = symmetry_keys,
-             .doc = "Models one side of a plane of symmetry of all that the deck has."},
+             .doc = "Models one half of a symmetric deck: one side of a plane of symmetry."},
 };
 
 } // namespace

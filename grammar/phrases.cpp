@@ -55,14 +55,14 @@ std::string sentence(const When& clause, const std::vector<std::string>& words) 
 }
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> group_texts{{
-    {"deck", "the frame of a deck: units, parameters, other files, the end"},
-    {"subnets", "bodies with their own numbers and sets"},
-    {"topology", "nodes, elements and sets: written out, generated or imported"},
+    {"deck", "units, parameters, included files, the end of the deck"},
+    {"subnets", "each net is the mesh of one part, with its own numbers and sets"},
+    {"topology", "nodes, elements and sets, written in the deck, generated or imported"},
     {"material and geometry", "what the elements are made of"},
-    {"freedoms", "supports and ties"},
+    {"freedoms", "supports, ties and planes of symmetry"},
     {"loads", "load cases, and the steps that apply them"},
-    {"contact", "surfaces that press on each other, fits"},
-    {"crack", "cracks, their tips, their growth"},
+    {"contact", "contact surfaces and fits"},
+    {"crack", "cracks, the mesh at their tips, their growth"},
     {"requests", "results, checks, numerics, repeated runs"},
 }};
 

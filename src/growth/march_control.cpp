@@ -335,7 +335,8 @@ void March::look_for_no_end() {
     }
   }
   if (!end_ && all.size() >= most_stations()) {
-    end_at_station("STATIONS", fmt::format("after {} stations no end is in sight", all.size()));
+    end_at_station("STATIONS",
+                   fmt::format("the growth has not ended after {} stations", all.size()));
   }
 }
 

@@ -312,8 +312,8 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
   const auto failed =
       std::count_if(sweep.points.begin(), sweep.points.end(),
                     [](const SweepPoint& p) { return p.outcome != base::Outcome::done; });
-  page.add(fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points, {} of them without "
-                       "success. Computed by spricka {}.</p>\n",
+  page.add(fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
+                       "failed. Computed by spricka {}.</p>\n",
                        failed > 0 ? "failed" : "about", escape(deck_name(sources, 0)),
                        escape(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
                        sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
@@ -332,7 +332,7 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
     page.figure({{draw(plot)},
                  "",
                  fmt::format("K₁ at the end of each step, increment {} (a = {:.6g} {}). Curves "
-                             "within 0.1 % of the largest value are drawn once.",
+                             "that differ by less than 0.1 % of the largest value are drawn once.",
                              increment, a, model.units.length_name) +
                      bar_words(plot.series)});
   }
@@ -341,11 +341,10 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
     const double unit = life_scale(sweep);
     const std::string name = fmt::format(
         "N [{}{}]", unit > 1.0 ? fmt::format("{:.0f} ", unit) : std::string(), life_unit(model));
-    page.figure(
-        {{draw(plot_of(sweep, units, name, lives_of(model, sweep, unit)))},
-         "",
-         "The life of each point. The lengths that K was solved at are the program's own and "
-         "differ from point to point: K is shown at the first one."});
+    page.figure({{draw(plot_of(sweep, units, name, lives_of(model, sweep, unit)))},
+                 "",
+                 "The life of each point. The program chooses the lengths at which it solves for "
+                 "K, and they differ from point to point: K is shown at the first one."});
   }
   page.heading("Points");
   if (const auto warned = std::ranges::count_if(

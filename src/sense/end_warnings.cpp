@@ -58,15 +58,14 @@ void add_idle_contacts(const model::Model& model, const results::Run& run,
       continue;
     }
     list.push_back(
-        {"W571",
-         fmt::format("contact {} is mounted and presses in no step of the run{}: as far as the "
-                     "results go it might as well not be there; is its fit the one that is meant "
-                     "(GAP keeps apart, INTERFERENCE presses), and is a step missing?",
-                     contact.name,
-                     found.nearest > 0.0
-                         ? fmt::format(" (its surfaces stay {:.3g} {} apart or more)",
-                                       found.nearest, model.units.length_name)
-                         : "")});
+        {"W571", fmt::format("contact {} is mounted and presses in no step of the run{}: it has no "
+                             "effect on the results. Is its fit the one you mean (GAP keeps apart, "
+                             "INTERFERENCE presses), and is a step missing?",
+                             contact.name,
+                             found.nearest > 0.0
+                                 ? fmt::format(" (its surfaces stay {:.3g} {} apart or more)",
+                                               found.nearest, model.units.length_name)
+                                 : "")});
   }
 }
 

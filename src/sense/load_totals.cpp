@@ -105,8 +105,8 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
   constexpr double little = 1e-5; // integrable poles
   if (missed > little) {
     diagnostics.warning(load.span, "W435",
-                        fmt::format("load case {}: no rule follows this load within an element; "
-                                    "up to {} % of its total may be missed",
+                        fmt::format("load case {}: this load changes too fast within an element to "
+                                    "be integrated; up to {} % of its total may be missed",
                                     load_case.name,
                                     missed > 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * missed)),
                         "refine the net where the load changes");
@@ -126,12 +126,13 @@ void warn_of_lost_displacement(const model::Mesh& mesh, double largest,
   const std::string place = mesh.dim == 2
                                 ? fmt::format("({:.4g}, {:.4g})", x[0], x[1])
                                 : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
-  diagnostics.warning(
-      load.span, "W436",
-      fmt::format("load case {}: between the nodes at {} this displacement is {:.2g} off what they "
-                  "carry, {:.2g} % of the case's largest; results and their bars do not know it",
-                  load_case.name, place, lost.off, 100.0 * lost.off / std::max(largest, lost.off)),
-      "refine the net there, with nodes at kinks and steps");
+  diagnostics.warning(load.span, "W436",
+                      fmt::format("load case {}: between the nodes at {} this displacement differs "
+                                  "by {:.2g} from what the mesh can follow, {:.2g} % of the case's "
+                                  "largest; results and their error bars do not include this",
+                                  load_case.name, place, lost.off,
+                                  100.0 * lost.off / std::max(largest, lost.off)),
+                      "refine the net there, with nodes at kinks and steps");
 }
 
 double largest_displacement(const model::Model& model, const model::Mesh& mesh,

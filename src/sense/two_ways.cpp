@@ -184,12 +184,12 @@ std::vector<std::string> two_ways_warnings(const results::Run& run) {
     const Parting& one = entry.first;
     const int others = count[name] - 1;
     texts.push_back(fmt::format(
-        "{}, step {}, a = {:.6g}: two ways to K part by more than {}: "
-        "{}{}",
-        name, one.step->step, one.tip->a,
+        "{}, step {}, a = {:.6g}: two ways to compute K differ by more than {}: {}{}", name,
+        one.step->step, one.tip->a,
         one.tip->no_bar.empty() ? "its error bar" : "on a sound mesh, and there is no error bar",
         one.what,
-        others > 0 ? fmt::format("; so they do in {} other results of this tip", others) : ""));
+        others > 0 ? fmt::format("; the same holds for {} other results of this tip", others)
+                   : ""));
   }
   return texts;
 }

@@ -71,14 +71,15 @@ Parted worst_place(const results::StepResult& step, const results::FrontResult& 
 std::string parted_text(const Parted& one) {
   const results::FrontPlace& at = *one.place;
   return fmt::format(
-      "{}, step {}, a = {:.6g}, at ({:.6g}, {:.6g}, {:.6g}) of its front: two ways to K part by "
-      "more than {}: G = {:.5g} and what K1, K2 and K3 stand for, {:.5g}, are {:.2g} % of K "
+      "{}, step {}, a = {:.6g}, at ({:.6g}, {:.6g}, {:.6g}) of its front: two ways to compute K "
+      "differ by more than {}: G = {:.5g} and G of K1, K2 and K3, {:.5g}, are {:.2g} % of K "
       "apart{}",
       one.front->name, one.step->step, one.front->a, at.x.x(), at.x.y(), at.x.z(),
       results::has_bar(*one.front) ? "its error bar" : "on a sound mesh", at.G, at.G_from_K,
       100.0 * one.apart,
-      one.others > 0 ? fmt::format("; so they do in {} other results of this front", one.others)
-                     : "");
+      one.others > 0
+          ? fmt::format("; the same holds for {} other results of this front", one.others)
+          : "");
 }
 
 } // namespace

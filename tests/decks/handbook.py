@@ -215,24 +215,29 @@ def difference(found, wanted):
 
 HEAD = """# Surface and corner cracks against the handbook
 
-K along {count} fronts and loads in plates (thickness $t$, which is the radius of the holes; half width ten crack lengths,
-$\\nu = 0.3$) against the equations of Newman and Raju (1981; NASA TM-85793, 1984). These were fitted to their own
-finite elements and are by their claim within 5 % of them. Made by `tests/decks/handbook.py PROGRAM --write`; every plate is
-a coarse mesh without the crack, which one card cuts in. Where a front meets a surface the equations have what
-their meshes had: angles are those from 10 degrees off a surface on. The difference is the largest along the front over
-the largest K there, spricka less the equation; $F = K / (S \\sqrt{{\\pi a}})$ at 10 degrees from the face along which
-$c$ lies, at 45 and at the last angle (90, or 80 of corner cracks), in brackets that of the equation.
+This page compares K of surface and corner cracks in plates with the equations of Newman and Raju, which life programs
+use. Read it when your K differs from the handbook's: it says where the two agree and where they do not.
 
-All are meshed. Tension is within 5 % in 27 of 39 cases, bending in 14 of 30. What is farther off:
+The table has {count} fronts and loads. The plates have the thickness $t$, which is also the radius of the holes, and a half
+width of ten crack lengths; $\\nu = 0.3$. Every plate is a coarse mesh without the crack, and one card cuts the crack in.
+The equations (1981; NASA TM-85793, 1984) were fitted to the authors' own finite elements, and are by their claim within
+5 % of them. Where a front meets a surface the equations have what their meshes had, so only angles from 10 degrees off a
+surface on are compared. The difference is spricka less the equation: the largest along the front over the largest K there.
+$F = K / (S \\sqrt{{\\pi a}})$ is given at 10 degrees from the face along which $c$ lies, at 45 degrees and at the last angle
+(90, or 80 of corner cracks), with that of the equation in brackets. `tests/decks/handbook.py PROGRAM --write` makes this
+page.
 
-- deep slender cracks under tension ($a/t = 0.8$, $a/c \\le 0.6$): the equations are higher by 5 to 15 % at the deepest point;
+All cases could be meshed. Tension is within 5 % in 27 of 39 cases, bending in 14 of 30. The others are:
+
+- deep slender cracks under tension ($a/t = 0.8$, $a/c \\le 0.6$): the equations are 5 to 15 % higher at the deepest point;
 - bending at 45 degrees and in deep cracks, where K is small and its sign changes: up to 18 % of the largest K;
-- one corner crack at a hole, made of the equation for two by Shah's rule: the equation is lower by 4 to 11 %. The reference of
-  `decks/pin_corner_crack_solid.deck`, five meshes of two families that are within 0.5 % of each other, is 4 % above the
-  equation as well, and spricka is within 0.5 % of that one.
+- one corner crack at a hole, for which Shah's rule turns the equation for two cracks into that for one: the equation is 4 to
+  11 % lower. Another reference says the same: five meshes of two families for `decks/pin_corner_crack_solid.deck` are within
+  0.5 % of each other and 4 % above the equation, and spricka is within 0.5 % of them.
 
-Whether there the equation or its finite elements are off is not settled by this table; twelve sectors instead of eight
-round the front move K by less than 0.5 % (closed forms: [a crack in a solid](solid_crack.md)). The test allows the differences found and 1 %.
+This table does not settle whether the equation or its finite elements are off there. Twelve sectors instead of eight round
+the front move K by less than 0.5 % (closed forms: [a crack in a solid](solid_crack.md)). The test allows the differences
+found and 1 %.
 
 """
 

@@ -29,15 +29,17 @@ SCENES = {name: make for room in (scenes_contact, scenes_body, scenes_joint, sce
 
 HEAD = """# Gallery of failures
 
-Scenes at which usual methods for contact and cracks fail: what they answer, by how much it is wrong, and what spricka
-answers to the same. The naive methods are written out in `tests/gallery/naive_*.py`, on a small finite-element program
-beside them, mostly on the very mesh that spricka solved. `tests/gallery/gallery.py PROGRAM --write` runs all of them
-and makes these pages of that run.
+These pages show where usual methods for contact and cracks fail: what they answer, how far that is off, and what spricka
+answers for the same problem. Read them to see whether a method that you use now has such a trap, and what to check.
 
-*Measured before* are figures of CalculiX 2.20 (Debian 12) and of plain prototypes, from comparisons that were made
-before this program was; the benchmarks F01, C02, .. and the sweeps S01 to S12 are those that decks name as
-SOURCE and that [stability](../stability.md) runs. A naive method here has to fail as much as it did there, to a factor
-of two, or the page says why it does not. spricka's rows have to be right, or say that they are not.
+The usual (naive) methods are written out in `tests/gallery/naive_*.py`, on a small finite-element program beside them,
+mostly on the very mesh that spricka solved. `tests/gallery/gallery.py PROGRAM --write` runs all of them and makes these
+pages from that run.
+
+*Measured before* are figures of CalculiX 2.20 (Debian 12) and of plain prototypes, from comparisons that are older than this
+program. The benchmarks F01, C02, .. and the sweeps S01 to S12 are those that decks name as SOURCE and that
+[stability](../stability.md) runs. A naive method here has to fail as much as it did there, to a factor of two, or the page
+says why it does not. spricka's rows have to be right, or say that they are not.
 
 | scene | naive method, worst row | its error | spricka, worst row | covers |
 |---|---|---|---|---|

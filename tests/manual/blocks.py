@@ -9,6 +9,7 @@ behind an `sh` block is what that printed. A comment on the line before a block 
     <!-- into: NAME before LINE -->  it stands in that file before the line that begins so
     <!-- exit: CODE -->            the commands end with this code (0 if nothing is said)
     <!-- not run: WHY -->          nothing is done with the block
+    <!-- long -->                  the commands take minutes: run with SPRICKA_FULL=1 only
     <!-- shown -->                 the block is for reading: part of a file above, or of what a file holds
 
     <!-- follows: EXPR = NUMBER -->   a number of the text, by arithmetic from known ones (CHECKED pages)
@@ -22,7 +23,7 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 MANUAL = TOP / "manual"
-MARK = re.compile(r"<!-- (file|more|into|exit|not run|shown|setup)(?:: (.*?))? -->")
+MARK = re.compile(r"<!-- (file|more|into|exit|not run|long|shown|setup)(?:: (.*?))? -->")
 FENCE = re.compile(r"^( *)```(\S*)\s*$")
 
 

@@ -11,134 +11,29 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from blocks import MANUAL, TOP, blocks_of, pages, setup_of
+from blocks import MANUAL, blocks_of, pages, setup_of
+from pictures import drawings_of, pictures_of
+from reader import NUMBER, Reader, same_number
 
 PROGRAM = Path(sys.argv[1]).resolve()
 ONLY = sys.argv[2:]
 
 # Pages whose commands are run, block by block, each page in a folder of its own.
-RUN = ["quickstart.md", "first_deck.md", "tutorial.md", "command_line.md", "restart.md", "sweeps.md",
+README = "../README.md"
+START = ["quickstart.md", "first_deck.md", "tutorial.md", "own_lug.md"]
+RUN = [README, *START, "command_line.md", "restart.md", "sweeps.md",
        "results_file.md", "check.md", "shell.md", "profile.md"]
 RUN += sorted(f"howto/{p.name}" for p in (MANUAL / "howto").glob("*.md"))
 # Of those the ones whose blocks all say what they are; on the others only marked ones count.
-STRICT = [p for p in RUN if p in ("quickstart.md", "first_deck.md", "tutorial.md") or p.startswith("howto/")]
-# Of those the ones every number of whose text must be in a deck or printed by one.
-CHECKED = ["tutorial.md"]
+STRICT = [p for p in RUN if p in (README, *START) or p.startswith("howto/")]
+# Of those the ones every number of whose text must be in a deck or printed by one (README: or on a page that
+# it links to).
+CHECKED = [README, "tutorial.md", "own_lug.md"]
 # For those who change the program: their commands build and test it.
 DEVELOPERS = ["CONTRIBUTING.md", "architecture.md", "new_card.md", "new_element.md", "new_result.md"]
-
-NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w.]*\w)")
-# What differs from run to run and from machine to machine.
-VARIES = re.compile(r"\b\d+\.\d+ s CPU|\b\d+ MiB|\b[\d.]+ m?s\b")
-
-
-def same_number(shown, found):
-    """Whether a number agrees with the one that is shown, to half a unit of its last digit (and, as
-    machines differ in theirs, one more)."""
-    mantissa, _, exponent = shown.lower().partition("e")
-    digits = len(mantissa.partition(".")[2])
-    unit = 10.0 ** (int(exponent or 0) - digits)
-    return abs(float(found) - float(shown)) <= 1.5 * unit
-
-
-def same_line(shown, found):
-    """A line that ends with two dots is the beginning of one."""
-    shown, found = (VARIES.sub("<varies>", line) for line in (shown, found))
-    words, printed = NUMBER.sub("#", shown).split(), NUMBER.sub("#", found).split()
-    if words[-1] == "..":
-        words.pop()
-        printed = printed[:len(words)]
-    if words != printed:
-        return False
-    return all(same_number(a, b) for a, b in zip(NUMBER.findall(shown), NUMBER.findall(found)))
-
-
-def first_lost(shown, printed):
-    """The first line that is shown and not printed, in order; a line of dots passes over others."""
-    at = 0
-    lines = printed.splitlines()
-    for line in shown.splitlines():
-        if line.strip() in ("..", "...", ""):
-            continue
-        while at < len(lines) and not same_line(line, lines[at]):
-            at += 1
-        if at == len(lines):
-            return line
-        at += 1
-    return None
-
-
-class Reader:
-    """Does what a page says, in a folder that looks like the top of a checkout."""
-
-    def __init__(self, folder):
-        self.folder = Path(folder)
-        self.printed = None
-        self.known = set()  # numbers of files and of what was printed
-        bin_folder = self.folder / "build/release/bin"
-        bin_folder.mkdir(parents=True)
-        (bin_folder / "spricka").symlink_to(PROGRAM)
-        self.bin = bin_folder
-        decks = self.folder / "decks"
-        decks.mkdir()
-        for file in (TOP / "decks").iterdir():
-            if file.name != "run":
-                (decks / file.name).symlink_to(file)
-        # decks/run installs, builds, and is then nothing but `spricka run`
-        run = decks / "run"
-        run.write_text("#!/bin/sh\n[ $# -gt 0 ] || set -- decks/lug_single.deck\nexec spricka run \"$@\"\n")
-        run.chmod(0o755)
-        (self.folder / "manual").symlink_to(MANUAL)
-        (self.folder / "tmp").mkdir()
-
-    def shell(self, text):
-        text = text.replace("/tmp/", f"{self.folder}/tmp/")
-        done = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True,
-                              timeout=300, check=False,
-                              env={"PATH": f"{self.bin}:/usr/bin:/bin", "HOME": str(self.folder),
-                                   "OPENBLAS_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"})
-        return done.returncode, done.stdout + done.stderr
-
-    def write(self, block):
-        marks = block.marks
-        if "file" in marks:
-            (self.folder / marks["file"]).write_text(block.text, encoding="utf-8")
-        elif "more" in marks:
-            with (self.folder / marks["more"]).open("a", encoding="utf-8") as file:
-                file.write(block.text)
-        else:
-            name, line = marks["into"].split(" before ")
-            path = self.folder / name
-            text = path.read_text(encoding="utf-8")
-            assert f"\n{line}" in text, f"{block.place}: {name} has no line {line}"
-            path.write_text(text.replace(f"\n{line}", f"\n{block.text}{line}", 1), encoding="utf-8")
-
-    def do(self, block):
-        """Empty, or what is wrong."""
-        result = self.do_it(block)
-        self.known |= set(NUMBER.findall(block.text if "shown" not in block.marks else ""))
-        self.known |= set(NUMBER.findall(self.printed or ""))
-        return result
-
-    def do_it(self, block):
-        if {"not run", "shown"} & set(block.marks):
-            return ""
-        if {"file", "more", "into"} & set(block.marks):
-            self.write(block)
-            return ""
-        if block.language == "sh":
-            code, self.printed = self.shell(block.text)
-            wanted = int(block.marks.get("exit", 0))
-            return "" if code == wanted else f"ended with {code}, not {wanted}:\n{self.printed[-3000:]}"
-        if block.language == "text" and self.printed is not None:
-            lost = first_lost(block.text, self.printed)
-            return "" if lost is None else f"not printed: {lost}\nbut:\n{self.printed[-3000:]}"
-        if block.page in STRICT:
-            return "a block without a mark: tests/manual/blocks.py has them"
-        return ""
-
 
 FOLLOWS = re.compile(r"<!-- follows: (.+) = (\S+) -->")
 
@@ -167,6 +62,15 @@ def unknown_numbers(page, known):
     return results + [n for n in told if not any(same_number(n, k) for k in known)]
 
 
+LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+
+
+def numbers_of_linked_pages(page):
+    path = MANUAL / page
+    linked = {path.parent / link for link in LINK.findall(path.read_text(encoding="utf-8")) if link.endswith(".md")}
+    return {n for file in linked for n in NUMBER.findall(file.read_text(encoding="utf-8"))}
+
+
 class Pages(unittest.TestCase):
     """One test for each page, made below."""
 
@@ -174,13 +78,19 @@ class Pages(unittest.TestCase):
 def page_test(page):
     def test(self):
         with tempfile.TemporaryDirectory() as folder:
-            reader = Reader(folder)
+            reader = Reader(PROGRAM, folder)
+            reader.strict = page in STRICT
             code, printed = reader.shell(setup_of(page))
             self.assertEqual(code, 0, printed)
             for block in blocks_of(page):
                 self.assertEqual("", reader.do(block), f"{block.place}")
+            for picture in pictures_of((MANUAL / page).read_text(encoding="utf-8")):
+                report = reader.folder / picture.report
+                if report.exists() or reader.full or not any("long" in b.marks for b in blocks_of(page)):
+                    self.assertTrue(drawings_of(picture, report.read_text(encoding="utf-8")), picture.file)
             if page in CHECKED:
-                self.assertEqual([], unknown_numbers(page, reader.known), page)
+                known = reader.known | (numbers_of_linked_pages(page) if page == README else set())
+                self.assertEqual([], unknown_numbers(page, known), page)
 
     return test
 
@@ -213,6 +123,34 @@ class Decks(unittest.TestCase):
             done = subprocess.run([str(PROGRAM), "check", str(deck)], text=True, capture_output=True,
                                   timeout=100, check=False)
         return [line for line in done.stderr.splitlines() if re.search(r"error E(?!113|201)[12]\d\d", line)]
+
+
+class FrontPage(unittest.TestCase):
+    TEXT = (MANUAL / README).read_text(encoding="utf-8")
+
+    def test_is_short(self):
+        self.assertLessEqual(len(self.TEXT.splitlines()), 90)
+
+    def test_deck_is_one_that_ships(self):
+        deck = re.search(r"^```deck\n(.*?)^```$", self.TEXT, flags=re.S | re.M)[1]
+        name = re.search(r"decks/\w+\.deck", self.TEXT)[0]
+        self.assertEqual(deck, (MANUAL / README).parent.joinpath(name).read_text(encoding="utf-8"))
+
+    def test_links_lead_somewhere(self):
+        for link in LINK.findall(self.TEXT):
+            self.assertTrue((MANUAL / README).parent.joinpath(link).exists(), link)
+
+
+class Pictures(unittest.TestCase):
+    def test_pictures_are_there(self):
+        for page in [README, *pages()]:
+            for picture in pictures_of((MANUAL / page).read_text(encoding="utf-8")):
+                drawing = (MANUAL / page).parent / picture.file
+                self.assertEqual(ElementTree.parse(drawing).getroot().tag, "{http://www.w3.org/2000/svg}svg", page)
+
+    def test_pages_to_begin_with_have_one(self):
+        for page in [README, *START, *(p for p in pages() if p.startswith("howto/"))]:
+            self.assertTrue(pictures_of((MANUAL / page).read_text(encoding="utf-8")), page)
 
 
 class Names(unittest.TestCase):

@@ -5,11 +5,10 @@ warning, or a refusal that names its cause.
 
     tests/stability/stability.py PROGRAM [--full] [--write] [SWEEP ..]
 
---full (or SPRICKA_FULL in the environment) runs all rows; --write makes manual/stability.md, or makes the
-sections of the sweeps named anew.
+--full (or SPRICKA_FULL in the environment) runs all rows; --write makes manual/stability.md and manual/stability.csv,
+or puts the sweeps that are named into them anew.
 """
 import os
-import re
 import sys
 
 import sweeps_closure
@@ -21,40 +20,29 @@ import sweeps_lug
 import sweeps_tip
 import sweeps_tolerance
 import sweeps_vce
-from program import TOP
+from stability_page import FAMILIES, record, write
 
 SWEEPS = {
-    "LAW": ("pressure along the surface against closed forms (L2)", sweeps_contact.pressure_laws),
-    "S02": ("no penalty: settings change nothing", sweeps_contact.no_penalty),
-    "S03": ("clearance through zero into interference (half angle of contact, degrees)",
-            sweeps_contact.clearance),
-    "S04": ("friction from zero to far beyond one", sweeps_friction.friction),
-    "S05": ("crack tips and mouths near the edge of a contact (F = K over that of uniform tension; K1)",
-            sweeps_closure.closure),
-    "C07": ("net fit: the load does not matter", sweeps_contact.load_independence),
-    "S07": ("contrast of moduli and units", sweeps_contact.contrast),
-    "S10": ("bodies held by contact only", sweeps_held.floating),
-    "S11": ("redundant constraints", sweeps_held.redundant),
-    "ASM": ("assembly in steps and undone (K1, pressures)", sweeps_held.assembly),
-    "S01": ("cracks in distorted, turned and stretched meshes (K)", sweeps_crack.distortion),
-    "S08": ("thin ligaments (F = K / sqrt(pi a))", sweeps_crack.ligament),
-    "S09": ("cracks shorter than an element (F)", sweeps_crack.short_crack),
-    "S12": ("elements at the tip (F)", sweeps_tip.tip_mesh),
-    "S06": ("step of the virtual crack extension (K1 against the analytic derivative)", sweeps_vce.shifts),
-    "ANY": ("random cracks in three nets, both joins (spread of K)", sweeps_crack.any_crack),
-    "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_tip.square_lug),
-    "TOL": ("K of the lug to a tolerance, from coarse meshes (error over K1 and bar)", sweeps_tolerance.tolerance),
-    "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
+    "LAW": sweeps_contact.pressure_laws,
+    "S02": sweeps_contact.no_penalty,
+    "S03": sweeps_contact.clearance,
+    "S04": sweeps_friction.friction,
+    "S05": sweeps_closure.closure,
+    "C07": sweeps_contact.load_independence,
+    "S07": sweeps_contact.contrast,
+    "S10": sweeps_held.floating,
+    "S11": sweeps_held.redundant,
+    "ASM": sweeps_held.assembly,
+    "S01": sweeps_crack.distortion,
+    "S08": sweeps_crack.ligament,
+    "S09": sweeps_crack.short_crack,
+    "S12": sweeps_tip.tip_mesh,
+    "S06": sweeps_vce.shifts,
+    "ANY": sweeps_crack.any_crack,
+    "X01": sweeps_tip.square_lug,
+    "TOL": sweeps_tolerance.tolerance,
+    "LUG": sweeps_lug.lug,
 }
-
-HEAD = """# Stability
-
-Sweeps in which contact and crack methods are known to fail, made by `tests/stability/stability.py PROGRAM --full
---write`; the tests run a part of them daily and all with `tests/run --full`. Each row is an answer (with its
-error and what is allowed), an answer with a warning, or a refusal that says why. A wrong answer without
-a word is a failure of the test. Times are wall seconds of one run, one thread.
-
-"""
 
 
 def cell(value):
@@ -72,29 +60,19 @@ def table(rows):
     return "".join(out)
 
 
-def write(parts):
-    """Puts sections [name] into manual/stability.md, beside those it has, in the order of SWEEPS."""
-    path = TOP / "manual" / "stability.md"
-    old = path.read_text(encoding="utf-8") if path.exists() else ""
-    for section in re.split(r"^(?=## )", old, flags=re.M)[1:]:
-        parts.setdefault(section[3:6], section.rstrip() + "\n\n")
-    text = HEAD + "".join(parts[name] for name in SWEEPS if name in parts)
-    path.write_text(text.rstrip() + "\n", encoding="utf-8")
-
-
 def main():
     words = [w for w in sys.argv[2:] if not w.startswith("--")]
     full = "--full" in sys.argv or "SPRICKA_FULL" in os.environ
-    parts, wrong = {}, 0
-    for name, (title, sweep) in SWEEPS.items():
+    records, wrong = [], 0
+    for name, sweep in SWEEPS.items():
         if words and name not in words:
             continue
         rows = sweep(sys.argv[1], full)
         wrong += sum(not row.ok for row in rows)
-        parts[name] = f"## {name}: {title}\n\n{table(rows)}\n"
-        print(parts[name])
+        records += [record(name, row) for row in rows]
+        print(f"## {name}: {FAMILIES[name][0]}\n\n{table(rows)}")
     if "--write" in sys.argv:
-        write(parts)
+        write(records)
     print(f"{wrong} wrong")
     return 1 if wrong else 0
 

@@ -55,6 +55,36 @@ class Help(ProgramTest):
         self.assertEqual(result.stdout, "")
         self.assertIn("did you mean 'CONTACT'?", result.stderr)
         self.assertIn("spricka help", self.expect(2, "help", "qwertyuiop").stderr)
+        self.assertIn("did you mean 'retardation'?", self.expect(2, "help", "retartadion").stderr)
+
+    def test_words_of_the_field_lead_on(self):
+        """What an engineer asks for, and a card, result or page that the answer names."""
+        for word, *named in (
+            ("flaw", "$CRACK", "cracks.md"),
+            ("bushing", "$CONTACT", "DIAMETRAL", "howto/interference.md"),
+            ("bush", "$CONTACT", "howto/interference.md"),
+            ("beta", "beta.csv", "howto/beta_tables.md"),
+            ("geometry factor", "beta.csv"),
+            ("damage tolerance", "$GROW", "growth.md"),
+            ("retardation", "no load interaction", "growth.md"),
+            ("inspection", "N(a)", "LIFE()", "growth.md"),
+            ("lug", "$MESH SHAPE=LUG", "lug.md"),
+            ("fit", "$CONTACT", "DIAMETRAL", "howto/interference.md"),
+            ("life", "LIFE()", "$GROW", "growth.md"),
+            ("residual strength", "KC", "SFLOW"),
+            ("load transfer", "SUM", "BEARING"),
+        ):
+            out = self.expect(0, "help", word).stdout
+            for name in named:
+                self.assertIn(name, out, word)
+            self.assertEqual(self.expect(0, "help", *word.upper().split()).stdout, out)
+
+    def test_words_of_the_field_are_listed(self):
+        out = self.expect(0, "help", "words").stdout
+        for word in re.findall(r"(?m)^  (\w[\w -]*?)  ", out):
+            self.assertIn("Manual: ", self.expect(0, "help", word).stdout, word)
+        self.assertRegex(out, r"(?m)^  bushing +bush, ")
+        self.assertIn("spricka help words", self.expect(0, "help").stdout)
 
     def test_every_command_has_examples(self):
         out = self.expect(0, "--help").stdout

@@ -122,6 +122,15 @@ class Verify(ProgramTest):
             mine = subprocess.run(["pgrep", "-f", str(self.folder)], capture_output=True, text=True, check=False)
             self.assertEqual(mine.stdout, "")
 
+    def test_page_of_the_manual_has_its_table_beside_it(self):
+        self.decks(good=plate(GOOD.format("1e-2")))
+        self.verify(0, "all", "--markdown", self.folder / "page.md")
+        page = (self.folder / "page.md").read_text(encoding="utf-8")
+        self.assertIn("| `good` |", page)
+        self.assertIn("[page.csv](page.csv)", page)
+        self.assertEqual((self.folder / "page.csv").read_bytes(),
+                         (self.folder / "verification/verification.csv").read_bytes())
+
     def test_no_table_of_its_own_is_no_comparison(self):
         self.decks(good=plate(GOOD.format("1e-2")))
         (self.folder / "verification").mkdir()

@@ -86,7 +86,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
       size = std::max(size, load.cwiseAbs().maxCoeff());
     }
     if (found.left_over > felt_motion * size) {
-      why_not = "K feels a motion that no closed contact holds";
+      why_not = "K depends on a motion that no closed contact holds";
     }
     // (sensitivity.3) and (sensitivity.4): w on the closed rows, z on the externals.
     w = found.force;
@@ -145,7 +145,7 @@ const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& s
     held_.reset();
     last_.assign(tips, {});
     for (estimate::Adjoint& adjoint : last_) {
-      adjoint.why_not = "contacts rub: what K changes by depends on the way there";
+      adjoint.why_not = "contacts rub: the change of K depends on the load history";
     }
   } else if (tips > 0 && (last_.empty() || !last_.front().ok() || last_.front().closed != closed)) {
     held_ = hold(solver, closed);

@@ -119,10 +119,9 @@ std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving
     const double change = giving.change[scene.k_layout().at(t, static_cast<int>(k) + 1)];
     if (bar > 0.0 && halvings * change > bar) {
       const base::Vec3& x = scene.cracked.mesh.x[giving.node.index()];
-      return fmt::format(
-          "it hangs on how fine the mesh is at ({:.6g}, {:.6g}), where a single node "
-          "is held and stresses have no bound: hold a side instead",
-          x.x(), x.y());
+      return fmt::format("it depends on how fine the mesh is at ({:.6g}, {:.6g}), where a single "
+                         "node is held and stresses have no bound: hold a side instead",
+                         x.x(), x.y());
     }
   }
   return {};
@@ -278,7 +277,7 @@ void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   for (std::size_t k = 0; k < 2; ++k) {
     if (tip.bar[k].cancels && tip.bar[k].mesh > counts * tip.bar[k].floor) {
       tell_once(results::note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
-                                          "error bar takes them without their signs",
+                                          "error bar uses their absolute values",
                                           k + 1, tip.name)),
                 step);
     }
@@ -323,10 +322,10 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
     if (tip.no_bar.empty()) {
       const bool coarse = coarse_contact(state, scene_.cracked.fronts[t]);
       if (coarse) {
-        tell_once(results::note(fmt::format("{}: nodes of a contact surface near the crack stand "
-                                            "further apart than half the crack's length; the error "
-                                            "bar takes errors without their signs",
-                                            tip.name)),
+        tell_once(results::note(fmt::format(
+                      "{}: nodes of a contact surface near the crack are further apart than half "
+                      "the crack's length; the error bar uses the absolute values of the errors",
+                      tip.name)),
                   step);
       }
       const std::array<const estimate::GoalError*, 2> own{

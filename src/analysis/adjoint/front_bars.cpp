@@ -92,7 +92,7 @@ std::string FrontBars::why_not(const FrozenStep& step) const {
   if (!why_not_.empty()) {
     return why_not_;
   }
-  return step.contact.rubs ? "contacts rub: what K changes by depends on the way there" : "";
+  return step.contact.rubs ? "contacts rub: the change of K depends on the load history" : "";
 }
 
 base::Vector FrontBars::load(const StepState& state) {

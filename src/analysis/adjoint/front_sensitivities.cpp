@@ -233,7 +233,7 @@ void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K
 void FrontSensitivities::add(const FrozenStep& step, const FrontFunctionals& K,
                              results::StepResult& result) {
   if (step.contact.rubs) {
-    note_all(result, "contacts rub: what K changes by depends on the way there");
+    note_all(result, "contacts rub: the change of K depends on the load history");
     return;
   }
   if (step.solver.system() != nullptr &&

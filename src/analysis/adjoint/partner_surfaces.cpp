@@ -143,8 +143,8 @@ CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& crack
   if (ratio > longest) {
     effect.why_not = fmt::format(
         "edges of {} near ({:.6g}, {:.6g}) are {:.3g} long, {:.2g} times their distance from the "
-        "tip: how stiff the body beyond is to the crack is in no estimate; refine both sides "
-        "there, to twice that distance at most",
+        "tip: no error estimate covers how stiffly the body beyond them supports the crack; refine "
+        "both sides there, to twice that distance at most",
         partners.name, worst->x[1].x(), worst->x[1].y(), worst->length, ratio);
   }
   return effect;

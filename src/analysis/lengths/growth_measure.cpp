@@ -143,8 +143,8 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
   upside_down_ = true;
   const bool history = at.followed && at.followed->none.empty();
   if (at.followed && !history) {
-    warnings_.insert(fmt::format("friction makes K a history, but the loads were not repeated: {}; "
-                                 "K is that of the steps as they were run once",
+    warnings_.insert(fmt::format("with friction K depends on the load history, but the loads were "
+                                 "not repeated: {}; K is that of the steps as they were run once",
                                  at.followed->none));
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
@@ -266,7 +266,8 @@ bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bo
   const results::TipResult* low =
       results::find_tip(increment.steps[model_.growth->kmin.index()], name);
   if (high == nullptr || low == nullptr || high->two_materials) {
-    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
+    return no_rate(
+        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
   }
   if (!high->doubt.empty() && high->K1 > 0.0) {
     warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", name, high->doubt));
@@ -309,7 +310,8 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   const results::TipResult* at_end = results::find_tip(increment.steps[largest_step(model_)], name);
   const results::PathTip* tip = results::find_tip(path, name);
   if (at_end != nullptr && at_end->two_materials) {
-    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
+    return no_rate(
+        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
   }
   if (tip == nullptr || path.t.empty() || path.t.back() < spectrum_->highest()) {
     return no_rate(

@@ -89,9 +89,8 @@ void GrowthMeasure::of_loads(const FollowedLoads& loads, const KOfLaw& K,
 void GrowthMeasure::look_at(const FollowedLoads& loads, double a) {
   if (!(loads.change <= repeats_to)) {
     warnings_.insert(
-        fmt::format("K did not come to repeat itself in {} passes of the loads: at a = "
-                    "{:.6g} it still changes by {:.1e} of the largest K from one to "
-                    "the next",
+        fmt::format("K did not repeat itself within {} passes of the loads: at a = {:.6g} it still "
+                    "changes by {:.1e} of the largest K from one to the next",
                     loads.passes, a, loads.change));
   }
   if (!(loads.mismatch <= worst_mismatch)) {
@@ -110,7 +109,8 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
   const std::vector<results::TipResult>& tips = at.increment.steps[largest_step(model_)].tips;
   const auto own = std::ranges::find(tips, name, &results::TipResult::name);
   if (own == tips.end() || own->two_materials) {
-    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
+    return no_rate(
+        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
   }
   const auto tip = static_cast<std::size_t>(own - tips.begin());
   // The turn of the last pass holds for the first as well: both are told of one kink.

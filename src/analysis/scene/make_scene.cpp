@@ -51,10 +51,10 @@ void note_pair(const model::Contact& contact, const contact::PairRows& pair, Sce
                                       contact.name, pair.choice));
   }
   if (const double lost = lost_part(pair); lost > most_lost) {
-    scene.notes.push_back(
-        fmt::format("contact {}: {:.2g} % of what lies opposite the other surface is not paired, "
-                    "as normals there meet none of it: nothing holds the bodies off there",
-                    contact.name, 100.0 * lost));
+    scene.notes.push_back(fmt::format(
+        "contact {}: {:.2g} % of the part that faces the other surface is not paired, because the "
+        "normals there do not meet that surface: nothing keeps the bodies apart there",
+        contact.name, 100.0 * lost));
   }
 }
 

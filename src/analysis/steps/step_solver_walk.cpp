@@ -113,8 +113,8 @@ struct Halving {
 void note_slips(const Halving& cut, bool given, StepState& state) {
   if (cut.slip_error() > work_tolerance) {
     state.notes.push_back(results::warning(
-        fmt::format("friction walked in {} increments leaves its work or the largest slip off by "
-                    "about {:.2g} %: {}",
+        fmt::format("with friction followed in {} increments, its work or the largest slip is off "
+                    "by about {:.2g} %: {}",
                     cut.now, 100.0 * cut.slip_error(),
                     given ? "more SUBSTEPS, or none, make it less" : "SUBSTEPS may ask for more")));
   }

@@ -114,8 +114,11 @@ constexpr std::array advice{
               "does not; a smaller RADIUS makes the tube round it narrower."},
     ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack. In space the whole "
                       "front lies in one material."},
-    ErrorCode{"E425", "Move the crack or change its size: the message names where it leaves the "
-                      "body, touches the surface along it, or has a hole of the body within."},
+    ErrorCode{
+        "E425",
+        "Move the crack or change its size: the message names where it leaves the "
+        "body, touches the surface along it, or has a hole of the body within. Where its front "
+        "lies in two bodies of one net give each body a net of its own."},
     ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
     ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET. In space "

@@ -151,7 +151,7 @@ void CommandTree::add_mesh_limits(CLI::App& command) {
           [](const double& gigabytes) {
             mesh::mesher_limits().memory = static_cast<std::size_t>(1e9 * gigabytes);
           },
-          "memory it may take (default: a quarter of the machine's)")
+          "memory that meshing may take (default: a quarter of the machine's)")
       ->check(positive())
       ->type_name("GB");
 }
@@ -174,19 +174,20 @@ void CommandTree::add_run() {
   add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--quiet", run_.quiet, "print messages only");
   command.add_flag("--restart", run_.restart,
-                   "go on from the file of the deck's $RESTART WRITE, if it is there");
-  command.add_flag("--profile", run_.profile,
-                   "tell time, flops and memory by processor, net and length, beside one plain "
-                   "factorisation; profile.csv and trace.json");
+                   "continue from the file that $RESTART WRITE names, if it exists");
+  command.add_flag(
+      "--profile", run_.profile,
+      "measure time, flops and memory by stage, net and crack length, beside one plain "
+      "factorisation; writes profile.csv and trace.json");
   command
       .add_option("--time", run_.seconds,
-                  "wall time; no increment is begun that would not fit, exit code 6")
+                  "limit of wall time: a crack length that would not fit is not begun, exit code 6")
       ->check(positive())
       ->type_name("SECONDS");
 }
 
 void CommandTree::add_check() {
-  CLI::App& command = add("check", "say all that can be known of a deck without solving it",
+  CLI::App& command = add("check", "report all that can be known of a deck without solving it",
                           "  spricka check lug.deck\n"
                           "  spricka check lug.deck --json | jq .forecast\n"
                           "  spricka check lug.deck --log-format json 2>&1 >/dev/null | jq .text",
@@ -195,7 +196,7 @@ void CommandTree::add_check() {
                             return run_deck(run_);
                           });
   add_deck_options(command);
-  add_threads(command, "threads of the run that is foretold, 0: all cores");
+  add_threads(command, "threads that the forecast of the run assumes, 0: all cores");
   command.add_flag("--json", run_.json, "print what was found as JSON");
 }
 
@@ -212,11 +213,11 @@ void CommandTree::add_shell() {
   add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--strict", session_.strict,
                    "end with the exit code of the first command that fails");
-  command.add_flag("--quiet", run_.quiet, "do not say what an answer took");
+  command.add_flag("--quiet", run_.quiet, "do not print what each answer cost");
 }
 
 void CommandTree::add_convert() {
-  CLI::App& command = add("convert", "write a mesh or deck in another form",
+  CLI::App& command = add("convert", "write a mesh or deck in another format",
                           "  spricka convert lug.deck lug.vtu      the mesh, for ParaView\n"
                           "  spricka convert plate.inp plate.msh   for gmsh\n"
                           "  spricka convert plate.deck plate.inp  the first step, for ccx",
@@ -228,15 +229,17 @@ void CommandTree::add_convert() {
                           });
   add_deck_options(command);
   command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
-  command.add_flag("--replace", convert_.replace, "write over an OUT that is there already");
-  command.add_option("OUT", convert_.out, "its name says the form: .msh, .vtu or .inp")
+  command.add_flag("--replace", convert_.replace, "overwrite OUT if it exists");
+  command
+      .add_option("OUT", convert_.out,
+                  "the file to write; its ending is the format: .msh, .vtu or .inp")
       ->required()
       ->type_name("");
 }
 
 void CommandTree::add_verify() {
   CLI::App& command =
-      add("verify", "run the decks that ship against their references",
+      add("verify", "run the decks that ship and compare them with their references",
           "  spricka verify                    the cheap ones, in less than a minute\n"
           "  spricka verify all                every deck, in less than ten\n"
           "  spricka verify 'hertz*' kirsch    by name\n"
@@ -259,29 +262,38 @@ void CommandTree::add_verify() {
       ->check(whole_number())
       ->type_name("NUMBER");
   command.add_option("--decks", verify_.decks, "another folder of decks")->type_name("FOLDER");
-  command.add_option("--markdown", verify_.markdown, "write the chapter of the manual, too")
+  command
+      .add_option("--markdown", verify_.markdown,
+                  "write the page of the manual, too, and its table beside it, as .csv")
       ->type_name("FILE");
   command.add_flag("--list", verify_.list, "print the decks and run none");
   command.add_flag("--keep", verify_.keep, "keep the run folders, beside the page");
-  command.add_flag("--costs", verify_.costs, "renew the table that the tiers come from");
+  command.add_flag("--costs", verify_.costs,
+                   "write what the decks cost into costs.csv, which the tiers follow from");
   command.add_flag("--quiet", verify_.quiet, "print what failed and the sum only");
 }
 
 void CommandTree::add_help() {
-  CLI::App& command = add("help", "explain a card, a key, a result or an error code",
-                          "  spricka help                all cards by group\n"
-                          "  spricka help contact        the card $CONTACT\n"
-                          "  spricka help diametral      a key or word, wherever it stands\n"
-                          "  spricka help quantities     what $CHECK can name\n"
-                          "  spricka help functions      of expressions\n"
-                          "  spricka help units          of numbers\n"
-                          "  spricka help E108           an error code; codes: all of them\n"
-                          "  spricka help --markdown     the card reference of the manual",
-                          [this] { return help_command(help_, text()); });
+  CLI::App& command =
+      add("help", "explain a card, a key, a result, an error code or a word of the field",
+          "  spricka help                all cards by group\n"
+          "  spricka help contact        the card $CONTACT\n"
+          "  spricka help diametral      a key or word, wherever it stands\n"
+          "  spricka help quantities     what $CHECK can name\n"
+          "  spricka help functions      of expressions\n"
+          "  spricka help units          of numbers\n"
+          "  spricka help E108           an error code; codes: all of them\n"
+          "  spricka help bushing        a word of damage tolerance; words: all of them\n"
+          "  spricka help --markdown     the card reference of the manual",
+          [this] { return help_command(help_, text()); });
   command
-      .add_option(
-          "TOPIC", help_.topic,
-          "a card, key, result or error code, or one of quantities, functions, units, codes")
+      .add_option_function<std::vector<std::string>>(
+          "TOPIC",
+          [this](const std::vector<std::string>& words) {
+            help_.topic = fmt::format("{}", fmt::join(words, " "));
+          },
+          "a card, key, result, error code or word of damage tolerance, or one of quantities, "
+          "functions, units, codes, words")
       ->type_name("");
   command.add_flag("--markdown", help_.markdown, "the card reference, or that of codes");
 }

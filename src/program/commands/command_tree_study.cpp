@@ -52,13 +52,15 @@ void CommandTree::add_study() {
           "a parameter and its values, in place of what is found; may be given again")
       ->type_name("NAME=V,V,..")
       ->allow_extra_args(false);
-  command.add_option("--jobs", study_.jobs, "runs at once; CPU times are honest with 1 (default)")
+  command
+      .add_option("--jobs", study_.jobs,
+                  "runs at the same time; CPU times are reliable with 1 only (default)")
       ->check(CLI::Range(1, 64))
       ->type_name("NUMBER");
   command.add_option("--time", study_.budget, "CPU time of all runs together (default: 600)")
       ->check(positive())
       ->type_name("SECONDS");
-  command.add_flag("--quiet", run_.quiet, "do not say which run has ended");
+  command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
 }
 
 void CommandTree::add_ladder() {
@@ -76,13 +78,15 @@ void CommandTree::add_ladder() {
       ->type_name("FOLDER");
   command
       .add_option("--tol", ladder_.tolerance,
-                  "what the answers may differ by, as a part of them (default: 0.02)")
+                  "relative difference that the answers may have (default: 0.02)")
       ->check(positive())
       ->type_name("NUMBER");
-  command.add_option("--jobs", ladder_.jobs, "runs at once; CPU times are honest with 1 (default)")
+  command
+      .add_option("--jobs", ladder_.jobs,
+                  "runs at the same time; CPU times are reliable with 1 only (default)")
       ->check(CLI::Range(1, 64))
       ->type_name("NUMBER");
-  command.add_flag("--quiet", run_.quiet, "do not say which run has ended");
+  command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
 }
 
 } // namespace spricka::program

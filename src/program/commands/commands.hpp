@@ -11,7 +11,7 @@
 namespace spricka::program {
 
 struct HelpOptions {
-  std::string topic; ///< a card, key, result, error code, name of a list; or empty
+  std::string topic; ///< a card, key, result, error code, word of the field, list; or empty
   bool markdown = false;
 };
 base::Outcome help_command(const HelpOptions& options, const ProgramText& program);

@@ -19,7 +19,7 @@ std::string names_of(const std::vector<OptionText>& options) {
 }
 
 std::string topics() {
-  std::string out = "quantities functions units codes";
+  std::string out = "quantities functions units codes words";
   for (const grammar::CardSpec& card : grammar::catalogue()) {
     out += fmt::format(" {}", card.name);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/diagnostics.hpp"
+#include "grammar/field_words.hpp"
 #include "grammar/help.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/wrap.hpp"
@@ -20,6 +21,9 @@ namespace {
 std::string overview(std::size_t width) {
   return "The cards of the deck language, by group. spricka help CARD explains one of them.\n\n" +
          grammar::cards_help(width) +
+         "Words of damage tolerance lead on as well: spricka help flaw, bushing, beta, "
+         "inspection;\n"
+         "spricka help words lists them.\n\n"
          "More: spricka help quantities, functions, units, codes, or an error code such as E108;\n"
          "spricka COMMAND --help for the commands.\n";
 }
@@ -73,6 +77,9 @@ std::optional<std::string> list_help(const std::string& topic, std::size_t width
   if (topic == "CODES") {
     return codes_help(width);
   }
+  if (topic == "WORDS") {
+    return grammar::field_words_help(width);
+  }
   return std::nullopt;
 }
 
@@ -115,8 +122,17 @@ std::optional<std::string> help_on(const std::string& topic, const ProgramText& 
   return std::nullopt;
 }
 
+// The help on a word of the language, on one of damage tolerance, or on both.
+std::string help_or_field_help(const std::string& topic, const ProgramText& program,
+                               std::size_t width) {
+  std::string text = help_on(topic, program, width).value_or("");
+  const std::string field = grammar::field_help(topic, width);
+  text += text.empty() || field.empty() ? "" : "\n";
+  return text + field;
+}
+
 std::string nearest(const std::string& topic, const ProgramText& program) {
-  std::vector<std::string> known{"quantities", "functions", "units", "codes"};
+  std::vector<std::string> known{"quantities", "functions", "units", "codes", "words"};
   for (const grammar::CardSpec& card : grammar::catalogue()) {
     known.emplace_back(card.name);
   }
@@ -125,6 +141,10 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
   }
   for (const CommandText& command : program.commands) {
     known.push_back(command.name);
+  }
+  for (const grammar::FieldWord& word : grammar::field_words()) {
+    const auto names = grammar::names_of(word);
+    known.insert(known.end(), names.begin(), names.end());
   }
   return base::suggest(topic, known);
 }
@@ -143,8 +163,8 @@ base::Outcome help_command(const HelpOptions& options, const ProgramText& progra
     to_stdout(overview(width));
     return base::Outcome::done;
   }
-  if (const auto text = help_on(topic, program, width)) {
-    to_stdout(*text);
+  if (const std::string text = help_or_field_help(topic, program, width); !text.empty()) {
+    to_stdout(text);
     return base::Outcome::done;
   }
   if (const std::string found = grammar::text_help(options.topic, width) + codes_with(topic, width);

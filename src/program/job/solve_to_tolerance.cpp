@@ -44,9 +44,11 @@ results::ToleranceRound look_at(const model::Model& model, const results::Run& r
   if (!now.no_bar.empty()) {
     why_not = "there is no error bar of " + now.no_bar;
   } else if (now.below_floor) {
-    why_not = "TOL is smaller than the floor of the bars";
+    why_not = "TOL is smaller than the floor of the error bars";
   } else if (!now.parted.empty() && round.bar <= round.wanted) {
-    why_not = "the bars are inside, but two ways to K part by more: " + now.parted;
+    why_not =
+        "the error bars are within the tolerance, but two ways to compute K differ by more: " +
+        now.parted;
   }
   return round;
 }
@@ -75,7 +77,7 @@ std::string no_use(const std::vector<results::ToleranceRound>& rounds) {
   const double grown = static_cast<double>(now.unknowns) / static_cast<double>(before.unknowns);
   if (left > no_progress && grown > 1.5) {
     return fmt::format(
-        "finer meshes do not help: the bar is {} with {} freedoms and was {} with {}",
+        "finer meshes do not help: the error bar is {} with {} freedoms and was {} with {}",
         percent(now.bar), now.unknowns, percent(before.bar), before.unknowns);
   }
   // The bar falls with this power of the freedoms; where it hardly does the power is kept off zero.
@@ -83,8 +85,8 @@ std::string no_use(const std::vector<results::ToleranceRound>& rounds) {
   const double needed = static_cast<double>(now.unknowns) *
                         std::pow(now.bar / now.wanted, 1.0 / std::max(rate, 0.02));
   if (needed > most_freedoms) {
-    return fmt::format("the bar falls too slowly: from {} to {} while freedoms grew from {} to {}; "
-                       "more than {:.0e} would be needed",
+    return fmt::format("the error bar falls too slowly: from {} to {} while freedoms grew from {} "
+                       "to {}; more than {:.0e} freedoms would be needed",
                        percent(before.bar), percent(now.bar), before.unknowns, now.unknowns,
                        most_freedoms);
   }
@@ -189,7 +191,7 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
     round.next = plan.refine(model, *out.run);
     if (round.next.empty() || number == most_rounds) {
       out.why_not = round.next.empty() ? "no finer mesh would help"
-                                       : fmt::format("{} rounds did not do", most_rounds);
+                                       : fmt::format("{} rounds were not enough", most_rounds);
       break;
     }
     finer = read_finer(plan.nets());

@@ -40,9 +40,9 @@ std::string markdown(const report::Table& table, bool code_first) {
 std::string head(const Verification& verification) {
   std::string out = R"(# Verification
 
-Every deck in `decks/` carries its reference values and the error that is allowed (`$CHECK`). This chapter is
-what they find, made by [`spricka verify all --markdown`](verify.md); the tests run the same decks. A source
-`RECORDED` is a value of this program itself and proves nothing but that it stayed the same.
+Every deck in `decks/` carries its reference values and the error that is allowed (`$CHECK`). This page is what the
+decks find; [`spricka verify all --markdown FILE`](verify.md) writes it. The tests run the same decks. A check whose
+source is `RECORDED` compares with an earlier value of this program and proves only that the value has not changed.
 
 )";
   for (const std::string& line : summary(verification)) {
@@ -50,6 +50,21 @@ what they find, made by [`spricka verify all --markdown`](verify.md); the tests 
   }
   return out + fmt::format("Times and memory: {}, one thread, {} decks at a time.\n\n",
                            verification.machine, verification.at_once);
+}
+
+std::string deck_section(const Verification& verification, const std::string& table_name) {
+  return fmt::format(R"(## Decks
+
+The table has a row for each deck, and for a deck with a sweep a row for each run. The column "error / allowed" has
+the largest error of the run's checks over the error that is allowed. CPU time and memory are those of the whole deck.
+
+All single checks are in the file [{0}]({0}), a row for each check: the run, the
+quantity with its crack and step, the value found, its reference, the error, the allowed error, the error bar of K and
+the source. The page [verify](verify.md#what-it-writes) explains the columns.
+
+)",
+                     table_name) +
+         markdown(deck_table(verification), true);
 }
 
 std::string problem_sections(const Verification& verification,
@@ -69,26 +84,10 @@ std::string problem_sections(const Verification& verification,
 } // namespace
 
 std::string verification_chapter(const Verification& verification,
-                                 const std::vector<Problem>& problems) {
-  std::string out = head(verification) + problem_sections(verification, problems);
-  std::string unchecked;
-  for (const VerifiedDeck& deck : verification.decks) {
-    bool any = false;
-    for (const VerifiedPoint& point : deck.points) {
-      const report::Table table = check_table(point);
-      if (!table.rows.empty()) {
-        out += fmt::format("## {}\n\n{}.\n\n{}", heading_of(deck, point), cost_of(deck, point),
-                           markdown(table, true));
-        any = true;
-      }
-    }
-    if (!any) {
-      unchecked += fmt::format("{}`{}`", unchecked.empty() ? "" : ", ", deck.name);
-    }
-  }
-  if (!unchecked.empty()) {
-    out += "## Decks without a check\n\n" + unchecked + "\n";
-  }
+                                 const std::vector<Problem>& problems,
+                                 const std::string& table_name) {
+  std::string out = head(verification) + problem_sections(verification, problems) +
+                    deck_section(verification, table_name);
   out.erase(out.find_last_not_of('\n') + 1);
   return out + "\n";
 }

@@ -8,8 +8,10 @@
 
 namespace spricka::program {
 
-/// The chapter of the manual, manual/verification.md.
+/// The chapter of the manual, manual/verification.md: totals, problems, a row for each deck and
+/// run. The single checks are in verification_csv, a file `table_name` beside the chapter.
 std::string verification_chapter(const Verification& verification,
-                                 const std::vector<Problem>& problems);
+                                 const std::vector<Problem>& problems,
+                                 const std::string& table_name);
 
 } // namespace spricka::program

@@ -17,9 +17,9 @@ namespace spricka::program {
 namespace {
 
 // In the order of the file.
-constexpr std::array columns{"deck",  "point",  "quantity",  "reference", "source", "result",
-                             "error", "kind",   "allowed",   "bar",       "passed", "freedoms",
-                             "cpu",   "memory", "exit_code", "program",   "machine"};
+constexpr std::array columns{"deck",     "title", "point",  "quantity",  "reference", "source",
+                             "result",   "error", "kind",   "allowed",   "bar",       "passed",
+                             "freedoms", "cpu",   "memory", "exit_code", "program",   "machine"};
 
 std::string number_or_none(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "";
@@ -45,8 +45,9 @@ public:
 
   void add(const VerifiedDeck& deck, const VerifiedPoint* point,
            const results::CheckResult* check) {
-    text += fmt::format("{},{},{},{},{:.3f},{:.1f},{},{}\n", csv_field(deck.name),
-                        csv_field(point == nullptr ? "" : point->values), check_fields(check),
+    text += fmt::format("{},{},{},{},{},{:.3f},{:.1f},{},{}\n", csv_field(deck.name),
+                        csv_field(deck.title), csv_field(point == nullptr ? "" : point->values),
+                        check_fields(check),
                         point == nullptr ? "" : std::to_string(point->unknowns), deck.cpu,
                         static_cast<double>(deck.memory) / bytes_of_MB, deck.exit_code, origin_);
   }
@@ -76,6 +77,7 @@ void take_row(const Row& row, Verification& out) {
   if (out.decks.empty() || out.decks.back().name != cell(row, "deck")) {
     VerifiedDeck& deck = out.decks.emplace_back();
     deck.name = cell(row, "deck");
+    deck.title = cell(row, "title");
     deck.cpu = number_in(cell(row, "cpu"));
     deck.memory = static_cast<std::size_t>(bytes_of_MB * number_in(cell(row, "memory")));
     deck.exit_code = static_cast<int>(number_in(cell(row, "exit_code")));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/verify/verification_tables.hpp"
 
+#include "base/exit_codes.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,6 +31,38 @@ std::string end_of(const VerifiedDeck& deck) {
   }
   return deck.exit_code > 128 ? fmt::format("signal {}", deck.exit_code - 128)
                               : fmt::format("exit code {}", deck.exit_code);
+}
+
+std::string what_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  return fmt::format("{}{}{}", deck.title, point.values.empty() ? "" : ", ", point.values);
+}
+
+std::string check_count(const VerifiedPoint& point) {
+  const auto recorded = std::ranges::count_if(point.checks, is_recorded);
+  return fmt::format("{}{}", point.checks.size(),
+                     recorded > 0 ? fmt::format(" ({} recorded)", recorded) : "");
+}
+
+// Of a deck that ended otherwise than by a missed check also how.
+std::string passed_count(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  const auto passed = std::ranges::count_if(point.checks, &results::CheckResult::passed);
+  const auto missed = static_cast<std::ptrdiff_t>(point.checks.size()) - passed;
+  const bool broken =
+      deck.failed() && base::outcome_of(deck.exit_code) != base::Outcome::check_failed;
+  return fmt::format("{}{}{}", passed, missed > 0 ? fmt::format(", {} MISSED", missed) : "",
+                     broken ? ", " + end_of(deck) : "");
+}
+
+// The largest error of a point over what is allowed; empty where no check has found a value.
+std::string largest_share(const VerifiedPoint& point) {
+  double largest = -1.0;
+  for (const results::CheckResult& check : point.checks) {
+    if (check.trouble.empty()) {
+      const double error = std::abs(check.error);
+      largest = std::max(largest, error > 0.0 ? error / check.tolerance : 0.0);
+    }
+  }
+  return largest < 0.0 ? "" : fmt::format("{:.2f}", largest);
 }
 
 // How the decks of a problem have ended, as far as they were run.
@@ -71,8 +105,7 @@ std::vector<Change> in_megabytes(std::vector<Change> changes) {
 } // namespace
 
 std::string heading_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
-  return fmt::format("{}: {}{}{}", deck.name, deck.title, point.values.empty() ? "" : ", ",
-                     point.values);
+  return fmt::format("{}: {}", deck.name, what_of(deck, point));
 }
 
 std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
@@ -98,6 +131,31 @@ report::Table check_table(const VerifiedPoint& point) {
                           error_in_words(check.tolerance, check.relative, "{:.4g}"),
                           std::isfinite(check.bar) ? fmt::format("{:.2g}", check.bar) : "",
                           found ? check.source : check.trouble});
+  }
+  return table;
+}
+
+report::Table deck_table(const Verification& verification) {
+  report::Table table{"",
+                      {{"deck", "", true},
+                       {"what", "", true},
+                       {"checks", "", false},
+                       {"passed", "", false},
+                       {"error / allowed", "", false},
+                       {"CPU, s", "", false},
+                       {"memory, MB", "", false}},
+                      {}};
+  for (const VerifiedDeck& deck : verification.decks) {
+    std::string cpu = fmt::format("{:.2f}", deck.cpu);
+    std::string memory = fmt::format("{:.0f}", 1e-6 * static_cast<double>(deck.memory));
+    for (const VerifiedPoint& point : deck.points) {
+      table.rows.push_back({deck.name, what_of(deck, point), check_count(point),
+                            passed_count(deck, point), largest_share(point), std::exchange(cpu, ""),
+                            std::exchange(memory, "")});
+    }
+    if (deck.points.empty()) {
+      table.rows.push_back({deck.name, deck.message, "0", end_of(deck), "", cpu, memory});
+    }
   }
   return table;
 }

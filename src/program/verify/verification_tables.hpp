@@ -7,7 +7,7 @@
 
 #include <vector>
 
-/// The tables that page and chapter of the manual have in common.
+/// The tables of verification.html and of the chapter of the manual.
 namespace spricka::program {
 
 /// "le1: NAFEMS LE1, elliptic membrane, beta = 0.78".
@@ -17,6 +17,10 @@ std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point);
 
 /// The checks of a point: check, reference, result, error, allowed, bar, source.
 report::Table check_table(const VerifiedPoint& point);
+
+/// Every deck, and every point of a sweep: how many checks, how many passed, the largest error over
+/// what is allowed, costs of the deck.
+report::Table deck_table(const Verification& verification);
 
 /// Problems of the open collections: which decks and tests stand for each, and how they ended.
 report::Table problem_table(const Verification& verification, const std::vector<Problem>& problems);

@@ -264,7 +264,7 @@ private:
     base::write_whole(options_.out / page_name,
                       verification_page(verification_, problems, comparison));
     if (!options_.markdown.empty()) {
-      base::write_whole(options_.markdown, verification_chapter(verification_, problems));
+      write_chapter(problems);
     }
     if (options_.costs) {
       std::vector<std::pair<std::string, Cost>> found;
@@ -274,6 +274,15 @@ private:
       write_costs(decks_, all_, found);
     }
     print_summary(comparison);
+  }
+
+  // The chapter, and beside it the table of checks that it names.
+  void write_chapter(const std::vector<Problem>& problems) const {
+    fs::path table = options_.markdown;
+    table.replace_extension(".csv");
+    base::write_whole(table, verification_csv(verification_));
+    base::write_whole(options_.markdown,
+                      verification_chapter(verification_, problems, table.filename().string()));
   }
 
   void print_summary(const std::optional<Comparison>& comparison) const {

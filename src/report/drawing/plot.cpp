@@ -320,13 +320,13 @@ std::string bar_words(const std::vector<Series>& all) {
   if (!(widest > 0.0)) {
     return {};
   }
-  constexpr const char* unseen = "those shorter than a pixel are not drawn.";
+  constexpr const char* unseen = "bars shorter than a pixel are not drawn.";
   return barred == count
-             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} % of "
-                           "it; {}",
+             ? fmt::format(" Error bars: the estimated error of K₁ from the mesh, at most {:.2g} % "
+                           "of it; {}",
                            100.0 * widest, unseen)
-             : fmt::format(" Error bars: what the mesh may have done to K₁, worked out for {} of "
-                           "{} points only, and there at most {:.2g} % of it; {}",
+             : fmt::format(" Error bars: the estimated error of K₁ from the mesh, computed for {} "
+                           "of {} points only, and there at most {:.2g} % of it; {}",
                            barred, count, 100.0 * widest, unseen);
 }
 

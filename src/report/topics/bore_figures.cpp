@@ -258,7 +258,7 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
 std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
                        const model::Contact& contact) {
   Plot plot{
-      fmt::format("{}: line of force", contact.name),
+      fmt::format("{}: force along the axis", contact.name),
       fmt::format("along the axis  [{}]", model.units.length_name),
       fmt::format("force per length  [{}/{}]", model.units.force_name, model.units.length_name),
       {}};
@@ -320,13 +320,13 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::Run&
       figure.drawings.push_back(std::move(plot));
     }
   }
-  figure.caption =
-      fmt::format("Pressure of contact {} on its surface round the axis, unrolled{}: angle across, "
-                  "place along the axis up; red: where contact ends; white: nothing lies opposite. "
-                  "Below: the pressure of {} along the axis at some angles, and of each {} the "
-                  "force for a unit of length, along its whole force.",
-                  contact.name, sizes.empty() ? "" : ", as the crack grows", shown.back().label,
-                  sizes.empty() ? "step" : "size");
+  figure.caption = fmt::format(
+      "Pressure of contact {} on its surface, unrolled round the axis{}. Across: the angle; up: "
+      "the place along the axis. Red: where contact ends; white: there is no surface opposite. "
+      "Below: the pressure of {} along the axis at some angles, and for each {} the contact force "
+      "per unit length in the direction of the total force.",
+      contact.name, sizes.empty() ? "" : ", as the crack grows", shown.back().label,
+      sizes.empty() ? "step" : "size");
   return figure;
 }
 

@@ -189,11 +189,11 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::I
   if (figure.drawings.empty()) {
     return std::nullopt;
   }
-  figure.caption =
-      fmt::format("Crack {} at the end of step {}: its front in the body, other bodies "
-                  "left out, and its upper face seen along the normal, with how far "
-                  "the lower one is away; circles are the points of the front.",
-                  name, step.step);
+  figure.caption = fmt::format(
+      "Crack {} at the end of step {}: its front in the body (other bodies are left out), and its "
+      "upper face seen along the normal. Colours of the face: how far the two faces have moved "
+      "apart or along each other. Circles: the points of the front.",
+      name, step.step);
   return figure;
 }
 
@@ -257,8 +257,8 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
   }
   return {{draw(plot)},
           "",
-          fmt::format("K along the front of {}, a = {:.4g} {}; points where the front leaves the "
-                      "body are left out: K there is a number of the mesh.",
+          fmt::format("K along the front of {}, a = {:.4g} {}. Points where the front leaves the "
+                      "body are left out: K there depends on the mesh.",
                       name, a, model.units.length_name)};
 }
 

@@ -137,22 +137,22 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
     plot.series.push_back(std::move(series));
     plot.legend_below = true;
     plot.series.front().name = growth.tips.front() + ", K of every load";
-    more = " Dashed: what comes out where K is read off a line instead, which it does not follow.";
+    more = " Dashed: the life if K is taken from a straight line over the load, which the computed "
+           "K does not follow.";
   }
   std::vector<std::string> pictures{draw(plot)};
   if (std::string lines = lines_picture(model, run); !lines.empty()) {
     pictures.push_back(std::move(lines));
   }
-  return {
-      std::move(pictures), "",
-      fmt::format(
-          "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", units, growth.cycles(),
-          std::isfinite(growth.error)
-              ? fmt::format(", estimated to be right to {:.2g} % as far as the lengths that were "
-                            "solved (marks) are concerned",
-                            100.0 * growth.error)
-              : "; of the lengths that were solved (marks) there are too few to tell their error",
-          growth.reason, more)};
+  return {std::move(pictures), "",
+          fmt::format(
+              "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", units,
+              growth.cycles(),
+              std::isfinite(growth.error)
+                  ? fmt::format("; error from the number of solved lengths (marks): about {:.2g} %",
+                                100.0 * growth.error)
+                  : "; too few lengths were solved (marks) to estimate the error from their number",
+              growth.reason, more)};
 }
 
 /// Error bar of K1 at the largest load of a station.
@@ -195,13 +195,12 @@ Figure range_figure(const model::Model& model, const results::Run& run) {
       plot.series.push_back(std::move(series));
     }
   }
-  return {
-      {draw(plot)},
-      "",
-      fmt::format(
-          "Largest and smallest K of {} as the growth law was given them, at the lengths that were "
-          "solved.{}",
-          growth.unit == "pass" ? "a pass of the spectrum" : "a cycle", bar_words(plot.series))};
+  return {{draw(plot)},
+          "",
+          fmt::format("Largest and smallest K of {} that the growth law used, at the lengths that "
+                      "were solved.{}",
+                      growth.unit == "pass" ? "a pass of the spectrum" : "a cycle",
+                      bar_words(plot.series))};
 }
 
 /// Growth per cycle or pass over the range of K, as the law gave it at the stations: the part of
@@ -235,12 +234,12 @@ std::optional<Figure> law_figure(const model::Model& model, const Growth& growth
   if (!(high > low)) {
     return std::nullopt;
   }
-  return Figure{
-      {draw(plot)},
-      "",
-      fmt::format("Growth per {} as the law gave it at the lengths that were solved, over ΔK = "
-                  "K_max - K_min{}: of the law the part from {:.4g} to {:.4g} {} was used.",
-                  growth.unit, growth.unit == "pass" ? " of the pass" : "", low, high, unit)};
+  return Figure{{draw(plot)},
+                "",
+                fmt::format("Growth per {} from the law at the lengths that were solved, over ΔK = "
+                            "K_max - K_min{}. The run used the law from {:.4g} to {:.4g} {}.",
+                            growth.unit, growth.unit == "pass" ? " of the pass" : "", low, high,
+                            unit)};
 }
 
 /// The least and the largest load of a cycle, and how often it comes.
@@ -349,7 +348,7 @@ std::optional<Figure> path_figure(const model::Model& model, const results::Run&
   MeshView view;
   view.mesh = &run.increments.back().mesh;
   view.id = "growth-path";
-  view.title = "The way of the cracks";
+  view.title = "Paths of the cracks";
   view.length_name = model.units.length_name;
   view.width = 560.0;
   set_window(view, growth);
@@ -364,12 +363,11 @@ std::optional<Figure> path_figure(const model::Model& model, const results::Run&
       }
     }
   }
-  return Figure{
-      {draw(view)},
-      "",
-      fmt::format("The mesh at the last length that was solved, and where the tips were: K at the "
-                  "largest load [{}].",
-                  print_unit(model.units.stress_intensity_name()))};
+  return Figure{{draw(view)},
+                "",
+                fmt::format("The mesh at the last length that was solved, with places of "
+                            "the tips. Numbers: K at the largest load there [{}].",
+                            print_unit(model.units.stress_intensity_name()))};
 }
 
 } // namespace

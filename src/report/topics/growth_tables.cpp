@@ -63,15 +63,15 @@ std::string ratio_words(const model::Model& model, const results::Run& run) {
   if (!R) {
     return {};
   }
-  std::string out = fmt::format("K_min / K_max as the law was given it: {:.4g} to {:.4g}.\n",
-                                R->first, R->second);
+  std::string out =
+      fmt::format("K_min / K_max that the law used: {:.4g} to {:.4g}.\n", R->first, R->second);
   if (continued_below_closing(model, growth)) {
-    out += "K_min below 0 is that of crack faces that could overlap, all other contacts as they "
-           "are: so the laws with R < 0 mean it.\n";
+    out += "K_min below 0 is computed with crack faces that may overlap and all other contacts as "
+           "they are, as laws with R < 0 assume.\n";
   }
   const bool below = R->first < 0.0 || closes_at_smallest(model, run);
   if (below && model.growth->law == model::GrowthLaw::nasgro) {
-    out += "At R < 0 Newman's opening function is that of R, down to R = -2.\n";
+    out += "At R < 0 the law uses Newman's opening function for this R, down to R = -2.\n";
   } else if (below) {
     out +=
         "This law counts R < 0 as R = 0: delta K = K_max, as in ASTM E647. Constants from a test "
@@ -202,20 +202,22 @@ std::string history_summary(const model::Model& model, const results::Growth& gr
     }
   }
   if (passes == 0) {
-    return "Friction makes K a history, but the loads were not repeated: see the warnings.\n";
+    return "With friction K depends on the load history, but the loads were not repeated: see the "
+           "warnings.\n";
   }
   // with slip carried over a length begins with what was before, not with the steps
   const bool carried = model.growth->history == model::History::carry_on;
   const std::string first = growth.unit == "pass" ? "first pass at a length"
                             : carried             ? "cycle of the steps run once at a length"
                                                   : "first cycle";
-  std::string out = fmt::format("Friction makes K a history: the loads were followed one after "
-                                "another until K repeated itself, at most {} times; from one time "
-                                "to the next it changes by {:.1e} of the largest K.\n",
-                                passes, change);
+  std::string out =
+      fmt::format("With friction K depends on the load history: the loads were followed one after "
+                  "another until K repeated itself, at most {} times; from one time to the next it "
+                  "changes by {:.1e} of the largest K.\n",
+                  passes, change);
   out += apart > same * largest
-             ? fmt::format("The {} is another: its K differs by up to {:.2g} % of the largest. The "
-                           "life is that of those that follow.\n",
+             ? fmt::format("The {} differs from those that follow: its K is off by up to {:.2g} % "
+                           "of the largest. The life is that of those that follow.\n",
                            first, 100.0 * apart / largest)
              : fmt::format("The {} is like those that follow.\n", first);
   return out;
@@ -244,8 +246,8 @@ std::string mesh_words(const model::Model& model, const results::Run& run) {
     return {};
   }
   const double known = sum / static_cast<double>(count);
-  return fmt::format("K of the first station has error bars of {:.2g} % on the mean, which are "
-                     "{:.2g} % of the cycles; CORRECT=YES takes out what is known of it.\n",
+  return fmt::format("The error bars of K at the first station are {:.2g} % on average, which is "
+                     "{:.2g} % of the cycles; CORRECT=YES removes the known part of this error.\n",
                      100.0 * known, 100.0 * exponent * known);
 }
 
@@ -276,9 +278,9 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
                        growth.counted);
   }
   out += std::isfinite(growth.error)
-             ? fmt::format("; the stations miss some {:.2g} % of them (TOL {:.2g} %)\n",
+             ? fmt::format("; error from the number of stations: about {:.2g} % (TOL {:.2g} %)\n",
                            100.0 * growth.error, 100.0 * model.growth->tolerance)
-             : "; too few stations to tell their error\n";
+             : "; too few stations to estimate the error from their number\n";
   out += mesh_words(model, run);
   if (growth.followed) {
     out += history_summary(model, growth);
@@ -293,10 +295,9 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
                          model.units.length_name);
     }
   }
-  out += growth.corrected
-             ? "K was given to the law with the error bar's bias taken out (CORRECT=YES).\n"
-             : "K was given to the law as computed; error bars and sensitivities are those of the "
-               "first increment unless the deck asks for more.\n";
+  out += growth.corrected ? "The law used K with its estimated error taken out (CORRECT=YES).\n"
+                          : "The law used K as computed; error bars and sensitivities are those of "
+                            "the first increment unless the deck asks for more.\n";
   return out;
 }
 

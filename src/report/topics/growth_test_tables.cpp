@@ -123,8 +123,8 @@ Figure figure_of(const model::Model& model, const results::Run& run,
   add_references(plot, model, run, test, scale);
   return {{readings_plot(model, test), draw(plot)},
           "",
-          fmt::format("Test {}: the readings, and K₁ that {} must have had to grow so, by {} and "
-                      "{}, beside K₁ computed at step {}.{}",
+          fmt::format("Test {}: the readings, the K₁ of {} that follows from its measured growth "
+                      "({}, {}), and K₁ computed at step {}.{}",
                       test.name, test.tip, test.method, test.reference, leading_step(model),
                       scale.state ? fmt::format(" R = {:.6g} {}, σ = {:.4g} {} (the deck's "
                                                 "parameters R and SIGMA).",

@@ -112,8 +112,8 @@ std::string place_of(const Gap& gap, const Extent& all) {
 
 std::string words_of(const std::string& why) {
   return why == results::TipResult().no_bar
-             ? "there it was not worked out (of a life that is done at the first length only, "
-               "unless the deck asks for a bar by $CHECK, TOL on $TIPNET or CORRECT=YES)"
+             ? "it was not computed (a life has error bars at its first length only, unless the "
+               "deck asks for more by $CHECK, TOL on $TIPNET or CORRECT=YES)"
              : why;
 }
 

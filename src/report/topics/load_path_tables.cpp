@@ -186,8 +186,8 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
   return {{draw(value), draw(slope)},
           "",
           fmt::format("Load path {}: K₁ under the loads and fits (1 − t) {} + t {}, and its slope. "
-                      "K₁ is a line between the breakpoints, where a pair opens or closes; marks: "
-                      "the first of a contact.{}",
+                      "K₁ is a straight line between the breakpoints, where a pair of contact "
+                      "nodes opens or closes. Marks: the first pair of a contact opens.{}",
                       path.name, path.from, path.to, bar_words(value.series))};
 }
 

@@ -7,9 +7,10 @@ namespace spricka::report {
 
 Table load_table(const std::vector<results::LoadTotal>& loads, const LoadTableForm& form) {
   const std::string moment = form.force_unit + " " + form.length_unit;
-  Table table{"Load cases: totals with factor 1 (moments about the origin; faces of cracks apart)",
-              {{"case", "", true}, {"Fx", form.force_unit, false}, {"Fy", form.force_unit, false}},
-              {}};
+  Table table{
+      "Load cases: totals with factor 1 (moments about the origin; without loads on crack faces)",
+      {{"case", "", true}, {"Fx", form.force_unit, false}, {"Fy", form.force_unit, false}},
+      {}};
   if (form.dim == 3) {
     table.columns.push_back({"Fz", form.force_unit, false});
     table.columns.push_back({"Mx", moment, false});

@@ -145,8 +145,8 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
   }
   return {{draw(view)},
           model_legend(model, 660.0),
-          fmt::format("The mesh, {} elements, one tint for each net{}. Heavy lines are edges of "
-                      "one element only: outlines and crack faces.{}",
+          fmt::format("The mesh, {} elements, one tint for each part (net){}. Heavy lines are "
+                      "edges of one element only: outlines and crack faces.{}",
                       mesh.element_count(), cracks,
                       model.rigids.empty() ? "" : " Hatched lines: rigid targets.")};
 }
@@ -269,21 +269,21 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Inc
   const std::string place = place_words(model, increment, *step);
   if (!is_stressed(model, increment, *step)) {
     figure.drawings.push_back(displacement_drawing(model, increment, *step));
-    figure.caption = fmt::format(
-        "Displacement at the end of {}, deformed. Its stresses are nothing but round-off and not "
-        "drawn{}.",
-        place,
-        increment.steps.size() > 1
-            ? "; those of other steps a card $OUTPUT FORMAT=VTU EVERY=STEP asks for"
-            : "");
+    figure.caption =
+        fmt::format("Displacement at the end of {}, deformed. The stresses are only round-off "
+                    "there and are not drawn{}.",
+                    place,
+                    increment.steps.size() > 1
+                        ? "; a card $OUTPUT FORMAT=VTU EVERY=STEP writes those of the other steps"
+                        : "");
     return figure;
   }
   figure.drawings.push_back(stress_drawing(model, increment, *step, largest));
   figure.drawings.push_back(displacement_drawing(model, increment, *step));
   figure.caption = fmt::format(
       "Von Mises stress, mean of the elements that meet at a node, and displacement at the end of "
-      "{}, deformed. The stress colours end where 99 % of the area lie below; the largest, "
-      "{:.4g} {}, belongs to the mesh where it stands at a crack tip or a sharp corner.",
+      "{}, deformed. The stress colours end at the value that 99 % of the area is below. The "
+      "largest stress is {:.4g} {}; at a crack tip or a sharp corner it depends on the mesh.",
       place, largest, print_unit(model.units.stress_name()));
   return figure;
 }
@@ -323,8 +323,8 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::Incr
   if (increment.surface.size() > most_drawn_faces) {
     return {{{},
              "",
-             fmt::format("The surface has {} faces: its picture is left to ParaView, which opens "
-                         "the .pvd file of this folder.",
+             fmt::format("The surface has {} faces, too many to draw here: open the .pvd file of "
+                         "this folder in ParaView.",
                          increment.surface.size())}};
   }
   SolidView view;

@@ -17,11 +17,10 @@ std::string side_note(const model::Model& model) {
     sides += fmt::format("{}{} {} {:.6g}", sides.empty() ? "" : ", ", "xyz"[plane.axis],
                          plane.above ? ">=" : "<=", plane.at.value_or(0.0));
   }
-  return sides.empty()
-             ? sides
-             : fmt::format("Of mirror images {} is modelled alone: forces, energies and areas are "
-                           "those of this part.",
-                           sides);
+  return sides.empty() ? sides
+                       : fmt::format("Symmetry: only the part {} is modelled. Forces, energies and "
+                                     "areas are those of this part.",
+                                     sides);
 }
 
 Table net_table(const model::Model& model) {

@@ -9,7 +9,7 @@ namespace spricka::report {
 /// Nodes and elements of each net that has any.
 Table net_table(const model::Model& model);
 
-/// "Of mirror images y >= 0 is modelled alone: ..": what results are of; empty: of the whole.
+/// "Symmetry: only the part y >= 0 is modelled. ..": what results are of; empty: of the whole.
 std::string side_note(const model::Model& model);
 
 /// Material, state and thickness of each element set that has a property.

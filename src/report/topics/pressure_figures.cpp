@@ -149,8 +149,8 @@ Figure polar_figure(const model::Model& model, const results::Run& run,
     figure.legend = draw_legend(plot.curves);
   }
   figure.caption = fmt::format(
-      "Pressure of contact {} at the ends of the steps, outward from the circle that stands for "
-      "the bore ({} recovery; θ from +x){}.{}",
+      "Pressure of contact {} at the ends of the steps, drawn outward from the circle of the bore "
+      "({} recovery; θ from +x){}.{}",
       contact.name, recovery_text(contact),
       range.low < -0.02 * range.high ? "; inside the circle: tension" : "",
       mouths ? " Radial bars: crack mouths; there the pressure has no bound, and the curves are "
@@ -205,12 +205,12 @@ Figure straight_figure(const model::Model& model, const results::Run& run,
       figure.drawings.push_back(draw(plot));
     }
   }
-  figure.caption = fmt::format(
-      "Pressure of contact {} at the ends of the steps ({} recovery).{}", contact.name,
-      recovery_text(contact),
-      edges ? " Next to edges up to which it is pressed values are left out: there the pressure "
-              "has no bound."
-            : "");
+  figure.caption =
+      fmt::format("Pressure of contact {} at the ends of the steps ({} recovery).{}", contact.name,
+                  recovery_text(contact),
+                  edges ? " Where contact reaches an edge of the surface, the values next to that "
+                          "edge are left out: the pressure has no bound there."
+                        : "");
   return figure;
 }
 

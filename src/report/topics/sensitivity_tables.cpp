@@ -248,17 +248,18 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
 Table sensitivity_table(const model::Model& model, const results::Increment& increment) {
   const std::string step = leading_step(model);
   const std::string unit = model.units.stress_intensity_name();
-  Table table{fmt::format("Sensitivity of K1 and K2 at the end of step {}, the contact kept", step),
-              {{"tip", "", true},
-               {"by", "", true},
-               {"value", "", false},
-               {"value dK1/dvalue", unit, false},
-               {"for", "", false},
-               {"K1 changes", "%", false},
-               {"K2 changes", unit, false},
-               {"kept from", "", false},
-               {"to", "", false}},
-              {}};
+  Table table{
+      fmt::format("Sensitivity of K1 and K2 at the end of step {}, contact state held fixed", step),
+      {{"tip", "", true},
+       {"by", "", true},
+       {"value", "", false},
+       {"value dK1/dvalue", unit, false},
+       {"for", "", false},
+       {"K1 changes", "%", false},
+       {"K2 changes", unit, false},
+       {"kept from", "", false},
+       {"to", "", false}},
+      {}};
   const results::StepResult* found = results::find_step(increment, step);
   if (found == nullptr) {
     return table;
@@ -310,12 +311,11 @@ std::vector<Figure> sensitivity_figures(const model::Model& model, const results
   if (figure.drawings.empty()) {
     return {};
   }
-  figure.caption = fmt::format(
-      "Change of K₁ at the end of step {}, in percent, for 1 % more of a load, a modulus or a "
-      "crack "
-      "length and for 1 µm more of a normal interference (full bars), and for as much less (pale "
-      "bars); the contact kept as it is there.",
-      step);
+  figure.caption =
+      fmt::format("Change of K₁ at the end of step {}, in percent, for 1 % more of a load, a "
+                  "modulus or a crack length and for 1 µm more of a normal interference (full "
+                  "bars), and for as much less (pale bars). The contact state is held fixed.",
+                  step);
   return {figure};
 }
 

@@ -2,13 +2,18 @@
 #include "base/messages.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/editor.hpp"
+#include "grammar/field_words.hpp"
 #include "grammar/format.hpp"
 #include "grammar/help.hpp"
 #include "grammar/parse.hpp"
 #include "grammar/phrases.hpp"
 #include "grammar/wrap.hpp"
+#include "tests/places.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
 
 #include <gtest/gtest.h>
@@ -89,6 +94,80 @@ TEST(Help, FunctionsAreWrittenAsTheyAreRead) {
     ASSERT_TRUE(parsed) << call;
     EXPECT_TRUE(evaluate(*parsed, scope, diagnostics)) << call;
     EXPECT_TRUE(is_reserved(function.name));
+  }
+}
+
+// What the group of a pattern matches, wherever it does in a text.
+std::vector<std::string> found_in(std::string_view text, const char* pattern) {
+  const std::regex regex(pattern);
+  const std::string words(text);
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(words.begin(), words.end(), regex), end; it != end; ++it) {
+    found.push_back((*it)[1]);
+  }
+  return found;
+}
+
+TEST(FieldWords, LeadToCardsKeysResultsAndPages) {
+  const std::filesystem::path manual = test::source_folder() + "/manual";
+  for (const FieldWord& word : field_words()) {
+    const auto topics = split_words(word.topics);
+    const auto pages = split_words(word.pages);
+    EXPECT_FALSE(topics.empty()) << word.word;
+    EXPECT_FALSE(pages.empty()) << word.word;
+    for (const std::string& topic : topics) {
+      EXPECT_TRUE(find_card(topic) != nullptr || find_quantity(topic) != nullptr ||
+                  !word_help(topic, 80).empty())
+          << word.word << ": " << topic;
+    }
+    for (const std::string& page : pages) {
+      EXPECT_TRUE(std::filesystem::exists(manual / (page + ".md"))) << word.word << ": " << page;
+    }
+    for (const std::string& card : found_in(word.text, "\\$([A-Z]+)")) {
+      EXPECT_NE(find_card(card), nullptr) << word.word << ": " << card;
+    }
+    for (const std::string& key : found_in(word.text, "\\b([A-Z][A-Z0-9]*)=")) {
+      EXPECT_FALSE(word_help(key, 80).empty()) << word.word << ": " << key;
+    }
+  }
+}
+
+TEST(FieldWords, HaveOneEntryEachAndARowInTheGlossary) {
+  std::ifstream in(test::source_folder() + "/manual/glossary.md");
+  const std::string glossary{std::istreambuf_iterator<char>(in), {}};
+  for (const FieldWord& word : field_words()) {
+    for (const std::string_view name : names_of(word)) {
+      EXPECT_EQ(find_field_word(name), &word) << name;
+    }
+    EXPECT_TRUE(has(glossary, "\n| " + std::string(word.word))) << word.word;
+  }
+}
+
+TEST(FieldWords, AreFoundHoweverTheyAreWritten) {
+  const FieldWord* bushing = find_field_word("bushing");
+  ASSERT_NE(bushing, nullptr);
+  for (const char* name : {"Bushing", "BUSHINGS", "bush", "sleeves"}) {
+    EXPECT_EQ(find_field_word(name), bushing) << name;
+  }
+  EXPECT_EQ(find_field_word("bearing bypass"), find_field_word("bearing-bypass"));
+  EXPECT_EQ(find_field_word("link_up"), find_field_word("link-up"));
+  EXPECT_EQ(find_field_word(""), nullptr);
+  EXPECT_EQ(find_field_word("s"), nullptr);
+  EXPECT_TRUE(field_help("contact", 80).empty());
+}
+
+TEST(FieldWords, AreExplainedWithinTheWidth) {
+  for (const FieldWord& word : field_words()) {
+    const std::string text = field_help(word.word, 80);
+    EXPECT_TRUE(text.starts_with(word.word)) << text;
+    EXPECT_TRUE(has(text, "More: spricka help ")) << text;
+    EXPECT_TRUE(has(text, "Manual: ")) << text;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      EXPECT_LE(end - at, 80U) << text.substr(at, end - at);
+      at = end + 1;
+    }
+    EXPECT_TRUE(has(field_words_help(80), "\n  " + std::string(word.word) + " ")) << word.word;
   }
 }
 

@@ -96,12 +96,14 @@ TEST(Verification, TheTableIsReadAsItWasWritten) {
   for (const auto& row : rows) {
     EXPECT_EQ(row.size(), rows.front().size());
   }
-  EXPECT_EQ(rows[1][4], "Bowie, \"1956\"");
+  EXPECT_EQ(rows[1][1], "Title of arc");
+  EXPECT_EQ(rows[1][5], "Bowie, \"1956\"");
   const std::optional<Verification> back = read_verification_csv(file);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->program, v.program);
   EXPECT_EQ(back->machine, v.machine);
   ASSERT_EQ(back->decks.size(), v.decks.size());
+  EXPECT_EQ(back->decks[0].title, v.decks[0].title);
   EXPECT_EQ(back->decks[0].points[0].checks[1].error, -2e-3);
   EXPECT_TRUE(compare(v, *back).same());
   std::ofstream(file) << "a,b\n1,2\n";
@@ -160,16 +162,45 @@ TEST(VerificationPage, HoldsEveryCheckTheReasonsAndNoScript) {
   const std::vector<Problem> problems{{"C01", "Rings", {"arc"}, {}, ""},
                                       {"G04", "Beam", {}, {}, "its drawing is lost"}};
   const std::string page = verification_page(v, problems, compare(v, sample()));
-  const std::string chapter = verification_chapter(v, problems);
-  for (const std::string& text : {page, chapter}) {
-    EXPECT_NE(text.find("K2(C,PULL)"), std::string::npos);
-    EXPECT_NE(text.find("its drawing is lost"), std::string::npos);
-    EXPECT_NE(text.find("MISSED"), std::string::npos);
-    EXPECT_NE(text.find("1234 freedoms"), std::string::npos);
-  }
+  EXPECT_NE(page.find("K2(C,PULL)"), std::string::npos);
+  EXPECT_NE(page.find("its drawing is lost"), std::string::npos);
+  EXPECT_NE(page.find("MISSED"), std::string::npos);
+  EXPECT_NE(page.find("1234 freedoms"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("exact <b>"), std::string::npos); // escaped
   EXPECT_NE(page.find("missed now"), std::string::npos);
+}
+
+TEST(VerificationChapter, HasARowForEachRunAndNamesTheTableOfChecks) {
+  Verification v = sample();
+  v.decks[0].points.push_back(
+      {.values = "beta = 2", .unknowns = 9, .checks = {check_of("K1(C,PULL)", 5e-3, "exact")}});
+  v.decks[3] = deck_of("zone", 4.0, {check_of("U.X.AT(0,0,PULL)", 0.02, "exact")});
+  const std::vector<Problem> problems{{"C01", "Rings", {"arc"}, {}, ""},
+                                      {"G04", "Beam", {}, {}, "its drawing is lost"}};
+  const std::string chapter = verification_chapter(v, problems, "checks.csv");
+  for (const char* row : {"| `arc` | Title of arc | 2 | 2 | 0.20 | 1.00 | 50 |",
+                          "| `arc` | Title of arc, beta = 2 | 1 | 1 | 0.50 |  |  |",
+                          "| `bare` | Title of bare | 0 | 0 |  | 0.10 | 50 |",
+                          "| `kept` | Title of kept | 1 (1 recorded) | 1 | 0.00 | 2.00 | 50 |",
+                          "| `zone` | Title of zone | 1 | 0, 1 MISSED | 2.00 | 4.00 | 50 |",
+                          "its drawing is lost", "[checks.csv](checks.csv)"}) {
+    EXPECT_NE(chapter.find(row), std::string::npos) << row << "\n" << chapter;
+  }
+  EXPECT_EQ(chapter.find("K2(C,PULL)"), std::string::npos); // in the table
+}
+
+TEST(VerificationChapter, SaysHowADeckEndedThatHasNoResults) {
+  Verification v = sample();
+  v.decks[1].points.clear();
+  v.decks[1].exit_code = 128 + 11; // a signal
+  v.decks[1].message = "out of memory";
+  v.decks[3].exit_code = 5;
+  const std::string chapter = verification_chapter(v, {}, "checks.csv");
+  for (const char* row : {"| `bare` | out of memory | 0 | signal 11 |  | 0.10 | 50 |",
+                          "| `zone` | Title of zone | 1 | 1, exit code 5 | 0.50 | 4.00 | 50 |"}) {
+    EXPECT_NE(chapter.find(row), std::string::npos) << row << "\n" << chapter;
+  }
 }
 
 class Tiers : public testing::Test {
