@@ -188,7 +188,8 @@ std::vector<std::string> two_ways_warnings(const results::Run& run) {
         one.step->step, one.tip->a,
         one.tip->no_bar.empty() ? "its error bar" : "on a sound mesh, and there is no error bar",
         one.what,
-        others > 0 ? fmt::format("; the same holds for {} other results of this tip", others)
+        others > 0 ? fmt::format("; the same holds for {} other result{} of this tip", others,
+                                 others > 1 ? "s" : "")
                    : ""));
   }
   return texts;

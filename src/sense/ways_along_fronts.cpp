@@ -77,9 +77,9 @@ std::string parted_text(const Parted& one) {
       one.front->name, one.step->step, one.front->a, at.x.x(), at.x.y(), at.x.z(),
       results::has_bar(*one.front) ? "its error bar" : "on a sound mesh", at.G, at.G_from_K,
       100.0 * one.apart,
-      one.others > 0
-          ? fmt::format("; the same holds for {} other results of this front", one.others)
-          : "");
+      one.others > 0 ? fmt::format("; the same holds for {} other result{} of this front",
+                                   one.others, one.others > 1 ? "s" : "")
+                     : "");
 }
 
 } // namespace

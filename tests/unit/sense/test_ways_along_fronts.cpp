@@ -52,7 +52,7 @@ TEST(WaysAlongFronts, PartAtTheWorstPlaceOfAllSteps) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("C, step UNLOAD, a = 1, at (1, 0, 0)"), std::string::npos) << told[0];
   EXPECT_NE(told[0].find("20 % of K apart"), std::string::npos) << told[0];
-  EXPECT_NE(told[0].find("in 1 other results"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("for 1 other result of"), std::string::npos) << told[0];
 }
 
 TEST(WaysAlongFronts, MayPartByTheBar) {
