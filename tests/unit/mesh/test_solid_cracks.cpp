@@ -539,8 +539,8 @@ TEST(SolidCracks, RefusalsNameThePlace) {
   EXPECT_EQ(told(ellipse({0, 0, 3.999}, flat, 0.5, 0.5), {}), "E423");
 }
 
-// A half penny at a face; with a second body of the same net on the other side of that face it would
-// be a whole one in two bodies.
+// A half penny at a face; with a second body of the same net on the other side of that face it
+// would be a whole one in two bodies.
 TEST(SolidCracks, OfTwoBodiesThatTouchNeitherIsChosen) {
   model::Mesh host = box(ElementType::tet10, 4);
   mesh::BlockSpec below;
