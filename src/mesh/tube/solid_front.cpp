@@ -54,9 +54,10 @@ public:
     }
     const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
     if (const std::optional<Vec3> other = place_in_other_body(surface)) {
-      return fail(fmt::format("its front lies in two bodies of one net, round {} and",
-                              text_of(host_.extent(request_.seed).middle)),
-                  *other, "give each body a net of its own and name the cracked one with NET=");
+      return fail(
+          fmt::format("its front begins in the body round {} and lies in another one of its net",
+                      text_of(host_.extent(request_.seed).middle)),
+          *other, "give each body a net of its own and name the cracked one with NET=");
     }
     const FrontArcs arcs = arcs_inside(surface, whole_);
     if (arcs.trouble) {
