@@ -158,6 +158,7 @@ int run(int argc, char** argv) {
   syscall(SYS_close_range, line + 1, ~0U, 0);
   look_at_signals();
   limit_memory(memory);
+  stay_on_one_processor();
   if (getppid() != owner) { // it went while the libraries were loaded
     return 0;
   }

@@ -10,6 +10,10 @@ namespace spricka::mesher {
 /// where the kernel has no such filters.
 bool close_sandbox();
 
+/// The process runs on the processor that it is on, for good: libraries that start a thread for
+/// each processor they see (OpenCASCADE with TBB) start none, as the sandbox would end them.
+void stay_on_one_processor();
+
 /// The process gets no more than `memory` bytes beyond those that it holds now, and leaves no core.
 void limit_memory(std::size_t memory);
 

@@ -34,6 +34,25 @@ class Outside(MeshTest):
                 self.assertIn(f"x.geo:7: {name} ", self.refused("E480", name, deck))
                 self.assertEqual(self.files(), before)
 
+    def test_libraries_that_start_threads_start_none(self):
+        # The distance from a surface is one of the places where OpenCASCADE works in parallel.
+        bored_block = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 4, 4, 1}; Cylinder(2) = {2, 2, -1, 0, 0, 3, 1};
+BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
+bore() = Surface In BoundingBox{0.9, 0.9, -0.1, 3.1, 3.1, 1.1};
+foot() = Surface In BoundingBox{-0.1, -0.1, -0.1, 4.1, 4.1, 0.1};
+Field[1] = Distance; Field[1].SurfacesList = {bore()};
+Field[2] = Threshold; Field[2].InField = 1; Field[2].SizeMin = 0.7; Field[2].SizeMax = 2;
+Field[2].DistMin = 0.5; Field[2].DistMax = 3; Background Field = 2;
+Physical Volume("BODY") = {3}; Physical Surface("LOW") = {foot()}; Physical Surface("TOP") = {bore()};
+Mesh.ElementOrder = 2;
+"""
+        deck = self.square()
+        (self.folder / "x.geo").write_text(bored_block)
+        text = deck.read_text().replace("STATE=STRESS", "STATE=SOLID").replace("DOF=XY", "DOF=XYZ")
+        deck.write_text(text.replace("TOP  0  100", "TOP  0  100  0"))
+        self.expect(0, "check", deck)
+
     def test_words_in_comments_and_texts_are_nothing(self):
         harmless = '// Exit;\n/* SystemCall "touch made"; */ a = Sprintf("Merge");\nSaved = 1;\n'
         self.expect(0, "check", self.square(harmless))
