@@ -40,7 +40,7 @@ double row_size(const std::vector<RowShare>& row) {
 
 ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
                              std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms,
-                             const Lasting& lasting)
+                             const std::vector<SlidingContact>& sliding, const Lasting& lasting)
     : bodies_(std::move(bodies)), rows_(rows.size()) {
   // By freedom of the mesh: the body that has it among its externals, and where; -1: none has.
   std::vector<std::pair<std::int32_t, std::int32_t>> place(freedoms, {-1, -1});
@@ -71,6 +71,32 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     add_body(b, lasting, rows);
   }
+  let_slide(sliding, dim, place);
+}
+
+void ContactSystem::let_slide(const std::vector<SlidingContact>& sliding, int dim,
+                              const std::vector<std::pair<std::int32_t, std::int32_t>>& place) {
+  const auto modes_at = [&](base::NodeId node) -> std::optional<ModesAtNode> {
+    std::optional<ModesAtNode> found;
+    for (int c = 0; c < dim; ++c) {
+      const auto [body, i] =
+          place[static_cast<std::size_t>(dim) * node.index() + static_cast<std::size_t>(c)];
+      if (body < 0) {
+        continue; // held by a support: no mode moves it
+      }
+      const base::Matrix& Q = bodies_[at(body)]->modes();
+      if (!found) {
+        found = ModesAtNode{at(body), base::Matrix::Zero(dim, Q.cols())};
+      }
+      if (Q.cols() > 0) {
+        found->motion.row(c) = Q.row(i);
+      }
+    }
+    return found;
+  };
+  slid_ = B_;
+  remove_sliding(sliding, mode_start_, modes_at, B_);
+  slid_ -= B_;
 }
 
 // Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
@@ -179,6 +205,20 @@ void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& 
     // must look small against it.
     opening_scale_ = std::max(opening_scale_, motion * row_size(shares[k]));
   }
+}
+
+std::vector<base::Vector> ContactSystem::resting_force(const std::vector<std::size_t>& rows,
+                                                       const base::Vector& lambda) const {
+  base::Vector on_mode = base::Vector::Zero(slid_.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    on_mode += lambda[index(i)] * slid_.row(index(rows[i])).transpose();
+  }
+  std::vector<base::Vector> force;
+  for (std::size_t b = 0; b < bodies_.size() && !on_mode.isZero(0.0); ++b) {
+    const base::Matrix& Q = bodies_[b]->modes();
+    force.emplace_back(Q * on_mode.segment(mode_start_[b], Q.cols()));
+  }
+  return force;
 }
 
 double ContactSystem::opening(std::size_t row, const std::vector<base::Vector>& u) const {
@@ -300,6 +340,7 @@ ContactSystem::Solution ContactSystem::solve(const Problem& problem,
       solution.u.back() += problem.motion[b];
     }
   }
+  solution.resting_force = resting_force(problem.rows, s.lambda);
   return solution;
 }
 

@@ -3,10 +3,13 @@
 #include "base/vec.hpp"
 #include "contact/condensed_body.hpp"
 #include "contact/constraint.hpp"
+#include "contact/sliding_motions.hpp"
 #include "solve/contact_problem.hpp"
 #include "solve/friction_problem.hpp"
 #include "solve/friction_unique.hpp"
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace spricka::contact {
@@ -30,9 +33,11 @@ struct Lasting {
 /// subset of rows, loads and gaps is one small quadratic problem.
 class ContactSystem {
 public:
-  /// `bodies` and `rows` must outlive the system; freedoms = dim * node_count.
+  /// `bodies` and `rows` must outlive the system; freedoms = dim * node_count. By their surfaces
+  /// `sliding` tells which rigid modes no pressure resists.
   ContactSystem(std::vector<const CondensedBody*> bodies, std::vector<const ConstraintRow*> rows,
-                int dim, std::size_t freedoms, const Lasting& lasting = {});
+                int dim, std::size_t freedoms, const std::vector<SlidingContact>& sliding = {},
+                const Lasting& lasting = {});
 
   struct Problem {
     std::vector<std::size_t> rows;  ///< the rows in force
@@ -52,6 +57,9 @@ public:
     std::vector<solve::Touch> touch; ///< [rows in force] with friction; else empty
     bool slides = false;             ///< the mode that is not held would be held by more friction
     std::vector<base::Vector> u;     ///< [body][m] external displacements
+    /// [body][m] what contact forces leave over on motions by which surfaces slide on themselves;
+    /// empty: nothing
+    std::vector<base::Vector> resting_force;
   };
   [[nodiscard]] Solution solve(const Problem& problem,
                                const solve::ContactSettings& settings) const;
@@ -82,6 +90,10 @@ public:
 private:
   /// What the loads of a problem alone move a body by.
   [[nodiscard]] base::Vector motion_of(const Problem& problem, std::size_t body) const;
+  [[nodiscard]] std::vector<base::Vector> resting_force(const std::vector<std::size_t>& rows,
+                                                        const base::Vector& lambda) const;
+  void let_slide(const std::vector<SlidingContact>& sliding, int dim,
+                 const std::vector<std::pair<std::int32_t, std::int32_t>>& place);
   void add_body(std::size_t body, const Lasting& lasting,
                 const std::vector<const ConstraintRow*>& rows);
   [[nodiscard]] std::vector<std::vector<RowShare>>
@@ -102,6 +114,7 @@ private:
   std::vector<Eigen::Index> mode_start_; ///< [body + 1]
   base::Matrix W_;                       ///< [row, row]
   base::Matrix B_;                       ///< [row, mode]
+  base::Matrix slid_; ///< [row, mode] what B would have of surfaces that slide on themselves
   double row_flops_ = 0.0;
   double opening_scale_ = 0.0; ///< what a unit of a mode opens where it moves along a row's forces
 };

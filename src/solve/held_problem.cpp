@@ -2,6 +2,7 @@
 #include "solve/held_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spricka::solve {
 
@@ -44,6 +45,12 @@ HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) 
                    .equality = problem.equality,
                    .tau = 0.0,
                    .d = {}};
+  // The largest opening of each mode is 1: rows that open by round-off of it must not seem to hold
+  // a mode that the others leave free.
+  held.B = held.B.unaryExpr([](double opened) {
+    constexpr double round_off = 1e-12;
+    return std::abs(opened) > round_off ? opened : 0.0;
+  });
   held.equality.resize(static_cast<std::size_t>(held.rows()), false);
   const base::Vector border = held.B.rowwise().squaredNorm();
   if (held.modes() > 0) {

@@ -2,6 +2,7 @@
 #include "analysis/steps/held_modes.hpp"
 
 #include "analysis/scene/scene_loads.hpp"
+#include "analysis/scene/sliding_contacts.hpp"
 #include "analysis/steps/let_go.hpp"
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
@@ -34,6 +35,7 @@ public:
       }
       first_.push_back(first_.back() + bodies[b].free_modes.cols());
     }
+    find_openings();
   }
 
   [[nodiscard]] Eigen::Index count() const { return first_.back(); }
@@ -45,19 +47,9 @@ public:
 
   /// What a unit of each mode opens of some rows [row, mode].
   [[nodiscard]] base::Matrix openings(const std::vector<std::size_t>& rows) const {
-    const int dim = scene_.cracked.mesh.dim;
-    base::Matrix B = base::Matrix::Zero(static_cast<Eigen::Index>(rows.size()), count());
+    base::Matrix B(static_cast<Eigen::Index>(rows.size()), count());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const contact::RowEntry& entry : scene_.row(rows[i]).entries) {
-        const std::int32_t b = body_of_[entry.node.index()];
-        if (b < 0) {
-          continue;
-        }
-        const base::Matrix& modes = bodies_[static_cast<std::size_t>(b)].free_modes;
-        const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
-        B.block(static_cast<Eigen::Index>(i), first_[static_cast<std::size_t>(b)], 1,
-                modes.cols()) += entry.weight.head(dim).transpose() * modes.middleRows(at, dim);
-      }
+      B.row(static_cast<Eigen::Index>(i)) = B_.row(static_cast<Eigen::Index>(rows[i]));
     }
     return B;
   }
@@ -92,10 +84,37 @@ public:
   }
 
 private:
+  [[nodiscard]] std::optional<contact::ModesAtNode> at(base::NodeId node) const {
+    const std::int32_t b = body_of_[node.index()];
+    if (b < 0) {
+      return std::nullopt;
+    }
+    const int dim = scene_.cracked.mesh.dim;
+    return contact::ModesAtNode{static_cast<std::size_t>(b),
+                                bodies_[static_cast<std::size_t>(b)].free_modes.middleRows(
+                                    static_cast<Eigen::Index>(node.index()) * dim, dim)};
+  }
+
+  void find_openings() {
+    const int dim = scene_.cracked.mesh.dim;
+    B_ = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), count());
+    for (std::size_t r = 0; r < scene_.table.size(); ++r) {
+      for (const contact::RowEntry& entry : scene_.row(r).entries) {
+        if (const auto own = at(entry.node)) {
+          B_.block(static_cast<Eigen::Index>(r), first_[own->body], 1, own->motion.cols()) +=
+              entry.weight.head(dim).transpose() * own->motion;
+        }
+      }
+    }
+    contact::remove_sliding(
+        sliding_contacts(scene_), first_, [&](base::NodeId node) { return at(node); }, B_);
+  }
+
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
   std::vector<std::int32_t> body_of_;
   std::vector<Eigen::Index> first_{0};
+  base::Matrix B_; ///< [row, mode] of all rows
 };
 
 std::vector<std::size_t> all_rows(const Scene& scene) {

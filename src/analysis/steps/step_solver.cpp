@@ -2,6 +2,8 @@
 #include "analysis/steps/step_solver.hpp"
 
 #include "analysis/scene/scene_heat.hpp"
+#include "analysis/scene/sliding_contacts.hpp"
+#include "analysis/steps/far_motion.hpp"
 #include "analysis/steps/held_surfaces.hpp"
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
@@ -45,6 +47,23 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
   return std::isfinite(softest) ? 1e-13 * softest : 0.0;
 }
 
+// Forces on motions by which surfaces slide on themselves: those of normals that are the other
+// side's.
+void tell_resting(StepState& state) {
+  constexpr double worth_a_note = 1e-6;
+  constexpr double too_much = 1e-3;
+  const double share = state.resting.size() > 0 && !state.contact.isZero(0.0)
+                           ? state.resting.lpNorm<1>() / state.contact.lpNorm<1>()
+                           : 0.0;
+  if (share > worth_a_note) {
+    const std::string text = fmt::format(
+        "{:.1e} of the contact forces act on motions by which round or plane surfaces slide on "
+        "themselves (such as their moment about the axis of a bush) and are left over",
+        share);
+    state.notes.push_back(share > too_much ? results::warning(text) : results::note(text));
+  }
+}
+
 } // namespace
 
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
@@ -68,7 +87,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
   }
   if (!condensed.empty()) {
     system_.emplace(std::move(condensed), scene.acting_rows(), scene.cracked.mesh.dim,
-                    static_cast<std::size_t>(u_.size()),
+                    static_cast<std::size_t>(u_.size()), sliding_contacts(scene),
                     contact == nullptr ? contact::Lasting{}
                                        : contact->lasting(scene, bodies, condensed_));
   }
@@ -221,6 +240,11 @@ bool StepSolver::accept(const contact::ContactSystem::Solution& solution,
     trouble = std::move(none);
     return false;
   }
+  if (base::Trouble far =
+          far_motion(scene_, bodies_, {*system_, condensed_, problem, solution}, prescribed())) {
+    trouble = std::move(far);
+    return false;
+  }
   if (s.resting_modes > 0) {
     state.notes.push_back(results::note(
         fmt::format("{} rigid mode(s) that no contact touches and nothing loads stay at rest",
@@ -248,6 +272,13 @@ bool StepSolver::accept(const contact::ContactSystem::Solution& solution,
       state.pair_closed[c][local] = s.closed[i];
     }
     closed_[row] = s.closed[i];
+  }
+  state.resting = base::Vector::Zero(solution.resting_force.empty() ? 0 : u_.size());
+  for (std::size_t i = 0; i < solution.resting_force.size(); ++i) {
+    const std::vector<std::int32_t>& freedom = bodies_[condensed_[i]].condensed->freedom();
+    for (std::size_t k = 0; k < freedom.size(); ++k) {
+      state.resting[freedom[k]] = solution.resting_force[i][static_cast<Eigen::Index>(k)];
+    }
   }
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     state.friction.push_back(history_.pair(c));
@@ -294,7 +325,10 @@ void StepSolver::balance(StepState& state) const {
                         state.energy);
   }
   // Forces on dependent freedoms are their masters' to bear.
-  const base::Vector open = internal - state.force - state.contact;
+  base::Vector open = internal - state.force - state.contact;
+  if (state.resting.size() > 0) {
+    open += state.resting;
+  }
   base::Matrix out_of_balance = open;
   scene_.ties->reduce(out_of_balance);
   // Held freedoms leave their reaction over; what is left at free ones is the error.
@@ -310,6 +344,7 @@ void StepSolver::balance(StepState& state) const {
   if (!scene_.ties->rows().empty()) {
     state.tie = tie_forces(open - state.reaction);
   }
+  tell_resting(state);
   const double scale =
       std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>(),
                 internal.lpNorm<1>()}); // ties with constants strain without load

@@ -23,6 +23,9 @@ struct StepState {
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces
+  /// [dim * node] what contact forces leave over on motions by which surfaces slide on themselves;
+  /// empty: nothing
+  base::Vector resting;
   base::Matrix internal;      ///< [dim * node, material] internal forces K u; without cracks of all
   base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
   std::vector<double> energy; ///< [element] strain energy

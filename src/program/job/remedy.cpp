@@ -12,8 +12,10 @@ std::string remedy_of(const base::NoAnswer& answer) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }
   using Remedy = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Remedy, 9> remedies{
-      {{"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
+  static constexpr std::array<Remedy, 10> remedies{
+      {{"next to nothing holds",
+        "hold it by a support ($FREEDOM), friction (MU=) or a contact that it runs against"},
+       {"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
        {"is not mounted before", "mount it before the body is loaded, or hold the body until then"},
        {"was dismounted", "hold the body by a support or another contact before it is dismounted"},
        {"only presses", "look at the sign of the load; else a support ($FREEDOM), or TYPE=BONDED"},

@@ -91,16 +91,16 @@ TEST(ContactSystem, LastingRowsChangeNoBit) {
   const contact::ContactSystem plain({&body}, all, 2, 8);
   contact::LastingRows kept;
   const contact::Lasting lasting{{true, false, true, true}, {&kept}};
-  const contact::ContactSystem made({&body}, all, 2, 8, lasting);
+  const contact::ContactSystem made({&body}, all, 2, 8, {}, lasting);
   EXPECT_EQ(kept.rows.size(), 3U);
   EXPECT_LT((made.W() - plain.W()).norm(), 1e-13 * plain.W().norm());
   rows[1].entries[0].weight.x() = 0.5; // what does not last may change
-  const contact::ContactSystem taken({&body}, all, 2, 8, lasting);
+  const contact::ContactSystem taken({&body}, all, 2, 8, {}, lasting);
   contact::LastingRows none;
-  const contact::ContactSystem anew({&body}, all, 2, 8, {{true, false, true, true}, {&none}});
+  const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, false, true, true}, {&none}});
   EXPECT_EQ((taken.W() - anew.W()).cwiseAbs().maxCoeff(), 0.0);
   rows[0].entries[0].weight.x() = 0.25; // a row that was to last did not
-  const contact::ContactSystem other({&body}, all, 2, 8, lasting);
+  const contact::ContactSystem other({&body}, all, 2, 8, {}, lasting);
   const contact::ContactSystem other_plain({&body}, all, 2, 8);
   EXPECT_LT((other.W() - other_plain.W()).norm(), 1e-13 * other_plain.W().norm());
 }
@@ -140,12 +140,12 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     const base::Matrix S = base::Matrix(whole.inverse()(row, row)).inverse();
     const contact::CondensedBody plain_body({0, 1, 2, 3, 4, 5, 6, 7}, S, base::Matrix(8, 0));
     const contact::ContactSystem plain({&plain_body}, all, 2, 8);
-    const contact::ContactSystem kept_rows({&body}, all, 2, 8,
+    const contact::ContactSystem kept_rows({&body}, all, 2, 8, {},
                                            {{true, true, true, false}, {&kept}});
     EXPECT_EQ(kept.rows.size(), 2U); // row 2 would last, but its freedoms are not early
     EXPECT_LT((kept_rows.W() - plain.W()).norm(), 1e-11 * plain.W().norm());
     contact::LastingRows none;
-    const contact::ContactSystem anew({&body}, all, 2, 8, {{true, true, true, false}, {&none}});
+    const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, true, true, false}, {&none}});
     EXPECT_EQ((kept_rows.W() - anew.W()).cwiseAbs().maxCoeff(), 0.0);
     const base::Matrix F = base::Matrix::NullaryExpr(8, 2, [&] { return value(random); });
     const base::Matrix u = plain_body.displacement(F);
