@@ -43,7 +43,7 @@ void fill_surface(results::FrontResult& front) {
 } // namespace
 
 void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
-                    Eigen::Index first, results::FrontResult& front) {
+                    Eigen::Index first, double coarse_contact, results::FrontResult& front) {
   double size = 0.0;
   std::array<double, 3> squares{};
   std::array<double, 3> counts{};
@@ -73,6 +73,7 @@ void add_front_bars(const base::Vector& eta, const std::vector<std::array<double
       results::KBar& bar = place.bar[k];
       bar.mesh = share_of_own * std::abs(bar.best - K[k]) +
                  share_of_others * std::sqrt(squares[k] / counts[k]);
+      bar.edge = coarse_contact * size;
       bar.floor = floor_share * size;
     }
   }

@@ -10,7 +10,8 @@ namespace spricka::analysis {
 
 /// Gives the points of a front their bars (manual, estimate.24) from what cubic elements add to K1,
 /// K2, K3, those of the front from `first` on, and the smooth values of K with that [point].
+/// `coarse_contact`: part of the largest K that coarse surfaces of other bodies may make it off by.
 void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
-                    Eigen::Index first, results::FrontResult& front);
+                    Eigen::Index first, double coarse_contact, results::FrontResult& front);
 
 } // namespace spricka::analysis

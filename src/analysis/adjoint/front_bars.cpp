@@ -2,6 +2,7 @@
 #include "analysis/adjoint/front_bars.hpp"
 
 #include "analysis/adjoint/bar_along_front.hpp"
+#include "analysis/adjoint/partner_surfaces.hpp"
 #include "contact/space_tractions.hpp"
 #include "model/model.hpp"
 
@@ -207,8 +208,13 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
         better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
         better[at] = place.closed ? 0.0 : better[at];
       }
+      const CoarsePartner coarse = coarse_partner(scene_, step.state, scene_.fronts[f]);
       add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first(first)),
-                     layout.first(first), front);
+                     layout.first(first), coarse.part, front);
+      if (!coarse.why_not.empty()) {
+        result.notes.push_back(
+            results::warning(fmt::format("K of {}: {}", front.name, coarse.why_not)));
+      }
     }
     first += front.points.size();
     tell(front, result);

@@ -28,6 +28,11 @@ struct CoarsePartner {
 };
 CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::Front& front);
 
+/// The same for a front in space, of the largest K along it, and of contacts alone: those that it
+/// ends on as well, where edges count against its depth under the surface, and no length is too
+/// long for a bar. `why_not` then is what to say of a part that is large.
+CoarsePartner coarse_partner(const Scene& scene, const StepState& state, const FrontScene& front);
+
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
 std::vector<bool> tied_nodes(const PartnerSetting& setting);
 
