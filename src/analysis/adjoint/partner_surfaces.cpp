@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ using base::Vec3;
 /// A piece of a surface: in the plane an edge, in space a triangle between nodes of a face.
 struct Side {
   std::array<Vec3, 3> x; ///< end, middle, end of an edge, the middle or the mean of the ends
-  double length = 0.0;   ///< in space the longest edge of the face
+  double length = 0.0;   ///< in space the size of the face
   std::array<base::NodeId, 2> ends{};
 };
 
@@ -61,13 +62,10 @@ Vec3 in_plane(const Vec2& x) {
   return {x.x(), x.y(), 0.0};
 }
 
-double longest_edge(const contact::SolidFace& face) {
-  const int corners = face.nodes.size() % 3 == 0 && face.nodes.size() < 9 ? 3 : 4;
-  double most = 0.0;
-  for (int i = 0; i < corners; ++i) {
-    most = std::max(most, (face.X.col(i) - face.X.col((i + 1) % corners)).norm());
-  }
-  return most;
+// Edge of the square, or of half of a square, of the same area.
+double size_of(const contact::SolidFace& face) {
+  const std::size_t corners = contact::corner_triangles_of(face.shape).size() + 2;
+  return std::sqrt(contact::area_of(face) * (corners == 3 ? 2.0 : 1.0));
 }
 
 void add_sides(const contact::Surface& surface, std::vector<Side>& sides) {
@@ -79,8 +77,8 @@ void add_sides(const contact::Surface& surface, std::vector<Side>& sides) {
   }
   for (const contact::SurfaceTriangle& t : surface.space.triangles) {
     const contact::SolidFace& face = surface.space.faces[t.face];
-    sides.push_back({{face.X.col(t.node[0]), face.X.col(t.node[1]), face.X.col(t.node[2])},
-                     longest_edge(face)});
+    sides.push_back(
+        {{face.X.col(t.node[0]), face.X.col(t.node[1]), face.X.col(t.node[2])}, size_of(face)});
   }
 }
 
@@ -207,7 +205,7 @@ CoarsePartner effect_of(const Partners& partners, const FrontScene& front) {
   }
   if (effect.part > worth_a_word) {
     effect.why_not = fmt::format(
-        "elements of {} near ({:.6g}, {:.6g}, {:.6g}) have edges of {:.3g}, {:.2g} times the size "
+        "elements of {} near ({:.6g}, {:.6g}, {:.6g}) are {:.3g} large, {:.2g} times the size "
         "of the crack: the body there follows the crack too stiffly, K may be off by {:.2g} %; "
         "refine both sides there, to that size at most",
         partners.name, worst->x[0].x(), worst->x[0].y(), worst->x[0].z(), worst->length, ratio,
