@@ -10,9 +10,8 @@ struct MesherLimits {
   std::size_t memory = 0; ///< [bytes] beyond what the mesher has at its start
 
   [[nodiscard]] double reading() const { return 0.25 * seconds; }
-  /// Of the clock on the wall: on a machine with other work processor time takes longer.
-  [[nodiscard]] double wall() const { return 10.0 * seconds + 10.0; }
-  [[nodiscard]] double wall_of_reading() const { return seconds > 10.0 ? seconds : 10.0; }
+  /// Of waiting without a wish for a processor [s]: it has nothing to wait for.
+  double waiting = 60.0;
 };
 
 /// Those of this process. From the start: 12 s, and a quarter of the machine's memory, at least

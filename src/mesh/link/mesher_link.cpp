@@ -8,7 +8,6 @@
 #include "mesh/link/mesher_use.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <memory>
@@ -22,8 +21,6 @@
 
 namespace spricka::mesh {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct Mesher {
   std::mutex turn;
@@ -86,7 +83,9 @@ public:
     meshing_ = request.front() != static_cast<char>(MesherFrame::import);
     process_.take_words(); // of earlier requests
     const double used = process_.processor_time();
-    const Clock::time_point begin = Clock::now();
+    double waited = 0.0;
+    base::Stopwatch since_look;
+    double worked = used;
     if (!process_.send(request)) {
       return gone();
     }
@@ -109,9 +108,13 @@ public:
       case MesherProcess::News::nothing:
         break;
       }
-      const std::chrono::duration<double> wall = Clock::now() - begin;
-      if (std::optional<MesherAnswer> late =
-              too_late(process_.processor_time() - used, wall.count())) {
+      // Of the clock only what it waits for by itself counts: other work on the machine may keep it
+      // from a processor for any time.
+      const double now = process_.processor_time();
+      waited += process_.waits() ? std::max(0.0, since_look.wall() - (now - worked)) : 0.0;
+      since_look = {};
+      worked = now;
+      if (std::optional<MesherAnswer> late = too_late(now - used, waited)) {
         return ended(*std::move(late));
       }
     }
@@ -125,7 +128,7 @@ private:
   }
   static std::size_t longest() { return mesher_limits().memory; }
 
-  [[nodiscard]] std::optional<MesherAnswer> too_late(double processor, double wall) const {
+  [[nodiscard]] std::optional<MesherAnswer> too_late(double processor, double waited) const {
     const MesherLimits& limits = mesher_limits();
     const double may = meshing_ ? limits.seconds : limits.reading();
     const char* const doing = meshing_ ? "meshing" : "reading";
@@ -133,8 +136,9 @@ private:
       return trouble(MesherEnd::no_time,
                      fmt::format("{} took more than {:g} s of processor time", doing, may));
     }
-    if (wall > (meshing_ ? limits.wall() : limits.wall_of_reading())) {
-      return trouble(MesherEnd::no_time, fmt::format("{} took more than {:.0f} s", doing, wall));
+    if (waited > limits.waiting) {
+      return trouble(MesherEnd::no_time,
+                     fmt::format("{} has stood still for {:.0f} s", doing, waited));
     }
     return std::nullopt;
   }

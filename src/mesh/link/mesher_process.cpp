@@ -10,6 +10,7 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -240,6 +241,15 @@ double MesherProcess::processor_time() const {
     return 0.0;
   }
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+bool MesherProcess::waits() const {
+  std::ifstream file(fmt::format("/proc/{}/stat", pid_));
+  std::string line;
+  std::getline(file, line);
+  // The name of the program stands in brackets before the letter of its state (proc_pid_stat(5)).
+  const std::size_t at = line.rfind(')');
+  return at != std::string::npos && line.substr(at + 1, 2) == " S";
 }
 
 std::optional<std::size_t> MesherProcess::peak_memory() const {

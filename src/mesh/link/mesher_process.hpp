@@ -31,6 +31,9 @@ public:
   News listen(int milliseconds, std::size_t most, std::string& frame);
   /// Seconds of processor time it has used so far.
   [[nodiscard]] double processor_time() const;
+  /// Whether it waits for something now instead of working: false of one that a busy machine keeps
+  /// from a processor, or that is stopped, and where the system does not tell.
+  [[nodiscard]] bool waits() const;
   /// Its largest resident set so far [bytes]; empty: the system does not tell.
   [[nodiscard]] std::optional<std::size_t> peak_memory() const;
   /// The last of what it printed since the last call.

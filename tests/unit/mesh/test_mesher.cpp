@@ -2,6 +2,7 @@
 #include "mesh/link/fill.hpp"
 #include "mesh/link/mesher_limits.hpp"
 #include "mesh/link/mesher_link.hpp"
+#include "mesh/link/mesher_process.hpp"
 #include "mesh/link/mesher_request.hpp"
 
 #include <gtest/gtest.h>
@@ -9,14 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <string>
+#include <thread>
 
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -106,6 +110,49 @@ TEST_F(Mesher, TimeIsLimited) {
   const mesh::MesherAnswer answer = unseen("For i In {0:1e12}\n a = i;\nEndFor\n");
   EXPECT_EQ(answer.end, mesh::MesherEnd::no_time);
   EXPECT_NE(answer.trouble.find("reading took more than"), std::string::npos) << answer.trouble;
+}
+
+/// The only child of this process.
+pid_t child() {
+  std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+  pid_t pid = 0;
+  children >> pid;
+  return pid;
+}
+
+/// Waits until something is so, for 10 s at most.
+bool becomes(const std::function<bool()>& so) {
+  for (int i = 0; i < 1000 && !so(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return so();
+}
+
+// What keeps a mesher from the processor takes none of its time: it is stopped for longer than it
+// may wait, as it would be by other work on the machine.
+TEST_F(Mesher, TimeWithoutAProcessorIsNotItsOwn) {
+  mesh::dismiss_mesher();
+  mesh::mesher_limits().waiting = 0.2;
+  model_of(unseen("Point(1) = {0, 0, 0};\n"));
+  const pid_t mesher = child();
+  ASSERT_GT(mesher, 0);
+  kill(mesher, SIGSTOP);
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(800));
+    kill(mesher, SIGCONT);
+  });
+  model_of(unseen("Point(1) = {0, 0, 0};\n"));
+  later.join();
+}
+
+TEST_F(Mesher, ItIsSeenToWait) {
+  mesh::dismiss_mesher();
+  std::string trouble;
+  const auto process = mesh::MesherProcess::start(std::size_t{2} << 30U, trouble);
+  ASSERT_NE(process, nullptr) << trouble;
+  EXPECT_TRUE(becomes([&] { return process->waits(); })); // for its first request
+  kill(child(), SIGSTOP);
+  EXPECT_TRUE(becomes([&] { return !process->waits(); }));
 }
 
 TEST_F(Mesher, MemoryIsLimited) {
