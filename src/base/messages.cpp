@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/messages.hpp"
 
+#include "base/printable.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -61,41 +63,6 @@ bool continues_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-// Length of the UTF-8 character at `i`, 0 if there is none that is well formed.
-std::size_t character_at(std::string_view text, std::size_t i) {
-  const auto lead = static_cast<unsigned char>(text[i]);
-  const std::size_t length = lead < 0x80U   ? 1
-                             : lead < 0xC2U ? 0
-                             : lead < 0xE0U ? 2
-                             : lead < 0xF0U ? 3
-                             : lead < 0xF5U ? 4
-                                            : 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if (i + k >= text.size() || !continues_character(text[i + k])) {
-      return 0;
-    }
-  }
-  return length;
-}
-
-// Valid UTF-8 without control characters, so that a terminal or a log can show any file: what is
-// neither becomes a question mark, bytes that continue nothing are left out, columns stay.
-std::string printable(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_at(text, i);
-    const bool control =
-        length == 1 && (static_cast<unsigned char>(text[i]) < 0x20U || text[i] == 0x7F);
-    if (length > 0 && (!control || text[i] == '\t')) {
-      out += text.substr(i, length);
-    } else if (!continues_character(text[i])) {
-      out += '?';
-    }
-    i += std::max<std::size_t>(length, 1);
-  }
-  return out;
-}
-
 // Leaves `count` characters from the one at `first` on.
 std::string cut(const std::string& text, std::size_t first, std::size_t count) {
   std::string out;
@@ -145,8 +112,8 @@ std::string format_one(const Sources& sources, const Diagnostic& d, Colour colou
                                        d.code, paint.off, shortened(d.text));
   if (d.span.valid()) {
     const Location at = sources.locate(d.span.file, d.span.begin);
-    out += fmt::format("{}{}:{}:{}:{} {}", paint.bold, sources.name(d.span.file), at.line,
-                       at.column, paint.off, kind);
+    out += fmt::format("{}{}:{}:{}:{} {}", paint.bold, printable(sources.name(d.span.file)),
+                       at.line, at.column, paint.off, kind);
     const std::string number = fmt::format("{:>6}", at.line);
     const auto [line, carets] = excerpt(sources, d);
     out += fmt::format("{} | {}\n", number, line);

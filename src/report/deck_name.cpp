@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deck_name.hpp"
 
+#include "base/printable.hpp"
+
 #include <filesystem>
 
 namespace spricka::report {
@@ -11,13 +13,13 @@ std::string deck_name(const base::Sources& sources, std::int32_t file) {
   }
   const std::string& name = sources.name(file);
   if (name.starts_with("-D ") || name.starts_with('<')) { // no file
-    return name;
+    return base::printable(name);
   }
   namespace fs = std::filesystem;
   const fs::path path = fs::path(name).lexically_normal();
   const fs::path folder = fs::path(sources.name(0)).lexically_normal().parent_path();
   const fs::path seen = path.lexically_relative(folder.empty() ? "." : folder);
-  return seen.empty() ? path.filename().string() : seen.string();
+  return base::printable(seen.empty() ? path.filename().string() : seen.string());
 }
 
 } // namespace spricka::report

@@ -75,6 +75,17 @@ class Names(ProgramTest):
         twice = plate(more.format("u.csv") + more.format("./u.csv"))
         self.assertIn("another $OUTPUT", self.expect(3, "check", self.deck(twice)).stderr)
 
+    def test_names_that_would_steer_a_terminal(self):
+        name = "x\033]0;owned\007\033[2J\u009by.deck"
+        self.deck(plate(), name)
+        for command in (("check",), ("run", "--out", "out")):
+            result = self.expect(0, command[0], name, *command[1:])
+            for text in (result.stdout, result.stderr):
+                self.assertNotRegex(text, "[\033\007\u009b]")
+        self.assertNotIn("\033", (self.folder / "out" / "listing.txt").read_text(encoding="utf-8"))
+        self.deck(plate("$FOO\n"), name)
+        self.assertNotIn("\033", self.expect(3, "check", name).stderr)
+
     def test_a_bare_number_for_one_with_a_unit(self):
         text = plate().replace("$MESH", "$PARAMETER\n  n = 2\n  g = 0.3[kN]\n  F = 0.1[kN]\n  w = 10[mm]\n  t = 2*0.1[kN]\n$MESH", 1)
         self.deck(text)

@@ -18,14 +18,23 @@ public:
       : request_(request), data_(data), diagnostics_(diagnostics) {}
 
   void error(InpPlace at, std::string code, std::string text, std::string hint = {}) {
-    diagnostics_.error(request_.span, std::move(code), fmt::format("{}: {}", place(at), text),
-                       std::move(hint));
+    diagnostics_.error(request_.span, std::move(code),
+                       fmt::format("{}: {}", place(at), shown(at, text)), std::move(hint));
   }
   void warning(InpPlace at, std::string code, const std::string& text) {
     diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text));
   }
 
 private:
+  /// An included file may be any that this user can read, named by somebody else's input: what its
+  /// lines hold is not repeated.
+  static std::string shown(InpPlace at, const std::string& text) {
+    const std::size_t first = text.find('\'');
+    const std::size_t last = text.rfind('\'');
+    return at.file == 0 || first == last
+               ? text
+               : fmt::format("{}'..'{}", text.substr(0, first), text.substr(last + 1));
+  }
   [[nodiscard]] std::string place(InpPlace at) const {
     const std::string own = request_.file.filename().string();
     const std::string name = at.file < data_.files.size()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/input_file.hpp"
+#include "base/printable.hpp"
 #include "grammar/format.hpp"
 #include "program/commands/commands.hpp"
 #include "program/job/log.hpp"
@@ -60,7 +61,8 @@ base::Outcome format(const FormatOptions& options, const Log& log) {
   const bool same = *formatted == sources.text(file);
   if (options.check) {
     if (!same) {
-      to_stderr(fmt::format("{}: the layout would change\n", options.deck.string()));
+      to_stderr(
+          fmt::format("{}: the layout would change\n", base::printable(options.deck.string())));
     }
     return same ? base::Outcome::done : base::Outcome::check_failed;
   }

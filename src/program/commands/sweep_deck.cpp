@@ -6,6 +6,7 @@
 #include "archive/folder_mark.hpp"
 #include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
+#include "base/printable.hpp"
 #include "model/model.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/out_of_memory.hpp"
@@ -96,7 +97,8 @@ private:
     }
     remove_others();
     if (!options_.quiet) {
-      to_stdout(fmt::format("{} points; results in {}\n", points_.size(), options_.out.string()));
+      to_stdout(fmt::format("{} points; results in {}\n", points_.size(),
+                            base::printable(options_.out.string())));
     }
     return worst;
   }

@@ -3,6 +3,7 @@
 
 #include "base/clock.hpp"
 #include "base/outcome.hpp"
+#include "base/printable.hpp"
 #include "model/model.hpp"
 #include "program/job/job.hpp"
 #include "program/job/solve_to_tolerance.hpp"
@@ -91,7 +92,8 @@ private:
     }
     if (terminal) {
       to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
-                            options_.deck.deck.string(), session_->base_step(), watch.cpu()));
+                            base::printable(options_.deck.deck.string()), session_->base_step(),
+                            watch.cpu()));
     }
     return {};
   }

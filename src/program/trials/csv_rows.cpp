@@ -31,6 +31,10 @@ std::vector<std::string> fields_of(std::string_view line) {
 std::string csv_field(std::string_view text) {
   std::string line(text);
   std::ranges::replace(line, '\n', ' ');
+  // Spreadsheets would compute a field that begins so; an apostrophe makes it a text.
+  if (line.find_first_of("=+-@\t\r") == 0) {
+    line.insert(line.begin(), '\'');
+  }
   if (line.find_first_of(",\"") == std::string::npos) {
     return line;
   }

@@ -6,8 +6,8 @@
 
 namespace spricka::program {
 
-/// A field of a table: with commas or quotes it stands in quotes (RFC 4180), line ends become
-/// blanks.
+/// A text as a field of a table: with commas or quotes it stands in quotes (RFC 4180), line ends
+/// become blanks, and one that a spreadsheet would take for a formula begins with an apostrophe.
 std::string csv_field(std::string_view text);
 
 /// The rows of such a table, the names of its columns first; lines that begin with # are left out.

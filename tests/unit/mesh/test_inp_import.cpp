@@ -200,6 +200,16 @@ TEST_F(Inp, IncludesCountFromTheIncludingFileAndMayNotLoop) {
   EXPECT_NE(messages().find("a.inp:2: there is no file"), std::string::npos);
 }
 
+// Somebody else's input may include any file that this user can read.
+TEST_F(Inp, WordsOfAnIncludedFileAreNotRepeated) {
+  write("secret", "password: 1234\n");
+  EXPECT_FALSE(import(two_quads + "*NSET, NSET=N\n*INCLUDE, INPUT=secret\n"));
+  EXPECT_NE(messages().find("secret:1: there is no set '..'"), std::string::npos) << messages();
+  EXPECT_EQ(messages().find("1234"), std::string::npos) << messages();
+  EXPECT_FALSE(import(two_quads + "*NSET, NSET=N\n gone\n"));
+  EXPECT_NE(messages().find("there is no set 'gone'"), std::string::npos) << messages();
+}
+
 TEST_F(Inp, WhatChangesThePhysicsIsRefusedAllAtOnceWithItsPlace) {
   EXPECT_FALSE(import(two_quads + "*BOUNDARY\n 1, 1, 2\n*Orientation, name=O\n 1,0,0,0,1,0\n"
                                   "*TIE, NAME=T\n A, B\n*STEP\n*STATIC\n*CLOAD\n 3, 1, 5.\n"

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace spricka::base {
+
+/// Valid UTF-8 without control characters but tabs, so that a terminal or a log can show any text
+/// or name of a file: what is neither becomes a question mark, bytes that continue nothing are left
+/// out, columns stay.
+std::string printable(std::string_view text);
+
+} // namespace spricka::base
