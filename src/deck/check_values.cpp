@@ -131,7 +131,38 @@ void odd_fit(Context& c, const model::Step& step, const model::ApplyFit& fit) {
   }
 }
 
+// A contact that some step mounts is absent before that, whatever earlier steps say of its fit.
+void fit_of_absent(Context& c) {
+  std::vector<const model::Step*> early(c.model.contacts.size(), nullptr);
+  std::vector<bool> mounted(c.model.contacts.size(), false);
+  for (const model::Step& step : c.model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* on = std::get_if<model::Mount>(&action)) {
+        mounted[on->contact.index()] = true;
+      }
+    }
+    for (const model::Action& action : step.actions) {
+      const auto* fit = std::get_if<model::ApplyFit>(&action);
+      if (fit != nullptr && fit->factor != 0.0 && !mounted[fit->contact.index()] &&
+          early[fit->contact.index()] == nullptr) {
+        early[fit->contact.index()] = &step;
+      }
+    }
+    for (std::size_t i = 0; i < mounted.size(); ++i) {
+      if (mounted[i] && early[i] != nullptr) {
+        c.diagnostics.warning(
+            early[i]->span, "W367",
+            fmt::format("step {}: contact {} and its fit are absent until step {} mounts it",
+                        early[i]->name, c.model.contacts[i].name, step.name),
+            "write MOUNT into the step that presses it in, or FIT into the step that mounts it");
+        early[i] = nullptr;
+      }
+    }
+  }
+}
+
 void odd_steps(Context& c) {
+  fit_of_absent(c);
   std::vector<bool> in(c.model.contacts.size(), true);
   for (const model::Step& step : c.model.steps) {
     for (const model::Action& action : step.actions) {

@@ -101,6 +101,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"W364", "a factor of a fit that is no part of it"},
     ErrorCode{"W365", "a MOUNT of what is mounted, or a DISMOUNT of what is not"},
     ErrorCode{"W366", "a request for what a plane of symmetry leaves away"},
+    ErrorCode{"W367", "a fit in a step before that which mounts its contact"},
     ErrorCode{"W432", "forces on a plane body whose THICK is not given"},
     ErrorCode{"W433", "plane bodies of different thickness that meet"},
     ErrorCode{"W434", "plane stress that meets plane strain"},

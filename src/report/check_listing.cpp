@@ -248,6 +248,10 @@ std::string check_listing(const Preview& preview) {
     out += mirror_line(mirror);
   }
   out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));
+  for (const auto& [contact, step] : preview.mounted_later) {
+    out +=
+        fmt::format("  contact {}: absent, with its fit, until step {} mounts it\n", contact, step);
+  }
   if (!preview.sweep.empty()) {
     out += fmt::format("  sweep: {} points, {} .. {}; tables and forecast are of the deck's own "
                        "values\n",

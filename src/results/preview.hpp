@@ -133,6 +133,8 @@ struct Preview {
   std::vector<LengthPreview> lengths;
   std::vector<ScriptConstant> scripts;
   std::vector<std::string> steps;
+  /// Contacts that a step behind the first mounts, each with that step: absent before it.
+  std::vector<std::pair<std::string, std::string>> mounted_later;
   std::vector<std::string> sweep; ///< "001: delta = 0.084", one for each point
   std::vector<std::string> warnings;
   double flop_rate = 0.0;      ///< [flop/s] one core, measured

@@ -28,6 +28,10 @@ bool fit_is_named(const model::Model& model, base::ContactId contact) {
   return names<model::ApplyFit>(model, contact);
 }
 
+bool mount_is_named(const model::Model& model, base::ContactId contact) {
+  return names<model::Mount>(model, contact);
+}
+
 StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
   StepFactors factors;
   factors.case_factor = base::Vector::Ones(columns);

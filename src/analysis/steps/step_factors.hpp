@@ -28,6 +28,9 @@ StepFactors part_way(const StepFactors& from, const StepFactors& to, double part
 /// Whether some step sets the factor of a contact's fit.
 bool fit_is_named(const model::Model& model, base::ContactId contact);
 
+/// Whether some step mounts a contact: it is absent before the first that does.
+bool mount_is_named(const model::Model& model, base::ContactId contact);
+
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {
   std::vector<std::size_t> mounted;

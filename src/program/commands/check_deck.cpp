@@ -8,6 +8,7 @@
 #include "base/clock.hpp"
 #include "base/exit_codes.hpp"
 #include "base/memory.hpp"
+#include "base/printable.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/quality.hpp"
 #include "model/model.hpp"
@@ -204,6 +205,22 @@ void add_sums(double read_cpu, double stations, results::Preview& preview) {
   preview.machine_memory = static_cast<double>(base::memory_limit());
 }
 
+// What no step before its own knows of, which a deck shows only by what it does not say.
+void add_late_contacts(const model::Model& model, results::Preview& preview) {
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const auto mounts = [&](const model::Step& step) {
+      return std::ranges::any_of(step.actions, [&](const model::Action& action) {
+        const auto* on = std::get_if<model::Mount>(&action);
+        return on != nullptr && on->contact == base::ContactId(c);
+      });
+    };
+    const auto first = std::ranges::find_if(model.steps, mounts);
+    if (first != model.steps.end() && first != model.steps.begin()) {
+      preview.mounted_later.emplace_back(model.contacts[c].name, first->name);
+    }
+  }
+}
+
 } // namespace
 
 base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
@@ -213,7 +230,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
   look.look(true);
   const base::Outcome own = verdict(deck.sources, look, log);
   results::Preview& preview = look.preview;
-  preview.deck = options.deck.string();
+  preview.deck = base::printable(options.deck.string());
   preview.title = model.title;
   preview.length_unit = model.units.length_name;
   preview.force_unit = model.units.force_name;
@@ -222,6 +239,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);
   }
+  add_late_contacts(model, preview);
   for (const base::Diagnostic& d : deck.diagnostics.all()) {
     if (d.severity == base::Severity::warning) {
       preview.warnings.push_back(d.text);
@@ -237,7 +255,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
     to_stdout(report::check_listing(preview));
     to_stdout(growth_words(model, look.stations));
     to_stdout(
-        fmt::format("\n{}: {}\n", options.deck.string(),
+        fmt::format("\n{}: {}\n", base::printable(options.deck.string()),
                     outcome == base::Outcome::done ? "no mistakes found" : "see the messages"));
   }
   return outcome;

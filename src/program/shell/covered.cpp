@@ -46,8 +46,9 @@ std::vector<std::string> ShellSession::covered_by(const OwnCards& before) const 
   for (std::size_t c = 0; c < own_.contacts.size(); ++c) {
     const auto set = gaps_.find(own_.contacts[c].name);
     if (own_.contacts[c].gap != before.contacts[c].gap && set != gaps_.end()) {
-      out.push_back(fmt::format("contact {} keeps the interference set here, {:.6g}", set->first,
-                                set->second));
+      out.push_back(fmt::format("contact {0} keeps the interference set here, {1:.6g}: 'fit {0} =' "
+                                "sets another, reset takes the deck's",
+                                set->first, set->second));
     }
   }
   const analysis::StepFactors old = factors_at_base(before);

@@ -283,20 +283,31 @@ model::Step all_factors(const ShellSession& session) {
   return step;
 }
 
-// A fit that no step of the deck names is 1 from the beginning: naming it now would change that.
-base::Trouble keep_first_fits(const ShellSession& session, const std::vector<model::Step>& added,
-                              Edits& edits) {
+template <class ActionType>
+bool acts_on(const std::vector<model::Step>& steps, base::ContactId contact) {
+  return std::ranges::any_of(steps, [&](const model::Step& step) {
+    return std::ranges::any_of(step.actions, [&](const model::Action& action) {
+      const auto* a = std::get_if<ActionType>(&action);
+      return a != nullptr && a->contact == contact;
+    });
+  });
+}
+
+// A contact that no step of the deck mounts, and a fit that none names, are in force from the
+// beginning: naming them now would change that, so that the first step names them, too.
+base::Trouble keep_beginning(const ShellSession& session, const std::vector<model::Step>& added,
+                             Edits& edits) {
   const model::Model& model = session.model();
+  const std::vector<model::Step> beginning{model.steps.front()};
   std::string rows;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-    const bool named = std::ranges::any_of(added, [&](const model::Step& step) {
-      return std::ranges::any_of(step.actions, [&](const model::Action& a) {
-        const auto* fit = std::get_if<model::ApplyFit>(&a);
-        return fit != nullptr && fit->contact.index() == c;
-      });
-    });
-    if (named && !analysis::fit_is_named(model, base::ContactId(c))) {
-      rows += row_of(model, model::ApplyFit{base::ContactId(c), 1.0});
+    const base::ContactId id(c);
+    if (acts_on<model::ApplyFit>(added, id) && !analysis::fit_is_named(model, id)) {
+      rows += row_of(model, model::ApplyFit{id, 1.0});
+    }
+    if (acts_on<model::Mount>(added, id) && !analysis::mount_is_named(model, id) &&
+        !acts_on<model::Dismount>(beginning, id)) {
+      rows += row_of(model, model::Mount{id});
     }
   }
   if (rows.empty()) {
@@ -326,7 +337,7 @@ base::Trouble add_steps(const ShellSession& session, Edits& edits) {
                               session.base_step()),
                   fmt::format("step {} and the changes again", model.steps.back().name));
   }
-  if (base::Trouble trouble = keep_first_fits(session, steps, edits)) {
+  if (base::Trouble trouble = keep_beginning(session, steps, edits)) {
     return trouble;
   }
   std::string text;

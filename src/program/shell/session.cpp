@@ -266,8 +266,22 @@ base::Trouble ShellSession::mount(const std::string& contact, bool on) {
                   "nothing is mounted or dismounted here");
   }
   const base::ContactId id(index);
-  change(on ? model::Action(model::Mount{id}) : model::Action(model::Dismount{id}));
-  return {};
+  const model::Action action =
+      on ? model::Action(model::Mount{id}) : model::Action(model::Dismount{id});
+  if (factors().mounted[index] != on) {
+    change(action);
+    return {};
+  }
+  // What is in force would count its fit a second time, from bodies that have it already.
+  if (std::erase_if(changes_.actions,
+                    [&](const model::Action& a) { return subject(a) == subject(action); }) == 0) {
+    return misuse(
+        fmt::format("contact {} is {} already", contact, on ? "mounted" : "absent"),
+        on ? "dismount it first: mounted anew, its fit counts from the bodies as they are "
+             "then"
+           : "mount puts it in");
+  }
+  return {}; // a change that was pending is taken back
 }
 
 base::Trouble ShellSession::interference(const std::string& contact, double value) {

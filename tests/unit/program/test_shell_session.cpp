@@ -305,6 +305,30 @@ TEST(ShellSession, MountsAsARunDoes) {
   EXPECT_EQ(shell->changes().size(), 2U); // mounting is not merged into what comes after it
 }
 
+// Supports hold both parts, so that the seat may come apart.
+std::string held_hub() {
+  return replaced(cracked_hub(), "  HELD\n", "  HELD\n  PIN.INNER\n");
+}
+
+// A contact in force has taken on its fit: mounted once more it would count it twice.
+TEST(ShellSession, MountsNothingTwice) {
+  const ShellOnText shell(held_hub());
+  const double before = shell.K1();
+  const base::Trouble refused = shell->mount("SEAT", true);
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->why.find("SEAT is mounted already"), std::string::npos) << refused->why;
+  EXPECT_FALSE(shell->pending());
+  good(shell->mount("SEAT", false));
+  EXPECT_TRUE(shell->pending());
+  good(shell->mount("SEAT", true)); // it was not dismounted yet
+  EXPECT_FALSE(shell->pending());
+  good(shell->solve());
+  EXPECT_EQ(shell.K1(), before);
+  good(shell->mount("SEAT", false));
+  good(shell->solve());
+  EXPECT_TRUE(shell->mount("SEAT", false)); // absent already
+}
+
 // Faces that would overlap become a pair, as in a run.
 TEST(ShellSession, ClosesFaces) {
   const std::string plate = R"($DECK VERSION=1 LENGTH=mm FORCE=N
@@ -365,6 +389,24 @@ TEST(ShellSave, KeepsTheOrderWithFriction) {
   const base::Trouble refused = program::saved_deck(*shell, shell.folder.path(), text);
   ASSERT_TRUE(refused); // the deck's further steps would come in between
   EXPECT_NE(refused->hint.find("PULLED"), std::string::npos);
+}
+
+// A contact that no step mounts is in force from the beginning and stays so in the earlier steps.
+TEST(ShellSave, NamesAMountThatNoStepNamed) {
+  const ShellOnText shell(held_hub());
+  good(shell->mount("SEAT", false));
+  good(shell->solve());
+  good(shell->mount("SEAT", true));
+  good(shell->solve());
+  expect_saved(shell, 1e-10);
+  std::string text;
+  good(program::saved_deck(*shell, shell.folder.path(), text));
+  const std::optional<Solved> before = solve_text(held_hub());
+  const std::optional<Solved> after = solve_text(text);
+  ASSERT_TRUE(before && after);
+  const double pressed = before->step(0).tips.front().K1;
+  EXPECT_GT(std::abs(pressed), 0.0);
+  EXPECT_NEAR(after->step(0).tips.front().K1, pressed, 1e-12 * std::abs(pressed));
 }
 
 // A fit that no step names is 1 from the beginning and stays so in the earlier steps.
