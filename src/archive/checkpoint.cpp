@@ -5,6 +5,8 @@
 #include "archive/safe_file.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "model/model.hpp"
+#include "results/increment_flaw.hpp"
 #include "results/store_run.hpp"
 
 #include <algorithm>
@@ -69,6 +71,31 @@ std::string increment_bytes(const results::Increment& increment,
   results::write_increment(store.root(), increment);
   results::write_arrays(store.root().group("state"), state);
   return std::string(store.bytes());
+}
+
+// What an increment names of the deck that the deck does not have; or what flaw_of() finds. Hashes
+// tell files that were changed by chance, not those that were made.
+std::string flaw_in_deck(const results::Increment& increment, const model::Model& model) {
+  if (std::string flaw = results::flaw_of(increment); !flaw.empty()) {
+    return flaw;
+  }
+  const auto beyond = [](const auto& ids, std::size_t count) {
+    return std::ranges::any_of(
+        ids, [&](const auto& id) { return id.value < -1 || (id.valid() && id.index() >= count); });
+  };
+  const model::Mesh& mesh = increment.mesh;
+  if (mesh.dim != model.mesh.dim) {
+    return "a mesh of another dimension";
+  }
+  if (beyond(mesh.node_net, model.nets.size()) || beyond(mesh.element_net, model.nets.size()) ||
+      beyond(mesh.property, model.properties.size())) {
+    return "nets or properties that the deck does not have";
+  }
+  if (!std::ranges::equal(increment.steps, model.steps, {}, &results::StepResult::step,
+                          &model::Step::name)) {
+    return "other steps than the deck's";
+  }
+  return {};
 }
 
 CheckpointList read_list_file(const fs::path& file) {
@@ -208,6 +235,10 @@ KeptIncrement Checkpoint::look_at(int number) const {
   kept.wall = entry.wall;
   for (std::size_t s = 0; s < dropped_steps_ && !kept.increment.steps.empty(); ++s) {
     kept.increment.steps.pop_back();
+  }
+  if (const std::string flaw = flaw_in_deck(kept.increment, model_); !flaw.empty()) {
+    throw FileTrouble("E560",
+                      fmt::format("{}: it names what is not there: {}", file.string(), flaw));
   }
   return kept;
 }

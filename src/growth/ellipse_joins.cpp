@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 /// Two ellipses that meet and go on as one, and what is kept of that from run to run.
@@ -256,16 +257,19 @@ void EllipseWays::go_on(const State& state) {
       let_go(now_.cracks[c]);
       continue;
     }
+    if (!(kept[1].x() > 0.0 && kept[1].y() > 0.0)) {
+      throw std::out_of_range("an ellipse without axes");
+    }
     plane.a = kept[1].x();
     plane.c = kept[1].y();
     for (std::size_t i = 2; i < kept.size(); ++i) {
       const double end = kept[i].y();
-      now_.arms.at(static_cast<std::size_t>(kept[i].x())) = {.crack = c,
-                                                             .on_a = std::abs(end) > 1.5,
-                                                             .sign = end > 0.0 ? 1.0 : -1.0,
-                                                             .paired = kept[i].z() > 1.5,
-                                                             .shared =
-                                                                 std::fmod(kept[i].z(), 2.0) > 0.5};
+      now_.arms[index_below(kept[i].x(), now_.arms.size())] = {
+          .crack = c,
+          .on_a = std::abs(end) > 1.5,
+          .sign = end > 0.0 ? 1.0 : -1.0,
+          .paired = kept[i].z() > 1.5,
+          .shared = std::fmod(kept[i].z(), 2.0) > 0.5};
     }
   }
 }

@@ -104,15 +104,15 @@ void FreeWays::go_on(const State& state) {
       std::ranges::copy_if(first, std::back_inserter(now_.growing),
                            [&](const Growing& of) { return of.crack == c; });
     } else {
-      const auto count = static_cast<std::size_t>(kept[0].y());
+      const std::size_t count = index_below(kept[0].y(), kept.size());
       crack.kind = model::CrackKind::drawn;
       crack.points.clear();
       if (count > 0) {
         crack.plane.closed = kept[0].x() != 0.0;
         crack.plane.place = kept.at(1);
         for (std::size_t i = 0; i < count; ++i) {
-          tips.resize(static_cast<std::size_t>(kept.at(2 + i).y()) + 1);
-          tips.back().push_back(static_cast<std::size_t>(kept.at(2 + i).x()));
+          tips.resize(index_below(kept.at(2 + i).y(), count) + 1);
+          tips.back().push_back(index_below(kept.at(2 + i).x(), tips_.size()));
         }
         auto at = kept.begin() + 2 + static_cast<std::ptrdiff_t>(count);
         const auto take = [&](std::size_t many) {
@@ -124,8 +124,8 @@ void FreeWays::go_on(const State& state) {
           return std::vector<Vec3>(from, at);
         };
         crack.wake = {};
-        for (auto left = static_cast<int>(kept[0].z()); left > 0; --left) {
-          const auto many = static_cast<std::size_t>(take(1).front().x());
+        for (std::size_t left = index_below(kept[0].z(), kept.size()); left > 0; --left) {
+          const std::size_t many = index_below(take(1).front().x(), kept.size());
           crack.wake.fronts.push_back(take(many));
           crack.wake.normals.resize(many);
         }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -87,7 +88,10 @@ bool LineWays::turns() const {
 
 void LineWays::go_on(const State& state) {
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
-    lines_[i].points = state.lines[i];
+    if (state.lines[i].size() < 2) {
+      throw std::out_of_range("a crack without a line");
+    }
+    lines_.at(i).points = state.lines[i];
   }
 }
 

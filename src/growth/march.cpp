@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -30,6 +31,9 @@ March::March(const model::Model& model, Law law, std::unique_ptr<Ways> ways, Sta
     state_.step = first_step;
   } else {
     ways_->go_on(state_);
+    if (state_.stations.front().tips.size() != tips().size()) {
+      throw std::out_of_range("stations of other tips");
+    }
     look_for_end();
   }
 }

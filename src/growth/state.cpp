@@ -2,6 +2,7 @@
 #include "growth/state.hpp"
 
 #include <array>
+#include <stdexcept>
 
 namespace spricka::growth {
 
@@ -27,10 +28,17 @@ public:
     good_ = good_ && at_ < values_->size();
     return good_ ? (*values_)[at_++] : 0.0;
   }
+  /// The next one, which counts something; one that does not is none.
+  std::size_t count() {
+    const double value = next();
+    good_ = good_ && value >= 0.0 && value <= most;
+    return good_ ? static_cast<std::size_t>(value) : 0;
+  }
   [[nodiscard]] bool finished() const { return good_ && at_ == values_->size(); }
   [[nodiscard]] std::size_t left() const { return good_ ? values_->size() - at_ : 0; }
 
 private:
+  static constexpr double most = 1e9; // more of anything is damage
   const std::vector<double>* values_ = nullptr;
   std::size_t at_ = 0;
   bool good_ = false;
@@ -66,16 +74,23 @@ Arrays to_arrays(const State& state) {
   return out;
 }
 
+std::size_t index_below(double number, std::size_t count) {
+  if (!(number >= 0.0 && number < static_cast<double>(count))) {
+    throw std::out_of_range("an index that names nothing");
+  }
+  return static_cast<std::size_t>(number);
+}
+
 std::optional<State> state_of(const Arrays& arrays) {
   State state;
   Reader control(arrays, "control");
   Reader stations(arrays, "stations");
   Reader counts(arrays, "line_points");
   Reader points(arrays, "points");
-  const auto count = static_cast<std::size_t>(control.next());
-  const auto tips = static_cast<std::size_t>(control.next());
+  const std::size_t count = control.count();
+  const std::size_t tips = control.count();
   state.step = control.next();
-  state.rejected = static_cast<int>(control.next());
+  state.rejected = static_cast<int>(control.count());
   // Before anything is sized by these numbers: files may be broken.
   if (!control.finished() || stations.left() != count * (3 + tips * tip_values.size())) {
     return std::nullopt;
@@ -83,8 +98,8 @@ std::optional<State> state_of(const Arrays& arrays) {
   for (std::size_t i = 0; i < count; ++i) {
     Station station;
     station.s = stations.next();
-    station.leapt = static_cast<std::size_t>(stations.next());
-    station.met = static_cast<std::size_t>(stations.next());
+    station.leapt = stations.count();
+    station.met = stations.count();
     station.tips.resize(tips);
     for (TipStation& tip : station.tips) {
       for (const auto value : tip_values) {
@@ -94,7 +109,7 @@ std::optional<State> state_of(const Arrays& arrays) {
     state.stations.push_back(std::move(station));
   }
   while (counts.left() > 0) {
-    const auto n = static_cast<std::size_t>(counts.next());
+    const std::size_t n = counts.count();
     if (3 * n > points.left()) {
       return std::nullopt;
     }
@@ -103,7 +118,7 @@ std::optional<State> state_of(const Arrays& arrays) {
       x = {points.next(), points.next(), points.next()};
     }
   }
-  if (!stations.finished() || !points.finished()) {
+  if (!stations.finished() || !counts.finished() || !points.finished()) {
     return std::nullopt;
   }
   return state;

@@ -24,4 +24,8 @@ using Arrays = std::map<std::string, std::vector<double>>;
 Arrays to_arrays(const State& state);
 std::optional<State> state_of(const Arrays& arrays);
 
+/// A number among those that a crack kept in State::lines which is an index below `count`. Throws
+/// std::out_of_range for any other: files may be damaged.
+std::size_t index_below(double number, std::size_t count);
+
 } // namespace spricka::growth

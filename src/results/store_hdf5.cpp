@@ -91,6 +91,12 @@ OpenArray open_array(hid_t group, const std::string& name) {
   if (count < 0) {
     fail("cannot find the size of " + name);
   }
+  const Id list(H5Dget_create_plist(set.get()), H5Pclose, "find how " + name + " is stored");
+  // Another file is nothing to read from; and what is not stored has no size to make room for.
+  if (H5Pget_external_count(list.get()) != 0 ||
+      (count > 0 && H5Dget_storage_size(set.get()) == 0)) {
+    fail(fmt::format("array {} is not in the file", name));
+  }
   return {std::move(set), std::move(type), static_cast<std::size_t>(count)};
 }
 

@@ -57,10 +57,13 @@ public:
       law = [this](double K_max, double K_min) { return measure_.law().rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
-    growth::March march(model_, law, std::move(ways), kept ? state_from(*kept) : growth::State());
+    growth::March march = from_state([&] {
+      return growth::March(model_, law, std::move(ways),
+                           kept ? state_from(*kept) : growth::State());
+    });
     GrowthRegion region(model_, march);
     if (kept) {
-      region.load(*kept);
+      from_state([&] { region.load(*kept); });
     }
     mark_.emplace(run_.log);
     while (!march.end()) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -96,6 +97,9 @@ void GrowthRegion::load(const results::NamedArrays& arrays) {
   const auto split = arrays.integers.find("region.split");
   if (region == arrays.integers.end() || split == arrays.integers.end()) {
     return;
+  }
+  if (region->second.size() != model_.mesh.element_count()) {
+    throw std::out_of_range("a region of another mesh");
   }
   plan_.region.assign(region->second.begin(), region->second.end());
   plan_.split = split->second.at(0) != 0;

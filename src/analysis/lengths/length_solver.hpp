@@ -66,7 +66,7 @@ public:
   void go_on(const results::NamedArrays& arrays) {
     mounted_ = MountMemory::load(arrays);
     carried_ = CarriedState::load(arrays);
-    contact_ = ContactMemory::load(arrays);
+    contact_ = ContactMemory::load(arrays, model_.steps.size());
     first_ = false;
   }
 

@@ -2,10 +2,13 @@
 #pragma once
 #include "archive/checkpoint.hpp"
 #include "base/clock.hpp"
+#include "archive/safe_file.hpp"
 #include "base/outcome.hpp"
 
 #include <optional>
 #include <vector>
+#include <stdexcept>
+#include <string>
 
 /// What the loops over crack lengths do with a checkpoint; all of it may be null.
 namespace spricka::analysis {
@@ -17,6 +20,17 @@ std::optional<archive::KeptIncrement> resume(const model::Model& model,
                                              double asked, const std::vector<bool>& pictured);
 
 /// Adds it to a run as if it had been solved now.
+/// What `take` makes of the state that was kept; where that lacks something, or names what is not
+/// there (std::out_of_range), the file is in trouble: throws FileTrouble E560.
+template <class Take> auto from_state(const Take& take) {
+  try {
+    return take();
+  } catch (const std::out_of_range& trouble) {
+    throw archive::FileTrouble("E560", std::string("the state in the restart file is damaged: ") +
+                                           trouble.what());
+  }
+}
+
 void take_over(archive::KeptIncrement kept, results::Run& run);
 
 /// Whether the time is up before the next increment; then `trouble` says so.

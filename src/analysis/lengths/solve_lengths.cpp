@@ -85,7 +85,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     const base::Stopwatch resuming;
     if (auto kept = resume(model, options.checkpoint, number, lengths[i], pictured)) {
       // What was mounted and closed goes on from the last length that was kept.
-      solver.go_on(kept->state);
+      from_state([&] { solver.go_on(kept->state); });
       take_over(std::move(*kept), run);
       if (options.recorder != nullptr) {
         options.recorder->add("RESTART", "an increment taken over", resuming);

@@ -4,6 +4,8 @@
 #include "base/hasher.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -76,16 +78,20 @@ std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const Ste
   StepSolver::Place place = now;
   // Rows may have other numbers here: the next solution begins without closed ones.
   place.closed.clear();
-  place.factors.case_factor = as_vector(case_factor_);
+  if (static_cast<Eigen::Index>(case_factor_.size()) == now.factors.case_factor.size()) {
+    place.factors.case_factor = as_vector(case_factor_);
+  }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const Pair& pair = contacts_[c];
-    if (pair.key != key_of(scene, c)) {
+    const bool is_there = c < scene.contacts.size();
+    if (!is_there || pair.key != key_of(scene, c) ||
+        pair.offset.size() != scene.table.first[c + 1] - scene.table.first[c]) {
       trouble = base::NoAnswer{
           .kind = base::Outcome::not_solvable,
           .why = fmt::format("HISTORY=CONTINUE: the surfaces of contact {} are meshed differently "
                              "at this length, so that what slipped at the last one cannot be "
                              "carried over",
-                             scene.contacts[c].name)};
+                             is_there ? scene.contacts[c].name : std::to_string(c + 1))};
       return std::nullopt;
     }
     place.factors.fit[c] = pair.fit;
@@ -156,6 +162,14 @@ CarriedState CarriedState::load(const results::NamedArrays& arrays) {
                                .mounted = of_pair.at(2) != 0.0});
     Pair& pair = state.contacts_.back();
     pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
+    const std::size_t rows = pair.offset.size();
+    const bool known = std::ranges::all_of(pair.touch, [](std::int64_t touch) {
+      return touch >= 0 && touch <= static_cast<std::int64_t>(solve::Touch::backward);
+    });
+    if (pair.slip.size() != rows || pair.path.size() != rows || pair.touch.size() != rows ||
+        !known) {
+      throw std::out_of_range("what has slipped is incomplete");
+    }
   }
   return state;
 }

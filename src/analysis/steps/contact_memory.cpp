@@ -2,6 +2,7 @@
 #include "analysis/steps/contact_memory.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace spricka::analysis {
 
@@ -109,7 +110,7 @@ void ContactMemory::save(results::NamedArrays& arrays) const {
   }
 }
 
-ContactMemory ContactMemory::load(const results::NamedArrays& arrays) {
+ContactMemory ContactMemory::load(const results::NamedArrays& arrays, std::size_t steps) {
   ContactMemory memory;
   const auto found = arrays.integers.find("closed.of_step");
   if (found == arrays.integers.end()) {
@@ -118,6 +119,9 @@ ContactMemory ContactMemory::load(const results::NamedArrays& arrays) {
   const std::vector<std::int64_t>& list = found->second;
   for (std::size_t i = 0; i + 4 < list.size(); i += 5) {
     const auto step = static_cast<std::size_t>(list[i]);
+    if (step >= steps) {
+      throw std::out_of_range("rows closed in a step that there is not");
+    }
     if (memory.closed_.size() <= step) {
       memory.closed_.resize(step + 1);
     }

@@ -28,9 +28,10 @@ public:
                                         const std::vector<bool>& before) const;
   void keep(const Scene& scene, std::size_t step, const std::vector<bool>& closed);
 
-  /// The closed rows as arrays "closed...", for a restart file, and back from there.
+  /// The closed rows as arrays "closed...", for a restart file, and back from there, of a deck with
+  /// so many steps. Throws std::out_of_range.
   void save(results::NamedArrays& arrays) const;
-  static ContactMemory load(const results::NamedArrays& arrays);
+  static ContactMemory load(const results::NamedArrays& arrays, std::size_t steps);
 
 private:
   struct Kept {

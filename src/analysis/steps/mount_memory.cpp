@@ -25,7 +25,10 @@ public:
       values_ = &found->second;
     }
   }
-  [[nodiscard]] bool more() const { return values_ != nullptr && next_ < values_->size(); }
+  [[nodiscard]] bool more() const { return left() > 0; }
+  [[nodiscard]] std::size_t left() const {
+    return values_ != nullptr ? values_->size() - next_ : 0;
+  }
   T next() {
     if (!more()) {
       throw std::out_of_range("what was mounted is incomplete");
@@ -77,6 +80,9 @@ MountMemory MountMemory::load(const results::NamedArrays& arrays) {
   while (contact.more()) {
     Event event{static_cast<std::size_t>(contact.next()), {}, {}};
     const std::int64_t count = rows.next();
+    if (count < 0 || static_cast<std::size_t>(count) > offset.left()) {
+      throw std::out_of_range("what was mounted is incomplete"); // before room is made for it
+    }
     event.offset = base::Vector::Zero(count);
     for (std::int64_t r = 0; r < count; ++r) {
       event.offset[r] = offset.next();

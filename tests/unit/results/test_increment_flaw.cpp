@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever index, length or word of a stored increment is wrong, it is found before it is used.
+#include "results/increment_flaw.hpp"
+
+#include <functional>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace spricka::results::test_increment_flaw {
+namespace {
+
+// A square of one element with a tip, a contact and a path.
+Increment sound() {
+  Increment increment;
+  model::Mesh& mesh = increment.mesh;
+  std::vector<base::NodeId> nodes;
+  for (const auto& [x, y] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
+    const auto label = static_cast<base::Label>(nodes.size()) + 1;
+    nodes.push_back(model::add_node(mesh, {x, y, 0.0}, label, base::NetId(std::size_t{0})));
+  }
+  model::add_element(mesh, base::ElementType::quam4, nodes, 1, base::NetId(std::size_t{0}));
+  mesh.property[0] = base::PropertyId(std::size_t{0});
+  mesh.node_sets.push_back({.name = "ALL", .nodes = nodes, .span = {}});
+  mesh.face_sets.push_back(
+      {.name = "LOW", .faces = {{base::ElementId(std::size_t{0}), 0}}, .span = {}});
+  increment.kept = 1;
+  StepResult& step = increment.steps.emplace_back();
+  step.u = base::Vector::Zero(8);
+  step.stress.resize(4);
+  step.element_stress.resize(1);
+  step.tips.emplace_back().bar[0].of_element = {0.5};
+  ContactResult& contact = step.contacts.emplace_back();
+  contact.points.resize(3);
+  for (ContactPoint& point : contact.points) {
+    point.node = nodes[0];
+  }
+  contact.corners = {0, 1, 2};
+  step.errors.emplace_back().worst = {base::ElementId(std::size_t{0})};
+  LoadPath& path = increment.paths.emplace_back();
+  path.t = {0.0, 1.0};
+  PathContact& part = path.contacts.emplace_back();
+  part.from = {0.0, 0.0};
+  part.to = {1.0, 1.0};
+  part.closed = {3, 3};
+  return increment;
+}
+
+TEST(IncrementFlaw, OfASoundOneThereIsNone) {
+  EXPECT_EQ(flaw_of(sound()), "");
+}
+
+TEST(IncrementFlaw, EachIsFound) {
+  const std::vector<std::function<void(Increment&)>> wrong{
+      [](Increment& i) { i.mesh.dim = -7; },
+      [](Increment& i) { i.mesh.nodes[2].value = -7; },
+      [](Increment& i) { i.mesh.nodes[2].value = 4; },
+      [](Increment& i) { i.mesh.type[0] = static_cast<base::ElementType>(200); },
+      [](Increment& i) { i.mesh.type[0] = base::ElementType::quamc8; },
+      [](Increment& i) { i.mesh.first[1] = 2147483647; },
+      [](Increment& i) { i.mesh.property.clear(); },
+      [](Increment& i) { i.mesh.node_label.pop_back(); },
+      [](Increment& i) { i.mesh.node_sets[0].nodes[0].value = 99; },
+      [](Increment& i) { i.mesh.face_sets[0].faces[0].side = 4; },
+      [](Increment& i) { i.mesh.face_sets[0].faces[0].element.value = -1; },
+      [](Increment& i) { i.kept = 2; },
+      [](Increment& i) {
+        i.surface.push_back({base::ElementId(std::size_t{1}), {}});
+      },
+      [](Increment& i) { i.steps[0].u.resize(6); },
+      [](Increment& i) { i.steps[0].stress.resize(3); },
+      [](Increment& i) { i.steps[0].element_stress.resize(2); },
+      [](Increment& i) { i.steps[0].tips[0].bar[0].of_element.resize(2); },
+      [](Increment& i) { i.steps[0].contacts[0].points[1].node.value = 2147483647; },
+      [](Increment& i) { i.steps[0].contacts[0].points[1].state = static_cast<ContactState>(9); },
+      [](Increment& i) { i.steps[0].contacts[0].corners[2] = 3; },
+      [](Increment& i) { i.steps[0].contacts[0].corners.pop_back(); },
+      [](Increment& i) { i.steps[0].errors[0].worst[0].value = 1; },
+      [](Increment& i) { i.paths[0].contacts[0].to.pop_back(); },
+      [](Increment& i) { i.paths[0].changes.emplace_back().node.value = 4; },
+  };
+  for (std::size_t w = 0; w < wrong.size(); ++w) {
+    Increment increment = sound();
+    wrong[w](increment);
+    EXPECT_NE(flaw_of(increment), "") << w;
+  }
+}
+
+} // namespace
+} // namespace spricka::results::test_increment_flaw
