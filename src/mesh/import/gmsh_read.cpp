@@ -181,9 +181,6 @@ private:
     case MesherEnd::no_memory:
       say("E482", "fewer or larger elements; --mesh-memory allows more");
       break;
-    case MesherEnd::missing:
-      say("E484", "");
-      break;
     default:
       say("E483", import_.script ? "is the geometry sound for all values of its constants?"
                                  : "the file is damaged");

@@ -8,11 +8,13 @@
 #include "mesh/link/mesher_use.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -51,7 +53,7 @@ MesherAnswer trouble(MesherEnd end, std::string text) {
   return answer;
 }
 
-/// What a mesher that is gone died of.
+/// What a mesher that is gone died of. Throws std::system_error for one that never began.
 MesherAnswer post_mortem(int status, const std::vector<std::string>& words) {
   const auto said = [&](const char* what) {
     return std::any_of(words.begin(), words.end(), [&](const std::string& line) {
@@ -60,6 +62,11 @@ MesherAnswer post_mortem(int status, const std::vector<std::string>& words) {
   };
   if (said("Out of memory") || said("bad_alloc")) {
     return trouble(MesherEnd::no_memory, "gmsh needs more memory than it may have");
+  }
+  constexpr int not_loaded = 127; // of the loader of libraries
+  if (WIFEXITED(status) && WEXITSTATUS(status) == not_loaded) {
+    throw std::system_error(ENOEXEC, std::generic_category(),
+                            words.empty() ? "cannot start gmsh" : words.back());
   }
   if (WIFEXITED(status)) {
     return trouble(MesherEnd::left, "gmsh ended in the middle of its work");
@@ -194,9 +201,8 @@ MesherAnswer ask(Mesher& m, std::string_view request) {
     if (m.process && !m.process->mine()) {
       m.process.reset(); // made before a fork; its owner goes on with it
     }
-    std::string why;
-    if (!m.process && !(m.process = MesherProcess::start(mesher_limits().memory, why))) {
-      return trouble(MesherEnd::missing, why);
+    if (!m.process) {
+      m.process = MesherProcess::start(mesher_limits().memory);
     }
     MesherAnswer answer = Exchange(*m.process).run(request);
     if (answer.end == MesherEnd::answered) {

@@ -9,7 +9,6 @@ namespace spricka::mesh {
 /// How a request to the mesher ended.
 enum class MesherEnd {
   answered,
-  missing,   ///< it cannot be started
   crashed,   ///< by a signal
   left,      ///< it ended by itself, without an answer
   forbidden, ///< it tried what it may not, and was ended by the kernel
@@ -27,7 +26,7 @@ struct MesherAnswer {
 /// Asks the mesher: a process with the gmsh library, started when first needed, that can neither
 /// start programs nor reach the network or any file, and that is limited in time and memory
 /// (mesher_limits.hpp). It goes on for later requests; after trouble the next one starts another.
-/// One request runs at a time, others wait.
+/// One request runs at a time, others wait. Throws std::system_error where none can be started.
 MesherAnswer ask_mesher(std::string_view request);
 
 /// Ends the mesher, if there is one: what a file has done to it is not to outlive that file.

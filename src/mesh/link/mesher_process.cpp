@@ -148,17 +148,16 @@ std::string mesher_path() {
   return {};
 }
 
-std::unique_ptr<MesherProcess> MesherProcess::start(std::size_t memory, std::string& trouble) {
+std::unique_ptr<MesherProcess> MesherProcess::start(std::size_t memory) {
   const std::string path = mesher_path();
   if (path.empty()) {
-    trouble = fmt::format("the program {} is not installed beside spricka", program);
-    return nullptr;
+    throw std::system_error(ENOENT, std::generic_category(),
+                            fmt::format("the program {} is not installed beside spricka", program));
   }
   Ends ends;
   const pid_t pid = ends.make() ? spawn(path, memory, ends) : -1;
   if (pid < 0) {
-    trouble = fmt::format("{} cannot be started: {}", path, std::strerror(errno));
-    return nullptr;
+    throw std::system_error(errno, std::generic_category(), fmt::format("cannot start {}", path));
   }
   return std::unique_ptr<MesherProcess>(
       new MesherProcess(pid, ends.socket.release(), ends.words.release()));

@@ -14,8 +14,9 @@ namespace spricka::mesh {
 /// that takes what it prints. It ends with its owner, however that ends.
 class MesherProcess {
 public:
-  /// Empty if it cannot be started; `trouble` then says why.
-  static std::unique_ptr<MesherProcess> start(std::size_t memory, std::string& trouble);
+  /// With so much memory [bytes] beyond what it needs to begin with. Throws std::system_error where
+  /// it is not installed, or the system has no process or no file left for it.
+  static std::unique_ptr<MesherProcess> start(std::size_t memory);
   ~MesherProcess();
   MesherProcess(const MesherProcess&) = delete;
   MesherProcess& operator=(const MesherProcess&) = delete;

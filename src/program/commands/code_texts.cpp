@@ -206,9 +206,8 @@ constexpr std::array advice{
               "Is a size or a number of the script far off? Else --mesh-memory allows more."},
     ErrorCode{"E483", "The message has gmsh's last words. Is the geometry sound for all values of "
                       "its constants: no circle without radius, no division into nothing?"},
-    ErrorCode{"E484", "spricka-mesher is installed with spricka; seccomp filters are a part of the "
-                      "Linux kernel that a container may have switched off. Decks without scripts "
-                      "and .msh files need neither."},
+    ErrorCode{"E484", "seccomp filters are a part of the Linux kernel that a container may have "
+                      "switched off. Decks without scripts and .msh files need none."},
     ErrorCode{"E485", "Write the parameter as the constant that is meant, with the same letters."},
     ErrorCode{"E486",
               "Names match whatever the case of letters; the listing and spricka check show "
@@ -225,7 +224,9 @@ constexpr std::array advice{
               "With friction: more SUBSTEPS, or a smaller MU, as with much of it there may be no "
               "solution. Without: please report it, with the deck. Exit code 5."},
     ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
-                      "that is no run folder is never overwritten: exit code 7."},
+                      "that is no run folder is never overwritten. spricka-mesher is installed "
+                      "with spricka and needs a process and some files (ulimit -u, -n): exit "
+                      "code 7."},
     ErrorCode{"E540", "Write .msh or .vtu for the mesh alone: exit code 4."},
     ErrorCode{"W307", "The element's stiffness is sound, as the Jacobian is positive where it is "
                       "integrated; but some places in that corner belong to it twice."},

@@ -147,9 +147,7 @@ TEST_F(Mesher, TimeWithoutAProcessorIsNotItsOwn) {
 
 TEST_F(Mesher, ItIsSeenToWait) {
   mesh::dismiss_mesher();
-  std::string trouble;
-  const auto process = mesh::MesherProcess::start(std::size_t{2} << 30U, trouble);
-  ASSERT_NE(process, nullptr) << trouble;
+  const auto process = mesh::MesherProcess::start(std::size_t{2} << 30U);
   EXPECT_TRUE(becomes([&] { return process->waits(); })); // for its first request
   kill(child(), SIGSTOP);
   EXPECT_TRUE(becomes([&] { return !process->waits(); }));
