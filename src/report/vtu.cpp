@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace spricka::report {
 namespace {
@@ -200,6 +201,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
   std::vector<std::int64_t> ends;
   std::vector<std::int64_t> crack;
   std::vector<const results::FrontPlace*> places;
+  std::vector<const results::FrontResult*> front_of; // [place]
   for (const results::FrontResult& front : step.fronts) {
     const auto first = static_cast<std::int64_t>(places.size());
     const auto count = static_cast<std::int64_t>(front.points.size());
@@ -208,6 +210,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
     });
     for (const results::FrontPlace& place : front.points) {
       places.push_back(&place);
+      front_of.push_back(&front);
       x.insert(x.end(), place.x.data(), place.x.data() + 3);
       growth.insert(growth.end(), place.growth.data(), place.growth.data() + 3);
       crack.push_back(card - model.cracks.begin());
@@ -222,8 +225,11 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
   for (const results::FrontQuantity& q : results::front_quantities) {
     if (q.checked) {
       std::vector<double> values;
-      std::ranges::transform(places, std::back_inserter(values),
-                             [&](const results::FrontPlace* place) { return q.of(*place); });
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        // A bar that there is not is no bar of nothing.
+        const bool given = q.given == nullptr || q.given(*front_of[i]);
+        values.push_back(given ? q.of(*places[i]) : std::numeric_limits<double>::quiet_NaN());
+      }
       document.add(q.name, "Float64", 1, values);
     }
   }

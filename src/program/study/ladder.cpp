@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/study/ladder.hpp"
 
+#include "base/exit_codes.hpp"
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/study/halves.hpp"
@@ -22,6 +23,23 @@ bool is_of_step(const Answer& answer, const std::string& step) {
     const auto* name = std::get_if<std::string>(&argument);
     return name != nullptr && *name == step;
   });
+}
+
+// The step with the largest amount among these answers.
+std::string largest_step(const std::vector<Answer>& answers, const model::Model& model,
+                         const results::Run& run) {
+  const std::vector<Reading> readings = read_answers(model, answers, run);
+  double most = -1.0;
+  std::string largest = report::leading_step(model);
+  for (std::size_t a = 0; a < answers.size(); ++a) {
+    for (const model::Step& step : model.steps) {
+      if (std::abs(readings[a].value) > most && is_of_step(answers[a], step.name)) {
+        most = std::abs(readings[a].value);
+        largest = step.name;
+      }
+    }
+  }
+  return largest;
 }
 
 /// The largest difference of two rungs and the widths of both bars there.
@@ -59,6 +77,13 @@ Difference difference_of(const Ladder& ladder, const RungResult& rung) {
   }
   found.all_within = found.all_within && std::isfinite(found.value);
   return found;
+}
+
+// It was ended before it had an answer, or fell: what it would have said is not known.
+bool was_stopped(const RungResult& rung) {
+  const bool ended = rung.end.signal != 0 || rung.end.late || rung.end.exit_code > 128 ||
+                     rung.end.exit_code == base::exit_code(base::Outcome::stopped);
+  return rung.rung.text && rung.readings.empty() && ended;
 }
 
 bool is_enough(const RungResult& rung) {
@@ -99,7 +124,9 @@ std::vector<Answer> ladder_answers(const model::Model& model, const results::Run
   const bool own = !model.checks.empty() && std::ranges::any_of(all, [](const Answer& answer) {
     return answer.check.span.valid();
   });
-  const std::string step = report::leading_step(model);
+  // What matters is where the crack is driven most; in the end the joint may be unloaded.
+  const std::string step =
+      model.growth ? report::leading_step(model) : largest_step(all, model, run);
   const bool has_step =
       std::ranges::any_of(all, [&](const Answer& answer) { return is_of_step(answer, step); });
   if (!own && has_step) {
@@ -144,7 +171,15 @@ void compare(Ladder& ladder) {
                    : std::isfinite(found.value) ? RungVerdict::undecided
                                                 : RungVerdict::missing;
   }
-  ladder.cheapest = cheapest_of(ladder.rungs);
+  ladder.stopped.clear();
+  for (const RungResult& rung : ladder.rungs) {
+    if (was_stopped(rung)) {
+      ladder.stopped.push_back(rung.rung.name);
+    }
+  }
+  if (ladder.stopped.empty()) {
+    ladder.cheapest = cheapest_of(ladder.rungs);
+  }
 }
 
 deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung) {

@@ -44,10 +44,12 @@ struct Ladder {
   std::optional<std::size_t> richest;
   /// Of those within, by CPU time; of those that take as long (within 15 %) the simplest.
   std::optional<std::size_t> cheapest;
+  /// Rungs that were ended before they had an answer; with one of them nothing is concluded.
+  std::vector<std::string> stopped = {};
 };
 
 /// Answers of the most telling group that there are: K before pressures and the rest. Those that
-/// are not the deck's own checks: of the step that leads the report.
+/// are not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
 std::vector<Answer> ladder_answers(const model::Model& model, const results::Run& run);
 
 /// Fills differences, verdicts and the cheapest rung.

@@ -49,7 +49,11 @@ public:
       result.rung = std::move(rung);
       ladder_.rungs.push_back(std::move(result));
     }
-    if (const base::Outcome outcome = climb(scratch_->path()); outcome != base::Outcome::done) {
+    const base::Outcome outcome = climb(scratch_->path());
+    if (children_.stopped()) { // what was not run says nothing; the interrupt ends the program
+      return base::Outcome::stopped;
+    }
+    if (outcome != base::Outcome::done) {
       return outcome;
     }
     compare(ladder_);
@@ -73,6 +77,9 @@ private:
   // The deck itself first: it decides what is compared.
   base::Outcome climb(const std::filesystem::path& scratch) {
     const VariantEnd given = run_variant(children_, child_of(ladder_.rungs.front(), scratch));
+    if (children_.stopped()) {
+      return base::Outcome::stopped;
+    }
     if (!given.run) {
       to_stderr(given.end.messages);
       log_.message(

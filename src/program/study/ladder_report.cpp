@@ -80,6 +80,11 @@ report::Table left_out_table(const Ladder& ladder) {
 
 std::string ladder_sentence(const Ladder& ladder) {
   const char* const what = name_of(ladder.answers.front().group);
+  if (!ladder.stopped.empty()) {
+    return fmt::format("nothing is concluded: '{}' {} stopped before an answer was there",
+                       fmt::join(ladder.stopped, "', '"),
+                       ladder.stopped.size() == 1 ? "was" : "were");
+  }
   if (!ladder.cheapest) {
     return "no rung has an answer";
   }
