@@ -4,7 +4,9 @@
 #include "base/exit_codes.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -26,11 +28,34 @@ void count_check(const results::CheckResult& check, VerificationCounts& counts) 
   counts.missed += check.passed ? 0 : 1;
   if (std::isfinite(check.bar)) {
     ++counts.bars;
-    counts.within_bars += std::abs(check.found - check.wanted) <= check.bar ? 1 : 0;
+    const double off = std::abs(check.found - check.wanted);
+    const std::optional<double> accuracy = accuracy_of_reference(check);
+    if (off <= check.bar) {
+      ++counts.within_bars;
+    } else if (!accuracy) {
+      ++counts.of_no_accuracy;
+    } else if (off <= check.bar + *accuracy) {
+      ++counts.within_accuracy;
+    }
   }
 }
 
 } // namespace
+
+std::optional<double> accuracy_of_reference(const results::CheckResult& check) {
+  const std::size_t sign = check.source.find("+- ");
+  if (sign == std::string::npos) {
+    return std::nullopt;
+  }
+  const char* const begin = check.source.data() + sign + 3;
+  const char* const end = check.source.data() + check.source.size();
+  double value = 0.0;
+  const auto [rest, status] = std::from_chars(begin, end, value);
+  if (status != std::errc() || !std::string_view(rest, end).starts_with(" %")) {
+    return std::nullopt;
+  }
+  return 0.01 * value * std::abs(check.wanted);
+}
 
 bool is_recorded(const results::CheckResult& check) {
   return check.source == "RECORDED";
@@ -95,8 +120,13 @@ std::vector<std::string> summary(const Verification& verification) {
     lines.push_back(fmt::format("{} did not end with exit code 0.", many(counts.failed, "deck")));
   }
   if (counts.bars > 0) {
-    lines.push_back(fmt::format("{} of {} references of K lie within the printed error bar.",
-                                counts.within_bars, counts.bars));
+    const std::size_t beyond =
+        counts.bars - counts.within_bars - counts.within_accuracy - counts.of_no_accuracy;
+    lines.push_back(fmt::format(
+        "K against {}: {} within the printed error bar, {} within it and the accuracy that the "
+        "source states of itself, {} beyond both; of {} the source states none.",
+        many(counts.bars, "reference"), counts.within_bars, counts.within_accuracy, beyond,
+        counts.of_no_accuracy));
   }
   return lines;
 }

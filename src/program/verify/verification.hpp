@@ -4,6 +4,7 @@
 #include "results/results.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ struct Verification {
   std::vector<VerifiedDeck> decks; ///< by name
 };
 
+/// What a reference is off by, as its source states it: "+- 0.1 %" of its amount; empty: it states
+/// nothing.
+std::optional<double> accuracy_of_reference(const results::CheckResult& check);
+
 /// Whether a check compares with a value of this program itself.
 bool is_recorded(const results::CheckResult& check);
 /// Whether some check of it has a reference.
@@ -54,6 +59,9 @@ struct VerificationCounts {
   std::size_t unchecked = 0;             ///< decks without a check that end with 0
   std::size_t failed = 0;                ///< decks that have not ended with 0
   std::size_t bars = 0, within_bars = 0; ///< of checks with a reference, and an error bar
+  /// Of those outside: within the bar and what the reference itself is off by, as its source states
+  /// it; and those whose source states nothing.
+  std::size_t within_accuracy = 0, of_no_accuracy = 0;
   double cpu = 0.0;                      ///< [s]
   std::size_t memory = 0;                ///< [bytes] of the largest
 };

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
+
 namespace spricka::program::test_verify {
 namespace {
 
@@ -74,6 +76,28 @@ TEST(Verification, CountsWhatProvesSomethingApartFromWhatDoesNot) {
   EXPECT_EQ(counts.bars, 2U);
   EXPECT_EQ(counts.within_bars, 1U);
   EXPECT_EQ(outcome_of(sample()), base::Outcome::done);
+}
+
+// A reference is off by something itself, and may say so.
+TEST(Verification, HoldsAReferenceAgainstItsOwnAccuracyToo) {
+  Verification v = sample();
+  results::CheckResult& second = v.decks[0].points[0].checks[1]; // off by more than its bar
+  EXPECT_EQ(count(v).of_no_accuracy, 1U);
+  const double beyond = std::abs(second.found - second.wanted) - second.bar;
+  const double part = 100.0 * beyond / std::abs(second.wanted);
+  second.source = fmt::format("handbook, +- {:.6f} %", 1.01 * part);
+  EXPECT_EQ(count(v).within_accuracy, 1U);
+  EXPECT_EQ(count(v).of_no_accuracy, 0U);
+  second.source = fmt::format("handbook, +- {:.6f} %", 0.99 * part);
+  EXPECT_EQ(count(v).within_accuracy, 0U);
+  EXPECT_EQ(count(v).of_no_accuracy, 0U);
+}
+
+// Spreadsheets would compute them.
+TEST(Verification, FormulasAreTextsInItsTable) {
+  EXPECT_EQ(csv_field("=HYPERLINK(1)"), "'=HYPERLINK(1)");
+  EXPECT_EQ(csv_field("@SUM(1,2)"), "\"'@SUM(1,2)\"");
+  EXPECT_EQ(csv_field("Bowie, 1956"), "\"Bowie, 1956\"");
 }
 
 TEST(Verification, EndsAsItsWorstDeckDoes) {
