@@ -66,6 +66,12 @@ public:
       from_state([&] { region.load(*kept); });
     }
     mark_.emplace(run_.log);
+    if (options_.progress) {
+      options_.progress({.increment = run_.increments.size(),
+                         .increments = run_.increments.size() + 1,
+                         .open_end = true,
+                         .stage = "read"});
+    }
     while (!march.end()) {
       if (stop_here(options_.checkpoint, trouble_)) {
         return false;
@@ -110,6 +116,7 @@ private:
       }
       state = std::move(kept->state);
       take_over(std::move(*kept), run_);
+      tell_of_kept(options_, run_, run_.increments.size() + 1);
     }
   }
 
@@ -204,7 +211,9 @@ private:
     hand_on_warnings();
     keep(march, region);
     if (options_.progress) {
-      options_.progress(run_.increments.size(), run_.increments.size() + 1);
+      options_.progress({.increment = run_.increments.size(),
+                         .increments = run_.increments.size() + 1,
+                         .open_end = true});
     }
     return true;
   }

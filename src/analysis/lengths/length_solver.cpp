@@ -97,6 +97,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
                                   told > 0.0 ? fmt::format("a = {:.6g}: ", told) : "",
                                   cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
                                   cut.table.size(), tips_in_words(cut)));
+  tell("meshed");
   results::Increment increment;
   std::vector<std::size_t> touching;
   free_.reset();
@@ -106,6 +107,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     if (!condense(*length, log)) {
       return std::nullopt;
     }
+    tell("condensed");
     increment = {};
     increment.a = a > 0.0 ? a : base::tidy(first);
     increment.notes = results::notes_of(cut.notes);
@@ -146,6 +148,18 @@ void LengthSolver::measure_sections(const Scene& scene, const results::Increment
   for (const FrontScene& at : scene.fronts) {
     plastic_.push_back(growth::plastic_part({model_, scene.cracked, *scene.ties, scene.cls},
                                             at.front, u, *model_.growth->flow_stress));
+  }
+}
+
+void LengthSolver::tell(std::string stage, std::size_t step, std::size_t steps) const {
+  if (options_.progress) {
+    options_.progress({.stage = std::move(stage), .step = step, .steps = steps});
+  }
+}
+
+void LengthSolver::show(const results::Increment& increment) const {
+  if (options_.found) {
+    options_.found(increment);
   }
 }
 
@@ -240,7 +254,7 @@ bool LengthSolver::estimate(Length& length, const LengthRequest& request, const 
     length.add_of_fronts(solved.solver, solved.state, result);
     log.add("ESTIMATE", fmt::format("step {}: error bars and derivatives of K", step.name));
   }
-  if (!request.pictured[solved.step]) {
+  if (!request.pictured[solved.step] && !solved.pictured_later) {
     return true;
   }
   add_stress(model_, length.scene().cracked.mesh, result);
@@ -271,10 +285,12 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
           fmt::format("compliances of the contact rows{}",
                       row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
           row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
+  std::size_t solved = 0;
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
     if (const std::size_t* earlier = repeated.of(s)) {
       repeated.take_over(s, solver, increment.steps);
+      show(increment);
       log.add("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
                                      model_.steps[*earlier].name));
       paths.keep(s, solver, increment.steps.back());
@@ -295,6 +311,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
       trouble_ = std::move(trouble);
       return false;
     }
+    tell(fmt::format("step {}: contact", step.name), solved, repeated.count_solved());
     log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                                    state->iterations, state->pivots, state->imbalance));
     // Rows that rub start from their own history, not from those of another length.
@@ -313,6 +330,8 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
       return false;
     }
     log.add("VCE", fmt::format("step {}: {}, pressures, balance", step.name, tips_in_words(scene)));
+    show(increment);
+    tell(fmt::format("step {}: K", step.name), solved, repeated.count_solved());
     paths.keep(s, solver, increment.steps.back());
     if (follows) {
       history.keep(s, solver, increment.steps.back());
@@ -320,10 +339,14 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
     if (!touching.empty()) {
       continue;
     }
-    if (!estimate(length, request, {s, solver, *state}, log, increment.steps.back())) {
+    if (!estimate(length, request, {s, solver, *state, repeated.pictured_later(s)}, log,
+                  increment.steps.back())) {
       return false;
     }
+    show(increment);
+    tell(fmt::format("step {}", step.name), ++solved, repeated.count_solved());
   }
+  repeated.leave_unpictured(increment.steps);
   increment.paths = paths.follow(solver);
   for (const results::LoadPath& path : increment.paths) {
     if (const std::string what = not_finite(path); !what.empty()) {

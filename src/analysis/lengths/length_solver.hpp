@@ -76,9 +76,14 @@ private:
     std::size_t step = 0;
     const StepSolver& solver;
     const StepState& state;
+    bool pictured_later = false; ///< a step that repeats it is to have its stresses
   };
   [[nodiscard]] LengthParts parts();
   bool condense(Length& length, LogWriter& log);
+  /// Tells that a stage of this increment is done.
+  void tell(std::string stage, std::size_t step = 0, std::size_t steps = 0) const;
+  /// Tells that the last step of an increment under way has its K, or the bars of it.
+  void show(const results::Increment& increment) const;
   void close_faces(const std::vector<std::size_t>& lines, Length& length, LogWriter& log);
   /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
   void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);

@@ -58,6 +58,15 @@ void take_over(archive::KeptIncrement kept, results::Run& run) {
   run.increments.push_back(std::move(kept.increment));
 }
 
+void tell_of_kept(const SolveOptions& options, const results::Run& run, std::size_t increments) {
+  if (options.found) {
+    options.found(run.increments.back());
+  }
+  if (options.progress) {
+    options.progress({.increment = run.increments.size(), .increments = increments});
+  }
+}
+
 bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
   if (checkpoint == nullptr || !checkpoint->out_of_time()) {
     return false;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/lengths/solve_options.hpp"
 #include "archive/checkpoint.hpp"
-#include "base/clock.hpp"
 #include "archive/safe_file.hpp"
+#include "base/clock.hpp"
 #include "base/outcome.hpp"
 
 #include <optional>
-#include <vector>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 /// What the loops over crack lengths do with a checkpoint; all of it may be null.
 namespace spricka::analysis {
@@ -19,7 +20,6 @@ std::optional<archive::KeptIncrement> resume(const model::Model& model,
                                              archive::Checkpoint* checkpoint, int number,
                                              double asked, const std::vector<bool>& pictured);
 
-/// Adds it to a run as if it had been solved now.
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
 /// there (std::out_of_range), the file is in trouble: throws FileTrouble E560.
 template <class Take> auto from_state(const Take& take) {
@@ -31,7 +31,12 @@ template <class Take> auto from_state(const Take& take) {
   }
 }
 
+/// Adds it to a run as if it had been solved now.
 void take_over(archive::KeptIncrement kept, results::Run& run);
+
+/// Tells of the last increment of a run, which was taken over, as if it had been solved, of so many
+/// in all.
+void tell_of_kept(const SolveOptions& options, const results::Run& run, std::size_t increments);
 
 /// Whether the time is up before the next increment; then `trouble` says so.
 bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble);

@@ -87,6 +87,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
       // What was mounted and closed goes on from the last length that was kept.
       from_state([&] { solver.go_on(kept->state); });
       take_over(std::move(*kept), run);
+      tell_of_kept(options, run, lengths.size());
       if (options.recorder != nullptr) {
         options.recorder->add("RESTART", "an increment taken over", resuming);
       }
@@ -101,6 +102,9 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     std::optional<growth::CrackState> cracks = cracks_of(model, lengths[i], diagnostics);
     if (!cracks) {
       return false;
+    }
+    if (options.progress && i == 0) {
+      options.progress({.increments = lengths.size(), .stage = "read"});
     }
     std::optional<results::Increment> increment =
         solver.solve({std::move(*cracks), lengths[i], pictured}, plan);
@@ -117,7 +121,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     solver.save(state);
     mark.keep(options.checkpoint, lengths[i], run.increments.back(), std::move(state));
     if (options.progress) {
-      options.progress(i + 1, lengths.size());
+      options.progress({.increment = i + 1, .increments = lengths.size()});
     }
   }
   compare_extremes(model, run);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/bodies/condense_bodies.hpp"
+#include "results/results.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <string>
 
 namespace spricka::archive {
 class Checkpoint;
@@ -13,12 +15,25 @@ namespace spricka::analysis {
 
 class Recorder;
 
+/// How far a run is; told at the end of each stage of an increment, and of the increment.
+struct Progress {
+  std::size_t increment = 0; ///< those that are finished
+  std::size_t increments = 0; ///< in all; 0: as told before
+  bool open_end = false;      ///< a law ends where it will: `increments` are those begun
+  std::string stage = {}; ///< what is done: "condensed", "step LOAD: K"; empty: the increment
+  std::size_t step = 0;   ///< of the increment under way, those that are finished
+  std::size_t steps = 0;  ///< and all that are to be solved
+};
+
 struct SolveOptions {
   int threads = 1;
   Condensing condensing = Condensing::automatic;
   /// Keeps increments, and gives back those of an earlier run.
   archive::Checkpoint* checkpoint = nullptr;
-  std::function<void(std::size_t done, std::size_t all)> progress; ///< may be empty
+  std::function<void(const Progress&)> progress; ///< may be empty
+  /// Given the increment under way with all its steps so far, whenever there is a new K in it; may
+  /// be empty.
+  std::function<void(const results::Increment&)> found;
   Recorder* recorder = nullptr; ///< of a profile, where one is asked for
 };
 

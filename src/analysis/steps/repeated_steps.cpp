@@ -7,12 +7,36 @@
 
 namespace spricka::analysis {
 
+namespace {
+
+void take_pictures_away(results::StepResult& result) {
+  result.stress.clear();
+  result.element_stress.clear();
+  result.errors.clear();
+}
+
+} // namespace
+
 RepeatedSteps::RepeatedSteps(const model::Model& model, const std::vector<bool>& pictured)
-    : model_(model), pictured_(pictured), same_(repeated_steps(model)) {
+    : model_(model), pictured_(pictured), same_(repeated_steps(model)) {}
+
+std::size_t RepeatedSteps::count_solved() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(same_, [](const auto& earlier) { return !earlier; }));
+}
+
+bool RepeatedSteps::pictured_later(std::size_t step) const {
+  bool wanted = false;
   for (std::size_t s = 0; s < same_.size(); ++s) {
-    if (same_[s] && pictured_[s] && !pictured_[*same_[s]]) {
-      // Its pictures are wanted, and there are none to take over.
-      same_[s].reset();
+    wanted = wanted || (pictured_[s] && same_[s] == std::optional(step));
+  }
+  return wanted;
+}
+
+void RepeatedSteps::leave_unpictured(std::vector<results::StepResult>& results) const {
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    if (!pictured_[s]) {
+      take_pictures_away(results[s]);
     }
   }
 }
@@ -28,9 +52,7 @@ void RepeatedSteps::take_over(std::size_t step, StepSolver& solver,
   results::StepResult result = results[*same_[step]];
   result.step = model_.steps[step].name;
   if (!pictured_[step]) {
-    result.stress.clear();
-    result.element_stress.clear();
-    result.errors.clear();
+    take_pictures_away(result);
   }
   solver.repeat(model_.steps[step], result.u, closed_.at(*same_[step]));
   results.push_back(std::move(result));

@@ -31,6 +31,18 @@ void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const L
   }
 }
 
+// What was found before a run was stopped stays, apart from results that are whole.
+void tell_of_k(const std::optional<std::filesystem::path>& table, const std::string& by,
+               const Log& log) {
+  if (table) {
+    log.message(
+        base::Severity::note, "E566",
+        fmt::format("stopped by {}: K that was found until then is in {}; the next run into "
+                    "the same folder removes it",
+                    by, table->string()));
+  }
+}
+
 base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
   refuse_state_in_folder(options, *deck.model);
   const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
@@ -42,7 +54,7 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
   const Interrupt interrupt([&](int signal) {
     guard.lock();
     if (folder) {
-      folder->abandon();
+      tell_of_k(folder->abandon(true), signal_name(signal), log);
     }
     std::optional<base::Outcome> kept;
     if (opened.checkpoint && opened.checkpoint->writes()) {
@@ -62,6 +74,9 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
     throw;
   }
   if (!outcome.run) {
+    if (outcome.kind == base::Outcome::stopped) {
+      tell_of_k(folder->leave_k(), "--time", log);
+    }
     tell_of_earlier(options, *folder, log);
     return outcome.kind;
   }

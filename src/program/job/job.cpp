@@ -6,10 +6,13 @@
 #include "analysis/recover/judge_size.hpp"
 #include "analysis/recover/net_errors.hpp"
 #include "base/clock.hpp"
+#include "base/printable.hpp"
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/checks/front_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
+#include "program/job/k_so_far.hpp"
+#include "program/job/progress_line.hpp"
 #include "program/job/remedy.hpp"
 #include "program/job/restart_run.hpp"
 #include "program/job/script_constants.hpp"
@@ -94,17 +97,25 @@ bool is_stopped(const base::Trouble& trouble) {
 }
 
 // Once, or as often as K needs to come within its tolerance.
-Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Checkpoint* checkpoint,
-                  base::Diagnostics& diagnostics, const Log& log) {
+Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
+                  archive::Checkpoint* checkpoint, base::Diagnostics& diagnostics) {
   analysis::SolveOptions solve;
   solve.checkpoint = checkpoint;
   solve.threads = solve::reserve_kernels(thread_count(options, *deck.model));
-  solve.progress = log.progress(options.quiet);
   solve.recorder = options.recorder.get();
   Solved out;
   bool first = true;
   const auto once = [&](const model::Model& model, base::Trouble& trouble) {
     base::Diagnostics own;
+    ProgressLine line(options.log_format, options.quiet);
+    KSoFar so_far(model, folder);
+    solve.progress = [&](const analysis::Progress& progress) {
+      line.tell(progress);
+      if (progress.stage.empty()) {
+        so_far.finish(progress.increment);
+      }
+    };
+    solve.found = [&](const results::Increment& increment) { so_far.take(increment); };
     std::optional<results::Run> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
       trouble =
@@ -195,7 +206,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
   tell_restart(checkpoint, log);
-  Solved solved = solve_deck(options, deck, checkpoint, diagnostics, log);
+  Solved solved = solve_deck(options, deck, folder, checkpoint, diagnostics);
   if (is_stopped(solved.trouble)) {
     const std::string by = solved.trouble->why;
     return {stop_with_checkpoint(*checkpoint, by, log).value_or(base::Outcome::stopped),
@@ -332,7 +343,8 @@ void print_summary(const model::Model& model, const results::Run& run,
     to_stdout(fmt::format("{} of {} checks passed\n", passed, run.checks.size()));
   }
   to_stdout(fmt::format("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
-                        static_cast<double>(run.peak_memory) / 1048576.0, folder.string()));
+                        static_cast<double>(run.peak_memory) / 1048576.0,
+                        base::printable(folder.string())));
 }
 
 } // namespace spricka::program

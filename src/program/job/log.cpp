@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/log.hpp"
 
-#include "base/clock.hpp"
+#include "base/printable.hpp"
 #include "base/source_index.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/job/terminal.hpp"
@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace spricka::program {
 
@@ -45,15 +44,6 @@ Json record_of(const base::Sources& sources, base::SourceIndex& places, const ba
   return record;
 }
 
-void write_progress_record(std::size_t done, std::size_t all, double left) {
-  write_record({{"type", "progress"}, {"increment", done}, {"of", all}, {"seconds_left", left}});
-}
-
-void write_progress_line(std::size_t done, std::size_t all, double left) {
-  to_stderr(fmt::format("\r  increment {} of {}, {:.1f} s left {}", done, all, left,
-                        done == all ? "\n" : ""));
-}
-
 } // namespace
 
 Log::Log(LogFormat format) : format_(format), colour_(colour_of_messages()) {}
@@ -77,8 +67,8 @@ void Log::message(base::Severity severity, std::string_view code, std::string_vi
                      : severity == base::Severity::warning ? &base::Diagnostics::warning
                                                            : &base::Diagnostics::note;
     (one.*add)({}, std::string(code), std::string(text), {});
-    to_stderr(
-        fmt::format("{}{}{}", file, file.empty() ? "" : ": ", base::format({}, one, colour_)));
+    to_stderr(fmt::format("{}{}{}", base::printable(file), file.empty() ? "" : ": ",
+                          base::format({}, one, colour_)));
     return;
   }
   Json record{{"type", "diagnostic"}, {"severity", base::word_of(severity)}, {"code", code}};
@@ -109,16 +99,6 @@ void Log::failed_check(const results::CheckResult& check) const {
                           check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
                           std::abs(check.error), check.tolerance));
   }
-}
-
-std::function<void(std::size_t, std::size_t)> Log::progress(bool quiet) const {
-  if (quiet || (format_ == LogFormat::text && isatty(STDERR_FILENO) == 0)) {
-    return {};
-  }
-  const auto write = format_ == LogFormat::json ? write_progress_record : write_progress_line;
-  return [watch = base::Stopwatch(), write](std::size_t done, std::size_t all) {
-    write(done, all, watch.wall() / static_cast<double>(done) * static_cast<double>(all - done));
-  };
 }
 
 } // namespace spricka::program

@@ -23,8 +23,6 @@ public:
   void message(base::Severity severity, std::string_view code, std::string_view text,
                std::string_view file = {}) const;
   void failed_check(const results::CheckResult& check) const;
-  /// To be called with (increments done, all). Text goes to a terminal only; empty when quiet.
-  [[nodiscard]] std::function<void(std::size_t, std::size_t)> progress(bool quiet) const;
 
 private:
   LogFormat format_;

@@ -5,8 +5,10 @@
 #include "archive/results_file.hpp"
 #include "archive/safe_file.hpp"
 #include "base/clock.hpp"
+#include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "model/model.hpp"
+#include "program/job/pictures.hpp"
 #include "report/report.hpp"
 #include "report/topics/beta_csv.hpp"
 #include "report/topics/growth_tables.hpp"
@@ -33,16 +35,6 @@ namespace spricka::program {
 namespace fs = std::filesystem;
 
 namespace {
-
-// Names of the pictures: those of the first VTU output of the deck, else "results".
-std::string picture_stem(const model::Model& model) {
-  for (const model::Output& output : model.outputs) {
-    if (output.format == model::OutputFormat::vtu) {
-      return fs::path(output.file).stem().string();
-    }
-  }
-  return "results";
-}
 
 fs::path part_of(const fs::path& folder) {
   fs::path part = folder;
@@ -211,45 +203,6 @@ void RunFolder::put(const std::string& name, const std::function<void(const fs::
   write(part_ / name);
 }
 
-namespace {
-
-bool shows_surfaces(const results::StepResult& step) {
-  return std::ranges::any_of(step.contacts, [](const results::ContactResult& contact) {
-    return contact.mounted && !contact.corners.empty();
-  });
-}
-
-} // namespace
-
-void RunFolder::put_pictures(const model::Model& model, const results::Run& run) {
-  const std::string stem = picture_stem(model);
-  std::vector<report::CollectedFile> entries;
-  double time = 0.0;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      time += 1.0;
-      if (step.stress.empty()) {
-        continue;
-      }
-      const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
-      put(name, [&](const fs::path& file) { report::write_vtu(file, model, increment, step); });
-      entries.push_back({.time = time, .part = 0, .name = name});
-      if (shows_surfaces(step)) {
-        const std::string surfaces =
-            fmt::format("contact_{:03}_{}.vtu", increment.number, step.step);
-        put(surfaces, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
-        entries.push_back({.time = time, .part = 1, .name = surfaces});
-      }
-      if (!step.fronts.empty()) {
-        const std::string fronts = fmt::format("fronts_{:03}_{}.vtu", increment.number, step.step);
-        put(fronts, [&](const fs::path& file) { report::write_front_vtu(file, model, step); });
-        entries.push_back({.time = time, .part = 2, .name = fronts});
-      }
-    }
-  }
-  put(stem + ".pvd", [&](const fs::path& file) { report::write_pvd(file, entries); });
-}
-
 void RunFolder::put_requested(const model::Model& model, const results::Run& run) {
   for (const model::Output& output : model.outputs) {
     if (output.format == model::OutputFormat::csv) {
@@ -259,12 +212,41 @@ void RunFolder::put_requested(const model::Model& model, const results::Run& run
   }
 }
 
+void RunFolder::show_k(const model::Model& model, const results::Run& so_far) {
+  const std::scoped_lock lock(writing_);
+  try {
+    if (!shows_k_) {
+      archive::add_to_mark(part_, k_table_name);
+    }
+    shows_k_ = true;
+    report::write_k_csv(part_ / k_table_name, model, so_far);
+  } catch (const std::system_error&) {
+    // A full disk is told of when the results are written.
+  }
+}
+
+std::optional<fs::path> RunFolder::leave_k() {
+  std::optional<std::string> table;
+  try {
+    table = base::read_file(part_ / k_table_name, base::largest_number_file);
+  } catch (const std::exception&) { // no K has been found yet
+  }
+  archive::remove_own(part_);
+  if (!table || ::mkdir(part_.c_str(), 0777) != 0) {
+    return std::nullopt;
+  }
+  archive::write_mark(part_, {archive::FolderKind::run, {k_table_name}});
+  base::write_whole(part_ / k_table_name, *table);
+  done_ = true;
+  return part_ / k_table_name;
+}
+
 void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run,
                       const std::vector<results::ScriptConstant>& scripts) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::Run&);
   constexpr std::array<std::pair<const char*, Table>, 9> tables{
-      {{"k.csv", report::write_k_csv},
+      {{k_table_name, report::write_k_csv},
        {"sensitivity.csv", report::write_sensitivity_csv},
        {"pressure.csv", report::write_pressure_csv},
        {"load_path.csv", report::write_load_path_csv},
@@ -273,10 +255,12 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
        {"life_curve.csv", report::write_life_curve_csv},
        {"beta.csv", report::write_beta_csv},
        {"test.csv", report::write_test_csv}}};
+  std::error_code none;
+  fs::remove(part_ / k_table_name, none); // that of a run under way
   for (const auto& [name, table] : tables) {
     put(name, [&, make = table](const fs::path& file) { make(file, model, run); });
   }
-  put_pictures(model, run);
+  write_pictures(model, run, [this](const auto& name, const auto& write) { put(name, write); });
   put_requested(model, run);
   put(results_name,
       [&](const fs::path& file) { archive::write_results_file(file, sources, model, run); });
@@ -359,13 +343,17 @@ void RunFolder::commit() {
   fs::remove(folder_ / archive::owner_name, ignored);
 }
 
-void RunFolder::abandon() {
+std::optional<fs::path> RunFolder::abandon(bool leaves_k) {
   using namespace std::chrono_literals;
   // The lock is held to the end of the process, so that no thread writes a file behind the removal.
   const bool quiet = writing_.try_lock_for(10s); // not given back
   if (quiet && !done_) {
+    if (leaves_k) {
+      return leave_k();
+    }
     archive::remove_own(part_);
   }
+  return std::nullopt;
 }
 
 } // namespace spricka::program

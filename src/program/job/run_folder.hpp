@@ -16,6 +16,7 @@
 
 namespace spricka::program {
 
+inline constexpr const char* k_table_name = "k.csv";
 inline constexpr const char* listing_name = "listing.txt";
 inline constexpr const char* sweep_table_name = "sweep.csv";
 inline constexpr const char* results_name = "results.h5"; ///< whole, for programs
@@ -46,6 +47,12 @@ public:
   /// the run's log before the listing is made. Throws std::system_error.
   void write(const base::Sources& sources, const model::Model& model, results::Run& run,
              const std::vector<results::ScriptConstant>& scripts);
+  /// Writes k.csv of what is found so far into FOLDER.part, where it can be read while the run goes
+  /// on; write() replaces it. From one thread.
+  void show_k(const model::Model& model, const results::Run& so_far);
+  /// Leaves FOLDER.part with that table alone, for a run that ends without results; the next run
+  /// removes it. The file; empty: no K was found, and nothing stays.
+  std::optional<std::filesystem::path> leave_k();
   /// What has been written so far [bytes].
   [[nodiscard]] std::uintmax_t written() const;
   /// Adds a file of that name.
@@ -53,15 +60,14 @@ public:
   /// Puts the folder in place; without it nothing stays.
   void commit();
   /// Removes what is written so far, from any thread: the program ends now. Whoever writes is let
-  /// finish his file first and waits for ever then.
-  void abandon();
+  /// finish his file first and waits for ever then. With `leaves_k` as leave_k().
+  std::optional<std::filesystem::path> abandon(bool leaves_k = false);
 
 private:
   void open_place();
   void open_part();
   /// Writes a file of ours with `write`, which gets its path.
   void put(const std::string& name, const std::function<void(const std::filesystem::path&)>& write);
-  void put_pictures(const model::Model& model, const results::Run& run);
   void put_requested(const model::Model& model, const results::Run& run);
   void move_into_place();
   void take_over_foreign(const std::filesystem::path& old) const;
@@ -70,6 +76,7 @@ private:
   std::filesystem::path part_; ///< where it is written
   bool replaces_ = false;
   bool done_ = false;
+  bool shows_k_ = false; ///< k.csv of a run under way is there, or was
   std::optional<archive::FolderLock> place_lock_, part_lock_;
   std::timed_mutex writing_;
   std::vector<std::string> names_; ///< written so far

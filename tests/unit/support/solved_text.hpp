@@ -53,7 +53,8 @@ struct Solved {
 };
 
 /// Empty, with a failure, when the deck cannot be read or solved.
-inline std::optional<Solved> solve_text(const std::string& deck, int threads = 1) {
+inline std::optional<Solved> solve_text(const std::string& deck,
+                                        const analysis::SolveOptions& options) {
   const Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
@@ -62,8 +63,6 @@ inline std::optional<Solved> solve_text(const std::string& deck, int threads = 1
     ADD_FAILURE() << "the deck is refused";
     return std::nullopt;
   }
-  analysis::SolveOptions options;
-  options.threads = threads;
   base::Diagnostics diagnostics;
   base::Trouble trouble;
   std::optional<results::Run> run =
@@ -73,6 +72,12 @@ inline std::optional<Solved> solve_text(const std::string& deck, int threads = 1
     return std::nullopt;
   }
   return Solved{std::move(*ready.model), std::move(*run)};
+}
+
+inline std::optional<Solved> solve_text(const std::string& deck, int threads = 1) {
+  analysis::SolveOptions options;
+  options.threads = threads;
+  return solve_text(deck, options);
 }
 
 } // namespace spricka::test

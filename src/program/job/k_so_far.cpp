@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/k_so_far.hpp"
+
+#include <utility>
+
+namespace spricka::program {
+
+void KSoFar::take(const results::Increment& increment) {
+  // A state that was tried and not taken is replaced by the next.
+  run_.increments.resize(finished_);
+  results::Increment& shown = run_.increments.emplace_back();
+  shown.number = static_cast<int>(finished_) + 1;
+  shown.a = increment.a;
+  bool any = false;
+  for (const results::StepResult& step : increment.steps) {
+    results::StepResult& copy = shown.steps.emplace_back();
+    copy.step = step.step;
+    copy.tips = step.tips;
+    copy.fronts = step.fronts;
+    any = any || !step.tips.empty() || !step.fronts.empty();
+  }
+  if (any) {
+    folder_.show_k(model_, run_);
+  }
+}
+
+} // namespace spricka::program

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/pictures.hpp"
+
+#include "model/model.hpp"
+#include "report/report.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names of the pictures: those of the first VTU output of the deck, else "results".
+std::string picture_stem(const model::Model& model) {
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::vtu) {
+      return fs::path(output.file).stem().string();
+    }
+  }
+  return "results";
+}
+
+bool shows_surfaces(const results::StepResult& step) {
+  return std::ranges::any_of(step.contacts, [](const results::ContactResult& contact) {
+    return contact.mounted && !contact.corners.empty();
+  });
+}
+
+// What ParaView shows as the time of an increment: its cycles, where a law tells them, else its
+// crack length; of a run with one increment alone the number of the step.
+double picture_time(const results::Run& run, std::size_t increment, std::size_t step) {
+  if (run.growth && increment < run.growth->stations.size()) {
+    return run.growth->stations[increment].cycles;
+  }
+  return run.increments.size() > 1 ? run.increments[increment].a : static_cast<double>(step) + 1.0;
+}
+
+std::vector<report::CollectedFile> write_step(const model::Model& model,
+                                              const results::Increment& increment,
+                                              const results::StepResult& step, double time,
+                                              const PutFile& put) {
+  std::vector<report::CollectedFile> entries;
+  const auto add = [&](const std::string& stem, int part, const auto& write) {
+    const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
+    put(name, write);
+    entries.push_back({.time = time, .part = part, .name = name});
+  };
+  add(picture_stem(model), 0,
+      [&](const fs::path& file) { report::write_vtu(file, model, increment, step); });
+  if (shows_surfaces(step)) {
+    add("contact", 1, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
+  }
+  if (!step.fronts.empty()) {
+    add("fronts", 2, [&](const fs::path& file) { report::write_front_vtu(file, model, step); });
+  }
+  return entries;
+}
+
+} // namespace
+
+// Over several increments each step has a collection of its own, as all its files have one time.
+void write_pictures(const model::Model& model, const results::Run& run, const PutFile& put) {
+  const std::string stem = picture_stem(model);
+  const std::string leading = report::leading_step(model);
+  const bool grows = run.increments.size() > 1 || run.growth;
+  std::map<std::string, std::vector<report::CollectedFile>> collections{{stem, {}}};
+  for (std::size_t i = 0; i < run.increments.size(); ++i) {
+    const results::Increment& increment = run.increments[i];
+    for (std::size_t s = 0; s < increment.steps.size(); ++s) {
+      const results::StepResult& step = increment.steps[s];
+      if (step.stress.empty()) {
+        continue;
+      }
+      std::vector<report::CollectedFile>& into =
+          collections[grows && step.step != leading ? stem + "_" + step.step : stem];
+      std::ranges::move(write_step(model, increment, step, picture_time(run, i, s), put),
+                        std::back_inserter(into));
+    }
+  }
+  for (const auto& [name, entries] : collections) {
+    put(name + ".pvd", [&](const fs::path& file) { report::write_pvd(file, entries); });
+  }
+}
+
+} // namespace spricka::program

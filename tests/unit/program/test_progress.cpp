@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time that a run still takes, foretold from what its parts have taken.
+#include "program/job/progress_line.hpp"
+#include "tests/unit/support/shell_text.hpp"
+#include "tests/unit/support/solved_text.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace spricka::program::test_progress {
+namespace {
+
+// Each increment takes 2 s before its steps and 4 s for each of two.
+TEST(TimeLeft, IsThatOfEqualParts) {
+  TimeLeft left;
+  left.take({.increments = 3, .stage = "read"}, 0.0);
+  EXPECT_FALSE(left.seconds(0.5));
+  left.take({.stage = "condensed"}, 2.0);
+  EXPECT_FALSE(left.seconds(4.0));
+  left.take({.stage = "step A: K", .step = 0, .steps = 2}, 5.0);
+  EXPECT_FALSE(left.seconds(5.0)); // the first step is not over
+  left.take({.stage = "step A", .step = 1, .steps = 2}, 6.0);
+  ASSERT_TRUE(left.seconds(6.0));
+  EXPECT_DOUBLE_EQ(*left.seconds(6.0), 4.0 + 2.0 * 10.0);
+  EXPECT_DOUBLE_EQ(*left.seconds(7.0), 3.0 + 2.0 * 10.0); // the clock goes on
+  left.take({.stage = "step B", .step = 2, .steps = 2}, 10.0);
+  left.take({.increment = 1, .increments = 3}, 10.0);
+  EXPECT_DOUBLE_EQ(*left.seconds(10.0), 20.0);
+  left.take({.stage = "condensed"}, 12.0);
+  EXPECT_DOUBLE_EQ(*left.seconds(12.0), 18.0);
+  left.take({.increment = 2, .increments = 3}, 20.0);
+  left.take({.increment = 3, .increments = 3}, 30.0);
+  EXPECT_DOUBLE_EQ(*left.seconds(30.0), 0.0);
+}
+
+// Increments that an earlier run had solved take no time and foretell none.
+TEST(TimeLeft, CountsNothingThatWasTakenOver) {
+  TimeLeft left;
+  left.take({.increment = 1, .increments = 4}, 0.1);
+  left.take({.increment = 2, .increments = 4}, 0.2);
+  EXPECT_FALSE(left.seconds(0.2));
+  left.take({.stage = "meshed"}, 2.2);
+  left.take({.increment = 3, .increments = 4}, 10.2);
+  ASSERT_TRUE(left.seconds(10.2));
+  EXPECT_NEAR(*left.seconds(10.2), 8.0, 1e-9);
+}
+
+// Unloaded without friction a joint is as it was pressed: that state is not solved again, and its K
+// is there as soon as it is known.
+TEST(Progress, UnloadingIsNotSolvedAnew) {
+  const std::string deck =
+      test::cracked_hub("A0=4", "INTERFERENCE=0.01", "$STEP NAME=BACK\n  LOAD PULL 0\n");
+  std::vector<std::size_t> steps; // that have K, at each call
+  std::size_t to_solve = 0;
+  analysis::SolveOptions options;
+  options.found = [&](const results::Increment& increment) {
+    steps.push_back(increment.steps.size());
+    EXPECT_NE(increment.steps.back().tips.front().K1, 0.0);
+  };
+  options.progress = [&](const analysis::Progress& progress) {
+    to_solve = std::max(to_solve, progress.steps);
+  };
+  const std::optional<test::Solved> solved = test::solve_text(deck, options);
+  ASSERT_TRUE(solved);
+  EXPECT_EQ(to_solve, 2U);
+  EXPECT_EQ(steps, (std::vector<std::size_t>{1, 1, 2, 2, 3})); // K, then its bars
+  EXPECT_EQ(solved->step(2).tips.front().K1, solved->step(0).tips.front().K1);
+  EXPECT_TRUE(solved->step(2).tips.front().no_bar.empty());
+  // Pictures are of the last step alone.
+  EXPECT_TRUE(solved->step(0).stress.empty());
+  EXPECT_FALSE(solved->step(2).stress.empty());
+  EXPECT_FALSE(solved->step(2).errors.empty());
+}
+
+} // namespace
+} // namespace spricka::program::test_progress
