@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/length_solver.hpp"
 
+#include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
