@@ -50,7 +50,13 @@ public:
     fd_ = fd;
   }
   /// The same file under a number that the mesher's own do not meet.
-  void raise() { reset(fcntl(fd_, F_DUPFD_CLOEXEC, first_own)); }
+  void raise() {
+    const int above = fcntl(fd_, F_DUPFD_CLOEXEC, first_own);
+    const bool no_number = above < 0 && errno == EINVAL; // the limit of open files lies below
+    const int trouble = no_number ? EMFILE : errno;
+    reset(above);
+    errno = trouble;
+  }
   int release() { return std::exchange(fd_, -1); }
   [[nodiscard]] int get() const { return fd_; }
   [[nodiscard]] bool open() const { return fd_ >= 0; }
