@@ -5,6 +5,7 @@
 #include "contact/space/sight.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -14,10 +15,22 @@ namespace {
 
 constexpr double corner = 0.6; // turns of more between edges are no facets [rad]
 
+// How far edges between their nodes leave the circle that the nodes lie on.
+double facet_of(const contact::PlaneFeatures& plane, const contact::Circle& circle) {
+  double most = 0.0;
+  for (const contact::Edge& edge : plane.edges) {
+    for (const double xi : {-0.5, 0.0, 0.5}) {
+      const base::Vec2 x = contact::point_on(edge, xi);
+      most = std::max(most, std::abs((x - circle.centre).norm() - circle.radius));
+    }
+  }
+  return most;
+}
+
 // How far straight edges leave the curve that they stand for: half a chord times half the turn
 // between two of them, halved.
 double facet_of(const contact::Surface& surface) {
-  double most = 0.0;
+  double most = surface.circle ? facet_of(surface.plane, *surface.circle) : 0.0;
   for (const contact::EdgeChain& chain : surface.plane.chains) {
     const std::span<const contact::Edge> edges = surface.plane.of(chain);
     const std::size_t n = edges.size();
@@ -36,14 +49,26 @@ double facet_of(const contact::Surface& surface) {
   return most;
 }
 
-// The same of flat faces on round shapes.
+// How far the faces of a surface leave the round shape that their nodes lie on: flat ones, and
+// curved ones between their nodes. Looked at in the middles of the triangles between nodes and of
+// their sides.
 double facet_of(const contact::SpaceSurface& surface) {
+  constexpr std::array<std::array<double, 3>, 4> middles{
+      {{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}};
   double most = 0.0;
-  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    if (const std::optional<contact::Round>& round = surface.round_of(f)) {
-      const base::ElementType shape = surface.faces[f].shape;
-      const base::Vec3 centre = contact::point_on(surface.faces[f], contact::centre_r(shape)).x;
-      most = std::max(most, std::abs(contact::distance_to(*round, centre)));
+  for (const contact::SurfaceTriangle& triangle : surface.triangles) {
+    const std::optional<contact::Round>& round = surface.round_of(triangle.face);
+    if (!round) {
+      continue;
+    }
+    const contact::SolidFace& face = surface.faces[triangle.face];
+    for (const std::array<double, 3>& at : middles) {
+      contact::Vec2 r = contact::Vec2::Zero();
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        r += at[i] * contact::node_r(face.shape, triangle.node[i]);
+      }
+      const base::Vec3 x = contact::point_on(face, r).x;
+      most = std::max(most, std::abs(contact::distance_to(*round, x)));
     }
   }
   return most;
