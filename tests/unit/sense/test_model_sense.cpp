@@ -151,6 +151,9 @@ TEST(HeldPlaces, ALoadThatGoesIntoItsSupport) {
   EXPECT_FALSE(has(messages(strip(symmetric, "YMIN 3 -10")), "W457")); // x is free
   EXPECT_FALSE(has(messages(strip(symmetric, "YMAX 0 0")), "W457"));   // there is none
   EXPECT_FALSE(has(messages(strip(symmetric)), "W457"));
+  // Squares of such loads are beyond the range of numbers.
+  EXPECT_TRUE(has(messages(strip(symmetric, "YMIN 0 -1e200")), "W457"));
+  EXPECT_FALSE(has(messages(strip(symmetric, "YMAX 0 1e200")), "W457"));
 }
 
 TEST(HeldPlaces, AMouthThatCannotOpen) {
