@@ -43,6 +43,10 @@ const LoadForm& form_of(std::string_view word) {
                        [&](const LoadForm& f) { return f.word == word; });
 }
 
+const LoadForm& form_of(LoadType type) {
+  return *std::ranges::find(forms, type, &LoadForm::type);
+}
+
 // What the values of a type have as their unit, where one is written; BODY's has no short name.
 std::optional<base::Dimension> dimension_of(LoadType type) {
   switch (type) {
@@ -185,15 +189,6 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   for (std::size_t i = 1; i < row.fields.size(); ++i) {
     ok = load_value(c, form, row.fields[i], load) && ok;
   }
-  if (ok && c.mesh_sound && given < most) {
-    c.diagnostics.warning(row.span, "W312",
-                          fmt::format("TYPE={} has {} of {} values: along {} it is taken as 0",
-                                      form.word, given, most, "xyz"[given]),
-                          std::string(form.values));
-  }
-  while (load.value.size() < most) { // what is left out is zero
-    load.value.push_back(base::Expression::constant(0.0));
-  }
   if (ok && crack != nullptr) {
     ok = crack->index < c.model.cracks.size(); // else its card is wrong
   }
@@ -311,10 +306,7 @@ void displacements_agree(Context& c, const model::LoadCase& load_case) {
   }
 }
 
-void check_displacements(Context& c) {
-  for (const model::LoadCase& load_case : c.model.cases) {
-    displacements_agree(c, load_case);
-  }
+std::vector<Held> held_nodes(const Context& c) {
   std::vector<Held> held(c.model.mesh.node_count());
   for (const model::Freedom& freedom : c.model.freedoms) {
     for (const base::NodeId node : c.model.mesh.set(freedom.nodes).nodes) {
@@ -325,12 +317,51 @@ void check_displacements(Context& c) {
       }
     }
   }
+  return held;
+}
+
+void check_displacements(Context& c, const std::vector<Held>& held) {
+  for (const model::LoadCase& load_case : c.model.cases) {
+    displacements_agree(c, load_case);
+  }
   for (const model::LoadCase& load_case : c.model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (load.type == LoadType::displacement) {
         check_displacement(c, load, held);
       }
     }
+  }
+}
+
+// Whether a value along that direction would count: a displacement counts where it is prescribed.
+bool counts_along(const model::Mesh& mesh, const model::Load& load, std::size_t direction,
+                  const std::vector<Held>& held) {
+  return load.type != LoadType::displacement ||
+         std::ranges::any_of(mesh.set(load.nodes).nodes, [&](base::NodeId node) {
+           return (held[node.index()].prescribed & (1U << direction)) != 0;
+         });
+}
+
+// Directions along which a line says nothing have zeros, told of where another value would count.
+void fill_in(Context& c, const std::vector<Held>& held, bool sound, model::Load& load) {
+  const LoadForm& form = form_of(load.type);
+  const std::size_t given = load.value.size();
+  const auto most = static_cast<std::size_t>(c.model.mesh.dim);
+  if (!form.per_direction || given >= most) {
+    return;
+  }
+  std::vector<char> unsaid;
+  for (std::size_t d = given; d < most; ++d) {
+    load.value.push_back(base::Expression::constant(0.0));
+    if (sound && counts_along(c.model.mesh, load, d, held)) {
+      unsaid.push_back("xyz"[d]);
+    }
+  }
+  if (!unsaid.empty()) {
+    c.diagnostics.warning(load.span, "W312",
+                          fmt::format("TYPE={} has {} of {} values: along {} it is taken as 0",
+                                      form.word, given, most, fmt::join(unsaid, " and ")),
+                          std::string(form.values));
   }
 }
 
@@ -357,8 +388,15 @@ void build_loads(Context& context) {
       load_row(context, card, row, cases[index]);
     }
   }
-  if (context.freedom_sound && context.mesh_sound) {
-    check_displacements(context);
+  const bool sound = context.freedom_sound && context.mesh_sound;
+  const std::vector<Held> held = sound ? held_nodes(context) : std::vector<Held>();
+  if (sound) {
+    check_displacements(context, held);
+  }
+  for (model::LoadCase& load_case : cases) {
+    for (model::Load& load : load_case.loads) {
+      fill_in(context, held, sound, load);
+    }
   }
 }
 

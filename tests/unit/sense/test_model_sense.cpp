@@ -156,6 +156,17 @@ TEST(HeldPlaces, ALoadThatGoesIntoItsSupport) {
   EXPECT_FALSE(has(messages(strip(symmetric, "YMAX 0 1e200")), "W457"));
 }
 
+// A displacement counts where it is prescribed: elsewhere nothing is left out.
+TEST(ShortLoads, WantTheValuesThatCount) {
+  const auto moved = [](const std::string& along) {
+    return messages(strip(symmetric + "$FREEDOM CLASS=PRESCRIBED DOF=" + along +
+                          "\n  XMAX\n$LOAD CASE=F TYPE=DISP\n  XMAX 0.1\n"));
+  };
+  EXPECT_FALSE(has(moved("X"), "W312")) << moved("X");
+  EXPECT_TRUE(has(moved("XY"), "W312: TYPE=DISP has 1 of 2 values: along y")) << moved("XY");
+  EXPECT_TRUE(has(messages(strip(symmetric, "YMAX 3")), "W312"));
+}
+
 TEST(HeldPlaces, AMouthThatCannotOpen) {
   const std::string crack = "$CRACK NAME=C A0=4 ANGLE=0\n  0 21\n";
   const std::string held = "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  XMIN\n";
