@@ -108,19 +108,10 @@ Ways opening(const results::TipResult& tip, double K) {
               tip.K2, other[0], other[1], apart_text(apart, bar))};
 }
 
-// Whether K is what round-off leaves of displacements that do not open the crack, or of pressure
-// that keeps its faces closed where nothing else moves. E' is in G.
+// E' is in G.
 bool is_round_off(const results::StepResult& step, const results::TipResult& tip, double K) {
-  if (!(tip.G_from_K > 0.0) || !(tip.a > 0.0) || step.u.size() == 0) {
-    return true;
-  }
-  const double E = K * K / tip.G_from_K;
-  double pressure = 0.0;
-  for (const results::ContactResult& contact : step.contacts) {
-    pressure = std::max(pressure, std::abs(contact.max_pressure));
-  }
-  return K <= k_round_off * std::max(E * step.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a),
-                                     pressure * std::sqrt(tip.a));
+  return !(tip.G_from_K > 0.0) || !(tip.a > 0.0) || step.u.size() == 0 ||
+         K <= round_off_of_K(step, K * K / tip.G_from_K, tip.a);
 }
 
 Ways worst_ways(const results::StepResult& step, const results::TipResult& tip) {
@@ -139,6 +130,15 @@ Ways worst_ways(const results::StepResult& step, const results::TipResult& tip) 
 }
 
 } // namespace
+
+double round_off_of_K(const results::StepResult& step, double E, double a) {
+  double pressure = 0.0;
+  for (const results::ContactResult& contact : step.contacts) {
+    pressure = std::max(pressure, std::abs(contact.max_pressure));
+  }
+  const double moved = step.u.size() > 0 ? step.u.lpNorm<Eigen::Infinity>() : 0.0;
+  return k_round_off * std::max(E * moved / std::sqrt(a), pressure * std::sqrt(a));
+}
 
 std::string parting_at(const results::StepResult& step, const results::TipResult& tip) {
   return worst_ways(step, tip).what;

@@ -17,6 +17,10 @@ struct Parting {
   std::string what; ///< "G = 1.92e-06 and (K1^2 + K2^2)/E' = 1.86e-06: as K, 1.6 % apart .."
 };
 
+/// K that round-off leaves of displacements that do not open a crack of size `a` [length], or of
+/// pressure that keeps its faces closed where nothing else moves; E' as `E` [stress].
+double round_off_of_K(const results::StepResult& step, double E, double a);
+
 /// The ways that part at one tip of a step; empty: they agree, there is but one, or K is round-off.
 std::string parting_at(const results::StepResult& step, const results::TipResult& tip);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/ways_along_fronts.hpp"
 
+#include "sense/two_ways.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -68,6 +70,19 @@ Parted worst_place(const results::StepResult& step, const results::FrontResult& 
   return worst;
 }
 
+// Whether K of the front is what round-off leaves of a step that does not load it.
+bool is_round_off(const results::StepResult& step, const results::FrontResult& front) {
+  const double largest = largest_root(front);
+  const auto most = std::ranges::find_if(front.points, [&](const results::FrontPlace& place) {
+    return !place.at_surface && root(place.G_from_K) == largest;
+  });
+  if (!(largest > 0.0) || most == front.points.end() || !(front.a > 0.0)) {
+    return !(largest > 0.0);
+  }
+  const double K = std::hypot(most->K1, most->K2, most->K3);
+  return K <= round_off_of_K(step, K * K / most->G_from_K, front.a);
+}
+
 std::string parted_text(const Parted& one) {
   const results::FrontPlace& at = *one.place;
   return fmt::format(
@@ -99,7 +114,7 @@ std::vector<std::string> front_ways_warnings(const results::Run& run) {
       for (const results::FrontResult& front : step.fronts) {
         Parted one = worst_place(step, front);
         if (!front.doubt.empty() || !(one.ratio > 1.0) ||
-            largest_root(front) <= no_front_K * largest) {
+            largest_root(front) <= no_front_K * largest || is_round_off(step, front)) {
           continue;
         }
         const auto [at, fresh] = worst.try_emplace(front.name, one);

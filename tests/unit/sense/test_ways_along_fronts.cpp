@@ -85,5 +85,15 @@ TEST(WaysAlongFronts, DoNotCountWhereThereIsNoAnswer) {
   EXPECT_TRUE(warnings_of({step_with_front(), unloaded}).empty());
 }
 
+// A step whose displacements are so large that K is what round-off leaves of them.
+TEST(WaysAlongFronts, RoundOffPartsAsItLikes) {
+  results::StepResult step = step_with_front();
+  step.fronts[0].points[1].G *= 4.0;
+  step.u = base::Vector::Ones(3);
+  EXPECT_EQ(warnings_of({step}).size(), 1U);
+  step.u *= 1e6; // E u / sqrt(a) is 2e8 times K
+  EXPECT_TRUE(warnings_of({step}).empty());
+}
+
 } // namespace
 } // namespace spricka::test_ways_along_fronts
