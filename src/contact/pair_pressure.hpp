@@ -23,8 +23,8 @@ struct PairPressure {
   double area = 0.0; ///< of the part in contact, in space [length^2]
   /// In space: three places in `nodes` for each triangle on which pressure is linear.
   std::vector<std::array<std::size_t, 3>> triangles;
-  /// In space: root mean square of multipliers less averages, over that of the multipliers, where
-  /// averages are known.
+  /// In space: root mean square of what multipliers go up and down about averages, over that of the
+  /// multipliers, where averages are known.
   double unrest = 0.0;
   double radius = 0.0; ///< in space, mean: the surface is one cylinder or cone; else 0 [length]
 };

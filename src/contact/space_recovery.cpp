@@ -36,18 +36,36 @@ std::array<base::Vector, 3> averaged_shear(const PairRows& pair,
   return all;
 }
 
-// How much multipliers go up and down about their averages.
+// By how much averages change across the faces round each function.
+base::Vector changes_of(const PairRows& pair, const base::Vector& smooth) {
+  base::Vector most = base::Vector::Zero(smooth.size());
+  for (const std::vector<std::size_t>& face : functions_by_face(pair)) {
+    const auto [low, high] =
+        std::ranges::minmax(face, {}, [&](std::size_t i) { return smooth[index(i)]; });
+    const double change = smooth[index(high)] - smooth[index(low)];
+    for (const std::size_t i : face) {
+      most[index(i)] = std::max(most[index(i)], change);
+    }
+  }
+  return most;
+}
+
+// How much multipliers go up and down about their averages. Averages are linear between corners:
+// where they change, toward the edge of a surface, a pressure that is curved leaves them by up to
+// half the change without going up and down.
 double unrest_of(const PairRows& pair, const base::Vector& p, const base::Vector& smooth) {
   constexpr double no_strain = 1e-9; // pressure over modulus: round-off of larger ones
   if (!pair.segments || p.size() == 0 ||
       p.cwiseAbs().maxCoeff() < no_strain * pair.contact.stiffness) {
     return 0.0;
   }
+  const base::Vector change = changes_of(pair, smooth);
   double off = 0.0;
   double all = 0.0;
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
     if (smooth[index(i)] != p[index(i)]) {
-      off += pair.functions[i].area * std::pow(smooth[index(i)] - p[index(i)], 2);
+      const double beyond = std::abs(smooth[index(i)] - p[index(i)]) - 0.5 * change[index(i)];
+      off += pair.functions[i].area * std::pow(std::max(0.0, beyond), 2);
       all += pair.functions[i].area * std::pow(p[index(i)], 2);
     }
   }

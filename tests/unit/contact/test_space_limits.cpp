@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -204,6 +205,36 @@ TEST_F(Slides, AShiftOnATurnedBodyIsAMisfitThatNoRowCounts) {
       contact::slide_of(pair, base::Vector::Ones(static_cast<Eigen::Index>(pair.normal.size())), u);
   EXPECT_NEAR(s.misfit, shift * turn, 0.05 * shift * turn);
   EXPECT_NEAR(s.way, shift, 1e-6);
+}
+
+// Pressure on a foot 10 wide: what it goes up and down by counts, a rise toward an edge does not.
+TEST(Unrest, IsNotTheCurveOfAPressureThatRisesToAnEdge) {
+  test::StackSpec spec;
+  spec.upper_type = spec.lower_type = ElementType::tet10;
+  const model::Model model = test::stacked_solids(spec);
+  const contact::PairRows pair = pair_of(model);
+  std::set<base::NodeId> corners;
+  for (const contact::SolidFace& face : pair.contact.space.faces) {
+    corners.insert(face.nodes.begin(), face.nodes.begin() + 3);
+  }
+  double far = 0.0; // of the foot along x
+  for (const contact::SpaceFunction& function : pair.functions) {
+    far = std::max(far, model.mesh.x[function.node.index()].x());
+  }
+  const auto unrest_of = [&](const std::function<double(double, bool)>& p) {
+    const auto rows = static_cast<Eigen::Index>(pair.normal.size());
+    base::Vector lambda = base::Vector::Ones(rows);
+    for (const contact::SpaceFunction& function : pair.functions) {
+      const auto row = static_cast<std::size_t>(function.row);
+      const double x = model.mesh.x[function.node.index()].x();
+      lambda[static_cast<Eigen::Index>(row)] = p(x / far, corners.contains(function.node));
+    }
+    return contact::recover_pressure(pair, lambda, base::Vector::Zero(rows),
+                                     std::vector<bool>(pair.normal.size(), true), false)
+        .unrest;
+  };
+  EXPECT_LT(unrest_of([](double x, bool) { return 1.0 + x * x * x * x; }), 0.01);
+  EXPECT_GT(unrest_of([](double, bool corner) { return corner ? 1.2 : 0.8; }), 0.05);
 }
 
 class NodePairs : public testing::TestWithParam<ElementType> {};
