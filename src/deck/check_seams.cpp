@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/disjoint_sets.hpp"
 #include "deck/context.hpp"
 #include "deck/element_place.hpp"
 #include "mesh/boundary.hpp"
@@ -6,6 +7,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -71,6 +73,31 @@ std::vector<bool> looked_after(const Context& c) {
   return found;
 }
 
+// The faces of a crack of the user's own mesh are meant to touch: they hang together with the front
+// that its card names.
+void take_out_cracks(const model::Model& model, std::vector<mesh::Seam>& seams) {
+  const model::Mesh& mesh = model.mesh;
+  base::DisjointSets joined(mesh.node_count());
+  for (const mesh::Seam& seam : seams) {
+    const std::vector<NodeId> nodes = mesh::nodes_of_faces(mesh, {seam.first, seam.second});
+    for (const NodeId node : nodes) {
+      joined.join(nodes.front().index(), node.index());
+    }
+  }
+  std::set<std::size_t> cracks;
+  for (const model::Crack& crack : model.cracks) {
+    if (crack.kind == model::CrackKind::front && crack.path.valid()) {
+      for (const NodeId node : mesh.set(crack.path).nodes) {
+        cracks.insert(joined.root(node.index()));
+      }
+    }
+  }
+  std::erase_if(seams, [&](const mesh::Seam& seam) {
+    const NodeId node = mesh::nodes_of_faces(mesh, {seam.first}).front();
+    return cracks.contains(joined.root(node.index()));
+  });
+}
+
 // A slit that is meant is told like one that is not: only its maker knows.
 void open_seams(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
@@ -88,6 +115,7 @@ void open_seams(Context& c) {
            mesh::lies_within(mesh, seam.first, known) ||
            mesh::lies_within(mesh, seam.second, known);
   });
+  take_out_cracks(c.model, seams);
   if (seams.empty()) {
     return;
   }

@@ -2,6 +2,7 @@
 // Cracks in space that the deck's own mesh has already: faces with nodes of their own at the same
 // places, the front by its nodes.
 #include "shape/solid.hpp"
+#include "tests/unit/support/check_text.hpp"
 #include "tests/unit/support/run_text.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
@@ -117,6 +118,13 @@ TEST(FoundCrack, ClosesUnderPressure) {
   const results::ContactResult* faces = results::find_contact(solved->step(), "C.FACES");
   ASSERT_NE(faces, nullptr);
   EXPECT_NEAR(faces->mean_pressure, 1.0, 0.01);
+}
+
+// Its faces touch on purpose: that nothing joins them is no news.
+TEST(FoundCrack, IsNoSeamToBeWarnedOf) {
+  const test::Folder folder;
+  const std::string messages = test::check_text(folder, strip(true, "")).outcome.messages;
+  EXPECT_EQ(messages.find("W341"), std::string::npos) << messages;
 }
 
 // Nodes that are there once make no crack: told, not solved without one.
