@@ -250,7 +250,8 @@ void warn_of_straddling(const model::Mesh& mesh, const model::Transition& transi
   if (count > 0) {
     troubles.push_back({mpc,
                         fmt::format("{} slave side(s) span several master faces (element {}): "
-                                    "stresses near the tie are some per cent off",
+                                    "stresses near the tie are some per cent off; $CONTACT "
+                                    "TYPE=BONDED joins such meshes exactly",
                                     count, mesh.element_label[first.index()]),
                         TieSeverity::warning});
   }

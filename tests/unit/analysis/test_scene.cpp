@@ -138,6 +138,7 @@ TEST(Scene, TransitionsBetweenMeshesThatDoNotNestAreTold) {
     EXPECT_TRUE(
         has(straddling, "W503: $MPC: 2 slave side(s) span several master faces (element 2)"))
         << straddling.messages;
+    EXPECT_TRUE(has(straddling, "$CONTACT TYPE=BONDED")) << straddling.messages;
   }
 }
 
