@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/messages.hpp"
 
+#include "base/doubt.hpp"
 #include "base/printable.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -147,8 +149,9 @@ std::vector<const Diagnostic*> in_order(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics.all()) {
     order.push_back(&d);
   }
-  std::stable_sort(order.begin(), order.end(), [](const Diagnostic* a, const Diagnostic* b) {
-    return std::pair(a->span.file, a->span.begin) < std::pair(b->span.file, b->span.begin);
+  std::ranges::stable_sort(order, {}, [](const Diagnostic* d) {
+    return std::tuple(-static_cast<int>(d->severity), doubt_of(d->code), d->span.file,
+                      d->span.begin);
   });
   return order;
 }

@@ -12,13 +12,14 @@ namespace spricka::base {
 /// "error", "warning" or "note".
 std::string_view word_of(Severity severity);
 
-/// In order of file and place; those without a place first.
+/// The worst first: errors, warnings by their doubt, notes; of alike those without a place, then by
+/// file and place.
 std::vector<const Diagnostic*> in_order(const Diagnostics& diagnostics);
 
 enum class Colour { none, terminal };
 
 /// The messages as text: `file:line:col: error E108: text`, source line, carets under the whole
-/// token, hint. In order of file and place; at most `limit` errors, then a count of the rest.
+/// token, hint. In that order; at most `limit` errors and warnings, then a count of the rest.
 std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit = 20);
 
 /// The same; on a terminal with the severity and the carets in colour.

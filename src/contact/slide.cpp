@@ -56,6 +56,7 @@ public:
         add(s, 0.5 * ((s.to + s.from) + (s.to - s.from) * r));
       }
     }
+    found_.thrust = thrust_;
     found_.lost = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
     return found_;
   }
@@ -131,6 +132,9 @@ private:
       relative += shift_at(target, *eta, u_);
       // Along the normal as it is now: bodies that have turned face one another otherwise.
       now = gap_from(at, outer_normal(here, xi), std::abs(drawn) + relative.norm());
+      const Vec2 there = point_on(moved_[s.target_edge], *eta);
+      found_.places.push_back(
+          {.x = {there.x(), there.y(), 0.0}, .thrust = thrust, .gap = drawn + n.dot(relative)});
     }
     thrust_ += thrust;
     found_.pressed += length;

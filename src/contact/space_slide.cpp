@@ -89,6 +89,7 @@ public:
         add(triangle, point, p.dot(point.hat));
       }
     }
+    found_.thrust = thrust_;
     found_.lost = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
     found_.pressed = std::sqrt(found_.pressed);
     return found_;
@@ -157,6 +158,9 @@ private:
       if (const auto met = sighting_.look(here.x, here.area_vector().normalized())) {
         now = met->gap;
       }
+      found_.places.push_back({.x = point_on(moved_other_.faces[at.target], at.s).x,
+                               .thrust = p * at.weight,
+                               .gap = at.gap + at.normal.dot(relative)});
     }
     thrust_ += p * at.weight;
     found_.pressed += at.weight;

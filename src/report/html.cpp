@@ -59,7 +59,13 @@ std::string beginning(const std::string& text, std::size_t longest) {
   return text.substr(0, end == std::string::npos ? text.find(' ') : end) + " ..";
 }
 
-/// What puts the numbers below in doubt is said above them.
+/// "W508, no answer: text".
+std::string warning_item(const std::string& code, const std::string& text) {
+  return fmt::format("<li><b>{}, {}:</b> {}</li>\n", code, base::word_of(base::doubt_of(code)),
+                     escape(text));
+}
+
+/// What puts the numbers below in doubt is said above them, the worst first.
 void add_warnings(Page& page, const results::Run& run) {
   const std::size_t count = run.warnings.size();
   if (count == 0) {
@@ -67,7 +73,7 @@ void add_warnings(Page& page, const results::Run& run) {
   }
   std::string items;
   for (std::size_t i = 0; i < std::min(count, most_at_head); ++i) {
-    items += fmt::format("<li>{}</li>\n", escape(beginning(run.warnings[i], longest_at_head)));
+    items += warning_item(run.warnings[i].code, beginning(run.warnings[i].text, longest_at_head));
   }
   const std::string more =
       count > most_at_head ? fmt::format("; the first {}:", most_at_head) : std::string(":");
@@ -200,11 +206,11 @@ void add_contacts(Page& page, const model::Model& model, const results::Run& run
 
 void add_notes(Page& page, const results::Run& run) {
   std::string items;
-  for (const std::string& warning : run.warnings) {
-    items += fmt::format("<li><b>Warning:</b> {}</li>\n", escape(warning));
+  for (const results::Warning& warning : run.warnings) {
+    items += warning_item(warning.code, warning.text);
   }
   for (const PlacedNote& note : collect_notes(run)) {
-    if (note.first.severity != base::Severity::warning) {
+    if (!results::warns(note.first)) {
       items += fmt::format("<li>{}</li>\n", escape(words_of(note)));
     }
   }

@@ -185,8 +185,8 @@ std::string listing(const base::Sources& sources, const model::Model& model,
   out += check_text(run);
   if (!run.warnings.empty()) {
     out += heading("Warnings");
-    for (const std::string& warning : run.warnings) {
-      out += "  " + warning + "\n";
+    for (const results::Warning& warning : run.warnings) {
+      out += "  " + results::marked(warning) + "\n";
     }
   }
   return out;

@@ -2,16 +2,41 @@
 #include "results/note.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
-#include <string_view>
+
+#include <fmt/format.h>
 
 namespace spricka::results {
 
 namespace {
 
-constexpr std::string_view warning_mark = "warning: ";
+constexpr std::array doubts{base::Doubt::no_answer, base::Doubt::less_exact, base::Doubt::odd};
+
+std::string mark_of(base::Doubt doubt) {
+  return fmt::format("warning {}: ", code_of(doubt));
+}
+
+template <class Marked> std::vector<std::string> all_marked(const std::vector<Marked>& list) {
+  std::vector<std::string> texts;
+  std::ranges::transform(list, std::back_inserter(texts),
+                         [](const Marked& one) { return marked(one); });
+  return texts;
+}
 
 } // namespace
+
+std::string_view code_of(base::Doubt doubt) {
+  switch (doubt) {
+  case base::Doubt::no_answer:
+    return "W508";
+  case base::Doubt::less_exact:
+    return "W507";
+  case base::Doubt::odd:
+    break;
+  }
+  return "W502";
+}
 
 std::vector<Note> notes_of(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
@@ -20,25 +45,46 @@ std::vector<Note> notes_of(const std::vector<std::string>& texts) {
 }
 
 std::string marked(const Note& note) {
-  return note.severity == base::Severity::warning ? std::string(warning_mark) + note.text
-                                                  : note.text;
+  return note.doubt ? mark_of(*note.doubt) + note.text : note.text;
 }
 
 std::vector<std::string> marked(const std::vector<Note>& notes) {
-  std::vector<std::string> texts;
-  std::ranges::transform(notes, std::back_inserter(texts),
-                         [](const Note& note) { return marked(note); });
-  return texts;
+  return all_marked(notes);
 }
 
 std::vector<Note> notes_from(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
   notes.reserve(texts.size());
   for (const std::string& text : texts) {
-    notes.push_back(text.starts_with(warning_mark) ? warning(text.substr(warning_mark.size()))
-                                                   : note(text));
+    Note found = note(text);
+    for (const base::Doubt doubt : doubts) {
+      if (const std::string mark = mark_of(doubt); text.starts_with(mark)) {
+        found = {doubt, text.substr(mark.size())};
+      }
+    }
+    notes.push_back(std::move(found));
   }
   return notes;
+}
+
+std::string marked(const Warning& warning) {
+  return fmt::format("{}: {}", warning.code, warning.text);
+}
+
+std::vector<std::string> marked(const std::vector<Warning>& warnings) {
+  return all_marked(warnings);
+}
+
+std::vector<Warning> warnings_from(const std::vector<std::string>& texts) {
+  std::vector<Warning> warnings;
+  warnings.reserve(texts.size());
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(": ");
+    warnings.push_back(colon == std::string::npos ? Warning{.code = {}, .text = text}
+                                                  : Warning{.code = text.substr(0, colon),
+                                                            .text = text.substr(colon + 2)});
+  }
+  return warnings;
 }
 
 } // namespace spricka::results

@@ -111,7 +111,7 @@ struct Run {
   std::vector<Increment> increments;
   std::vector<LogLine> log;
   std::vector<CheckResult> checks;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;      ///< when the run has ended, the worst first
   std::vector<ToleranceRound> rounds; ///< where $TIPNET has TOL; this run is the last
   std::optional<Growth> growth;       ///< where $GROW has a law
   std::vector<GrowthTest> tests;      ///< one for each $TEST, in deck order

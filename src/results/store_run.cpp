@@ -300,7 +300,7 @@ void write_run(const StoreGroup& given, const Run& run, Times times,
     }
   }
   write_list(group, "checks", run.checks);
-  put(group, "warnings", run.warnings);
+  put(group, "warnings", marked(run.warnings));
   std::vector<ToleranceRound> rounds = run.rounds;
   if (times == Times::left_out) {
     std::ranges::for_each(rounds, [](ToleranceRound& round) { round.cpu = 0.0; });
@@ -330,7 +330,7 @@ Run read_run(const StoreGroup& group) {
     run.increments.push_back(read_increment(all.group(fmt::format("{:04}", i + 1))));
   }
   run.checks = read_checks(group);
-  run.warnings = texts(group, "warnings");
+  run.warnings = warnings_from(texts(group, "warnings"));
   run.rounds = read_list<ToleranceRound>(group, "rounds");
   const std::vector<Growth> growth = read_list<Growth>(group, "growth");
   if (!growth.empty()) {

@@ -343,13 +343,15 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       }
       clear_exact(scene_.cracked.mesh.element_count(), tip);
       tip.no_bar = why_no_limit(scene_, giving, t, tip);
+      const bool has_limit = tip.no_bar.empty();
       if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
         add_partners(
             coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.fronts[t]),
             tip);
       }
       if (!tip.no_bar.empty()) {
-        tell_once(results::warning(fmt::format("K of {}: {}", tip.name, tip.no_bar)), step);
+        const std::string text = fmt::format("K of {}: {}", tip.name, tip.no_bar);
+        tell_once(has_limit ? results::less_exact(text) : results::no_answer(text), step);
       }
     }
     tell(tip, step);

@@ -19,6 +19,7 @@
 #include "results/growth_end.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -255,14 +256,12 @@ private:
                             fmt::format("{}: {}; {} stations, {} solutions did not count",
                                         run_.growth->ended, run_.growth->reason,
                                         march.state().stations.size(), march.state().rejected));
-    for (const std::string& text : measure_.warnings()) {
-      run_.warnings.push_back(text);
-    }
+    std::ranges::copy(measure_.warnings(), std::back_inserter(run_.warnings));
     for (std::string& text : doubts_of_life(*run_.growth)) {
-      run_.warnings.push_back(std::move(text));
+      run_.warnings.push_back({"W456", std::move(text)});
     }
     if (results::ended_early(*run_.growth)) {
-      run_.warnings.push_back("the growth ended early: " + run_.growth->reason);
+      run_.warnings.push_back({"W456", "the growth ended early: " + run_.growth->reason});
     }
   }
 

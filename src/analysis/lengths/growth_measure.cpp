@@ -102,12 +102,10 @@ GrowthMeasure::GrowthMeasure(const model::Model& model)
 
 void GrowthMeasure::warn_of_mesh(const std::string& code, const std::string& text,
                                  std::size_t station) {
-  const std::string mark = fmt::format(" ({}, station ", code);
-  const bool known = std::ranges::any_of(warnings_, [&](const std::string& warning) {
-    return warning.find(mark) != std::string::npos;
-  });
+  const bool known = std::ranges::any_of(
+      warnings_, [&](const results::Warning& warning) { return warning.code == code; });
   if (!known) {
-    warnings_.insert(fmt::format("{}{}{})", text, mark, station));
+    warnings_.insert({code, fmt::format("{} (station {})", text, station)});
   }
 }
 
@@ -143,9 +141,10 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
   upside_down_ = true;
   const bool history = at.followed && at.followed->none.empty();
   if (at.followed && !history) {
-    warnings_.insert(fmt::format("with friction K depends on the load history, but the loads were "
-                                 "not repeated: {}; K is that of the steps as they were run once",
-                                 at.followed->none));
+    warnings_.insert(
+        {"W456", fmt::format("with friction K depends on the load history, but the loads were "
+                             "not repeated: {}; K is that of the steps as they were run once",
+                             at.followed->none)});
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
     if (!at.cracks.solids.empty()) {
@@ -179,9 +178,10 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
 
 void GrowthMeasure::warn_of_no_bar(const std::string& name, const std::string& why) {
   if (!why.empty()) {
-    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
-                                 "as computed",
-                                 name, why));
+    warnings_.insert(
+        {"W456", fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
+                             "as computed",
+                             name, why)});
   }
 }
 
@@ -219,7 +219,7 @@ base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
 void GrowthMeasure::note_order(const std::string& name, bool upside_down) {
   upside_down_ = upside_down_ && upside_down;
   if (upside_down) {
-    warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", name));
+    warnings_.insert({"W456", fmt::format("{}: K at KMIN is larger than at KMAX", name)});
   }
 }
 
@@ -227,17 +227,19 @@ void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool u
   note_order(name, upside_down);
   if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
       std::abs(K[1]) > much_K2 * K[0]) {
-    warnings_.insert(fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
-                                 "given K1 alone",
-                                 name, K[1] / K[0]));
+    warnings_.insert(
+        {"W456", fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
+                             "given K1 alone",
+                             name, K[1] / K[0])});
   }
 }
 
 void GrowthMeasure::warn_of_closing(const std::string& name, double a) {
-  warnings_.insert(fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
-                               "faces that overlap: K_min is 0 there, though the law knows R < 0; "
-                               "the life may come out too long",
-                               name, a));
+  warnings_.insert(
+      {"W456", fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
+                           "faces that overlap: K_min is 0 there, though the law knows R < 0; "
+                           "the life may come out too long",
+                           name, a)});
 }
 
 double GrowthMeasure::at_smallest(const SolvedLength& at, const results::TipResult& tip,
@@ -270,7 +272,7 @@ bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bo
         fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
   }
   if (!high->doubt.empty() && high->K1 > 0.0) {
-    warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", name, high->doubt));
+    warnings_.insert({"W508", fmt::format("{}: K at KMAX is in doubt: {}", name, high->doubt)});
   }
   const base::Vec2 K = intensity(*high);
   const base::Vec2 part = turn(K, straight, found);
@@ -327,8 +329,8 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
     }
   }
   if (!tip->doubt.empty()) {
-    warnings_.insert(
-        fmt::format("{}: K on load path {} is in doubt: {}", name, path.name, tip->doubt));
+    warnings_.insert({"W508", fmt::format("{}: K on load path {} is in doubt: {}", name, path.name,
+                                          tip->doubt)});
   }
   // The way on is that at the largest load; K of the whole path is then taken at the tip of that
   // kink (growth.8).

@@ -63,7 +63,7 @@ public:
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
   [[nodiscard]] bool upside_down() const { return upside_down_; }
   /// What a reader must not miss, each once.
-  [[nodiscard]] std::set<std::string> warnings() const;
+  [[nodiscard]] std::set<results::Warning> warnings() const;
   /// Keeps what was said of the mesh of a station, the first time of each code.
   void warn_of_mesh(const std::string& code, const std::string& text, std::size_t station);
   [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
@@ -72,7 +72,8 @@ public:
 
   /// What it remembers of earlier states, as arrays for a restart file, and back from there.
   void save(results::NamedArrays& arrays) const {
-    arrays.texts["growth.warnings"] = {warnings_.begin(), warnings_.end()};
+    arrays.texts["growth.warnings"] =
+        results::marked(std::vector<results::Warning>(warnings_.begin(), warnings_.end()));
     arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
     for (const auto& [crack, shear] : shear_) {
       arrays.texts["growth.shear"].insert(arrays.texts["growth.shear"].end(), {crack, shear.what});
@@ -81,7 +82,9 @@ public:
   }
   void load(const results::NamedArrays& arrays) {
     const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
-    warnings_ = {texts.begin(), texts.end()};
+    for (results::Warning& warning : results::warnings_from(texts)) {
+      warnings_.insert(std::move(warning));
+    }
     counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
     if (const auto names = arrays.texts.find("growth.shear"); names != arrays.texts.end()) {
       const std::vector<double>& parts = arrays.reals.at("growth.shear");
@@ -149,7 +152,7 @@ private:
   growth::Surroundings around_;
   base::Trouble trouble_;
   bool upside_down_ = false;
-  std::set<std::string> warnings_;
+  std::set<results::Warning> warnings_;
   bool counted_on_K_ = false;
   /// The largest K2 or K3 that the growth of a crack does not follow, as a part of K1.
   struct Shear {

@@ -89,17 +89,20 @@ void GrowthMeasure::of_loads(const FollowedLoads& loads, const KOfLaw& K,
 void GrowthMeasure::look_at(const FollowedLoads& loads, double a) {
   if (!(loads.change <= repeats_to)) {
     warnings_.insert(
-        fmt::format("K did not repeat itself within {} passes of the loads: at a = {:.6g} it still "
-                    "changes by {:.1e} of the largest K from one to the next",
-                    loads.passes, a, loads.change));
+        {"W507",
+         fmt::format(
+             "K did not repeat itself within {} passes of the loads: at a = {:.6g} it still "
+             "changes by {:.1e} of the largest K from one to the next",
+             loads.passes, a, loads.change)});
   }
   if (!(loads.mismatch <= worst_mismatch)) {
-    warnings_.insert(fmt::format("K of the loads that were followed differs from K of the "
-                                 "displacements by {:.1e} of the largest",
-                                 loads.mismatch));
+    warnings_.insert({"W507", fmt::format("K of the loads that were followed differs from K of the "
+                                          "displacements by {:.1e} of the largest",
+                                          loads.mismatch)});
   }
   if (model_.growth->corrected) {
-    warnings_.insert("CORRECT=YES, but with friction K has no error bar: K is as computed");
+    warnings_.insert(
+        {"W456", "CORRECT=YES, but with friction K has no error bar: K is as computed"});
   }
 }
 

@@ -222,7 +222,8 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
     warn_of_no_bar(front.name, front.no_bar);
   }
   if (!front.doubt.empty() && K[0] > 0.0) {
-    warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt));
+    warnings_.insert(
+        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt)});
   }
   look_at_shear(crack, K);
   const base::Vec2 part = turn(K.head<2>(), false, found);
@@ -266,15 +267,16 @@ void GrowthMeasure::look_at_shear(const std::string& crack, const base::Vec3& K)
   }
 }
 
-std::set<std::string> GrowthMeasure::warnings() const {
-  std::set<std::string> all = warnings_;
+std::set<results::Warning> GrowthMeasure::warnings() const {
+  std::set<results::Warning> all = warnings_;
   const bool stays = model_.growth->direction == model::GrowthDirection::path;
   for (const auto& [crack, shear] : shear_) {
     if (shear.part > 0.0) {
-      all.insert(fmt::format("{} grows {} although {} is up to {:.2f} of K1; the law is given K1 "
-                             "{}",
-                             crack, stays ? "in its plane" : "as K1 and K2 turn it", shear.what,
-                             shear.part, stays ? "alone" : "of the turned crack alone"));
+      all.insert(
+          {"W456", fmt::format("{} grows {} although {} is up to {:.2f} of K1; the law is given K1 "
+                               "{}",
+                               crack, stays ? "in its plane" : "as K1 and K2 turn it", shear.what,
+                               shear.part, stays ? "alone" : "of the turned crack alone")});
     }
   }
   return all;

@@ -41,7 +41,7 @@ void compare_extremes(const model::Model& model, results::Run& run) {
              most->K1 < least->K1 - clearly * std::abs(least->K1);
     };
     if (std::ranges::all_of(run.increments, upside_down)) {
-      last.steps[high].notes.push_back(results::warning(
+      last.steps[high].notes.push_back(results::odd(
           fmt::format("K1 of {} is larger at KMIN, step {}, than at KMAX, step {}: are "
                       "the two steps exchanged?",
                       tip.name, model.steps[low].name, model.steps[high].name)));

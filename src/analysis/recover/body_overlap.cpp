@@ -184,9 +184,12 @@ private:
       return;
     }
     const std::optional<std::string> contact = between(a, b);
-    out.notes.push_back(results::warning(fmt::format(
-        "bodies {} and {} run into each other by {:.3g} at {}: {}", bodies_[a].name,
-        bodies_[b].name, worst.depth, base::place_text(place(worst.node), mesh_.dim),
+    out.notes.push_back(results::no_answer(fmt::format(
+        "bodies {} and {} run into each other by {:.3g} at {}: {}; forces and K are those of "
+        "bodies "
+        "that pass through each other",
+        bodies_[a].name, bodies_[b].name, worst.depth,
+        base::place_text(place(worst.node), mesh_.dim),
         contact ? fmt::format("contact {} sees nothing there (surfaces farther apart than a fifth "
                               "of their extent, or not in its sets)",
                               *contact)

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/contact_limits.hpp"
 
+#include "contact/body_outline.hpp"
 #include "contact/slide.hpp"
+#include "mesh/boundary.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,10 +17,12 @@ namespace spricka::analysis {
 
 namespace {
 
-constexpr double most_lost = 0.01;   // of the force
-constexpr double most_slide = 0.01;  // of the pressed length
-constexpr double most_misfit = 0.25; // of what the pressure moves the surfaces by
-constexpr double no_strain = 1e-12;  // pressure over modulus: nothing but round-off
+constexpr double most_lost = 0.01;    // of the force
+constexpr double most_slide = 0.01;   // of the pressed length
+constexpr double most_misfit = 0.25;  // of what the pressure moves the surfaces by
+constexpr double no_strain = 1e-12;   // pressure over modulus: nothing but round-off
+constexpr double worth_a_word = 5e-3; // of the largest contact force: what meshes leave K off by
+constexpr double most_off = 0.1;      // of the same: more is no answer
 
 // How far pressure moves the surfaces: p L / E of both.
 double elastic_way(const contact::PairRows& pair, double pressure, double pressed) {
@@ -44,41 +52,135 @@ double facets(const contact::PairRows& pair, double facet) {
   return straight ? facet * facet / (4.0 * pair.contact.circle->radius) : 0.0;
 }
 
+/// What contact of the bodies as drawn leaves out of one pair, as it has moved.
+struct Moved {
+  std::string contact;
+  contact::Slide slide;
+  bool far = false;    ///< by more than an element
+  double turned = 0.0; ///< gap that no row counts, in elastic ways of its pressure; 0: little
+
+  [[nodiscard]] bool matters() const { return slide.lost > most_lost || far || turned > 0.0; }
+
+  // As a part of its force: what slides off an edge has nothing to act on, what slides far acts
+  // that far off, and a gap that no row counts is pressed shut, or opens, by its share of the
+  // pressure.
+  [[nodiscard]] double off() const {
+    const double way = slide.pressed > 0.0 ? std::min(1.0, slide.way / slide.pressed) : 1.0;
+    return std::max({slide.lost > most_lost ? slide.lost : 0.0, far ? way : 0.0, turned});
+  }
+};
+
+// The body of a pair's contact side where displacements have taken it.
+std::optional<contact::BodyOutline> moved_body(const model::Model& model, const Scene& scene,
+                                               const std::vector<BodyNet>& bodies,
+                                               const StepState& state,
+                                               const contact::PairRows& pair) {
+  const base::NodeId node = pair.contact.facets.front().nodes.front();
+  const auto body = std::ranges::find_if(
+      bodies, [&](const BodyNet& one) { return std::ranges::binary_search(one.body.nodes, node); });
+  if (body == bodies.end()) {
+    return std::nullopt;
+  }
+  const std::set<base::ElementId> own(body->body.elements.begin(), body->body.elements.end());
+  std::vector<model::Face> faces = mesh::boundary_faces(scene.cracked.mesh);
+  std::erase_if(faces, [&](const model::Face& face) { return !own.contains(face.element); });
+  return contact::BodyOutline(model, scene.cracked.mesh, faces, state.u);
+}
+
+// The part of the thrust that acts on places of the target which the contact side's body has left.
+// Where a body slides along one that goes on beyond the sets, or out of one end and into the other,
+// the surfaces that press are the same as before: nothing is lost from the other side.
+double left_alone(const contact::BodyOutline& body, const contact::Slide& slide) {
+  constexpr double beside = 0.02; // of the slide: how near a body is opposite
+  double left = 0.0;
+  double all = 0.0;
+  for (const contact::PressedPlace& place : slide.places) {
+    const double near = std::abs(place.gap) + slide.misfit + beside * slide.way;
+    const std::optional<contact::OutlinePlace> at = body.nearest(place.x, 2.0 * near);
+    all += place.thrust;
+    left += at && std::abs(at->distance) <= near + at->facet ? 0.0 : place.thrust;
+  }
+  return all > 0.0 ? left / all : slide.lost;
+}
+
+std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
+                             const std::vector<BodyNet>& bodies, const StepState& state,
+                             std::size_t c) {
+  const contact::PairRows& pair = scene.pairs[c];
+  const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
+  if (!state.mounted[c] || bonded || pair.faces || !pair.found || pair.contact.facets.empty()) {
+    return std::nullopt;
+  }
+  const double pressure = largest_pressure(pair, state.pair_lambda[c]);
+  if (!(pressure > no_strain * pair.contact.stiffness)) {
+    return std::nullopt;
+  }
+  Moved found{.contact = scene.contacts[c].name,
+              .slide = contact::slide_of(pair, state.pair_lambda[c], state.u)};
+  contact::Slide& slide = found.slide;
+  if (slide.lost > most_lost && !pair.rigid && !pair.rigid_shape) {
+    if (const auto body = moved_body(model, scene, bodies, state, pair)) {
+      slide.lost = std::min(slide.lost, left_alone(*body, slide));
+    }
+  }
+  found.far = slide.way > slide.facet && slide.way > most_slide * slide.pressed;
+  const double turned =
+      (slide.misfit - facets(pair, slide.facet)) / elastic_way(pair, pressure, slide.pressed);
+  found.turned = turned > most_misfit ? turned : 0.0;
+  return found;
+}
+
+std::string what_moves(const Moved& one) {
+  const contact::Slide& slide = one.slide;
+  std::string text = fmt::format(
+      "contact {}: the bodies slide by {:.3g} ({:.2g} element lengths) along {:.3g} "
+      "that is pressed",
+      one.contact, slide.way, slide.facet > 0.0 ? slide.way / slide.facet : 0.0, slide.pressed);
+  if (slide.lost > most_lost) {
+    text += fmt::format(", and {:.0f} % of the force acts where nothing stands opposite any more",
+                        100.0 * slide.lost);
+  }
+  if (one.turned > 0.0) {
+    text += fmt::format(", and their gap changes by {:.2g} that small displacements do not see",
+                        slide.misfit);
+  }
+  return text + "; contact pairs bodies as drawn";
+}
+
+// `part` is that of the step's largest contact force which is out of place.
+results::Note judged(const Moved& one, double part) {
+  const std::string text = what_moves(one);
+  if (part > most_off) {
+    return results::no_answer(text + ": forces, pressures and K of this state answer nothing; draw "
+                                     "the bodies where they end up");
+  }
+  if (part > worth_a_word) {
+    return results::less_exact(
+        fmt::format("{}: forces and K are off by about {:.1g} %, its pressures by more; draw the "
+                    "bodies where they end up to be rid of it",
+                    text, 100.0 * part));
+  }
+  return results::note(fmt::format("{}: that is less than {:.1g} % of the contact forces of the "
+                                   "step; pressures at the edges of this contact are off by more",
+                                   text, 100.0 * worth_a_word));
+}
+
 } // namespace
 
-void tell_slides(const Scene& scene, const StepState& state, results::StepResult& out) {
+void tell_slides(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+                 const StepState& state, results::StepResult& out) {
+  std::vector<Moved> all;
+  double largest = 0.0;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = scene.pairs[c];
-    const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
-    if (!state.mounted[c] || bonded || pair.faces || !pair.found || pair.contact.facets.empty()) {
-      continue;
+    if (std::optional<Moved> one = look_at(model, scene, bodies, state, c)) {
+      largest = std::max(largest, one->slide.thrust);
+      all.push_back(*std::move(one));
     }
-    const double pressure = largest_pressure(pair, state.pair_lambda[c]);
-    if (!(pressure > no_strain * pair.contact.stiffness)) {
-      continue;
+  }
+  for (const Moved& one : all) {
+    if (one.matters()) {
+      out.notes.push_back(judged(one, one.off() * one.slide.thrust / largest));
     }
-    const contact::Slide slide = contact::slide_of(pair, state.pair_lambda[c], state.u);
-    const bool far = slide.way > slide.facet && slide.way > most_slide * slide.pressed;
-    const bool turned = slide.misfit - facets(pair, slide.facet) >
-                        most_misfit * elastic_way(pair, pressure, slide.pressed);
-    if (slide.lost <= most_lost && !far && !turned) {
-      continue;
-    }
-    std::string text =
-        fmt::format("contact {}: the bodies slide by {:.3g} ({:.2g} element "
-                    "lengths) along {:.3g} that is pressed",
-                    scene.contacts[c].name, slide.way,
-                    slide.facet > 0.0 ? slide.way / slide.facet : 0.0, slide.pressed);
-    if (slide.lost > most_lost) {
-      text += fmt::format(", and {:.0f} % of the force acts where nothing stands opposite any more",
-                          100.0 * slide.lost);
-    }
-    if (turned) {
-      text += fmt::format(", and their gap changes by {:.2g} that small displacements do not see",
-                          slide.misfit);
-    }
-    out.notes.push_back(results::warning(
-        text + ": contact pairs bodies as drawn, so this state is not to be trusted"));
   }
 }
 

@@ -61,9 +61,14 @@ void tell_front_overlap(const FrontState& at, results::FrontResult& result,
   if (negative) {
     result.doubt = overlap + ", which FACES=FREE lets them: K1 < 0 is not an answer";
   }
-  out.notes.push_back(results::warning(
-      negative ? fmt::format("{}: {}", result.name, result.doubt)
-               : fmt::format("{}: {}, which FACES=FREE lets them", result.name, overlap)));
+  out.notes.push_back(
+      negative
+          ? results::no_answer(
+                fmt::format("{}: {}; FACES=CONTACT holds them apart", result.name, result.doubt))
+          : results::less_exact(fmt::format("{}: {}, which FACES=FREE lets them: K is that of "
+                                            "faces that do not bear on each other; FACES=CONTACT "
+                                            "holds them apart",
+                                            result.name, overlap)));
 }
 
 // K1 is 0 where the faces touch, and all of K where they have not slipped either. G of such a point
@@ -110,7 +115,7 @@ void judge_front(const FrontState& at, results::FrontResult& result, results::St
   if (at.faces.empty()) { // no rows have been violated: nodes must say the same
     if (const std::string overlap = face_overlap(at.scene, at.front, at.state); !overlap.empty()) {
       result.doubt = overlap;
-      out.notes.push_back(results::warning(fmt::format("{}: {}", result.name, overlap)));
+      out.notes.push_back(results::no_answer(fmt::format("{}: {}", result.name, overlap)));
     }
   }
   const double scale = std::max({largest_of(at.K), pressed_scale(at), round_off_scale(at)});
@@ -132,9 +137,10 @@ void judge_front(const FrontState& at, results::FrontResult& result, results::St
     place.smooth[0] = std::max(0.0, place.smooth[0]);
   }
   if (worst > worst_closed_front * scale) {
-    out.notes.push_back(results::warning(fmt::format(
+    out.notes.push_back(results::less_exact(fmt::format(
         "{}: the crack faces touch at the front, but the domains find K1 = {:.3g} there: the mesh "
-        "is too coarse",
+        "is too coarse, and K elsewhere along the front off by as much; take a smaller SIZE on "
+        "$TIPNET",
         result.name, worst)));
   }
   if (lowest < -worst_open_front * scale) {
@@ -142,7 +148,8 @@ void judge_front(const FrontState& at, results::FrontResult& result, results::St
         fmt::format("K1 is {:.3g} though the crack faces do not overlap: the mesh at the "
                     "front is too coarse, so this K is not an answer",
                     lowest);
-    out.notes.push_back(results::warning(fmt::format("{}: {}", result.name, result.doubt)));
+    out.notes.push_back(results::no_answer(
+        fmt::format("{}: {}; take a smaller SIZE on $TIPNET", result.name, result.doubt)));
   }
   note_front(closed, held, result, out);
 }

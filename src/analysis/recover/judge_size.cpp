@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -119,11 +120,17 @@ double mean_strain(const model::Model& model, const model::Mesh& mesh, const Bod
 std::string_view body_judged(const results::Note& note) {
   for (const std::string_view words : beginnings_of_judgement) {
     const std::size_t at = note.text.find(words);
-    if (note.severity == base::Severity::warning && at != std::string::npos) {
+    if (results::warns(note) && at != std::string::npos) {
       return std::string_view(note.text).substr(0, at);
     }
   }
   return {};
+}
+
+/// What is off by so much, as a part of itself, is less exact or no answer.
+results::Note by_size(double off, std::string text) {
+  constexpr double most = 0.1;
+  return off > most ? results::no_answer(std::move(text)) : results::less_exact(std::move(text));
 }
 
 bool judges(const results::Increment& increment, std::string_view step, std::string_view body) {
@@ -164,16 +171,18 @@ void judge_size(const model::Model& model, const Scene& scene, const std::vector
   for (const BodyNet& body : bodies) {
     const double strain = mean_strain(model, mesh, body, state.energy);
     const Reach reach = reach_of(mesh, body, out.u);
+    const double turn = reach.size > 0.0 ? reach.motion / reach.size : 0.0;
     if (strain > small_strain) {
-      out.notes.push_back(results::warning(
-          fmt::format("{} is strained by {:.3g} % on the whole: linear theory holds for less than "
-                      "about 1 %{}",
-                      body.name, 100.0 * strain, units_of_all)));
-    } else if (reach.motion > small_turn * reach.size) {
-      out.notes.push_back(results::warning(fmt::format(
-          "{} is bent or turned by {:.3g} % of its size (largest displacement {:.3g}): "
-          "linear theory holds for less than about 10 %{}",
-          body.name, 100.0 * reach.motion / reach.size, reach.largest, units_of_loads)));
+      out.notes.push_back(
+          by_size(strain, fmt::format("{} is strained by {:.3g} % on the whole: linear theory is "
+                                      "off by about as much{}",
+                                      body.name, 100.0 * strain, units_of_all)));
+    } else if (turn > small_turn) {
+      out.notes.push_back(by_size(
+          turn * turn, fmt::format("{} is bent or turned by {:.3g} % of its size (largest "
+                                   "displacement {:.3g}): linear theory is off by about {:.2g} %{}",
+                                   body.name, 100.0 * turn, reach.largest, 100.0 * turn * turn,
+                                   units_of_loads)));
     }
   }
 }

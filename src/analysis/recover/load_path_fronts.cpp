@@ -154,13 +154,13 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
           !doubt.empty() && front.is.doubt.empty()) {
         front.is.doubt = doubt;
         path.notes.push_back(
-            results::warning(fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
+            results::no_answer(fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
       }
     }
     const bool bear = scene_.crack_face_pairs[scene_.fronts[f].front.crack.index()].has_value();
     const double allowed = bear ? worst_open_front : 1e-9;
     if (front.is.doubt.empty() && range.lowest < -allowed * range.largest) {
-      path.notes.push_back(results::warning(
+      path.notes.push_back(results::no_answer(
           fmt::format("{}: K1 is negative at some points on a part of the path: there this K is "
                       "not an answer ({})",
                       front.is.name,

@@ -231,7 +231,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
                                     "a K_min",
                                     tip.name)));
     } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
-      path.notes.push_back(results::warning(
+      path.notes.push_back(results::no_answer(
           fmt::format("{}: K1 is negative on a part of the path: there this K is not an "
                       "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
                       tip.name)));
@@ -241,7 +241,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
       if (own.K1 >= 0.0 && !own.doubt.empty() && tip.doubt.empty()) {
         tip.doubt = own.doubt;
         path.notes.push_back(
-            results::warning(fmt::format("{}: at an end of the path {}", tip.name, own.doubt)));
+            results::no_answer(fmt::format("{}: at an end of the path {}", tip.name, own.doubt)));
       }
     }
     if (shifted(model_, scene_.cracked.fronts[t].crack)) {
@@ -361,7 +361,7 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   out.residual = found.residual;
   out.stopped = why_stopped(found, solver);
   if (!out.stopped.empty()) {
-    out.notes.push_back(results::warning(
+    out.notes.push_back(results::no_answer(
         fmt::format("it ends at t = {:.6g} of {:.6g}: {}", found.end, card.beyond, out.stopped)));
   }
   if (found.segments.empty()) {

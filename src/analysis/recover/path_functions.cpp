@@ -56,9 +56,10 @@ bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
 void tell_mismatch(results::LoadPath& path) {
   if (!(path.mismatch <= worst_mismatch)) {
     path.notes.push_back(
-        results::warning(fmt::format("K on the path differs from K of the steps at its "
-                                     "ends by {:.1e} of the largest",
-                                     path.mismatch)));
+        results::less_exact(fmt::format("K on the path differs from K of the steps at its "
+                                        "ends by {:.1e} of the largest: between them it is off by "
+                                        "about as much",
+                                        path.mismatch)));
   }
 }
 

@@ -109,6 +109,18 @@ std::string unbounded_note(const results::ContactResult& contact) {
                      contact.name, fmt::join(places, ", "));
 }
 
+// What pressure that goes up and down does, and what to do about it.
+std::string unrest_note(const std::string& contact, double unrest, bool declared) {
+  return fmt::format("{}: the pressure goes up and down by {:.0f} % from node to node: its largest "
+                     "value and p_consistent are off by as much; p_lumped, forces and K, which "
+                     "take means, are not. {}",
+                     contact, 100.0 * unrest,
+                     declared ? "The side that has the pressure is too fine or too stiff beside "
+                                "the other: MULTIPLIER=CORNER is quieter"
+                              : "A measured gap holds the facets of curved faces: declare it, or "
+                                "use MULTIPLIER=CORNER");
+}
+
 // The only face of a half model runs with its body on the left, which may be from the tip on: its
 // places count from the mouth.
 void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
@@ -250,13 +262,8 @@ void recover_contacts(const Scene& scene, const StepState& state, results::StepR
     count_from_mouth(scene, c, result);
     note_parting(scene, c, result, out);
     if (p.unrest > most_unrest) {
-      out.notes.push_back(results::warning(
-          fmt::format("{}: the pressure goes up and down by {:.0f} % from node to node: a measured "
-                      "gap holds the "
-                      "facets of curved faces (declare it), or the side that has the pressure is "
-                      "too fine or too "
-                      "stiff beside the other; p_lumped is averaged, MULTIPLIER=CORNER is quieter",
-                      result.name, 100.0 * p.unrest)));
+      out.notes.push_back(results::less_exact(
+          unrest_note(result.name, p.unrest, scene.contacts[c].gap.has_value())));
     }
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {

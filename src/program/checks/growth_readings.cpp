@@ -243,16 +243,16 @@ void add_notes(results::GrowthTest& test) {
         outside, test.points.size())));
   }
   if (none > 0) {
-    test.notes.push_back(results::warning(
+    test.notes.push_back(results::odd(
         fmt::format("{} of {} points have a rate that no K of the reference gives (scatter made it "
                     "negative, or it is below the threshold); they are left out",
                     none, test.points.size())));
   }
   if (beyond > 0) {
     test.notes.push_back(
-        results::warning(fmt::format("{} of {} points have a rate beyond the rows of the "
-                                     "reference, which was drawn straight on",
-                                     beyond, test.points.size())));
+        results::odd(fmt::format("{} of {} points have a rate beyond the rows of the "
+                                 "reference, which was drawn straight on",
+                                 beyond, test.points.size())));
   }
 }
 
@@ -271,7 +271,7 @@ void compare_shapes(const ComputedK& computed, const model::GrowthTest& card,
     }
   }
   if (std::abs(most) > alike) {
-    test.notes.push_back(results::warning(fmt::format(
+    test.notes.push_back(results::odd(fmt::format(
         "the crack that was read has another shape than the one that was computed: at {} = {:.4g} "
         "its {} is {:+.0f} % off. K is of the computed shape",
         card.on_c ? "c" : "a", where, card.on_c ? "a" : "c", 100.0 * most)));

@@ -8,6 +8,7 @@
 #include "base/clock.hpp"
 #include "base/exit_codes.hpp"
 #include "base/memory.hpp"
+#include "base/messages.hpp"
 #include "base/printable.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/quality.hpp"
@@ -240,9 +241,9 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
     preview.steps.push_back(step.name);
   }
   add_late_contacts(model, preview);
-  for (const base::Diagnostic& d : deck.diagnostics.all()) {
-    if (d.severity == base::Severity::warning) {
-      preview.warnings.push_back(d.text);
+  for (const base::Diagnostic* d : base::in_order(deck.diagnostics)) {
+    if (d->severity == base::Severity::warning) {
+      preview.warnings.push_back(d->text);
     }
   }
   add_sums(read_cpu, look.stations, preview);

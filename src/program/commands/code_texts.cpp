@@ -285,9 +285,9 @@ constexpr std::array advice{
     ErrorCode{"E567", "Put $RESTART WRITE='file.rst' into the deck: exit code 2."},
     ErrorCode{"W560", "Nothing but the last increments is lost: they are solved again."},
     ErrorCode{"W561", "The message says which, and why."},
-    ErrorCode{"W503",
-              "Ties at points pass constant stress exactly only where every side of the fine "
-              "mesh lies on one face of the coarse one."},
+    ErrorCode{"W503", "Pair the sides by a $CONTACT TYPE=BONDED, which is exact. Ties at points "
+                      "pass constant stress exactly only where every side of the fine "
+                      "mesh lies on one face of the coarse one."},
     ErrorCode{"W506",
               "The table of rounds in the listing says what was tried and how far K came. A looser "
               "TOL, or a deck whose own mesh can be made finer where the errors are: exit code 5."},
@@ -333,18 +333,25 @@ constexpr std::array advice{
     ErrorCode{"W446",
               "Give them a $CONTACT, or draw them apart. Bodies that lie upon each other "
               "with more than a twentieth of their extent are meant to, and not warned of."},
-    ErrorCode{"W502",
-              "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
-              "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too "
-              "large; bodies slide or run into each other where contact does not see it; SUBSTEPS "
-              "leave the shear of friction off, or the solution with friction is one of several. "
-              "The listing says the same."},
     ErrorCode{
         "W502",
-        "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
-        "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too large, or K "
-        "hangs on a support of a single node, which gives way the more the finer the mesh is: "
-        "hold a side instead. The listing says the same."},
+        "The numbers are those of the deck as it stands. Are KMIN and KMAX exchanged, are the "
+        "readings of a test those of this crack, is there too much friction for one "
+        "solution? The message says which."},
+    ErrorCode{"W507",
+              "The message says what is off, and by how much where that is known. Crack faces that "
+              "touch or open over less than the mesh resolves want a smaller SIZE on $TIPNET; "
+              "faces that overlap FACES=CONTACT; a SHIFT of $VCE that is too large, none; friction "
+              "more SUBSTEPS, or none; a pressure that goes up and down a declared fit, other "
+              "meshes or MULTIPLIER=CORNER; bodies that slide off each other want to be drawn "
+              "where they end up."},
+    ErrorCode{"W508",
+              "Do not use the numbers that the message names. K1 is negative: FACES=CONTACT, or a "
+              "smaller SIZE where the faces bear on each other already. Bodies run into each "
+              "other: give them a $CONTACT, or hold them. K hangs on a support of a single node, "
+              "which gives way the more the finer the mesh is: hold a side. Bodies slide, turn or "
+              "are strained beyond small displacements: are loads, moduli and fits in the units "
+              "meant?"},
 };
 
 } // namespace

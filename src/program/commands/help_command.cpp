@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/diagnostics.hpp"
+#include "base/doubt.hpp"
 #include "grammar/field_words.hpp"
 #include "grammar/help.hpp"
 #include "grammar/lexeme.hpp"
@@ -28,9 +29,16 @@ std::string overview(std::size_t width) {
          "spricka COMMAND --help for the commands.\n";
 }
 
+// What a warning says of the results.
+std::string kind_of(const ErrorCode& code) {
+  return code.code.starts_with('W') ? std::string(base::word_of(base::doubt_of(code.code)))
+                                    : std::string();
+}
+
 std::string code_help(const ErrorCode& code, std::size_t width) {
   const std::string_view advice = advice_on(code.code);
-  return fmt::format("{}: {}\n", code.code, code.meaning) +
+  const std::string kind = kind_of(code);
+  return fmt::format("{}{}: {}\n", code.code, kind.empty() ? "" : ", " + kind, code.meaning) +
          (advice.empty() ? "" : grammar::paragraph(advice, 2, width));
 }
 
@@ -57,9 +65,14 @@ std::string codes_markdown() {
   std::string out =
       "# Error codes\n\nMade by `spricka help codes --markdown`; do not edit. Codes are "
       "stable. On the terminal:\n`spricka help E108`.\n\n"
-      "| code | meaning | what to do |\n|---|---|---|\n";
+      "Warnings (W) are of three kinds, and the worst come first, on the terminal, in the listing "
+      "and in the report:\n*no answer*, a number that answers nothing; *less exact*, a number "
+      "that is off by more than others of its kind;\n*odd*, the number that the deck asks for, "
+      "which may not be the one that is meant.\n\n"
+      "| code | kind | meaning | what to do |\n|---|---|---|---|\n";
   for (const ErrorCode& code : all_codes()) {
-    out += fmt::format("| {} | {} | {} |\n", code.code, code.meaning, advice_on(code.code));
+    out += fmt::format("| {} | {} | {} | {} |\n", code.code, kind_of(code), code.meaning,
+                       advice_on(code.code));
   }
   return out;
 }

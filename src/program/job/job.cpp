@@ -28,7 +28,6 @@
 #include "solve/one_thread.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -49,40 +48,51 @@ int report_checks(const results::Run& run, const Log& log) {
   return failed;
 }
 
-// What a reader of the results must not miss: said on stderr and kept for listing and report.
-void collect_warnings(const model::Model& model, const base::Diagnostics& reading,
-                      results::Run& run, const Log& log) {
-  for (const base::Diagnostic& d : reading.all()) {
-    if (d.severity == base::Severity::warning) {
-      run.warnings.push_back(d.text);
-    }
+// What a reader of the results must not miss, behind what meshes with cracks have been warned of.
+void add_warnings(const model::Model& model, const results::Run& run, base::Diagnostics& list) {
+  for (const results::Warning& of_growth : run.warnings) {
+    list.warning({}, of_growth.code, of_growth.text);
   }
-  const auto warn = [&](std::string_view code, std::string text) {
-    run.warnings.push_back(std::move(text));
-    log.message(base::Severity::warning, code, run.warnings.back());
-  };
   for (const report::PlacedNote& note : report::collect_notes(run)) {
-    if (note.first.severity == base::Severity::warning) {
-      warn("W502", report::words_of(note));
+    if (note.first.doubt) {
+      list.warning({}, std::string(results::code_of(*note.first.doubt)), report::words_of(note));
     }
   }
   for (std::string& coarse : analysis::coarse_nets(run)) {
-    warn("W504", std::move(coarse));
+    list.warning({}, "W504", std::move(coarse));
   }
   for (std::string& parted : sense::two_ways_warnings(run)) {
-    warn("W570", std::move(parted));
+    list.warning({}, "W570", std::move(parted));
   }
   for (std::string& parted : sense::front_ways_warnings(run)) {
-    warn("W570", std::move(parted));
+    list.warning({}, "W570", std::move(parted));
   }
   for (sense::EndWarning& warning : sense::end_warnings(model, run)) {
-    warn(warning.code, std::move(warning.text));
+    list.warning({}, std::string(warning.code), std::move(warning.text));
   }
   for (const model::Check& check : model.checks) {
     if (const auto far = far_from_front(check, model.units.length_name, run)) {
-      warn("W574", fmt::format("{}: {}", check_text(check), *far));
+      list.warning({}, "W574", fmt::format("{}: {}", check_text(check), *far));
     }
   }
+}
+
+// Of reading and of solving, the worst first: for listing and report.
+std::vector<results::Warning> all_warnings(const base::Diagnostics& reading,
+                                           const base::Diagnostics& solving) {
+  base::Diagnostics all;
+  for (const base::Diagnostics* list : {&reading, &solving}) {
+    for (const base::Diagnostic& d : list->all()) {
+      if (d.severity == base::Severity::warning) {
+        all.warning(d.span, d.code, d.text);
+      }
+    }
+  }
+  std::vector<results::Warning> warnings;
+  for (const base::Diagnostic* d : base::in_order(all)) {
+    warnings.push_back({d->code, d->text});
+  }
+  return warnings;
 }
 
 struct Solved {
@@ -151,12 +161,8 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
   return out;
 }
 
-void tell_rounds(const Solved& solved, results::Run& run, const Log& log) {
-  if (solved.why_not.empty()) {
-    return;
-  }
-  run.warnings.push_back(fmt::format("K is not within its tolerance: {}", solved.why_not));
-  log.message(base::Severity::warning, "W506", run.warnings.back());
+std::string missed_tolerance(const Solved& solved) {
+  return fmt::format("K is not within its tolerance: {}", solved.why_not);
 }
 
 // Mistakes of the deck are told already.
@@ -177,7 +183,7 @@ RunOutcome judged(const Solved& solved, const results::Run& run, const Log& log)
     outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
   } else if (!solved.why_not.empty()) {
     outcome.kind = base::Outcome::not_converged;
-    outcome.error = run.warnings.back();
+    outcome.error = missed_tolerance(solved);
   }
   if (outcome.kind == base::Outcome::done && run.growth && results::ended_early(*run.growth)) {
     outcome.kind = base::Outcome::not_solvable;
@@ -221,21 +227,15 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   results::Run& run = *solved.run;
   std::optional<analysis::Recorded> checking(std::in_place, options.recorder.get(), "CHECKS",
                                              "checks, warnings");
-  log.diagnostics(deck.sources, diagnostics);
   run.tests = invert_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
   analysis::explain_lost_ligaments(run);
-  for (const std::string& text : run.warnings) { // so far those of the growth
-    log.message(base::Severity::warning, "W456", text);
+  add_warnings(*used.model, run, diagnostics);
+  if (!solved.why_not.empty()) {
+    diagnostics.warning({}, "W506", missed_tolerance(solved));
   }
-  collect_warnings(*used.model, deck.diagnostics, run, log);
-  for (const base::Diagnostic& d : diagnostics.all()) { // of meshes with cracks
-    if (d.severity == base::Severity::warning) {
-      run.warnings.push_back(d.text);
-    }
-  }
-  // Last: why the tolerance is missed is the reason that the run ends with.
-  tell_rounds(solved, run, log);
+  log.diagnostics(deck.sources, diagnostics);
+  run.warnings = all_warnings(deck.diagnostics, diagnostics);
   finish_restart(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;

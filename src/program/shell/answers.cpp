@@ -119,11 +119,10 @@ std::vector<std::string> ShellSession::new_notes() {
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
   for (const results::Note& note : now().notes) {
-    const std::string line = fmt::format("{}: {}", base::word_of(note.severity), note.text);
-    if (note.severity == base::Severity::warning) {
-      warnings.push_back(line);
+    if (results::warns(note)) {
+      warnings.push_back(results::marked(note));
     } else if (told_.insert(note.text).second) {
-      notes.push_back(line);
+      notes.push_back("note: " + note.text);
     }
   }
   warnings.insert(warnings.end(), notes.begin(), notes.end());

@@ -199,7 +199,8 @@ base::Trouble do_map(const ShellCall& call) {
   const results::LoadPath& path = *call.session.mapped();
   call.reply.out = map_reply(call.session);
   for (const results::Note& note : path.notes) {
-    call.reply.messages += fmt::format("{}: {}\n", base::word_of(note.severity), note.text);
+    call.reply.messages +=
+        fmt::format("{}{}\n", results::warns(note) ? "" : "note: ", results::marked(note));
   }
   return {};
 }

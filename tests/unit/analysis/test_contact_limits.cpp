@@ -62,10 +62,59 @@ TEST(ContactLimits, SmallMotionsAreNotWarnedOf) {
 TEST(ContactLimits, WhatSlidesOffIsTold) {
   const auto s = test::solve_text(blocks(0.5, -0.01, pair));
   ASSERT_TRUE(s);
-  EXPECT_TRUE(has(notes_of(*s), "warning: contact C: the bodies slide by 0.5")) << notes_of(*s);
+  EXPECT_TRUE(has(notes_of(*s), "warning W508: contact C: the bodies slide by 0.5"))
+      << notes_of(*s);
   EXPECT_TRUE(has(notes_of(*s), "50 % of the force") || has(notes_of(*s), "49 %") ||
               has(notes_of(*s), "48 %"))
       << notes_of(*s);
+}
+
+TEST(ContactLimits, ALittleThatSlidesOffMakesForcesLessExact) {
+  const auto s = test::solve_text(blocks(0.05, -0.01, pair));
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(has(notes_of(*s), "warning W507: contact C")) << notes_of(*s);
+  EXPECT_TRUE(has(notes_of(*s), "forces and K are off by about 5 %")) << notes_of(*s);
+}
+
+// From the wide block's side a part of its pressed places is left, but others take their place:
+// the narrow block is pressed on all of its foot as before.
+TEST(ContactLimits, AShiftAlongAWideBlockLosesNothing) {
+  for (const char* either : {pair, "$CONTACT NAME=C SLAVE=A.YMAX MASTER=B.YMIN"}) {
+    const auto s = test::solve_text(blocks(0.05, -0.01, either, 4.0));
+    ASSERT_TRUE(s);
+    EXPECT_FALSE(has(notes_of(*s), "slide by")) << notes_of(*s);
+  }
+}
+
+// A second pair of blocks, pressed by `depth` where the first has 0.01; half of it slides off.
+TEST(ContactLimits, WhatSlidesOffCountsByItsPartOfTheForces) {
+  for (const auto& [depth, says] :
+       {std::pair(1e-5, "note: contact L"), std::pair(1e-3, "W507: "), std::pair(1e-2, "W508: ")}) {
+    const std::string light = fmt::format(R"($NET NAME=E
+$MESH SHAPE=BLOCK TYPE=QUAMC8 X0=10 LX=1 LY=1 NX=10 NY=3
+$ENDNET
+$NET NAME=D
+$MESH SHAPE=BLOCK TYPE=QUAMC8 X0=10 Y0=1 LX=1 LY=1 NX=10 NY=3
+$ENDNET
+$PROPERTY ESET=E.BODY MATERIAL=M STATE=STRESS THICK=1
+$PROPERTY ESET=D.BODY MATERIAL=M STATE=STRESS THICK=1
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  E.YMIN
+$FREEDOM CLASS=PRESCRIBED DOF=XY
+  D.YMAX
+$LOAD CASE=T TYPE=DISP
+  D.YMAX 0.5 {}
+$CONTACT NAME=L SLAVE=D.YMIN MASTER=E.YMAX)",
+                                          -depth);
+    const auto s = test::solve_text(blocks(0.0, -0.01, std::string(pair) + "\n" + light));
+    ASSERT_TRUE(s);
+    std::string notes;
+    for (const results::Note& note : s->step().notes) {
+      notes += (results::warns(note) ? "" : "note: ") + results::marked(note) + "\n";
+    }
+    EXPECT_TRUE(has(notes, says)) << depth << notes;
+    EXPECT_TRUE(has(notes, "contact L: the bodies slide by 0.5")) << depth << notes;
+  }
 }
 
 // On a wide block the pressure stays where the narrow one has been.

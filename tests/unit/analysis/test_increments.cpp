@@ -60,7 +60,8 @@ TEST(Increments, AStepIsCutUntilItsShearIsRight) {
       EXPECT_LT(apart(own->step().contacts[0], truth), 0.02);
       EXPECT_GT(own->step().increments, off > 0.02 ? 2 : 1);
       if (off > 0.08) { // told, and within a factor of two and a half
-        EXPECT_NE(notes_of(*one).find("warning: SUBSTEPS=1"), std::string::npos) << notes_of(*one);
+        EXPECT_NE(notes_of(*one).find("warning W507: SUBSTEPS=1"), std::string::npos)
+            << notes_of(*one);
         const std::string text = notes_of(*one);
         const std::size_t at = text.find("about ");
         ASSERT_NE(at, std::string::npos);

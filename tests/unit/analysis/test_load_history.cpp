@@ -51,7 +51,7 @@ double life(const std::string& deck) {
     return 0.0;
   }
   EXPECT_EQ(solved->run.growth->ended, "AMAX") << solved->run.growth->reason;
-  EXPECT_TRUE(solved->run.warnings.empty()) << solved->run.warnings.front();
+  EXPECT_TRUE(solved->run.warnings.empty()) << solved->run.warnings.front().text;
   return solved->run.growth->cycles();
 }
 

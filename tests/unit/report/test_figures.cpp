@@ -168,13 +168,13 @@ TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
     increment.number = i;
     increment.steps.emplace_back().step = "LOAD";
     increment.steps.back().notes = {
-        results::warning(fmt::format("K1 = {:.3e} is doubtful", 1e-3 * i)),
+        results::less_exact(fmt::format("K1 = {:.3e} is doubtful", 1e-3 * i)),
         results::note(i == 2 ? "PIN slides" : "BUSH slides")};
     run.increments.push_back(increment);
   }
   const std::vector<PlacedNote> notes = collect_notes(run);
   ASSERT_EQ(notes.size(), 3U);
-  EXPECT_EQ(notes[0].first.severity, base::Severity::warning);
+  EXPECT_EQ(notes[0].first.doubt, base::Doubt::less_exact);
   EXPECT_EQ(words_of(notes[0]), "increment 1, step LOAD: K1 = 1.000e-03 is doubtful (alike 2 more "
                                 "times, last in increment 3, step LOAD)");
   EXPECT_EQ(notes[1].times, 2);

@@ -41,12 +41,12 @@ TEST(Page, SaysAtItsHeadThatThereAreWarnings) {
   test::Sample sample = test::make_sample();
   EXPECT_FALSE(contains(page_of(sample), "class=\"warnings\""));
   for (const char* const name : {"first", "second", "third", "fourth"}) {
-    sample.run.warnings.push_back(fmt::format("the {} <thing>{:>300}", name, "end"));
+    sample.run.warnings.push_back({"W508", fmt::format("the {} <thing>{:>300}", name, "end")});
   }
   const std::string page = page_of(sample);
   const std::string head = page.substr(0, page.find("<h2"));
   EXPECT_TRUE(contains(head, "<a href=\"#notes\">4 warnings</a>; the first 3:"));
-  EXPECT_TRUE(contains(head, "the third &lt;thing&gt;"));
+  EXPECT_TRUE(contains(head, "<b>W508, no answer:</b> the third &lt;thing&gt;"));
   EXPECT_FALSE(contains(head, "fourth")) << "it stands under the notes";
   EXPECT_FALSE(contains(head, "end")) << "a long one is cut";
   const std::string notes = page.substr(page.find("<h2 id=\"notes\">"));

@@ -8,12 +8,27 @@ namespace {
 
 // Files of all versions keep the mark in the text.
 TEST(Note, IsMarkedInFilesOnly) {
-  const std::vector<Note> notes{note("PIN slides"), warning("K1 is in doubt"), warning(""),
-                                note("warnings")};
+  const std::vector<Note> notes{note("PIN slides"), no_answer("K1 is negative"), less_exact(""),
+                                odd("so many tests"), note("warnings")};
   const std::vector<std::string> kept = marked(notes);
-  EXPECT_EQ(kept, (std::vector<std::string>{"PIN slides", "warning: K1 is in doubt",
-                                            "warning: ", "warnings"}));
+  EXPECT_EQ(kept, (std::vector<std::string>{"PIN slides", "warning W508: K1 is negative",
+                                            "warning W507: ", "warning W502: so many tests",
+                                            "warnings"}));
   EXPECT_EQ(notes_from(kept), notes);
+}
+
+// A code of a note is one of the kind that the note has, or the order of warnings would tell lies.
+TEST(Note, HasACodeOfItsKind) {
+  for (const base::Doubt doubt :
+       {base::Doubt::no_answer, base::Doubt::less_exact, base::Doubt::odd}) {
+    EXPECT_EQ(base::doubt_of(code_of(doubt)), doubt);
+  }
+}
+
+TEST(Warning, IsKeptWithItsCode) {
+  const std::vector<Warning> warnings{{"W508", "K1: negative"}, {"W456", ""}};
+  EXPECT_EQ(marked(warnings), (std::vector<std::string>{"W508: K1: negative", "W456: "}));
+  EXPECT_EQ(warnings_from(marked(warnings)), warnings);
 }
 
 } // namespace

@@ -52,7 +52,9 @@ public:
   }
   void operator()(const char* n, Note& v) {
     (*this)(n, v.text);
-    v.severity = engine_() % 2 == 0 ? base::Severity::warning : base::Severity::note;
+    constexpr std::array<std::optional<base::Doubt>, 4> doubts{
+        std::nullopt, base::Doubt::odd, base::Doubt::less_exact, base::Doubt::no_answer};
+    v.doubt = doubts[engine_() % doubts.size()];
   }
   template <class Tag> void operator()(const char*, base::Id<Tag>& v) {
     v.value = static_cast<std::int32_t>(engine_() % 1000) - 1;
@@ -202,14 +204,14 @@ WholeRun random_run() {
       step.increments = 4;
       step.iterations = 5;
       step.pivots = 6;
-      step.notes = {warning("öäü"), note("")};
+      step.notes = {no_answer("öäü"), note("")};
       increment.steps.push_back(std::move(step));
     }
     run.increments.push_back(std::move(increment));
   }
   run.log = dice.list<LogLine>(5);
   run.checks = dice.list<CheckResult>(3);
-  run.warnings = {"one", "two"};
+  run.warnings = {{"W508", "one: so"}, {"W502", "two"}};
   run.rounds = dice.list<ToleranceRound>(2);
   run.growth = dice.record<Growth>();
   run.tests = dice.list<GrowthTest>(2);
