@@ -110,10 +110,20 @@ namespace {
 // A rate at which a single cycle is no small part of the crack any more.
 constexpr double much_of_length = 0.01;
 
+constexpr double same_load = 1e-9;
+
+bool has_a_range(const results::GrowingTip& tip) {
+  return tip.K_max > 0.0 && tip.K_max - tip.K_min > same_load * tip.K_max;
+}
+
+bool has_a_range(const results::Growth& growth) {
+  return std::ranges::any_of(growth.stations.front().tips,
+                             [](const results::GrowingTip& tip) { return has_a_range(tip); });
+}
+
 bool has_no_range(const results::Growth& growth) {
-  constexpr double same_load = 1e-9;
   return std::ranges::all_of(growth.stations.front().tips, [](const results::GrowingTip& tip) {
-    return tip.K_max > 0.0 && tip.K_max - tip.K_min <= same_load * tip.K_max;
+    return tip.K_max > 0.0 && !has_a_range(tip);
   });
 }
 
@@ -147,6 +157,9 @@ std::vector<std::string> doubts_of_life(const results::Growth& growth) {
     return warnings;
   }
   look_at_beginning(growth, warnings);
+  if (nothing && !grew && growth.ended == "THRESHOLD" && has_a_range(growth)) {
+    return warnings; // a crack below its threshold does not grow: that is the answer
+  }
   if (nothing && !grew && growth.ended == "THRESHOLD" && has_no_range(growth)) {
     warnings.push_back(fmt::format("N = 0 is no life: K does not change in a {}: {}", growth.unit,
                                    growth.unit == "pass"

@@ -334,8 +334,11 @@ void print_summary(const model::Model& model, const results::Run& run,
                    const std::filesystem::path& folder) {
   print_tips(model, run);
   if (run.growth) {
-    to_stdout(fmt::format("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
-                          run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended));
+    // That nothing grows is an answer, but N = 0 alone does not read like it.
+    const bool stands = run.growth->ended == "THRESHOLD";
+    to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n", run.growth->cycles(),
+                          run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended,
+                          stands ? ": " + run.growth->reason : ""));
   }
   if (!run.checks.empty()) {
     const auto passed = std::count_if(run.checks.begin(), run.checks.end(),

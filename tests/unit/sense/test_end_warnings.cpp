@@ -142,6 +142,14 @@ TEST(LostLigaments, OnlyWhatWasSmallAtFirst) {
   EXPECT_EQ(ever.increments[1].steps[0].notes[0], results::less_exact(bent));
 }
 
+// What stays below its threshold does not grow, which is an answer.
+TEST(Growth, BelowItsThresholdIsNotWarnedOf) {
+  std::string deck = strip("0.5");
+  deck.replace(deck.find("AMAX=5"), 6, "AMAX=5 DKTH=60");
+  EXPECT_FALSE(has(said(deck), "W456")) << said(deck);
+  EXPECT_FALSE(has(said(strip("50")), "W456"));
+}
+
 // A net that nothing strains has no error worth a word, whatever round-off looks like.
 TEST(CoarseNets, RoundOffIsNoMesh) {
   results::Run run;
