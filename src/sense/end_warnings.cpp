@@ -52,9 +52,18 @@ void add_idle_contacts(const model::Model& model, const results::Run& run,
   for (const model::Material& material : model.materials) {
     softest = softest > 0.0 ? std::min(softest, material.E) : material.E;
   }
+  std::vector<Doings> all;
   for (const model::Contact& contact : model.contacts) {
-    const Doings found = doings_of(run, contact.name, no_pressure * softest);
-    if (contact.type == model::ContactType::bonded || !found.mounted || found.pressed) {
+    all.push_back(doings_of(run, contact.name, no_pressure * softest));
+  }
+  const bool others = std::ranges::any_of(all, &Doings::pressed);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const Doings& found = all[c];
+    // A seat that is drawn touching and lifts off while the joint is pressed elsewhere does what it
+    // is meant to: no other sign of its fit presses it.
+    const bool seat = others && contact.gap && *contact.gap == 0.0;
+    if (contact.type == model::ContactType::bonded || !found.mounted || found.pressed || seat) {
       continue;
     }
     list.push_back(

@@ -178,6 +178,11 @@ results::NetError error_of(const std::string& name, std::vector<base::ElementId>
   return found;
 }
 
+bool has_bars(const results::StepResult& step) {
+  return std::ranges::any_of(step.tips, [](const auto& tip) { return tip.no_bar.empty(); }) ||
+         std::ranges::any_of(step.fronts, results::has_bar);
+}
+
 } // namespace
 
 void add_errors(const model::Model& model, const Scene& scene, const std::vector<double>& energy,
@@ -244,13 +249,12 @@ std::vector<std::string> coarse_nets(const results::Run& run) {
     }
     told.push_back(fmt::format(
         "net {}: the mesh is coarse for step {}{}: estimated energy error {:.1f} %, which is about "
-        "how far stresses are off on the whole; it is too stiff by {:.1f} %. {:.0f} % of that "
-        "stems "
-        "from the elements {}",
+        "how far stresses are off on the whole{}; it is too stiff by {:.1f} %. {:.0f} % of that "
+        "stems from the elements {}",
         net, worst.step->step,
         run.increments.size() > 1 ? fmt::format(", increment {}", worst.increment->number) : "",
-        100.0 * worst.error->part, 100.0 * worst.error->part * worst.error->part,
-        100.0 * worst.error->worst_share, labels));
+        100.0 * worst.error->part, has_bars(*worst.step) ? " (K has its own error bars)" : "",
+        100.0 * worst.error->part * worst.error->part, 100.0 * worst.error->worst_share, labels));
   }
   return told;
 }

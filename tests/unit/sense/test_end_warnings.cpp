@@ -57,6 +57,14 @@ TEST(Warnings, ComeTheWorstFirst) {
   EXPECT_TRUE(has(text, "W571")) << text;
 }
 
+// A seat drawn touching that lifts off while another contact presses is no mistake of a sign.
+TEST(IdleContacts, ASeatMayLiftOff) {
+  const std::string stop = "$RIGID NAME=SEAT SHAPE=LINE X0=15 Y0=10 X1=-5 Y1=10\n"
+                           "$CONTACT NAME=D SLAVE=YMAX MASTER=SEAT {}\n";
+  EXPECT_FALSE(has(said(block("GAP=0", fmt::format(fmt::runtime(stop), "GAP=0") + push)), "W571"));
+  EXPECT_TRUE(has(said(block("GAP=0", fmt::format(fmt::runtime(stop), "GAP=1") + push)), "W571"));
+}
+
 std::string strip(const std::string& stress, const std::string& more = "") {
   return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=8 NY=16
