@@ -38,7 +38,8 @@ std::string kind_of(const ErrorCode& code) {
 std::string code_help(const ErrorCode& code, std::size_t width) {
   const std::string_view advice = advice_on(code.code);
   const std::string kind = kind_of(code);
-  return fmt::format("{}{}: {}\n", code.code, kind.empty() ? "" : ", " + kind, code.meaning) +
+  return fmt::format("{}: {}{}\n", code.code, code.meaning,
+                     kind.empty() ? "" : fmt::format(" ({})", kind)) +
          (advice.empty() ? "" : grammar::paragraph(advice, 2, width));
 }
 
