@@ -213,7 +213,7 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
                      layout.first(first), coarse.part, front);
       if (!coarse.why_not.empty()) {
         result.notes.push_back(
-            results::warning(fmt::format("K of {}: {}", front.name, coarse.why_not)));
+            results::less_exact(fmt::format("K of {}: {}", front.name, coarse.why_not)));
       }
     }
     first += front.points.size();

@@ -60,7 +60,7 @@ void tell_resting(StepState& state) {
         "{:.1e} of the contact forces act on motions by which round or plane surfaces slide on "
         "themselves (such as their moment about the axis of a bush) and are left over",
         share);
-    state.notes.push_back(share > too_much ? results::warning(text) : results::note(text));
+    state.notes.push_back(share > too_much ? results::less_exact(text) : results::note(text));
   }
 }
 
