@@ -158,8 +158,9 @@ constexpr std::array tipnet_keys{
                 "YES: in space a tube of quarter-point elements along the front; NO: tetrahedra up "
                 "to the front, even ones within RADIUS, as where no tube fits"),
            "YES"),
-    real("TOL", number, above(0),
-         "refine until the error bars of K1 and K2 are below TOL*K, of fronts TOL times the "
+    real("TOL", number, within(0, 1),
+         "a part of K: refine until the error bars of K1 and K2 are below TOL*K, of fronts TOL "
+         "times the "
          "largest K"),
 };
 
@@ -282,7 +283,7 @@ constexpr std::array sweep_keys{
 
 constexpr std::array control_keys{
     preset(integer("MAXITER", at_least(1), "most pivots of the contact solution"), "100"),
-    preset(later(real("TOL", number, above(0), "relative tolerance of contact"), "*"), "1e-8"),
+    preset(later(real("TOL", number, within(0, 1), "relative tolerance of contact"), "*"), "1e-8"),
     preset(integer("THREADS", at_least(0), "0: one for each core"), "0"),
 };
 

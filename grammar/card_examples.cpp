@@ -84,10 +84,11 @@ constexpr std::array texts{
              "Faces are what loads and contacts work on. Where a card wants faces, a node set "
              "stands for the faces whose nodes all lie in the set; so this card is seldom needed.",
              "$FSET NAME=UPPER_BORE FROM=LUG.BORE WHERE=(y > -1e-9)\n"},
-    CardText{"MATERIAL",
-             "RHO and ALPHA are kept for analyses to come; a load of TYPE=BODY gives its force per "
-             "volume.",
-             "$MATERIAL NAME=AL7475 E=69.8[GPa] NU=0.33\n"},
+    CardText{
+        "MATERIAL",
+        "ALPHA is what a $LOAD of TYPE=TEMPERATURE expands. No analysis uses RHO, which is only "
+        "written out with the mesh; a load of TYPE=BODY gives its force per volume.",
+        "$MATERIAL NAME=AL7475 E=69.8[GPa] NU=0.33\n"},
     CardText{
         "PROPERTY",
         "Every element needs exactly one property. STRESS is plane stress, STRAIN plane strain; "

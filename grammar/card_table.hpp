@@ -28,6 +28,9 @@ constexpr Range at_least(double low) {
 constexpr Range between(double low, double high) {
   return {low, high, false, false};
 }
+constexpr Range within(double low, double high) { ///< without the limits themselves
+  return {low, high, true, true};
+}
 constexpr Range anything{};
 
 constexpr KeySpec real(std::string_view name, Quantity quantity, Range range,

@@ -229,11 +229,8 @@ private:
       return;
     }
     if (function == nullptr) {
-      std::vector<std::string> valid;
-      std::transform(functions.begin(), functions.end(), std::back_inserter(valid),
-                     [](const Function& f) { return std::string(f.name); });
       fail(term.span, "E202", fmt::format("'{}' is not a function", written),
-           base::suggest(written, valid));
+           instead_of_function(to_upper(written)));
     } else {
       fail(term.span, "E203",
            fmt::format("{} takes {}{} argument{}, not {}", written, function->arguments,
@@ -267,6 +264,20 @@ private:
 };
 
 } // namespace
+
+std::string instead_of_function(std::string_view name) {
+  for (const std::string_view choice :
+       {"IF", "IFF", "IIF", "IFELSE", "WHERE", "STEP", "HEAVISIDE"}) {
+    if (name == choice) {
+      return "there is none that chooses: a comparison is 1 where it holds and 0 elsewhere, as in "
+             "(5*(x > 2) + 1*(x <= 2))";
+    }
+  }
+  std::vector<std::string> valid;
+  std::ranges::transform(functions, std::back_inserter(valid),
+                         [](const Function& f) { return std::string(f.name); });
+  return base::suggest(name, valid);
+}
 
 std::vector<WordText> function_texts() {
   std::vector<WordText> texts;

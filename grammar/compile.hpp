@@ -39,6 +39,9 @@ struct WordText {
 };
 std::vector<WordText> function_texts();
 
+/// What to write for a function that there is not, by its name in upper case; empty: nobody knows.
+std::string instead_of_function(std::string_view name);
+
 /// Names that no parameter may have: functions, pi, x y z rho theta, and, or.
 bool is_reserved(std::string_view upper_name);
 

@@ -372,10 +372,14 @@ std::optional<double> number_of(const grammar::Field& field, grammar::Quantity q
     const std::string_view written = scope.sources->text(field.span);
     const bool parameter = field.kind == Field::Kind::name && scope.values.contains(field.text);
     const bool call = field.kind == Field::Kind::quantity;
+    const std::vector<grammar::WordText> functions = grammar::function_texts();
+    const bool known =
+        std::ranges::find(functions, field.text, &grammar::WordText::name) != functions.end();
     diagnostics.error(field.span, "E108", fmt::format("{} is expected", what),
                       parameter ? fmt::format("write ({}) for the value of the parameter", written)
-                      : call    ? fmt::format("an expression stands in parentheses: ({})", written)
-                                : "");
+                      : !call   ? ""
+                      : known   ? fmt::format("an expression stands in parentheses: ({})", written)
+                                : grammar::instead_of_function(field.text));
     return std::nullopt;
   }
   const auto value = grammar::evaluate(field.expression, scope, diagnostics);

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -64,6 +65,9 @@ private:
     }
     const auto lines = number_file(c_, card_, "FILE");
     good_ = good_ && lines.has_value();
+    if (good_ && spectrum_.sequence) {
+      warn_of_columns(*lines);
+    }
     for (std::size_t i = 0; good_ && i < lines->size(); ++i) {
       const NumberLine& line = (*lines)[i];
       if (line.sound) {
@@ -87,12 +91,53 @@ private:
       wrong(line, "E115", "a line of TYPE=BLOCKS is low high count");
       return;
     }
+    warn_of_high_low(line);
     const double low = std::min(line.numbers[0], line.numbers[1]);
     const double high = std::max(line.numbers[0], line.numbers[1]);
     if (line.numbers[2] <= 0.0) {
       wrong(line, "E109", fmt::format("{} cycles: a count is positive", line.numbers[2]));
     } else if (on_path(line, low) && on_path(line, high) && low < high) {
       spectrum_.cycles.push_back({place(low), place(high), line.numbers[2]});
+    }
+  }
+
+  // Either order makes the same cycle, but mean, amplitude, count and count, low, high do not.
+  void warn_of_high_low(const NumberLine& line) {
+    if (!high_low_ && line.numbers[0] > line.numbers[1]) {
+      high_low_ = true;
+      c_.diagnostics.warning(
+          line.span, "W368",
+          fmt::format(
+              "{}low {:.6g} above high {:.6g}: it is taken as a cycle from {:.6g} to {:.6g}",
+              line.where, line.numbers[0], line.numbers[1], line.numbers[1], line.numbers[0]),
+          "a line of TYPE=BLOCKS is low high count, not high low count or mean amplitude count");
+    }
+  }
+
+  // The first of several columns that always ascends, evenly or for long, is a time or a number.
+  void warn_of_columns(const std::vector<NumberLine>& lines) {
+    constexpr std::size_t least = 4;
+    constexpr std::size_t long_enough = 10;
+    constexpr double even = 1e-6;
+    const std::size_t columns = lines.empty() ? 0 : lines.front().numbers.size();
+    if (columns < 2 || lines.size() < least) {
+      return;
+    }
+    const auto first = [&](std::size_t i) { return lines[i].numbers.front(); };
+    const double step = first(1) - first(0);
+    bool ascends = true;
+    bool evenly = true;
+    for (std::size_t i = 1; i < lines.size() && ascends; ++i) {
+      ascends = lines[i].numbers.size() == columns && first(i) > first(i - 1);
+      evenly = evenly && std::abs(first(i) - first(i - 1) - step) <= even * step;
+    }
+    if (ascends && (evenly || lines.size() >= long_enough)) {
+      c_.diagnostics.warning(
+          card_.find("FILE")->span, "W369",
+          fmt::format("every line of the file has {} numbers, and the first of them ascends from "
+                      "{:.6g} to {:.6g} like a time or a number: all of them count as places t",
+                      columns, first(0), first(lines.size() - 1)),
+          "a sequence has nothing but the places t one after another");
     }
   }
 
@@ -142,6 +187,7 @@ private:
   double last_ = 1.0; ///< t at the end of the path
   bool good_ = true;
   bool off_path_ = false; ///< some t
+  bool high_low_ = false; ///< some line, which is told
 };
 
 } // namespace

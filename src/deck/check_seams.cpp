@@ -4,10 +4,14 @@
 #include "deck/element_place.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/coincidence.hpp"
+#include "mesh/side_index.hpp"
 #include "model/model.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -137,6 +141,51 @@ void open_seams(Context& c) {
       "open and its faces may pass through each other");
 }
 
+// Where a side of a quadratic element has middle nodes that its linear neighbour does not have, the
+// two part between the corners.
+void hanging_nodes(Context& c) {
+  const model::Mesh& mesh = c.model.mesh;
+  const auto is_linear = [](base::ElementType type) { return !base::info(type).quadratic; };
+  const auto linear = std::ranges::count_if(mesh.type, is_linear);
+  if (linear == 0 || static_cast<std::size_t>(linear) == mesh.element_count()) {
+    return;
+  }
+  const mesh::SideIndex sides(mesh);
+  const std::vector<bool> known = looked_after(c);
+  std::optional<std::pair<base::ElementId, base::ElementId>> first;
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const base::ElementType type = mesh.type[e];
+    for (int side = 0; is_linear(type) && side < base::info(type).sides; ++side) {
+      const auto all = mesh.nodes_of(base::ElementId(e));
+      std::vector<NodeId> corners;
+      for (const int k : shape::side_nodes(type, side)) {
+        corners.push_back(all[static_cast<std::size_t>(k)]);
+      }
+      for (const model::Face& other : sides.find(corners)) {
+        if (!is_linear(mesh.type[other.element.index()]) &&
+            !mesh::lies_within(mesh, other, known)) {
+          first = first ? first : std::optional(std::pair(base::ElementId(e), other.element));
+          ++count;
+        }
+      }
+    }
+  }
+  if (first) {
+    const auto label = [&](base::ElementId e) { return mesh.element_label[e.index()]; };
+    const auto name = [&](base::ElementId e) { return base::info(mesh.type[e.index()]).name; };
+    c.diagnostics.warning(
+        element_place(c, first->first.index()), "W370",
+        fmt::format("element {} ({}) has a side in common with element {} ({}), whose middle nodes "
+                    "there hang free{}: between the corners the two part or overlap",
+                    label(first->first), name(first->first), label(first->second),
+                    name(first->second),
+                    count > 1 ? fmt::format(", as at {} more sides", count - 1) : ""),
+        "give all elements of a body the same order; meshes of two orders have nodes of their own "
+        "and are tied by $MPC TYPE=TRANSITION or a bonded contact");
+  }
+}
+
 } // namespace
 
 void check_seams(Context& context) {
@@ -146,6 +195,7 @@ void check_seams(Context& context) {
   }
   doubled(context);
   open_seams(context);
+  hanging_nodes(context);
 }
 
 } // namespace spricka::deck

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/unit_warnings.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/mouth.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -15,21 +15,12 @@ namespace spricka::deck {
 
 namespace {
 
-// Radians of people are 0.5, pi/4 or 1.5708; 1, 2, 30 are degrees whose unit was forgotten.
 void angles(Context& c) {
   for (const BoundCard& card : c.cards) {
     for (const BoundValue& value : card.values) {
-      if (!value.given || value.key == nullptr || value.key->quantity != grammar::Quantity::angle ||
-          value.number == 0.0 || value.number != std::floor(value.number) ||
-          c.sources.text(value.span).find('[') != std::string_view::npos) {
-        continue;
+      if (value.given && value.key != nullptr && value.key->quantity == grammar::Quantity::angle) {
+        warn_of_whole_radians(c, value.span, value.key->name, value.number);
       }
-      c.diagnostics.warning(
-          value.span, "W342",
-          fmt::format("{}: {} is in radians, which are {:.4g} degrees", value.key->name,
-                      value.number, value.number * 180.0 / std::numbers::pi),
-          fmt::format("degrees are written {}[deg]; {}[rad] says that radians are meant",
-                      value.number, value.number));
     }
   }
 }

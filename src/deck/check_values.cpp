@@ -61,6 +61,30 @@ void odd_flow_stress(Context& c, const BoundCard& card) {
   }
 }
 
+// (K/E)^2 is the opening of the crack's tip times the flow stress over E: the toughest metals open
+// by some millimetres before they tear, at some thousandths of E. Numbers without dimensions have
+// moduli that are powers of ten.
+void odd_toughness(Context& c, const BoundCard& card) {
+  constexpr double most = 1e-5; // [m] steel 650 MPa m^0.5, aluminium 220
+  const std::optional<double>& k_c = c.model.growth->constants.k_c;
+  double stiffest = 0.0;
+  for (const model::Material& material : c.model.materials) {
+    stiffest = std::max(stiffest, material.E);
+  }
+  if (!k_c || std::pow(10.0, std::round(std::log10(stiffest))) == stiffest) {
+    return;
+  }
+  const double bound = stiffest * std::sqrt(most / c.model.units.metre_per_length);
+  if (*k_c > bound) {
+    c.diagnostics.warning(
+        card.has("KC") ? card.find("KC")->span : card.span, "W367",
+        fmt::format("KC = {:.4g} {}: no material of such a modulus is tougher than {:.2g}, so that "
+                    "it would never end a growth",
+                    *k_c, c.model.units.stress_intensity_name(), bound),
+        "KC counts in KUNIT, as C does, where it has no unit of its own; write KC=35[MPa*m^0.5]");
+  }
+}
+
 // A measured table scatters; it does not turn round.
 void falling_table(Context& c, const BoundCard& card) {
   const model::LawConstants& law = c.model.growth->constants;
@@ -204,6 +228,7 @@ void check_values(Context& context) {
   const BoundCard* card = context.first_card("GROW");
   if (card != nullptr && context.model.growth) {
     odd_flow_stress(context, *card);
+    odd_toughness(context, *card);
     falling_table(context, *card);
   }
   wide_checks(context);

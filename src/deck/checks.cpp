@@ -2,6 +2,7 @@
 #include "deck/checks.hpp"
 
 #include "deck/sets.hpp"
+#include "deck/unit_warnings.hpp"
 #include "grammar/argument_word.hpp"
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
@@ -260,6 +261,9 @@ private:
     if (letter == 'a' || letter == 'z') {
       const auto value = grammar::evaluate(expression, c_.scope, c_.diagnostics);
       check_.arguments.emplace_back(value.value_or(0.0));
+      if (value && check_.quantity.ends_with(".PHI")) {
+        warn_of_whole_radians(c_, expression.span, check_.quantity, *value);
+      }
       return value.has_value();
     }
     if (expression.terms.size() != 1 || expression.terms[0].kind != grammar::Term::Kind::name) {

@@ -96,7 +96,13 @@ std::string Names::other_meaning(const std::vector<Kind>& kinds, const std::stri
   for (const auto& [key, definition] : table_) {
     if (key.second == name && std::find(kinds.begin(), kinds.end(), key.first) == kinds.end()) {
       const std::string_view word = grammar::word_of(key.first);
-      return fmt::format("'{}' is {} {}", name, word.front() == 'e' ? "an" : "a", word);
+      const bool faces = std::ranges::find(kinds, Kind::face_set) != kinds.end();
+      return fmt::format("'{0}' is {1} {2}{3}", name, word.front() == 'e' ? "an" : "a", word,
+                         key.first == Kind::crack && faces
+                             ? fmt::format("; a pressure on both of its faces is $LOAD TYPE=FACES, "
+                                           "on one of them {0}.LEFT or {0}.RIGHT is loaded",
+                                           name)
+                             : "");
     }
   }
   return {};

@@ -4,6 +4,7 @@
 #include "grammar/lexeme.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,19 @@ void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, d
                   "[{}]: it is {:.6g}[{}]",
                   name, written, name, word, value / factor_of(unit, context.scope), word),
       fmt::format("write {}[{}], or the unit that is meant", written, word));
+}
+
+void warn_of_whole_radians(Context& context, base::Span at, std::string_view name, double value) {
+  if (value == 0.0 || value != std::floor(value) ||
+      context.sources.text(at).find('[') != std::string_view::npos) {
+    return;
+  }
+  context.diagnostics.warning(
+      at, "W342",
+      fmt::format("{}: {} is in radians, which are {:.4g} degrees", name, value,
+                  value * 180.0 / std::numbers::pi),
+      fmt::format("degrees are written {}[deg]; {}[rad] says that radians are meant", value,
+                  value));
 }
 
 void warn_of_mixed_units(Context& context, base::Span at, const base::UnitSystem& units) {

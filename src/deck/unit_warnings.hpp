@@ -19,6 +19,10 @@ bool is_foreign(const Context& context, base::Span unit);
 void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, double value,
                        base::Span unit);
 
+/// Warns (W342) of an angle that is a whole number without a unit: radians of people are 0.5, pi/4
+/// or 1.5708; 1, 2, 30 are degrees whose unit was forgotten.
+void warn_of_whole_radians(Context& context, base::Span at, std::string_view name, double value);
+
 /// Warns of inches with newtons and metres with pounds: nobody's stresses and K are in such a unit.
 void warn_of_mixed_units(Context& context, base::Span at, const base::UnitSystem& units);
 

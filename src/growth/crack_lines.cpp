@@ -252,7 +252,7 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
                                                         base::Diagnostics& diagnostics) {
   std::vector<mesh::CrackLine> lines;
   if (model.mesh.dim == 3) {
-    return lines; // cracks there are no lines (analysis/scene/solid_cracks.hpp)
+    return lines; // cracks there are no lines (mesh/tube/cracks_in_solids.hpp)
   }
   Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   // All cracks are looked at, so that every error is told at once.

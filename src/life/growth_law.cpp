@@ -161,6 +161,13 @@ double GrowthLaw::range(double rate, double R) const {
   return found > constants_.threshold ? found : no_value;
 }
 
+std::optional<std::array<double, 2>> GrowthLaw::table_ends() const {
+  if (law_ != Law::table) {
+    return std::nullopt;
+  }
+  return std::array{std::exp(log_k_.front()), std::exp(log_k_.back())};
+}
+
 bool GrowthLaw::covers(double delta_K) const {
   if (law_ != Law::table) {
     return true;

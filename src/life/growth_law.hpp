@@ -65,6 +65,8 @@ public:
   [[nodiscard]] Law law() const { return law_; }
   /// Whether delta K lies within the rows of a table; the other laws have no such bounds.
   [[nodiscard]] bool covers(double delta_K) const;
+  /// Delta K of the first and the last row of a table [stress intensity]; empty for other laws.
+  [[nodiscard]] std::optional<std::array<double, 2>> table_ends() const;
 
 private:
   [[nodiscard]] double formula(double range, double R) const;

@@ -116,6 +116,71 @@ void add_strange_tests(const model::Model& model, const results::Run& run,
   }
 }
 
+// Whether a crack has K, and K1 is 0 in all steps at all places.
+bool never_opens(const results::Run& run, const std::string& crack) {
+  const auto is_of_it = [&](const std::string& name) {
+    return name == crack || name == crack + ".1" || name == crack + ".2";
+  };
+  bool any = false;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        if (is_of_it(tip.name) && !tip.closed) {
+          return false;
+        }
+        any = any || is_of_it(tip.name);
+      }
+      for (const results::FrontResult& front : step.fronts) {
+        if (is_of_it(front.name) && !std::ranges::all_of(front.points, [](const auto& place) {
+              return place.closed || place.at_surface;
+            })) {
+          return false;
+        }
+        any = any || is_of_it(front.name);
+      }
+    }
+  }
+  return any;
+}
+
+// The nets that press on another one.
+std::vector<std::string> partners_of(const model::Model& model, base::NetId net) {
+  std::vector<std::string> names;
+  const auto net_of = [&](base::FaceSetId set) {
+    return set.valid() && !model.mesh.set(set).faces.empty()
+               ? model.mesh.element_net[model.mesh.set(set).faces.front().element.index()]
+               : base::NetId();
+  };
+  for (const model::Contact& contact : model.contacts) {
+    const base::NetId slave = net_of(contact.slave);
+    const base::NetId master = net_of(contact.master);
+    const base::NetId other = slave == net ? master : master == net ? slave : base::NetId();
+    if (other.valid() && other != net &&
+        std::ranges::find(names, model.nets[other.index()].name) == names.end()) {
+      names.push_back(model.nets[other.index()].name);
+    }
+  }
+  return names;
+}
+
+// Where bodies touch, a crack that is drawn at their contact may have got into the wrong one: pins
+// are pressed where lugs are pulled.
+void add_closed_cracks(const model::Model& model, const results::Run& run,
+                       std::vector<EndWarning>& list) {
+  for (const model::Crack& crack : model.cracks) {
+    const std::vector<std::string> partners =
+        crack.net.valid() ? partners_of(model, crack.net) : std::vector<std::string>();
+    if (!partners.empty() && never_opens(run, crack.name)) {
+      list.push_back(
+          {"W575",
+           fmt::format("crack {}: its faces touch all along its front in every step, K1 = "
+                       "0. It lies in the net {}, which touches {}: is the cracked body "
+                       "the one you mean (NET), and are the loads?",
+                       crack.name, model.nets[crack.net.index()].name, fmt::join(partners, ", "))});
+    }
+  }
+}
+
 } // namespace
 
 std::vector<EndWarning> end_warnings(const model::Model& model, const results::Run& run) {
@@ -123,6 +188,7 @@ std::vector<EndWarning> end_warnings(const model::Model& model, const results::R
   add_idle_contacts(model, run, list);
   add_endless_life(run, list);
   add_strange_tests(model, run, list);
+  add_closed_cracks(model, run, list);
   return list;
 }
 

@@ -16,7 +16,8 @@ struct EndWarning {
 };
 
 /// What only the whole run shows: contacts that press nowhere in any step (W571), lives that no
-/// machine sees (W572), tests whose readings all lie outside the computed lengths (W573). Takes
+/// machine sees (W572), tests whose readings all lie outside the computed lengths (W573), cracks
+/// at a contact whose faces touch all along the front in every step (W575). Takes
 /// the tests as they are in `run`.
 std::vector<EndWarning> end_warnings(const model::Model& model, const results::Run& run);
 

@@ -257,7 +257,7 @@ private:
                                         run_.growth->ended, run_.growth->reason,
                                         march.state().stations.size(), march.state().rejected));
     std::ranges::copy(measure_.warnings(), std::back_inserter(run_.warnings));
-    for (std::string& text : doubts_of_life(*run_.growth)) {
+    for (std::string& text : doubts_of_life(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }
     if (results::ended_early(*run_.growth)) {

@@ -8,6 +8,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -144,9 +145,46 @@ void look_at_beginning(const results::Growth& growth, std::vector<std::string>& 
   }
 }
 
+// Beyond its rows a table goes straight on, which nobody has measured. Of a spectrum only the
+// largest cycles are known here, and its small ones may well lie below all rows.
+void look_at_table(const results::Growth& growth, const life::GrowthLaw& law,
+                   std::vector<std::string>& warnings) {
+  const std::optional<std::array<double, 2>> rows = law.table_ends();
+  if (!rows) {
+    return;
+  }
+  const results::GrowingTip* lowest = nullptr;
+  const results::GrowingTip* highest = nullptr;
+  const auto range = [](const results::GrowingTip* tip) {
+    return life::growing_range(tip->K_max, tip->K_min);
+  };
+  for (const results::GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      if (!(range(&tip) > 0.0)) {
+        continue;
+      }
+      lowest = lowest == nullptr || range(&tip) < range(lowest) ? &tip : lowest;
+      highest = highest == nullptr || range(&tip) > range(highest) ? &tip : highest;
+    }
+  }
+  const auto warn = [&](const results::GrowingTip& tip, double row, const char* which) {
+    warnings.push_back(fmt::format(
+        "delta K of {} at a = {:.6g} is {:.3g} times that of the {} row of the law's table: the "
+        "rate there is the table's straight line gone on, not measured",
+        tip.name, tip.a, range(&tip) / row, which));
+  };
+  if (highest != nullptr && !law.covers(range(highest)) && range(highest) > (*rows)[1]) {
+    warn(*highest, (*rows)[1], "last");
+  }
+  if (lowest != nullptr && growth.unit != "pass" && !law.covers(range(lowest)) &&
+      range(lowest) < (*rows)[0]) {
+    warn(*lowest, (*rows)[0], "first");
+  }
+}
+
 } // namespace
 
-std::vector<std::string> doubts_of_life(const results::Growth& growth) {
+std::vector<std::string> doubts_of_life(const results::Growth& growth, const life::GrowthLaw& law) {
   std::vector<std::string> warnings;
   const bool nothing = growth.cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;
@@ -157,6 +195,7 @@ std::vector<std::string> doubts_of_life(const results::Growth& growth) {
     return warnings;
   }
   look_at_beginning(growth, warnings);
+  look_at_table(growth, law, warnings);
   if (nothing && !grew && growth.ended == "THRESHOLD" && has_a_range(growth)) {
     return warnings; // a crack below its threshold does not grow: that is the answer
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "growth/ways.hpp"
+#include "life/growth_law.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
 #include "results/growth.hpp"
@@ -25,7 +26,8 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
 /// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.
 std::unique_ptr<growth::Ways> first_ways(const model::Model& model, base::Diagnostics& diagnostics);
 
-/// Doubts about the cycles as a whole: none or next to none, or growth too fast for a law.
-std::vector<std::string> doubts_of_life(const results::Growth& growth);
+/// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
+/// the rows of a table.
+std::vector<std::string> doubts_of_life(const results::Growth& growth, const life::GrowthLaw& law);
 
 } // namespace spricka::analysis

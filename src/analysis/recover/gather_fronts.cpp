@@ -4,10 +4,10 @@
 #include "analysis/recover/judge_front.hpp"
 #include "analysis/scene/front_name.hpp"
 #include "analysis/scene/front_scene.hpp"
-#include "analysis/scene/solid_cracks.hpp"
 #include "base/tidy.hpp"
 #include "contact/space_tractions.hpp"
 #include "crack/space/front_intensity.hpp"
+#include "mesh/tube/cracks_in_solids.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ results::FrontPlace place_of(const model::Crack& crack, const mesh::FrontPoint& 
   place.x = point.x;
   place.growth = point.growth;
   place.s = point.s;
-  place.phi = crack.kind == model::CrackKind::ellipse ? front_angle(crack, point.x) : 0.0;
+  place.phi = crack.kind == model::CrackKind::ellipse ? mesh::front_angle(crack, point.x) : 0.0;
   place.K1 = K.K1;
   place.K2 = K.K2;
   place.K3 = K.K3;

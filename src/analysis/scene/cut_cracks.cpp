@@ -3,13 +3,13 @@
 
 #include "analysis/scene/moved_borders.hpp"
 #include "analysis/scene/sets_in_use.hpp"
-#include "analysis/scene/solid_cracks.hpp"
 #include "analysis/scene/tip_net_of.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/cut/crack_region.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
+#include "mesh/tube/cracks_in_solids.hpp"
 #include "mesh/tube/found_crack.hpp"
 #include "mesh/tube/insert_solid.hpp"
 #include "model/model.hpp"
@@ -51,6 +51,25 @@ std::vector<mesh::TipMesh> tip_meshes(const model::Model& model, const mesh::Hos
   return tips;
 }
 
+// What $TIPNET does not say is 0. [crack]
+std::vector<mesh::TubeMesh> tube_meshes(const model::Model& model) {
+  std::vector<mesh::TubeMesh> tubes;
+  for (std::size_t i = 0; i < model.cracks.size(); ++i) {
+    mesh::TubeMesh tube;
+    if (const model::TipNet* tip = tip_net_of(model, base::CrackId(i))) {
+      tube.radius = tip->radius.value_or(0.0);
+      tube.size = tip->size.value_or(0.0);
+      tube.rings = tip->rings;
+      tube.sectors = tip->sectors;
+      tube.quarter_point = tip->quarter_point;
+      tube.tube = tip->tube;
+      tube.finer = tip->finer;
+    }
+    tubes.push_back(tube);
+  }
+  return tubes;
+}
+
 mesh::CrackedMesh without_cracks(const model::Mesh& host) {
   mesh::CrackedMesh cracked;
   cracked.mesh = host;
@@ -81,7 +100,7 @@ bool find_cracks(const model::Model& model, mesh::CrackedMesh& cracked,
 
 std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
                                                base::Diagnostics& diagnostics) {
-  std::vector<mesh::SolidCrack> cut = solid_cracks(model);
+  std::vector<mesh::SolidCrack> cut = mesh::solid_cracks(model);
   std::vector<mesh::TubeMesh> tubes;
   std::vector<base::Span> cards;
   const std::vector<mesh::TubeMesh> all = tube_meshes(model);

@@ -75,6 +75,26 @@ std::string why_none(const crack::FrontFields& fields) {
   return fmt::format("{}", fmt::join(reasons, "; "));
 }
 
+// The node sets that hold nodes near a point of a front, by their names.
+std::string remedy_at(const model::Model& model, const Scene& scene,
+                      const mesh::FrontPoint& point) {
+  constexpr double near = 3.0; // radii of the tube
+  std::set<std::string> names;
+  for (const model::Freedom& freedom : model.freedoms) {
+    const model::NodeSet& set = scene.cracked.mesh.set(freedom.nodes);
+    if (std::ranges::any_of(set.nodes, [&](base::NodeId n) {
+          return (scene.cracked.mesh.x[n.index()] - point.x).norm() < near * point.radius;
+        })) {
+      names.insert(set.name.empty() ? "a set" : set.name);
+    }
+  }
+  const std::string smaller = "give a smaller RADIUS or SIZE on $TIPNET or other DOMAINS on $VCE";
+  return names.empty() ? smaller
+                       : fmt::format("{} of $FREEDOM holds nodes there: is that body the one to be "
+                                     "held? Else {}",
+                                     fmt::join(names, ", "), smaller);
+}
+
 // Points inside the body that no domain belongs to.
 std::vector<std::size_t> points_without(const mesh::Front& front,
                                         const crack::FrontFields& fields) {
@@ -104,7 +124,8 @@ crack::FrontFields fields_of(const model::Model& model, const Scene& scene,
   }
   const std::vector<std::size_t> without = points_without(front, fields);
   const model::Crack& crack = model.cracks[front.crack.index()];
-  const char* const remedy = "give a smaller RADIUS or SIZE on $TIPNET or other DOMAINS on $VCE";
+  const std::string remedy =
+      without.empty() ? "" : remedy_at(model, scene, front.points[without.front()]);
   if (fields.empty()) {
     diagnostics.error(
         crack.span, "E412",

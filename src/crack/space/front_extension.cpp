@@ -76,7 +76,7 @@ public:
     for (std::size_t i = 0; i < fields.size(); ++i) {
       finish(fields[i], rings);
       if (why[i].empty() && leaves_material(i, fields[i])) {
-        why[i] = "it meets another material";
+        why[i] = "it meets elements of another material or state";
       }
       if (why[i].empty() && (comes_to_centre(fields[i]) || turns_too_much(i, fields[i]))) {
         why[i] = "it reaches as far as the front's centre of curvature";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/insert_solid.hpp"
 
+#include "mesh/tube/crack_extent.hpp"
 #include "mesh/tube/front_points.hpp"
 #include "mesh/tube/lay_tubes.hpp"
 #include "mesh/tube/solid_mouths.hpp"
@@ -320,7 +321,7 @@ private:
       Front front;
       front.crack = crack.crack;
       front.number = static_cast<int>(t) + 1;
-      front.kind = kind_of(group, c);
+      front.kind = kind_of(request);
       front.a = frame_of(crack).a;
       front.size = unit * *std::ranges::min_element(tube.size);
       front.radius = unit * *std::ranges::min_element(tube.radius);
@@ -340,23 +341,6 @@ private:
       result_.notes.push_back(note_of(request, group, {c, t}, front));
       result_.fronts.push_back(std::move(front));
     }
-  }
-
-  /// By the edges of the body that its mouth passes.
-  [[nodiscard]] CrackKind kind_of(const SolidGroup& group, std::size_t c) const {
-    const PatchSolidCrack& crack = group.cracks[c];
-    const SurfaceGeometry& surface = host_.surface(requests_[group.members[c]].seed).geometry();
-    std::ptrdiff_t passed = 0;
-    for (const CrackMouth& mouth : crack.mouths) {
-      passed += std::ranges::count_if(mouth.line.corners, [&](const LinePoint& corner) {
-        return corner.edge != nowhere && !surface.edges()[corner.edge].border;
-      });
-    }
-    const std::size_t mouths = crack.mouths.size() + crack.holes.size();
-    return mouths == 0                ? CrackKind::embedded
-           : mouths > 1 || passed > 1 ? CrackKind::through
-           : passed == 1              ? CrackKind::corner
-                                      : CrackKind::surface;
   }
 
   const SolidHost& host_;

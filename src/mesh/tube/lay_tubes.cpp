@@ -161,7 +161,8 @@ private:
     // The skin has the border, too.
     const bool is_border = host_.border(part).nearest(at).distance <=
                            (1.0 + same_place) * host_.skin(part).nearest(at).distance;
-    return is_border ? "the border to another material" : "the body's surface or another crack";
+    return is_border ? "the border to elements of another $PROPERTY"
+                     : "the body's surface or another crack";
   }
 
   bool fits(const FrontCurve& curve, const TubeSizes& sizes) {

@@ -51,6 +51,21 @@ bool PlanePolygons::within(const Vec2& q) const {
          1;
 }
 
+double PlanePolygons::area() const {
+  double sum = 0.0;
+  for (const std::vector<Vec2>& outline : outlines_) {
+    double own = 0.0;
+    for_edges({outline}, [&](const Vec2& a, const Vec2& b) {
+      own += 0.5 * cross(a - outline.front(), b - outline.front());
+    });
+    const auto round = std::ranges::count_if(outlines_, [&](const std::vector<Vec2>& other) {
+      return &other != &outline && inside(outline.front(), other);
+    });
+    sum += round % 2 == 0 ? std::abs(own) : -std::abs(own);
+  }
+  return sum;
+}
+
 double PlanePolygons::from_outline(const Vec2& q) const {
   double least = std::numeric_limits<double>::max();
   for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {

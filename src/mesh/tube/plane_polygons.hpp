@@ -18,6 +18,7 @@ public:
   [[nodiscard]] const PlaneBasis& plane() const { return plane_; }
   [[nodiscard]] const std::vector<std::vector<base::Vec2>>& outlines() const { return outlines_; }
   [[nodiscard]] bool within(const base::Vec2& q) const;
+  [[nodiscard]] double area() const; ///< without holes
   /// Of a place in space from the areas; of a place in the plane from their outlines.
   [[nodiscard]] double distance(const base::Vec3& x) const;
   [[nodiscard]] double from_outline(const base::Vec2& q) const;

@@ -59,6 +59,11 @@ public:
                       text_of(host_.extent(request_.seed).middle)),
           *other, "give each body a net of its own and name the cracked one with NET=");
     }
+    if (const std::optional<Vec3> at = place_along_face(surface)) {
+      return fail("its plane lies in a face of the body", *at,
+                  "NORMAL, or the way from X0 to X1, is the normal of the crack's plane: a crack "
+                  "that opens at a face stands across it");
+    }
     const FrontArcs arcs = arcs_inside(surface, whole_);
     if (arcs.trouble) {
       return fail(arcs.trouble.why, arcs.trouble.at);
@@ -115,6 +120,26 @@ private:
     return std::nullopt;
   }
 
+  /// A place where the front runs along a plane face of the body, as of a crack whose normal is
+  /// that of the face.
+  [[nodiscard]] std::optional<Vec3> place_along_face(const SurfaceGeometry& surface) const {
+    constexpr double on_it = 1e-6; // of the front
+    constexpr double same_normal = 1.0 - 1e-6;
+    constexpr int much = samples / 10;
+    int along = 0;
+    std::optional<Vec3> first;
+    for (int i = 0; i < samples && !crack_.relief; ++i) {
+      const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
+      const SurfacePlace near = surface.nearest(x);
+      if ((near.x - x).norm() < on_it * whole_.length() &&
+          std::abs(near.normal.dot(crack_.normal)) > same_normal) {
+        first = first ? first : std::optional(x);
+        ++along;
+      }
+    }
+    return along > much ? first : std::nullopt;
+  }
+
   /// The curve of an arc on its own, through the same points.
   [[nodiscard]] SolidFront front_of(const FrontArc& arc) const {
     if (arc.whole) {
@@ -146,8 +171,11 @@ private:
         least = traced.trace.front().length();
         front.next = k;
         front.mouth.clear();
+        front.edges = 0;
         for (const LinePoint& point : traced.trace.front().points()) {
           front.mouth.push_back(point.place.x);
+          const bool edge = point.edge != nowhere && !surface.edges()[point.edge].border;
+          front.edges += edge ? 1 : 0;
         }
       }
     }
@@ -245,9 +273,14 @@ private:
         const Vec3 x = front.curve->at((i + 0.5) / samples * front.curve->length()).x;
         const auto e = host_.element_at(x, crack_.net);
         if (e && host_.part(*e) != host_.part(request_.seed)) {
-          diagnostics_.error(request_.span, "E424",
-                             fmt::format("{}: its front goes from one material to another at {}",
-                                         crack_.title(), text_of(x)));
+          diagnostics_.error(
+              request_.span, "E424",
+              fmt::format("{}: its front goes from elements of one $PROPERTY to those "
+                          "of another at {}",
+                          crack_.title(), text_of(x)),
+              "a crack lies in elements of one $PROPERTY: where material and state "
+              "are the same give them one; move the crack off the border of two "
+              "materials");
           return false;
         }
       }
@@ -292,7 +325,7 @@ private:
         return true;
       }
       if (request_.holes.size() == most_holes || !add_hole(area, *at)) {
-        return fail("the surface of the body, or another material, crosses it", *at);
+        return fail("the surface of the body, or the border to another $PROPERTY, crosses it", *at);
       }
     }
   }

@@ -24,6 +24,7 @@ struct SolidFront {
   /// The mouth that begins at its last end: points on the surface, from that end to the first end
   /// of the front `next`.
   std::vector<base::Vec3> mouth = {};
+  std::size_t edges = 0; ///< of the body that the mouth passes, borders of sets not counted
   std::size_t next = 0;
 };
 

@@ -241,6 +241,10 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
     preview.steps.push_back(step.name);
   }
   add_late_contacts(model, preview);
+  if (!preview.lengths.empty()) {
+    std::vector<std::string>& notes = preview.lengths.front().notes;
+    notes.insert(notes.begin(), deck.flaws.begin(), deck.flaws.end());
+  }
   for (const base::Diagnostic* d : base::in_order(deck.diagnostics)) {
     if (d->severity == base::Severity::warning) {
       preview.warnings.push_back(d->text);

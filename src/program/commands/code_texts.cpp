@@ -113,7 +113,7 @@ constexpr std::array advice{
               "cracks, or ends on the surface at 25 degrees or more: the message names where it "
               "does not; a smaller RADIUS makes the tube round it narrower."},
     ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack. In space the whole "
-                      "front lies in one material."},
+                      "front lies in elements of one $PROPERTY."},
     ErrorCode{
         "E425",
         "Move the crack or change its size: the message names where it leaves the "
@@ -142,6 +142,7 @@ constexpr std::array advice{
                       "curve ($CHECK at an angle or a place) by 1.3 to 2.6 %; fronts with tubes "
                       "are within 0.5 %. A front that leaves the body at 25 degrees or more and "
                       "keeps off its edges has a tube."},
+    ErrorCode{"W426", "Make the mesh of quadratic elements: K is much better for the same time."},
     ErrorCode{"W425", "Let borders of what is held, loaded or in contact keep off the ends of the "
                       "crack's front, or give a smaller RADIUS on $TIPNET. Sets "
                       "that nothing uses are not told of."},
@@ -262,6 +263,10 @@ constexpr std::array advice{
     ErrorCode{"W366",
               "Results are those of the side that $SYMMETRY keeps: name the mirror image of what "
               "is asked for, or keep the other side."},
+    ErrorCode{"W367", "KC without a unit counts in KUNIT."},
+    ErrorCode{"W368", "The numbers of a block are its low, its high and its count."},
+    ErrorCode{"W369", "Leave out the column of times: only the places t count."},
+    ErrorCode{"W370", "Linear and quadratic elements fit together only by a tie."},
     ErrorCode{"W364", "FIT takes a part of the fit that $CONTACT declares: 1 is all of it."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
@@ -291,6 +296,9 @@ constexpr std::array advice{
     ErrorCode{"W506",
               "The table of rounds in the listing says what was tried and how far K came. A looser "
               "TOL, or a deck whose own mesh can be made finer where the errors are: exit code 5."},
+    ErrorCode{"W575",
+              "A crack that is pressed in every step has K2 and K3 at most, and grows by no "
+              "law here. Look at NET of $CRACK and at the direction of the loads."},
     ErrorCode{
         "W570",
         "G and (K1^2 + K2^2)/E', domains of different size and the opening of the faces agree "
@@ -305,6 +313,13 @@ constexpr std::array advice{
     ErrorCode{"W457", "The support takes the force at once. Is the set the one that is meant, or "
                       "the support?"},
     ErrorCode{"W458", "Where every node of a surface is held nothing reaches the body behind it."},
+    ErrorCode{"W460", "The line of the crack in the listing tells what the body has of it: kind, "
+                      "length along each face, area. A centre on an edge gives a corner crack, on "
+                      "a face a surface crack, inside an embedded one; else A and C are not the "
+                      "flaw's size."},
+    ErrorCode{"W461", "Of the two parts of a section the crack is the one with X0 Y0 Z0 in it."},
+    ErrorCode{"W462", "A crack at a face that is held across it counts with its mirror image."},
+    ErrorCode{"W463", "The front is a smooth curve through all points in their order."},
     ErrorCode{"W459", "PATH is ordered from the mouth, where the boundary turns, to the tip, and "
                       "lengths count from its first node."},
     ErrorCode{"E457", "Leave SIZE out, or give it together with RINGS or RADIUS: fields at a tip "

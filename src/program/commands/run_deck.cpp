@@ -82,7 +82,7 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
   }
   folder->commit();
   if (!options.quiet) {
-    print_summary(*deck.model, *outcome.run, options.out);
+    print_summary(deck, *outcome.run, options.out);
     to_stdout(outcome.profile);
   }
   return outcome.kind;

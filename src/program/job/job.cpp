@@ -227,6 +227,11 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   results::Run& run = *solved.run;
   std::optional<analysis::Recorded> checking(std::in_place, options.recorder.get(), "CHECKS",
                                              "checks, warnings");
+  if (!run.increments.empty()) { // of the cracks as they begin
+    std::vector<results::Note>& notes = run.increments.front().notes;
+    const std::vector<results::Note> flaws = results::notes_of(deck.flaws);
+    notes.insert(notes.begin(), flaws.begin(), flaws.end());
+  }
   run.tests = invert_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
   analysis::explain_lost_ligaments(run);
@@ -330,9 +335,12 @@ void print_tips(const model::Model& model, const results::Run& run) {
 
 } // namespace
 
-void print_summary(const model::Model& model, const results::Run& run,
+void print_summary(const ReadyDeck& deck, const results::Run& run,
                    const std::filesystem::path& folder) {
-  print_tips(model, run);
+  for (const std::string& flaw : deck.flaws) {
+    to_stdout(flaw + "\n");
+  }
+  print_tips(*deck.model, run);
   if (run.growth) {
     // That nothing grows is an answer, but N = 0 alone does not read like it.
     const bool stands = run.growth->ended == "THRESHOLD";

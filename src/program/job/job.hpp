@@ -25,8 +25,8 @@ namespace spricka::program {
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
                            archive::Checkpoint* checkpoint, const Log& log);
 
-/// The table of results on stdout.
-void print_summary(const model::Model& model, const results::Run& run,
+/// What bodies have of cracks in space, and the table of results, on stdout.
+void print_summary(const ReadyDeck& deck, const results::Run& run,
                    const std::filesystem::path& folder);
 
 } // namespace spricka::program

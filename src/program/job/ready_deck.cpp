@@ -4,6 +4,7 @@
 #include "fe/law.hpp"
 #include "model/model.hpp"
 #include "sense/contact_sense.hpp"
+#include "sense/flaws.hpp"
 #include "sense/half_model.hpp"
 #include "sense/held_places.hpp"
 #include "sense/two_ways.hpp"
@@ -115,6 +116,9 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
     sense::warn_of_unjoined_bodies(*model, ready.diagnostics);
     sense::warn_of_held_places(*model, ready.diagnostics);
     sense::warn_of_path_mouths(*model, ready.diagnostics);
+    if (!ready.diagnostics.has_errors()) {
+      ready.flaws = sense::tell_of_flaws(*model, ready.diagnostics);
+    }
   }
   if (model && !ready.diagnostics.has_errors()) {
     // After the mistakes: a deck with both is to be mended first.

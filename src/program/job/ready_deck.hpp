@@ -29,6 +29,7 @@ struct ReadyDeck {
   base::Diagnostics diagnostics;          ///< of reading
   deck::ReadOptions options;              ///< as it was read
   std::vector<deck::ScriptTable> scripts; ///< the constants of geometry scripts
+  std::vector<std::string> flaws;         ///< what bodies in space have of each crack
   std::optional<model::Model> model;
   RunOutcome refusal; ///< without a model
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/scene/solid_cracks.hpp"
+#include "mesh/tube/cracks_in_solids.hpp"
 
-#include "analysis/scene/tip_net_of.hpp"
 #include "mesh/front_curve.hpp"
 #include "mesh/surface/crack_relief.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include <Eigen/Geometry>
 
-namespace spricka::analysis {
+namespace spricka::mesh {
 
 namespace {
 
@@ -43,8 +43,8 @@ std::vector<Vec3> drawn_front(const model::Crack& crack) {
     }
     inwards = area.dot(plane.normal) > 0.0;
   } else {
-    const mesh::FrontCurve curve(front, std::vector<Vec3>(front.size(), plane.normal), false);
-    const mesh::FrontFrame near = curve.at(curve.nearest(plane.place));
+    const FrontCurve curve(front, std::vector<Vec3>(front.size(), plane.normal), false);
+    const FrontFrame near = curve.at(curve.nearest(plane.place));
     inwards = near.m.dot(plane.place - near.x) > 0.0;
   }
   if (inwards) {
@@ -55,8 +55,8 @@ std::vector<Vec3> drawn_front(const model::Crack& crack) {
 
 } // namespace
 
-std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
-  std::vector<mesh::SolidCrack> cracks;
+std::vector<SolidCrack> solid_cracks(const model::Model& model) {
+  std::vector<SolidCrack> cracks;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     const model::Crack& crack = model.cracks[i];
     const bool gone = crack.kind == model::CrackKind::drawn && crack.points.empty();
@@ -64,7 +64,7 @@ std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
       continue; // in the mesh already, or become a part of another one as it grew
     }
     const bool ellipse = crack.kind == model::CrackKind::ellipse;
-    mesh::SolidCrack cut;
+    SolidCrack cut;
     cut.crack = base::CrackId(i);
     cut.net = crack.net;
     cut.normal = crack.plane.normal;
@@ -75,30 +75,12 @@ std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
     cut.closed = ellipse || crack.plane.closed;
     cut.name = crack.name;
     if (!crack.wake.fronts.empty()) {
-      cut.relief = std::make_shared<const mesh::CrackRelief>(
-          mesh::CrackRelief::Fronts{crack.plane.normal, crack.wake.fronts, crack.wake.normals});
+      cut.relief = std::make_shared<const CrackRelief>(
+          CrackRelief::Fronts{crack.plane.normal, crack.wake.fronts, crack.wake.normals});
     }
     cracks.push_back(std::move(cut));
   }
   return cracks;
-}
-
-std::vector<mesh::TubeMesh> tube_meshes(const model::Model& model) {
-  std::vector<mesh::TubeMesh> tubes;
-  for (std::size_t i = 0; i < model.cracks.size(); ++i) {
-    mesh::TubeMesh tube;
-    if (const model::TipNet* tip = tip_net_of(model, base::CrackId(i))) {
-      tube.radius = tip->radius.value_or(0.0);
-      tube.size = tip->size.value_or(0.0);
-      tube.rings = tip->rings;
-      tube.sectors = tip->sectors;
-      tube.quarter_point = tip->quarter_point;
-      tube.tube = tip->tube;
-      tube.finer = tip->finer;
-    }
-    tubes.push_back(tube);
-  }
-  return tubes;
 }
 
 double front_angle(const model::Crack& crack, const Vec3& x) {
@@ -107,4 +89,4 @@ double front_angle(const model::Crack& crack, const Vec3& x) {
   return std::atan2(from.dot(plane.across()) / plane.a, from.dot(plane.along) / plane.c);
 }
 
-} // namespace spricka::analysis
+} // namespace spricka::mesh

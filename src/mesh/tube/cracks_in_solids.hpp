@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_crack.hpp"
+#include "model/forward.hpp"
+
+#include <vector>
+
+namespace spricka::model {
+struct Crack;
+}
+
+namespace spricka::mesh {
+
+/// The cracks of a deck in space, ready to be cut. [crack]
+std::vector<SolidCrack> solid_cracks(const model::Model& model);
+
+/// Parametric angle of a place on the front of an ellipse, from its axis C [rad], -pi .. pi.
+double front_angle(const model::Crack& crack, const base::Vec3& x);
+
+} // namespace spricka::mesh
