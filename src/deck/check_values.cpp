@@ -77,7 +77,7 @@ void odd_toughness(Context& c, const BoundCard& card) {
   const double bound = stiffest * std::sqrt(most / c.model.units.metre_per_length);
   if (*k_c > bound) {
     c.diagnostics.warning(
-        card.has("KC") ? card.find("KC")->span : card.span, "W367",
+        card.has("KC") ? card.find("KC")->span : card.span, "W371",
         fmt::format("KC = {:.4g} {}: no material of such a modulus is tougher than {:.2g}, so that "
                     "it would never end a growth",
                     *k_c, c.model.units.stress_intensity_name(), bound),

@@ -263,7 +263,7 @@ constexpr std::array advice{
     ErrorCode{"W366",
               "Results are those of the side that $SYMMETRY keeps: name the mirror image of what "
               "is asked for, or keep the other side."},
-    ErrorCode{"W367", "KC without a unit counts in KUNIT."},
+    ErrorCode{"W371", "KC without a unit counts in KUNIT."},
     ErrorCode{"W368", "The numbers of a block are its low, its high and its count."},
     ErrorCode{"W369", "Leave out the column of times: only the places t count."},
     ErrorCode{"W370", "Linear and quadratic elements fit together only by a tie."},
