@@ -118,6 +118,7 @@ private:
         faces.insert(sorted(place.nodes));
       }
     }
+    std::map<std::vector<NodeId>, std::set<NodeId>> inside; // nodes that follow all of a face
     for (const fe::Dependence::Row& row : ties_.rows()) {
       std::vector<NodeId> masters;
       for (const fe::Term& term : row.terms) {
@@ -126,13 +127,18 @@ private:
       masters = sorted(std::move(masters));
       masters.erase(std::unique(masters.begin(), masters.end()), masters.end());
       tied.follows[static_cast<std::size_t>(row.freedom) / 3] = true;
-      if (faces.contains(masters)) {
-        tied.quadrilaterals.insert(std::move(masters));
-        continue;
+      const bool is_face = faces.contains(masters);
+      if (is_face) {
+        inside[masters].emplace(static_cast<std::size_t>(row.freedom) / 3);
       }
-      for (const NodeId n : masters) {
-        tied.leads[n.index()] = true;
+      if (!is_face || inside[masters].size() > 1) {
+        for (const NodeId n : masters) {
+          tied.leads[n.index()] = true;
+        }
       }
+    }
+    for (const auto& [face, nodes] : inside) {
+      tied.quadrilaterals.insert(face);
     }
     return tied;
   }

@@ -21,7 +21,9 @@ struct SpaceNumbers {
 /// Held are directions that supports hold at all nodes of an edge or face, edges and faces with a
 /// node that follows others, and such whose nodes are all followed; but the edges of a
 /// quadrilateral whose diagonal alone is tied (the tube of a crack) are free: both sides share
-/// them.
+/// them. (Where more nodes inside a face are tied, as at a host of hexahedra, a mode of an edge
+/// that differs inside the face on both sides would let a linear stress do work on it: an error
+/// where there is none.)
 SpaceNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
                           const fe::Dependence& ties);
 

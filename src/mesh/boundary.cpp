@@ -18,6 +18,70 @@ std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model:
   return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])]};
 }
 
+/// Triangles that lie on the other side of quadrilaterals of a mesh of solids.
+class FacesThatMeet {
+public:
+  FacesThatMeet(const model::Mesh& mesh, const SideIndex& sides,
+                const std::vector<model::Face>& alone)
+      : mesh_(mesh), sides_(sides) {
+    for (const model::Face& face : alone) {
+      const std::vector<base::NodeId> corners = corners_of(face);
+      for (std::size_t i = 0; i < 3 && corners.size() == 3; ++i) {
+        opposite_.emplace(std::minmax(corners[i], corners[(i + 1) % 3]), corners[(i + 2) % 3]);
+      }
+    }
+  }
+
+  /// Two on a diagonal of it, or four round a node in it; empty if it is no quadrilateral or meets
+  /// none.
+  [[nodiscard]] std::vector<model::Face> triangles_of(const model::Face& face) const {
+    const std::vector<base::NodeId> c = corners_of(face);
+    if (c.size() != 4) {
+      return {};
+    }
+    std::vector<model::Face> found = find({{c[0], c[1], c[2]}, {c[0], c[2], c[3]}});
+    if (found.empty()) {
+      found = find({{c[1], c[2], c[3]}, {c[1], c[3], c[0]}});
+    }
+    const auto [begin, end] = opposite_.equal_range(std::minmax(c[0], c[1]));
+    for (auto at = begin; at != end && found.empty(); ++at) {
+      const base::NodeId m = at->second;
+      found = find({{c[0], c[1], m}, {c[1], c[2], m}, {c[2], c[3], m}, {c[3], c[0], m}});
+    }
+    return found;
+  }
+
+private:
+  using Corners = std::array<base::NodeId, 3>;
+
+  [[nodiscard]] std::vector<base::NodeId> corners_of(const model::Face& face) const {
+    const base::ElementType type = mesh_.type[face.element.index()];
+    const auto count = static_cast<std::size_t>(shape::side_corners(type, face.side));
+    std::vector<base::NodeId> corners;
+    for (const int local : shape::side_nodes(type, face.side).first(count)) {
+      corners.push_back(mesh_.nodes_of(face.element)[static_cast<std::size_t>(local)]);
+    }
+    return corners;
+  }
+
+  /// The sides with these corners, if all are there and none has an element behind it.
+  [[nodiscard]] std::vector<model::Face> find(const std::vector<Corners>& triangles) const {
+    std::vector<model::Face> found;
+    for (const Corners& corners : triangles) {
+      const auto side = sides_.find(corners);
+      if (side.size() != 1) {
+        return {};
+      }
+      found.push_back(side.front());
+    }
+    return found;
+  }
+
+  const model::Mesh& mesh_;
+  const SideIndex& sides_;
+  std::multimap<std::pair<base::NodeId, base::NodeId>, base::NodeId> opposite_; ///< [edge]
+};
+
 } // namespace
 
 std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
@@ -27,22 +91,16 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
 std::vector<model::Face> outer_faces(const model::Mesh& mesh) {
   const SideIndex sides(mesh);
   std::vector<model::Face> faces = sides.alone();
+  if (mesh.dim != 3) {
+    return faces;
+  }
+  const FacesThatMeet meet(mesh, sides, faces);
   std::vector<model::Face> met;
   for (const model::Face& face : faces) {
-    const base::ElementType type = mesh.type[face.element.index()];
-    if (mesh.dim != 3 || shape::side_corners(type, face.side) != 4) {
-      continue;
-    }
-    const std::span<const int> local = shape::side_nodes(type, face.side);
-    const auto corner = [&](std::size_t i) {
-      return mesh.nodes_of(face.element)[static_cast<std::size_t>(local[i % 4])];
-    };
-    for (std::size_t d = 0; d < 2; ++d) { // diagonal from corner d to d + 2
-      const auto one = sides.find(std::array{corner(d), corner(d + 1), corner(d + 2)});
-      const auto other = sides.find(std::array{corner(d), corner(d + 2), corner(d + 3)});
-      if (one.size() == 1 && other.size() == 1) {
-        met.insert(met.end(), {face, one.front(), other.front()});
-      }
+    const std::vector<model::Face> triangles = meet.triangles_of(face);
+    if (!triangles.empty()) {
+      met.push_back(face);
+      met.insert(met.end(), triangles.begin(), triangles.end());
     }
   }
   std::ranges::sort(met);

@@ -9,8 +9,9 @@ namespace spricka::mesh {
 /// Sides that belong to one element only, element by element, side by side.
 std::vector<model::Face> boundary_faces(const model::Mesh& mesh);
 
-/// Those of them that are surface of the body: without quadrilaterals inside that two triangles
-/// meet, and without these triangles (they have the quadrilateral's corners, its diagonal is tied).
+/// Those of them that are surface of the body: without quadrilaterals inside that triangles meet,
+/// and without these triangles (two on a diagonal of the quadrilateral, or four round a node in it;
+/// what of theirs it has not is tied to it).
 std::vector<model::Face> outer_faces(const model::Mesh& mesh);
 
 /// Boundary sides all of whose nodes lie in `nodes`, in the order of boundary_faces.

@@ -43,9 +43,10 @@ struct TipMesh {
   bool pressed = false; ///< the mouth lies on a contact surface, whose pressure peaks there
 };
 
-/// A node that takes the displacement of its place on an edge or a face, by the shape functions
-/// there: on the rim of a patch that is finer than its host the place on the host's edge (ends and
-/// middle); the middle of the diagonal where two triangles meet one quadrilateral.
+/// A node that takes the displacement of its place on an edge or a face: on the rim of a patch that
+/// is finer than its host the place on the host's edge (ends and middle); the middle of the
+/// diagonal where two triangles meet one quadrilateral; the nodes inside a quadrilateral where four
+/// do.
 struct RimTie {
   base::NodeId slave;
   std::vector<base::NodeId> master;

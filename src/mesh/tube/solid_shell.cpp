@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_shell.hpp"
 
+#include "mesh/tube/quadrilateral_join.hpp"
+
 #include <algorithm>
+#include <iterator>
 
 namespace spricka::mesh {
 namespace {
@@ -54,6 +57,28 @@ int slave_of(SolidNet& net, SolidTie tie, bool holds) {
   return node;
 }
 
+/// Makes the nodes inside a quadrilateral (corners, middles, and the middle where it has one) that
+/// four triangles round it share with it, tied so that linear stresses pass. Returns its middle.
+int tie_inside(SolidNet& net, const std::vector<int>& nodes) {
+  std::vector<Vec3> places;
+  std::ranges::transform(nodes, std::back_inserter(places), [&](int n) { return net.x(n); });
+  const base::Matrix weights = join_weights(places);
+  Eigen::Index row = 0;
+  const auto next = [&] {
+    const base::Vector w = weights.row(row++).transpose();
+    return slave_of(net, {0, nodes, {w.begin(), w.end()}}, true);
+  };
+  const int middle = nodes.size() > 8 ? nodes[8] : next();
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    net.set_mid(nodes[corner], middle, next());
+  }
+  return middle;
+}
+
+std::vector<PatchTriangle> fan(const Corners& q, int middle) {
+  return {{q[0], q[1], middle}, {q[1], q[2], middle}, {q[2], q[3], middle}, {q[3], q[0], middle}};
+}
+
 class Sheller {
 public:
   Sheller(const SolidHost& host, const std::vector<bool>& removed, SolidNet& net)
@@ -73,6 +98,14 @@ public:
       return {{corner[0], corner[2], corner[1]}};
     }
     const Corners q{corner[0], corner[3], corner[2], corner[1]};
+    if (!face.free && nodes.mid(0).valid()) { // a quadratic element stays behind it
+      std::vector<int> all = corner;
+      all.insert(all.end(), mid.begin(), mid.end());
+      if (nodes.centre().valid()) {
+        all.push_back(net_.host_node(nodes.centre()));
+      }
+      return fan(q, tie_inside(net_, all));
+    }
     const bool first = first_bulges(net_, q);
     const int a = first ? q[0] : q[1];
     const int b = first ? q[2] : q[3];
@@ -103,7 +136,7 @@ private:
       return net_.host_node(nodes.centre());
     }
     if (nodes.mid(0).valid()) {
-      return slave_of(net_, middle_of(corner, {mid[0], mid[1], mid[2], mid[3]}), !free);
+      return slave_of(net_, middle_of(corner, {mid[0], mid[1], mid[2], mid[3]}), false);
     }
     return slave_of(net_, {0, {corner.begin(), corner.end()}, {0.25, 0.25, 0.25, 0.25}}, !free);
   }

@@ -13,17 +13,18 @@ namespace spricka::mesh {
 /// with the nodes of either side of a crack.
 using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
 
-/// A shell of a cavity as triangles; edges have the host's middle nodes. A quadrilateral becomes
-/// two triangles, on the diagonal that bulges into the cavity (else a flat tetrahedron might lie on
-/// it); the node in the middle of the diagonal is that of the face, or has its place: tied to the
-/// face where an element stays behind it. Middles of the edges of linear elements that stay are
-/// tied to these.
+/// A shell of a cavity as triangles; edges have the host's middle nodes. A quadrilateral of a
+/// quadratic element that stays becomes four triangles round its middle, tied so that linear
+/// stresses pass (join_weights). Others become two, on the diagonal that bulges into the cavity
+/// (else a flat tetrahedron might lie on it); the node in the middle of the diagonal is that of the
+/// face, or has its place: tied to the face where a linear element stays behind it. Middles of the
+/// edges of linear elements that stay are tied to these.
 std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<bool>& removed,
                                     const std::vector<CavityFace>& faces, SolidNet& net,
                                     std::vector<FacePieces>& pieces);
 
-/// Puts a tube into a patch: returns its nodes there; its outside, as triangles, is added to
-/// `shell`. A free front has none.
+/// Puts a tube into a patch: returns its nodes there; its outside is added to `shell`, two
+/// triangles for each quadrilateral, the middle of the diagonal tied. A free front has none.
 std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTriangle>& shell);
 
 } // namespace spricka::mesh

@@ -70,37 +70,70 @@ TEST(Boundary, FacesWithinNeedAllTheirNodes) {
   EXPECT_EQ(mesh::nodes_of_faces(mesh, found).size(), 5U);
 }
 
+/// A cube whose upper corners are nodes 4 to 7, round its upper face, and node 8 above; more nodes
+/// may follow.
+struct Cube {
+  model::Mesh mesh;
+  std::vector<base::NodeId> n;
+
+  Cube() {
+    mesh.dim = 3;
+    mesh.first = {0};
+    for (const double z : {0.0, 1.0}) {
+      for (const base::Vec2& at :
+           {base::Vec2(0, 0), base::Vec2(1, 0), base::Vec2(1, 1), base::Vec2(0, 1)}) {
+        add({at.x(), at.y(), z});
+      }
+    }
+    add({0.5, 0.5, 2.0});
+    model::add_element(mesh, base::ElementType::hexe8, std::span(n).first(8), 1, net);
+  }
+  void add(const base::Vec3& x) {
+    n.push_back(model::add_node(mesh, x, static_cast<base::Label>(n.size() + 1), net));
+  }
+  void add_tetrahedron(std::array<std::size_t, 4> at) {
+    model::add_element(mesh, base::ElementType::tet4,
+                       std::array{n[at[0]], n[at[1]], n[at[2]], n[at[3]]},
+                       static_cast<base::Label>(mesh.element_count() + 1), net);
+  }
+  /// The surface's area vector, which vanishes if it is closed.
+  [[nodiscard]] base::Vec3 area() const {
+    base::Vec3 sum = base::Vec3::Zero();
+    for (const model::Face& face : mesh::outer_faces(mesh)) {
+      const auto nodes = test::nodes_of(mesh, face);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        sum += mesh.x[nodes[i].index()].cross(mesh.x[nodes[(i + 1) % nodes.size()].index()]);
+      }
+    }
+    return sum;
+  }
+
+  const base::NetId net{std::size_t{0}};
+};
+
 // Two tetrahedra on top of a cube, with its upper corners: they meet its face at the diagonal.
 TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatTrianglesMeet) {
-  model::Mesh mesh;
-  mesh.dim = 3;
-  mesh.first = {0};
-  const base::NetId net(std::size_t{0});
-  std::vector<base::NodeId> n;
-  for (const double z : {0.0, 1.0}) {
-    for (const base::Vec2& at :
-         {base::Vec2(0, 0), base::Vec2(1, 0), base::Vec2(1, 1), base::Vec2(0, 1)}) {
-      n.push_back(
-          model::add_node(mesh, {at.x(), at.y(), z}, static_cast<base::Label>(n.size() + 1), net));
-    }
-  }
-  n.push_back(model::add_node(mesh, {0.5, 0.5, 2.0}, 9, net));
-  model::add_element(mesh, base::ElementType::hexe8, std::span(n).first(8), 1, net);
-  EXPECT_EQ(mesh::outer_faces(mesh), mesh::boundary_faces(mesh));
-  model::add_element(mesh, base::ElementType::tet4, std::array{n[4], n[5], n[6], n[8]}, 2, net);
-  EXPECT_EQ(mesh::outer_faces(mesh), mesh::boundary_faces(mesh)); // half of it is free
-  model::add_element(mesh, base::ElementType::tet4, std::array{n[4], n[6], n[7], n[8]}, 3, net);
-  EXPECT_EQ(mesh::boundary_faces(mesh).size(), 6U + 6U);
-  const std::vector<model::Face> outer = mesh::outer_faces(mesh);
-  EXPECT_EQ(outer.size(), 5U + 4U);
-  base::Vec3 area = base::Vec3::Zero(); // of a closed surface
-  for (const model::Face& face : outer) {
-    const auto nodes = test::nodes_of(mesh, face);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      area += mesh.x[nodes[i].index()].cross(mesh.x[nodes[(i + 1) % nodes.size()].index()]);
-    }
-  }
-  EXPECT_LT(area.norm(), 1e-12);
+  Cube cube;
+  EXPECT_EQ(mesh::outer_faces(cube.mesh), mesh::boundary_faces(cube.mesh));
+  cube.add_tetrahedron({4, 5, 6, 8});
+  EXPECT_EQ(mesh::outer_faces(cube.mesh), mesh::boundary_faces(cube.mesh)); // half of it is free
+  cube.add_tetrahedron({4, 6, 7, 8});
+  EXPECT_EQ(mesh::boundary_faces(cube.mesh).size(), 6U + 6U);
+  EXPECT_EQ(mesh::outer_faces(cube.mesh).size(), 5U + 4U);
+  EXPECT_LT(cube.area().norm(), 1e-12);
+}
+
+// Four round a node in the middle of the face.
+TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatFourTrianglesMeet) {
+  Cube cube;
+  cube.add({0.5, 0.5, 1.0});
+  cube.add_tetrahedron({4, 5, 9, 8});
+  cube.add_tetrahedron({5, 6, 9, 8});
+  cube.add_tetrahedron({6, 7, 9, 8});
+  EXPECT_EQ(mesh::outer_faces(cube.mesh), mesh::boundary_faces(cube.mesh)); // a quarter is free
+  cube.add_tetrahedron({7, 4, 9, 8});
+  EXPECT_EQ(mesh::outer_faces(cube.mesh).size(), 5U + 4U);
+  EXPECT_LT(cube.area().norm(), 1e-12);
 }
 
 } // namespace

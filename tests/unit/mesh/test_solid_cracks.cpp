@@ -94,8 +94,8 @@ void expect_sound(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
   }
 }
 
-/// Sides that have no neighbour: those of the crack's faces and of the surface, besides those of
-/// quadrilaterals that meet two triangles. Of these the triangles' corners are the quadrilaterals'.
+/// Sides that have no neighbour are those of the crack's faces and of the surface, besides those of
+/// quadrilaterals that meet triangles and these. Quadrilaterals of the surface may have become two.
 void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
   std::set<model::Face> faces;
@@ -103,47 +103,30 @@ void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
     faces.insert(crack.left_sides.begin(), crack.left_sides.end());
     faces.insert(crack.right_sides.begin(), crack.right_sides.end());
   }
-  const mesh::SideIndex all(mesh);
-  std::map<std::set<NodeId>, int> triangles; // by corners
-  std::vector<std::set<NodeId>> quads;
-  Vec3 open = Vec3::Zero(); // area vectors of a closed surface cancel
-  for (const model::Face& side : all.alone()) {
-    if (faces.contains(side)) {
-      continue;
-    }
+  const auto triangles_of = [](const model::Mesh& m, const model::Face& side) {
+    return mesh::face_nodes(m, side).corners - 2;
+  };
+  const auto area_vector = [&](const model::Face& side) {
     const mesh::FaceNodes nodes = mesh::face_nodes(mesh, side);
-    const auto corner = nodes.corner();
-    for (std::size_t i = 2; i < corner.size(); ++i) {
-      const Vec3& a = mesh.x[corner[0].index()];
-      open += (mesh.x[corner[i - 1].index()] - a).cross(mesh.x[corner[i].index()] - a);
+    Vec3 twice = Vec3::Zero();
+    for (std::size_t i = 2; i < nodes.corners; ++i) {
+      const Vec3& a = mesh.x[nodes.all[0].index()];
+      twice += (mesh.x[nodes.all[i - 1].index()] - a).cross(mesh.x[nodes.all[i].index()] - a);
     }
-    const std::set<NodeId> set(corner.begin(), corner.end());
-    if (set.size() == 3) {
-      ++triangles[set];
-    } else {
-      quads.push_back(set);
-    }
+    return twice;
+  };
+  Vec3 all = Vec3::Zero(); // area vectors of a closed surface cancel
+  for (const model::Face& side : mesh::boundary_faces(mesh)) {
+    all += faces.contains(side) ? Vec3::Zero() : area_vector(side);
   }
-  EXPECT_NEAR(open.norm(), 0.0, 1e-9);
-  std::size_t paired = 0;
-  for (const std::set<NodeId>& quad : quads) {
-    int inside = 0;
-    for (const NodeId left_out : quad) {
-      std::set<NodeId> three = quad;
-      three.erase(left_out);
-      inside += static_cast<int>(triangles.count(three));
-    }
-    EXPECT_TRUE(inside == 0 || inside == 2);
-    paired += inside == 2 ? 1 : 0;
+  EXPECT_NEAR(all.norm(), 0.0, 1e-9);
+  std::size_t surface = 0;
+  for (const model::Face& side : mesh::outer_faces(mesh)) {
+    surface += faces.contains(side) ? 0 : triangles_of(mesh, side);
   }
-  // What is left is the surface of the body, of which quadrilaterals may have become two triangles.
-  std::size_t surface = triangles.size() - 2 * paired;
   std::size_t before = 0;
   for (const model::Face& side : mesh::boundary_faces(host)) {
-    before += mesh::face_nodes(host, side).corners - 2;
-  }
-  for (std::size_t q = paired; q < quads.size(); ++q) {
-    surface += 2;
+    before += triangles_of(host, side);
   }
   EXPECT_EQ(surface, before);
 }
