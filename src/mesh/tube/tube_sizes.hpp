@@ -19,7 +19,7 @@ struct TubeSizes {
 
   [[nodiscard]] double radius_at(double at) const;
   /// Lengths along the front at which elements begin and end, of equal number for each length
-  /// wanted; of a closed front its end is not repeated.
+  /// wanted; of an open front at least two elements, of a closed one its end is not repeated.
   [[nodiscard]] std::vector<double> stations(bool closed) const;
   [[nodiscard]] double count() const; ///< elements along the front
 };

@@ -73,5 +73,15 @@ TEST(TubeSizes, ElementsOfAnOpenFrontFollowTheWantedLengths) {
   }
 }
 
+// Across a thin slice a front needs a point that is not on the surface.
+TEST(TubeSizes, AShortOpenFrontHasAPointInside) {
+  mesh::TubeSizes sizes;
+  sizes.s = {0.0, 0.5, 1.0};
+  sizes.length = {8.0, 8.0, 8.0};
+  const std::vector<double> stations = sizes.stations(false);
+  ASSERT_EQ(stations.size(), 3U);
+  EXPECT_NEAR(stations[1], 0.5, 1e-12);
+}
+
 } // namespace
 } // namespace spricka::test_tube_sizes
