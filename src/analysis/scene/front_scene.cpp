@@ -39,32 +39,47 @@ bool lies_across(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes
   return high[axis] - low[axis] <= same_plane * (high - low).norm();
 }
 
-// [3 * node] held along an axis by a support of the flat sides there: what moves in their plane
-// meets it nowhere.
-std::vector<bool> held_across(const model::Mesh& mesh,
-                              const std::vector<model::FreedomClass>& cls) {
-  std::vector<bool> across(cls.size(), false);
+// Nodes of a side of an element.
+std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
+  const auto all = mesh.nodes_of(face.element);
+  std::vector<base::NodeId> nodes;
+  for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+    nodes.push_back(all[static_cast<std::size_t>(k)]);
+  }
+  return nodes;
+}
+
+// [3 * node] held by a support of flat sides across an axis either along that axis (a plane of
+// symmetry) or along both others but not along it (one of antisymmetry): reactions there do no work
+// with what moves in their plane, as they are at right angles to how the displacement changes in
+// it.
+std::vector<bool> held_by_planes(const model::Mesh& mesh,
+                                 const std::vector<model::FreedomClass>& cls) {
+  std::vector<bool> by_planes(cls.size(), false);
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
-    const auto all = mesh.nodes_of(face.element);
-    std::vector<base::NodeId> nodes;
-    for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-      nodes.push_back(all[static_cast<std::size_t>(k)]);
-    }
+    const std::vector<base::NodeId> nodes = nodes_of(mesh, face);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto at = [&](base::NodeId n) {
-        return 3 * n.index() + static_cast<std::size_t>(axis);
+      const auto at = [&](base::NodeId n, int along) {
+        return 3 * n.index() + static_cast<std::size_t>((axis + along) % 3);
       };
-      if (std::ranges::all_of(
-              nodes,
-              [&](base::NodeId n) { return cls[at(n)] == model::FreedomClass::suppressed; }) &&
-          lies_across(mesh, nodes, axis)) {
-        for (const base::NodeId n : nodes) {
-          across[at(n)] = true;
+      const auto rests = [&](int along) {
+        return std::ranges::all_of(nodes, [&](base::NodeId n) {
+          return cls[at(n, along)] == model::FreedomClass::suppressed;
+        });
+      };
+      if (!lies_across(mesh, nodes, axis)) {
+        continue;
+      }
+      const bool across = rests(0);
+      const bool along = !across && rests(1) && rests(2);
+      for (const base::NodeId n : nodes) {
+        for (const int c : {0, 1, 2}) {
+          by_planes[at(n, c)] = by_planes[at(n, c)] || (c == 0 ? across : along);
         }
       }
     }
   }
-  return across;
+  return by_planes;
 }
 
 std::string why_none(const crack::FrontFields& fields) {
@@ -151,9 +166,10 @@ crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) 
   crack::DomainLimits limits;
   limits.node.assign(mesh.node_count(), false);
   limits.zone = material_zones(model, mesh);
-  const std::vector<bool> across = held_across(mesh, scene.cls);
+  const std::vector<bool> by_planes = held_by_planes(mesh, scene.cls);
   for (std::size_t i = 0; i < scene.cls.size(); ++i) {
-    if ((is_held(scene.cls[i]) && !across[i]) || scene.cls[i] == model::FreedomClass::dependent) {
+    if ((is_held(scene.cls[i]) && !by_planes[i]) ||
+        scene.cls[i] == model::FreedomClass::dependent) {
       limits.node[i / 3] = true;
     }
   }

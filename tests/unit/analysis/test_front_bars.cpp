@@ -238,5 +238,32 @@ TEST(FrontBars, PennyInABlockThatCoolsBetweenWalls) {
   });
 }
 
+// Half a penny under shear: x = 0 is held along y and z, where the whole one is antisymmetric.
+TEST(FrontBars, HalfAPennyThatEndsOnAPlaneOfAntisymmetry) {
+  std::string deck = buried(1.0, 1.0, 12.0, "$TIPNET CRACK=C1 FINER=0.8");
+  put(deck, "X0=(-L)", "X0=0");
+  put(deck, "LX=(2*L)", "LX=(L)");
+  put(deck, "NX=4", "NX=2");
+  put(deck, "P1 WHERE=(x < -L + 1e-6", "P1 WHERE=(x < 1e-6");
+  put(deck, "DOF=XYZ\n  P1", "DOF=X\n  P1");
+  put(deck, "DOF=YZ\n  P2", "DOF=YZ\n  BODY.XMIN");
+  put(deck, "$FREEDOM CLASS=SUPPRESSED DOF=Z\n  P3\n", "");
+  put(deck, "  BODY.XMIN  0 0 -1\n", "");
+  put(deck, "$STEP NAME=PULL\n  LOAD PULL 1\n", "");
+  const auto solved = test::solve_text(deck);
+  ASSERT_TRUE(solved);
+  const results::FrontResult& front = solved->step().fronts.front();
+  const double k = penny("BOTH", 0.0)[1];
+  ASSERT_TRUE(front.points.front().at_surface && front.points.back().at_surface);
+  for (const results::FrontPlace& place : front.points) {
+    const std::array<double, 3> truth = penny("BOTH", place.phi);
+    EXPECT_NEAR(place.K3, truth[2], 0.02 * k);
+    if (!place.at_surface) {
+      EXPECT_NEAR(place.K1, 0.0, 0.01 * k);
+      EXPECT_NEAR(place.K2, truth[1], 0.02 * k);
+    }
+  }
+}
+
 } // namespace
 } // namespace spricka::test_front_bars
