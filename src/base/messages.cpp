@@ -61,10 +61,6 @@ std::string caret_line(const Sources& sources, Span span) {
 constexpr std::size_t k_longest_line = 160; ///< characters of a source line that are shown
 constexpr std::size_t k_longest_text = 400; ///< bytes of a message that are shown
 
-bool continues_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
 // Leaves `count` characters from the one at `first` on.
 std::string cut(const std::string& text, std::size_t first, std::size_t count) {
   std::string out;

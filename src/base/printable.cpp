@@ -5,11 +5,11 @@
 
 namespace spricka::base {
 
-namespace {
-
 bool continues_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
+
+namespace {
 
 // Length of the UTF-8 character at `i`, 0 if there is none that is well formed.
 std::size_t character_at(std::string_view text, std::size_t i) {

@@ -10,4 +10,7 @@ namespace spricka::base {
 /// out, columns stay.
 std::string printable(std::string_view text);
 
+/// Whether a byte continues a UTF-8 character that began before it.
+bool continues_character(char c);
+
 } // namespace spricka::base
