@@ -17,12 +17,12 @@ class Recorder;
 
 /// How far a run is; told at the end of each stage of an increment, and of the increment.
 struct Progress {
-  std::size_t increment = 0; ///< those that are finished
+  std::size_t increment = 0;  ///< those that are finished
   std::size_t increments = 0; ///< in all; 0: as told before
   bool open_end = false;      ///< a law ends where it will: `increments` are those begun
-  std::string stage = {}; ///< what is done: "condensed", "step LOAD: K"; empty: the increment
-  std::size_t step = 0;   ///< of the increment under way, those that are finished
-  std::size_t steps = 0;  ///< and all that are to be solved
+  std::string stage = {};     ///< what is done: "condensed", "step LOAD: K"; empty: the increment
+  std::size_t step = 0;       ///< of the increment under way, those that are finished
+  std::size_t steps = 0;      ///< and all that are to be solved
 };
 
 struct SolveOptions {

@@ -62,8 +62,8 @@ struct VerificationCounts {
   /// Of those outside: within the bar and what the reference itself is off by, as its source states
   /// it; and those whose source states nothing.
   std::size_t within_accuracy = 0, of_no_accuracy = 0;
-  double cpu = 0.0;                      ///< [s]
-  std::size_t memory = 0;                ///< [bytes] of the largest
+  double cpu = 0.0;       ///< [s]
+  std::size_t memory = 0; ///< [bytes] of the largest
 };
 VerificationCounts count(const Verification& verification);
 
