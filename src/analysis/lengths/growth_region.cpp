@@ -98,7 +98,7 @@ void GrowthRegion::load(const results::NamedArrays& arrays) {
   if (region == arrays.integers.end() || split == arrays.integers.end()) {
     return;
   }
-  if (region->second.size() != model_.mesh.element_count()) {
+  if (!region->second.empty() && region->second.size() != model_.mesh.element_count()) {
     throw std::out_of_range("a region of another mesh");
   }
   plan_.region.assign(region->second.begin(), region->second.end());
