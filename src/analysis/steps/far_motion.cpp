@@ -14,6 +14,7 @@ namespace spricka::analysis {
 namespace {
 
 constexpr double too_far = 10.0;
+constexpr double no_motion = 1e-12; // of the body's size
 // What a unit of motion opens at least of some closed row where a wedge or taper holds the body:
 // the slope of a taper pin is 0.01.
 constexpr double wedge = 3e-3;
@@ -84,6 +85,9 @@ base::Trouble far_motion(const Scene& scene, const std::vector<BodyNet>& bodies,
     const base::Vector& rigid = motions.rigid[i];
     const double far = rigid.size() > 0 ? rigid.cwiseAbs().maxCoeff() : 0.0;
     const double size = size_of(scene.cracked.mesh, body.body);
+    if (far <= no_motion * size) {
+      continue;
+    }
     const bool slides =
         far > too_far * motions.sound && opened_by(scene, solved, rigid) < wedge * far;
     if (!slides && !(far > size + too_far * motions.sound)) {
