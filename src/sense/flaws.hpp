@@ -13,8 +13,7 @@ namespace spricka::sense {
 /// body, its area. Warns of an ellipse whose centre is neither in the body nor on its surface, or
 /// that is wider than the body (W460), of a crack that takes most of its section (W461), of a
 /// corner crack on a plane of symmetry (W462), of a point off its drawn front (W463) and of linear
-/// elements round a crack (W426). What
-/// cannot be placed is left to the cut.
+/// elements round a crack (W426). What cannot be placed is left to the cut.
 std::vector<std::string> tell_of_flaws(const model::Model& model, base::Diagnostics& list);
 
 } // namespace spricka::sense
