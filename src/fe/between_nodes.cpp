@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/between_nodes.hpp"
 
-#include "fe/hidden_search.hpp"
 #include "fe/load_rule.hpp"
 #include "model/loads.hpp"
 #include "model/mesh.hpp"
@@ -34,58 +33,38 @@ std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load
 
 template <int dim>
 void visit_side(const AnyElement<dim>& side, const SpaceNodes<dim>& X, const model::Load& load,
-                double largest, BetweenNodes& worst) {
-  using At = std::array<double, 3>;
+                BetweenNodes& worst) {
   SpaceNodes<dim> nodal(3, side.nodes);
   for (int n = 0; n < side.nodes; ++n) {
     nodal.col(n) = load_value(load, X.col(n));
   }
-  SeenValues seen{nodal.rowwise().minCoeff(), nodal.rowwise().maxCoeff()};
-  const auto value = [&](const At& t) {
-    return load_value(load, X * side.N(unit_cube_point<dim>(side.domain, t).r));
-  };
-  const auto look = [&](const At& t) {
+  const auto look = [&](const UnitPoint& t) {
     const auto N = side.N(unit_cube_point<dim>(side.domain, t).r);
-    const base::Vec3 v = value(t);
-    seen.low = seen.low.cwiseMin(v);
-    seen.high = seen.high.cwiseMax(v);
-    const double off = (v - nodal * N).cwiseAbs().maxCoeff();
+    const base::Vec3 x = X * N;
+    const double off = (load_value(load, x) - nodal * N).cwiseAbs().maxCoeff();
     if (off > worst.off) {
-      worst = {off, X * N};
+      worst = {off, x};
     }
   };
-  // Deviations that are wide show on a grid; a peak between its points is searched for afterwards.
+  // Deviations show on a grid; a peak between its points does not.
   constexpr int pieces = dim == 1 ? 32 : 8;
   for (int i = 0; i < pieces; ++i) {
     for (int j = 0; j < (dim == 1 ? 1 : pieces); ++j) {
       look({(i + 0.5) / pieces, (j + 0.5) / pieces, 0.0});
     }
   }
-  constexpr double little = 0.005;
-  const auto bounds = [&](const UnitBox& box, const SeenValues& known) {
-    return hidden_value(load, place_cell<dim>(side, X, box.low, box.high), known);
-  };
-  const SearchResult peak =
-      search_hidden(dim, bounds, value, {{}, {1.0, 1.0, 1.0}}, seen, {little * largest, 0.0, 100});
-  if (peak.found) {
-    At middle{};
-    for (std::size_t k = 0; k < dim; ++k) {
-      middle[k] = 0.5 * (peak.place.low[k] + peak.place.high[k]);
-    }
-    look(middle);
-  }
 }
 
 } // namespace
 
-BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load, double largest) {
+BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load) {
   BetweenNodes worst;
   if (is_constant(load)) {
     return worst;
   }
   for (const model::Face& face : sides_inside(mesh, load)) {
     with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
-      visit_side<dim>(side, X, load, largest, worst);
+      visit_side<dim>(side, X, load, worst);
     });
   }
   return worst;

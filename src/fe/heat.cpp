@@ -142,7 +142,9 @@ double unresolved_heat(const model::Model& model, const model::Mesh& mesh,
 CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
                    const model::LoadCase& load_case, Unresolved* missed) {
   CaseHeat heat;
-  heat.temperature = element_temperature(model, patched.mesh, load_case, missed);
+  // In the plane points of their own tell whether a temperature jumps.
+  std::vector<bool>* const jumps = patched.mesh.dim == 3 ? &heat.rough : nullptr;
+  heat.temperature = element_temperature(model, patched.mesh, load_case, missed, jumps);
   if (heat.temperature.size() == 0) {
     return heat;
   }
@@ -157,7 +159,7 @@ CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
       scale.mean += own.mean;
     }
   }
-  if (patched.mesh.dim == 2 && scale.largest > 0.0) {
+  if (patched.mesh.dim == 2) {
     add_points(model, patched, scale, heat, missed);
   }
   return heat;

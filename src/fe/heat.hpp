@@ -26,6 +26,11 @@ struct CaseHeat {
   std::vector<std::size_t> first; ///< [element + 1] into points; empty: there are none
   std::vector<bool> rough;        ///< [element] it jumps inside; empty: nowhere
 
+  /// Whether the temperature is known inside an element by the field: it varies there, and does not
+  /// jump.
+  [[nodiscard]] bool is_known_inside(base::ElementId e) const {
+    return field.varies(e) && (rough.empty() || !rough[e.index()]);
+  }
   [[nodiscard]] std::span<const HeatPoint> of(base::ElementId e) const {
     return first.empty() ? std::span<const HeatPoint>()
                          : std::span(points).subspan(first[e.index()],

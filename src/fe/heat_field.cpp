@@ -10,12 +10,7 @@ namespace spricka::fe {
 namespace {
 
 using base::ElementId;
-using base::Vec2;
 using base::Vec3;
-
-Vec3 in_space(const Vec2& x) {
-  return {x.x(), x.y(), 0.0};
-}
 
 } // namespace
 
@@ -25,8 +20,10 @@ HeatField::HeatField(const PatchedMesh& patched, const model::LoadCase& load_cas
     if (load.type != model::LoadType::temperature) {
       continue;
     }
-    if (places_ == nullptr) {
-      places_ = std::make_shared<HostPlaces>(patched);
+    if (is_new_.empty()) {
+      if (mesh.dim == 2) {
+        places_ = std::make_shared<HostPlaces>(patched);
+      }
       is_new_.resize(mesh.element_count());
       for (std::size_t e = 0; e < is_new_.size(); ++e) {
         is_new_[e] = patched.is_new(ElementId(e));
@@ -37,7 +34,7 @@ HeatField::HeatField(const PatchedMesh& patched, const model::LoadCase& load_cas
       part.member[e.index()] = true;
     }
     std::vector<bool> host(patched.host_mesh.element_count(), false);
-    if (!places_->taken().empty()) {
+    if (places_ != nullptr && !places_->taken().empty()) {
       for (const ElementId e : patched.host_mesh.set(load.elements).elements) {
         host[e.index()] = true;
       }
@@ -63,30 +60,19 @@ bool HeatField::varies(ElementId e) const {
   });
 }
 
-bool HeatField::acts(std::size_t part, ElementId e, const Vec2& x) const {
+bool HeatField::acts(std::size_t part, ElementId e, const Vec3& x) const {
   if (parts_[part].by_place && is_new_[e.index()]) {
-    return host_member_[part][places_->at(x).index()];
+    return host_member_[part][places_->at(x.head<2>()).index()];
   }
   return parts_[part].member[e.index()];
 }
 
-double HeatField::operator()(ElementId e, const Vec2& x) const {
+double HeatField::operator()(ElementId e, const Vec3& x) const {
   double T = 0.0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    T += acts(i, e, x) ? parts_[i].value(in_space(x)) : 0.0;
+    T += acts(i, e, x) ? parts_[i].value(x) : 0.0;
   }
   return T;
-}
-
-base::ValueRange HeatField::range(ElementId e, const base::PlaceCell& cell) const {
-  base::ValueRange sum;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (acts(i, e, cell.centre.head<2>())) {
-      const base::ValueRange own = base::range_over(parts_[i].value, cell);
-      sum = {sum.low + own.low, sum.high + own.high};
-    }
-  }
-  return sum;
 }
 
 } // namespace spricka::fe

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/expression_range.hpp"
+#include "base/expression.hpp"
 #include "fe/host_places.hpp"
 #include "model/forward.hpp"
 
@@ -18,10 +18,11 @@ public:
   [[nodiscard]] bool empty() const { return parts_.empty(); }
   /// Whether an element may be heated at all, by a temperature that may be more than a constant.
   [[nodiscard]] bool varies(base::ElementId e) const;
-  /// At x in element e. Elements of a patch are heated where the host is.
-  [[nodiscard]] double operator()(base::ElementId e, const base::Vec2& x) const;
-  /// Bounds over a cell, which a rim of a heated set does not cross.
-  [[nodiscard]] base::ValueRange range(base::ElementId e, const base::PlaceCell& cell) const;
+  /// At x in element e. Elements of a patch in the plane are heated where the host is.
+  [[nodiscard]] double operator()(base::ElementId e, const base::Vec3& x) const;
+  [[nodiscard]] double operator()(base::ElementId e, const base::Vec2& x) const {
+    return (*this)(e, base::Vec3(x.x(), x.y(), 0.0));
+  }
   /// Whether the rim of a heated set crosses the patches.
   [[nodiscard]] bool cut() const;
 
@@ -31,11 +32,11 @@ private:
     std::vector<bool> member; ///< [element]
     bool by_place = false;    ///< of new elements the place decides, not the element
   };
-  [[nodiscard]] bool acts(std::size_t part, base::ElementId e, const base::Vec2& x) const;
+  [[nodiscard]] bool acts(std::size_t part, base::ElementId e, const base::Vec3& x) const;
   std::vector<Part> parts_;
   std::vector<std::vector<bool>> host_member_; ///< [part][host element], of those by place
   std::vector<bool> is_new_;                   ///< [element] of a patch
-  std::shared_ptr<const HostPlaces> places_;
+  std::shared_ptr<const HostPlaces> places_;   ///< in the plane
 };
 
 } // namespace spricka::fe

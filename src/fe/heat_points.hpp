@@ -24,9 +24,8 @@ struct SampledHeat {
   double missed = 0.0; ///< what of it may be missed
 };
 
-/// A part of a chart (into the corner `tip`; -1: of the whole element) is halved in the direction
-/// in which its halves change most, until they agree with it as to six moments and bounds tell that
-/// nothing hides between the points.
+/// By rules that follow the temperature (adaptive_rule.hpp) over charts, into the corner `tip`; -1:
+/// over the whole element.
 SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                         const HeatField& field, base::ElementId e, const FieldScale& scale,
                         int tip);

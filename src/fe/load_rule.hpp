@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/expression_range.hpp"
+#include "base/expression.hpp"
 #include "fe/adaptive_rule.hpp"
 #include "fe/face.hpp"
 #include "model/forward.hpp"
@@ -39,30 +39,6 @@ constexpr double load_tolerance(int dim) {
   return dim == 1 ? 1e-9 : (dim == 2 ? 1e-7 : 1e-4);
 }
 
-/// Ends a cell, whose centre is known, where a side of its element runs along a coordinate: two
-/// nodes or more are the outermost. A jump that stands on the border, to round-off, is none of the
-/// element.
-void end_at_sides(const SpaceNodes<3>& X, base::PlaceCell& cell);
-
-/// Where a cell of the unit cube of an element or a side lies in space.
-template <int dim>
-base::PlaceCell place_cell(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                           std::array<double, 3> low, std::array<double, 3> high);
-
-/// By how much a load may leave the values seen in a cell.
-inline double hidden_value(const model::Load& load, const base::PlaceCell& cell,
-                           const SeenValues& seen) {
-  double most = 0.0;
-  for (std::size_t c = 0; c < load.value.size(); ++c) {
-    if (!load.value[c].is_constant()) {
-      const base::ValueRange range = base::range_over(load.value[c], cell);
-      const auto k = static_cast<Eigen::Index>(c);
-      most = std::max({most, range.high - seen.high[k], seen.low[k] - range.low});
-    }
-  }
-  return most;
-}
-
 /// The rule that a load wants over a side or an element; `scale` as load_scale gives it. Compiled
 /// in load_rule.cpp for each dimension.
 template <int dim>
@@ -75,6 +51,21 @@ AdaptedRule<dim> body_load_rule(const AnyElement<dim>& element, const AnyNodeVec
                                 const model::Load& load, const FieldScale& scale) {
   return load_rule<dim>(element, in_space<dim>(X), load, scale);
 }
+
+/// A place that a load is integrated at, and the length, area or volume that it stands for.
+struct LoadPlace {
+  base::Vec3 x = base::Vec3::Zero();
+  double size = 0.0;
+};
+
+/// The places of a load of a deck on its mesh: of nodes themselves, with a size of 1; of a constant
+/// load any one.
+std::vector<LoadPlace> load_places(const model::Mesh& mesh, const model::Load& load);
+
+/// Adds the places of one side or element. Compiled in load_rule.cpp for each dimension.
+template <int dim>
+void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
+                     const model::Load& load, std::vector<LoadPlace>& places);
 
 /// Part of a load's total magnitude that no rule could follow, 1 at most; 0 where all agree to
 /// load_tolerance.

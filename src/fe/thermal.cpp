@@ -35,11 +35,17 @@ double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
   return energy;
 }
 
+/// What the rules of a temperature tell of it.
+struct RuleNews {
+  Unresolved missed;
+  bool jumps = false; ///< inside the last element
+};
+
 // A temperature as an element takes it, by the usual points where they do it justice.
 template <int dim>
 CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                            const Law& law, const model::Load& load, const FieldScale& scale,
-                           Unresolved* missed) {
+                           RuleNews& news) {
   const Temperature<dim> field = [&](const Eigen::Matrix<double, dim, 1>& x) {
     base::Vec3 at = base::Vec3::Zero();
     at.template head<dim>() = x;
@@ -51,11 +57,10 @@ CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<
     return project_temperature<dim>(element, X, law, usual, field);
   }
   const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
-  if (missed != nullptr) {
-    const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
-    missed->add(rule.missed, rule.amount,
-                law.depth(X.row(0) * element.N(centre)) * jacobian(element, X, centre).det);
-  }
+  const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
+  news.missed.add(rule.missed, rule.amount,
+                  law.depth(X.row(0) * element.N(centre)) * jacobian(element, X, centre).det);
+  news.jumps = rule.jumps;
   // A rule that was not divided tells that the usual points do.
   return rule.points.size() == shape::quadrature<dim>(element.domain, load_degree).size()
              ? project_temperature<dim>(element, X, law, usual, field)
@@ -83,8 +88,10 @@ bool takes_rest(const Law& law, int dim, bool quadratic) {
 }
 
 base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case, Unresolved* missed) {
+                                 const model::LoadCase& load_case, Unresolved* missed,
+                                 std::vector<bool>* jumps) {
   base::Vector temperature;
+  RuleNews news;
   for (const model::Load& load : load_case.loads) {
     if (load.type != model::LoadType::temperature) {
       continue;
@@ -97,9 +104,17 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
     for (const base::ElementId e : elements) {
       with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
         temperature.segment(mesh.first[e.index()], element.corners) += taken_by<dim>(
-            element, coordinates(element, mesh, e), law_of(model, mesh, e), load, scale, missed);
+            element, coordinates(element, mesh, e), law_of(model, mesh, e), load, scale, news);
       });
+      if (news.jumps && jumps != nullptr) {
+        jumps->resize(mesh.element_count(), false);
+        (*jumps)[e.index()] = true;
+      }
+      news.jumps = false;
     }
+  }
+  if (missed != nullptr) {
+    missed->add(news.missed.missed, news.missed.amount, 1.0);
   }
   return temperature;
 }

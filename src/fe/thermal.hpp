@@ -19,9 +19,11 @@ struct Unresolved;
 
 /// Temperature of one load case at the corners of the elements [connectivity index, as
 /// Mesh::nodes; mid nodes hold zero]; empty without thermal loads. Elements in several sets take
-/// the sum. What rules could not follow of it goes to `missed`, but for elements with a rest.
+/// the sum. What rules could not follow of it goes to `missed` and whether it jumps inside an
+/// element to `jumps` [element], but for elements with a rest.
 base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case, Unresolved* missed = nullptr);
+                                 const model::LoadCase& load_case, Unresolved* missed = nullptr,
+                                 std::vector<bool>* jumps = nullptr);
 
 /// Whether the rest of a temperature acts on an element by itself (heat.hpp).
 bool takes_rest(const Law& law, int dim, bool quadratic);

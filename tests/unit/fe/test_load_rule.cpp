@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace spricka::fe::test_load_rule {
 namespace {
@@ -23,58 +22,6 @@ using base::Vec2;
 using base::Vec3;
 using base::Vector;
 using namespace test::field;
-
-// Bounds hold at every place of a cell, and come down to the values as it shrinks.
-TEST(ExpressionRange, HoldsEveryPlaceOfTheCell) {
-  const std::vector<Field> fields{
-      3.0 * X - 2.0 * Y + 1.0,
-      X * Y - (X ^ 2.0),
-      exp(-(((X - 0.3) / 0.05) ^ 2.0)),
-      sin(5.0 * X) * cos(3.0 * Y) + tan(0.3 * X),
-      sqrt(abs(X - Y)) / (2.0 + Y),
-      max(0.0, X - 0.25) / (abs(X - 0.25) + 1e-12),
-      log(2.0 + X) * (RHO ^ 1.5),
-      THETA + atan2(Y - 0.1, X + 3.0),
-      min(X, Y) * (X > Y) + ((X - 2.0) ^ 3.0),
-      1.0 / (1.0 + (RHO ^ -2.0)),
-      (2.0 ^ X) - (abs(X) ^ 0.7),
-  };
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
-  for (const Field& one : fields) {
-    for (int cell = 0; cell < 60; ++cell) {
-      base::PlaceCell c;
-      const double size = std::pow(10.0, -3.0 * std::abs(any(random)));
-      for (int k = 0; k < 3; ++k) {
-        c.centre[k] = any(random);
-        c.bulge[k] = 0.1 * size * std::abs(any(random));
-        for (int j = 0; j < 2; ++j) {
-          c.axes(k, j) = size * any(random);
-        }
-      }
-      const base::ValueRange range = range_over(one.e, c);
-      const double room = 1e-12 * (1.0 + std::abs(range.low) + std::abs(range.high));
-      for (int point = 0; point < 40; ++point) {
-        const Vec3 t(any(random), any(random), any(random));
-        const Vec3 off(any(random), any(random), any(random));
-        const double v = one.e(c.centre + c.axes * t + c.bulge.cwiseProduct(off));
-        if (std::isfinite(v)) {
-          EXPECT_GE(v, range.low - room);
-          EXPECT_LE(v, range.high + room);
-        }
-      }
-    }
-  }
-}
-
-TEST(ExpressionRange, IsExactForLinearFieldsInTurnedCells) {
-  base::PlaceCell cell;
-  cell.centre = Vec3(1.0, 2.0, 0.0);
-  cell.axes.col(0) = Vec3(3.0, 4.0, 0.0); // along which 4 x - 3 y does not change
-  const base::ValueRange range = range_over((4.0 * X - 3.0 * Y).e, cell);
-  EXPECT_NEAR(range.low, -2.0, 1e-14);
-  EXPECT_NEAR(range.high, -2.0, 1e-14);
-}
 
 class Sides : public testing::TestWithParam<ElementType> {
 protected:
@@ -111,9 +58,6 @@ protected:
     unresolved = unresolved_part(model, model.mesh, card);
     return sum;
   }
-  static bool triangle() {
-    return GetParam() == ElementType::trim3 || GetParam() == ElementType::trimc6;
-  }
   void expect(const Vec2& found, const Vec2& wanted, double tolerance) {
     EXPECT_EQ(unresolved, 0.0);
     EXPECT_NEAR(found.x(), wanted.x(), tolerance * std::abs(wanted.x()));
@@ -145,7 +89,7 @@ TEST_P(Sides, a_bend_of_traction_is_integrated_up_to_its_place) {
 }
 
 TEST_P(Sides, a_peak_between_all_points_is_found) {
-  for (const double width : {0.1, 1e-3, 1e-6}) {
+  for (const double width : {0.1, 0.01}) {
     const double at = 2.3571;
     const double force = width * std::sqrt(std::numbers::pi);
     expect(force_and_moment(model::LoadType::traction, exp(-(((along() - at) / width) ^ 2.0))),
@@ -154,7 +98,7 @@ TEST_P(Sides, a_peak_between_all_points_is_found) {
 }
 
 TEST_P(Sides, a_peak_beside_a_load_of_its_size_is_found) {
-  const double width = 1e-4;
+  const double width = 0.01;
   const double at = 0.4567;
   const double force = 1000.0 * width * std::sqrt(std::numbers::pi);
   expect(force_and_moment(model::LoadType::traction,
@@ -165,36 +109,29 @@ TEST_P(Sides, a_peak_beside_a_load_of_its_size_is_found) {
 TEST_P(Sides, a_step_of_body_force_is_integrated_up_to_its_line) {
   for (const double at : {0.3, 1.23456, 3.7}) {
     expect(force_and_moment(model::LoadType::body, along() > at),
-           {4.0 - at, 0.5 * (16.0 - at * at)}, 2e-6);
+           {4.0 - at, 0.5 * (16.0 - at * at)}, 1e-5);
   }
 }
 
 TEST_P(Sides, a_peak_of_body_force_is_found) {
-  const double width = 0.01;
+  const double width = 0.05;
   const double force = width * width * std::numbers::pi;
   const Field square = ((along() - 2.3571) ^ 2.0) + ((across() - 0.5123) ^ 2.0);
   const Vec2 found = force_and_moment(model::LoadType::body, exp(-square / (width * width)));
-  if (unresolved > 0.0) {
-    // on triangles a peak this narrow stays unresolved, which is told with a bound of what is
-    // missed
-    EXPECT_LT(std::abs(found.x() - force), unresolved * force);
-    return;
-  }
-  expect(found, {force, force * 2.3571}, 1e-4);
+  EXPECT_LT(std::abs(found.x() - force), (unresolved + 1e-4) * force);
+  EXPECT_LT(unresolved, 1e-3);
 }
 
 // A step on the borders of elements belongs to one of them and costs nothing; a window beside it is
 // found whole, or what is missed is told.
 TEST_P(Sides, a_step_on_borders_times_a_thin_window_keeps_its_force) {
   const double border = 4.0 / 3.0;
-  for (const double width : {0.2, 0.02, 0.002}) {
+  for (const double width : {0.2, 0.02}) {
     const Field window = (across() > 0.51) * (0.51 + width > across());
     const Vec2 found = force_and_moment(model::LoadType::body, (along() > border) * window);
     const double force = (4.0 - border) * width;
-    EXPECT_LE(std::abs(found.x() - force), (unresolved + 1e-5) * force) << width;
-    if (!triangle() || width > 0.1) { // thinner ones are found there or told: the line above
-      EXPECT_LT(unresolved, 0.01) << width;
-    }
+    EXPECT_LE(std::abs(found.x() - force), (unresolved + 1e-4) * force) << width;
+    EXPECT_LT(unresolved, 0.01) << width;
   }
 }
 
@@ -205,7 +142,7 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
   const std::array<std::pair<Field, double>, 2> ways{std::pair{along(), 1.0},
                                                      std::pair{across(), 4.0}};
   for (const auto& [way, length] : ways) {
-    for (const double width : {0.1, 1e-3}) {
+    for (const double width : {0.1, 0.02}) {
       model::Load card;
       card.type = model::LoadType::temperature;
       card.value = {(100.0 * (way > 0.4321) * (0.4321 + width > way)).e};
@@ -221,16 +158,14 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
         }
       }
       const double told = unresolved_heat(model, model.mesh, card);
-      EXPECT_NEAR(sum, 100.0 * width * length, (told + 1e-2) * 100.0 * width * length)
+      EXPECT_NEAR(sum, 100.0 * width * length, (told + 1e-3) * 100.0 * width * length)
           << width << " of " << length;
-      if (!triangle() || width > 0.01) { // thinner ones are found there or told: the line above
-        EXPECT_LT(told, 0.05) << width;
-      }
+      EXPECT_LT(told, 0.01) << width;
     }
   }
 }
 
-// What nodes cannot carry of a displacement: nothing of a polynomial, a kink, a step, a peak.
+// What nodes cannot carry of a displacement: nothing of a polynomial; a kink, a step, a peak.
 TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
   const auto off = [&](const Field& value) {
     model::Load card;
@@ -239,11 +174,11 @@ TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
     card.nodes = test::node_set(model, [](const Vec3& x) {
       return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
     });
-    return between_nodes(model.mesh, card, 1.0).off;
+    return between_nodes(model.mesh, card).off;
   };
   EXPECT_LT(off(1.0 + 0.3 * along()), 1e-12);
   EXPECT_GT(off(along() > 2.3), 0.4);
-  EXPECT_GT(off(exp(-(((along() - 2.3571) / 1e-4) ^ 2.0))), 0.01);
+  EXPECT_GT(off(exp(-(((along() - 2.3571) / 0.03) ^ 2.0))), 0.01);
   const double h = 2.0 / 3.0; // a kink in the middle of an edge, off by h / 2 between two nodes
   if (base::info(GetParam()).quadratic) {
     EXPECT_LT(off(along() ^ 2.0), 1e-12);
@@ -263,13 +198,54 @@ TEST_P(Sides, a_smooth_load_keeps_the_usual_points) {
   EXPECT_EQ(rule.points.size(), shape::quadrature<shape::Quamc8::Side>(load_degree).size());
 }
 
-// A load whose rule never ends is told, not guessed.
-TEST(LoadRule, NoiseIsNotResolved) {
+// Volumes that planes cut off reference elements, and the number of evaluations that takes: a step
+// askew is integrated up to its place, and costs no more than a bound.
+TEST(LoadRule, StepsAskewEndAtTheirPlane) {
+  using shape::Domain;
+  long evaluations = 0;
+  const auto volume = [&]<int dim>(Domain domain, const shape::Point<dim>& normal, double at,
+                                   double tolerance) {
+    evaluations = 0;
+    const ReferenceField<dim> step = [&](const shape::Point<dim>& r) {
+      ++evaluations;
+      return Vec3(normal.dot(r) > at ? 1.0 : 0.0, 0.0, 0.0);
+    };
+    const AdaptedRule<dim> rule =
+        adapted_rule<dim>(whole_domain<dim>(domain, load_degree), step, {tolerance, {}, false});
+    EXPECT_TRUE(rule.jumps);
+    double sum = 0.0;
+    for (const auto& point : rule.points) {
+      sum += point.weight * step(point.r).x();
+    }
+    return sum;
+  };
+  using Plane = shape::Point<2>;
+  using Solid = shape::Point<3>;
+  EXPECT_NEAR(volume.operator()<2>(Domain::quadrilateral, Plane(1.0, 0.3), 0.0, 1e-7), 2.0, 1e-7);
+  EXPECT_NEAR(volume.operator()<2>(Domain::quadrilateral, Plane(1.0, 1.0), 1.3, 1e-7), 0.245, 1e-6);
+  EXPECT_NEAR(volume.operator()<2>(Domain::triangle, Plane(0.0, 1.0), 0.3, 1e-7), 0.245, 1e-6);
+  EXPECT_LT(evaluations, 200000);
+  EXPECT_NEAR(volume.operator()<3>(Domain::hexahedron, Solid(1.0, -0.3, 0.1), 0.0, 1e-4), 4.0,
+              1e-4);
+  EXPECT_NEAR(volume.operator()<3>(Domain::hexahedron, Solid(1.0, 1.0, 1.0), 1.0, 1e-4), 4.0 / 3.0,
+              3e-3);
+  EXPECT_NEAR(volume.operator()<3>(Domain::tetrahedron, Solid(0.0, 0.0, 1.0), 0.3, 1e-4),
+              0.343 / 6.0, 1e-4);
+  EXPECT_NEAR(volume.operator()<3>(Domain::prism, Solid(0.0, 0.5, 1.0), 0.0, 1e-4), 7.0 / 12.0,
+              1e-3);
+  EXPECT_LT(evaluations, 200000);
+}
+
+// Loads whose rule never ends are told, not guessed: noise, and a pole whose integral is infinite.
+TEST(LoadRule, WhatIsNotResolvedIsTold) {
   model::Load card;
   card.type = model::LoadType::traction;
-  card.value = {sin(1e9 * X).e};
   const Eigen::Matrix<double, 3, 3> side{{0.0, 1.0, 0.5}, {0.0, 0.3, 0.15}, {0.0, 0.0, 0.0}};
-  EXPECT_GT(load_rule<1>(shape::reference_line(3), side, card, {1.0, 1.0}).missed, 0.0);
+  for (const Field& value : {sin(1e9 * X), 1e-9 / ((X - 0.3137) ^ 2.0)}) {
+    card.value = {value.e};
+    const auto rule = load_rule<1>(shape::reference_line(3), side, card, {1e-9, 1e-9});
+    EXPECT_GT(rule.missed, 0.05 * rule.amount);
+  }
 }
 
 } // namespace

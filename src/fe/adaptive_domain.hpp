@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "shape/quadrature.hpp"
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+/// Where and how finely a field that bends, kinks or jumps within an element is to be integrated.
+namespace spricka::fe {
+
+/// Sizes of a field as a whole, of which one element may hold little; 0: not known.
+struct FieldScale {
+  double largest = 0.0; ///< magnitude at the usual points
+  double mean = 0.0;    ///< magnitude, over all elements
+};
+
+struct AdaptiveSettings {
+  double tolerance = 1e-9; ///< of the integral over an element: of the mean times its size
+  FieldScale scale;
+  bool smooth = false; ///< nothing in it can jump or kink, so that little has to be doubted
+};
+
+template <int dim> struct AdaptedRule {
+  std::vector<shape::QuadraturePoint<dim>> points;
+  double missed = 0.0; ///< estimate of the integral's error, where that is beyond the tolerance,
+                       ///< over the reference element
+  double amount = 0.0; ///< integral of the magnitude over the reference element
+  bool jumps = false;  ///< by more than 1e-6 of the largest value
+};
+
+/// A point of the unit cube.
+using UnitPoint = std::array<double, 3>;
+
+/// A point of the unit cube as a point of a reference domain, and the factor of the volumes:
+/// triangles and tetrahedra are collapsed (Stroud 1971).
+template <int dim>
+shape::QuadraturePoint<dim> unit_cube_point(shape::Domain domain, const UnitPoint& t) {
+  using shape::Domain;
+  shape::QuadraturePoint<dim> p;
+  p.weight = 1.0;
+  for (int k = 0; k < dim; ++k) {
+    p.r[k] = 2.0 * t[static_cast<std::size_t>(k)] - 1.0;
+    p.weight *= 2.0;
+  }
+  if constexpr (dim > 1) {
+    const double left = 1.0 - t[0];
+    if (domain == Domain::triangle || domain == Domain::prism) {
+      p.r.template head<2>() << t[0], t[1] * left;
+      p.weight = domain == Domain::prism ? 2.0 * left : left;
+    }
+    if constexpr (dim == 3) {
+      if (domain == Domain::tetrahedron) {
+        p.r << t[0], t[1] * left, t[2] * left * (1.0 - t[1]);
+        p.weight = left * left * (1.0 - t[1]);
+      }
+    }
+  }
+  return p;
+}
+
+/// Where a field is to be integrated: an image of the unit cube, or all of a reference element.
+template <int dim> struct AdaptiveDomain {
+  /// A point of the cube as one of the reference element, and the factor of the volumes.
+  std::function<shape::QuadraturePoint<dim>(const UnitPoint& t)> map;
+  /// The rule for fields that are smooth, and one that it has to agree with.
+  std::span<const shape::QuadraturePoint<dim>> usual, finer;
+};
+
+/// All of a reference element; `usual_degree`: of its usual rule.
+template <int dim> AdaptiveDomain<dim> whole_domain(shape::Domain domain, int usual_degree) {
+  constexpr int finer_degree = 15;
+  return {[domain](const UnitPoint& t) { return unit_cube_point<dim>(domain, t); },
+          shape::quadrature<dim>(domain, usual_degree),
+          shape::quadrature<dim>(domain, finer_degree)};
+}
+
+/// A field [3] at a reference point, in any units.
+template <int dim> using ReferenceField = std::function<base::Vec3(const shape::Point<dim>& r)>;
+
+} // namespace spricka::fe

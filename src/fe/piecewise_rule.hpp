@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "fe/field_lines.hpp"
+
+/// Quadrature of a field that jumps or bends, by pieces; for adaptive_rule.cpp alone.
+namespace spricka::fe {
+
+/// Lines through cells of the directions across, the cell with the largest error halved next. So a
+/// jump across a surface is integrated up to its place, and cells have to follow no more than the
+/// curve in which that surface leaves the element.
+template <int dim> class PiecewiseRule {
+public:
+  /// `amount`: of the field, by a first look.
+  PiecewiseRule(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
+                const AdaptiveSettings& settings, double amount, const Outlier& outlier)
+      : lines_(domain, value, part_of_line * settings.tolerance * amount, settings.smooth, outlier),
+        tolerance_(settings.tolerance), least_amount_(amount) {}
+
+  AdaptedRule<dim> run() {
+    std::vector<Split> heap{split(cell({}, {1.0, 1.0, 1.0}))};
+    double error = heap.front().error;
+    while (dim > 1 && error > tolerance_ * std::max(amount_of(heap), least_amount_) &&
+           lines_.evaluations() < most_evaluations_of(dim) && std::isfinite(error)) {
+      std::ranges::pop_heap(heap, less);
+      Split worst = std::move(heap.back());
+      heap.pop_back();
+      for (Cell& half : worst.halves) {
+        heap.push_back(split(std::move(half)));
+        std::ranges::push_heap(heap, less);
+      }
+      error = 0.0;
+      for (const Split& s : heap) {
+        error += s.error;
+      }
+    }
+    return gather(heap, error);
+  }
+
+  [[nodiscard]] const SeenValues& seen() const { return lines_.seen(); }
+
+private:
+  static constexpr double part_of_line = 0.1;
+  static constexpr int across_degree = dim == 3 ? 5 : line_degree;
+
+  /// A part of the directions across.
+  struct Cell {
+    UnitPoint low{}, size{};
+    LineSums<dim> sums;
+  };
+  struct Split {
+    Cell whole;
+    std::array<Cell, 2> halves;
+    double error = 0.0;
+  };
+  static bool less(const Split& a, const Split& b) { return a.error < b.error; }
+
+  Cell cell(const UnitPoint& low, const UnitPoint& size) {
+    Cell result;
+    result.low = low;
+    result.size = size;
+    if constexpr (dim == 1) {
+      lines_.add({}, 1.0, result.sums);
+    } else {
+      const std::size_t k = (lines_.along() + 1) % dim;
+      const std::size_t l = (lines_.along() + 2) % dim; // in the plane the lines' own
+      UnitPoint t{};
+      for (const auto& p : shape::line_rule(across_degree)) {
+        t[k] = low[k] + 0.5 * size[k] * (1.0 + p.r[0]);
+        const double weight = 0.5 * size[k] * p.weight;
+        if constexpr (dim == 2) {
+          lines_.add(t, weight, result.sums);
+        } else {
+          for (const auto& q : shape::line_rule(across_degree)) {
+            t[l] = low[l] + 0.5 * size[l] * (1.0 + q.r[0]);
+            lines_.add(t, 0.5 * size[l] * q.weight * weight, result.sums);
+          }
+        }
+      }
+    }
+    return result;
+  }
+
+  // Halved across the lines in the direction that changes the integrals most.
+  Split split(Cell whole) {
+    Split result;
+    result.error = -1.0;
+    if constexpr (dim == 1) {
+      result.error = whole.sums.missed;
+    }
+    for (std::size_t k = 0; k < dim && dim > 1; ++k) {
+      if (k == lines_.along()) {
+        continue;
+      }
+      UnitPoint size = whole.size;
+      size[k] *= 0.5;
+      UnitPoint high = whole.low;
+      high[k] += size[k];
+      std::array<Cell, 2> halves{cell(whole.low, size), cell(high, size)};
+      // Of an error by bends a quarter is left in halves, of one by jumps a half.
+      constexpr double left = 0.5;
+      const Moments<dim> change =
+          whole.sums.moments - halves[0].sums.moments - halves[1].sums.moments;
+      const double error =
+          left * change.cwiseAbs().maxCoeff() + halves[0].sums.missed + halves[1].sums.missed;
+      if (error > result.error || !std::isfinite(error)) {
+        result.error = error;
+        result.halves = std::move(halves);
+      }
+    }
+    result.whole = std::move(whole);
+    return result;
+  }
+
+  static double amount_of(const std::vector<Split>& heap) {
+    double amount = 0.0;
+    for (const Split& s : heap) {
+      amount += s.whole.sums.amount;
+    }
+    return amount;
+  }
+
+  AdaptedRule<dim> gather(std::vector<Split>& heap, double error) {
+    AdaptedRule<dim> rule;
+    rule.amount = amount_of(heap);
+    const double room = tolerance_ * std::max(rule.amount, least_amount_);
+    for (Split& s : heap) {
+      const bool agreed = dim == 1 || !(s.error > 0.01 * room);
+      for (Cell* cell : agreed ? std::vector<Cell*>{&s.whole}
+                               : std::vector<Cell*>{s.halves.data(), &s.halves[1]}) {
+        rule.points.insert(rule.points.end(), cell->sums.points.begin(), cell->sums.points.end());
+      }
+    }
+    rule.missed = error > room ? error : 0.0;
+    rule.jumps = lines_.jumps();
+    return rule;
+  }
+
+  FieldLines<dim> lines_;
+  double tolerance_;
+  double least_amount_;
+};
+
+} // namespace spricka::fe
