@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/mirrored_cracks.hpp"
 
+#include "fe/load_rule.hpp"
 #include "model/model.hpp"
+#include "sense/mirrored_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,28 +104,34 @@ base::Vec3 normal_of(const model::Model& model, const model::Crack& crack) {
   return {-along.y(), along.x(), 0.0};
 }
 
-// Points of a crack's faces: along its line, or over its ellipse.
-std::vector<base::Vec3> face_samples(const model::Model& model, const model::Crack& crack) {
-  constexpr int many = 8;
-  std::vector<base::Vec3> samples;
+// Points of a load on a crack's faces: along its line, or over its ellipse.
+std::vector<fe::LoadPlace> face_places(const model::Model& model, const model::Crack& crack,
+                                       const model::Load& load) {
+  std::vector<fe::LoadPlace> places;
   if (crack.kind == model::CrackKind::ellipse) {
-    for (int i = 0; i < many; ++i) {
-      const double phi = (0.3 + i) * 2.0 * std::numbers::pi / many;
-      for (const double r : {0.35, 0.9}) {
-        samples.push_back(crack.plane.place +
-                          r * (crack.plane.c * std::cos(phi) * crack.plane.along +
-                               crack.plane.a * std::sin(phi) * crack.plane.across()));
-      }
+    constexpr int sectors = 8;
+    const auto at = [&](double r, double sector) {
+      const double phi = sector * 2.0 * std::numbers::pi / sectors;
+      return base::Vec3(crack.plane.place +
+                        r * (crack.plane.c * std::cos(phi) * crack.plane.along +
+                             crack.plane.a * std::sin(phi) * crack.plane.across()));
+    };
+    fe::SpaceNodes<2> X(3, 6);
+    for (int i = 0; i < sectors; ++i) {
+      X << crack.plane.place, at(1.0, i), at(1.0, i + 1.0), at(0.5, i), at(1.0, i + 0.5),
+          at(0.5, i + 1.0);
+      fe::add_load_places<2>(shape::reference_element<2>(base::ElementType::trimc6), X, load,
+                             places);
     }
-    return samples;
+    return places;
   }
   const std::vector<base::Vec3> points = points_of(model, crack);
+  fe::SpaceNodes<1> X(3, 2);
   for (std::size_t i = 1; i < points.size(); ++i) {
-    for (int k = 0; k < many; ++k) {
-      samples.push_back(points[i - 1] + (0.3 + k) / many * (points[i] - points[i - 1]));
-    }
+    X << points[i - 1], points[i];
+    fe::add_load_places<1>(shape::reference_line(2), X, load, places);
   }
-  return samples;
+  return places;
 }
 
 } // namespace
@@ -150,14 +158,8 @@ bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const m
   if ((turned < 0.0 && same_side) || (turned > 0.0 && !same_side)) {
     return false;
   }
-  double size = 0.0;
-  double off = 0.0;
-  for (const base::Vec3& x : face_samples(model, *crack)) {
-    const double here = one.value.front()(x);
-    size = std::max(size, std::abs(here));
-    off = std::max(off, std::abs(here - other.value.front()(mirror(x))));
-  }
-  return off <= same_axis * size;
+  return mirrored_values(mirror, one, other, face_places(model, *crack, one)) &&
+         mirrored_values(mirror, other, one, face_places(model, *image, other));
 }
 
 std::string against_cracks(const model::Model& model, const Mirror& mirror) {
@@ -165,16 +167,8 @@ std::string against_cracks(const model::Model& model, const Mirror& mirror) {
     return grows(model, i) == grows(model, j) &&
            mirrored_shape(model, mirror, model.cracks[i], model.cracks[j]);
   };
-  for (std::size_t i = 0; i < model.cracks.size(); ++i) {
-    bool answered = false;
-    for (std::size_t j = 0; j < model.cracks.size() && !answered; ++j) {
-      answered = answers(i, j);
-    }
-    if (!answered) {
-      return fmt::format("crack {} is not", model.cracks[i].name);
-    }
-  }
-  return {};
+  const auto lone = without_image(model.cracks.size(), answers);
+  return lone ? fmt::format("crack {} is not", model.cracks[*lone].name) : std::string();
 }
 
 } // namespace spricka::sense

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/vec.hpp"
+#include "model/cracks.hpp"
 #include "model/forward.hpp"
+#include "sense/mirror.hpp"
 
 #include <string>
 
 namespace spricka::sense {
-
-/// The plane x, y or z = `at`.
-struct Mirror {
-  int axis = 0;
-  double at = 0.0;   ///< [length]
-  double size = 0.0; ///< of the whole model [length]
-
-  [[nodiscard]] base::Vec3 operator()(base::Vec3 x) const {
-    x[axis] = 2.0 * at - x[axis];
-    return x;
-  }
-};
 
 /// Whether a load on the faces of a crack has the other as its image: pressures of cracks that are
 /// images, alike at points of the crack and their images. Of tractions it is not asked.

@@ -5,6 +5,7 @@
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 #include "sense/mirrored_cracks.hpp"
+#include "sense/mirrored_values.hpp"
 #include "sense/places.hpp"
 
 #include <algorithm>
@@ -79,8 +80,8 @@ public:
   }
 
   [[nodiscard]] bool bodies_mirrored(const Mirror& mirror) const {
-    return std::ranges::all_of(bodies_,
-                               [&](const Places& body) { return onto(mirror, body, body); });
+    return std::ranges::all_of(
+        bodies_, [&](const Places& body) { return mirrored_places(mirror, body, body); });
   }
 
   [[nodiscard]] bool own_image(const Mirror& mirror, const model::Load& load) const {
@@ -88,9 +89,12 @@ public:
   }
 
 private:
-  static bool onto(const Mirror& mirror, const Places& one, const Places& other) {
-    return std::ranges::all_of(one.samples(),
-                               [&](const base::Vec3& x) { return other.has(mirror(x)); });
+  static bool mirrored_places(const Mirror& mirror, const Places& one, const Places& other) {
+    const auto onto = [&](const Places& from, const Places& to) {
+      return std::ranges::all_of(from.samples(),
+                                 [&](const base::Vec3& x) { return to.has(mirror(x)); });
+    };
+    return onto(one, other) && (&one == &other || onto(other, one));
   }
 
   void find_held() {
@@ -125,34 +129,11 @@ private:
 
   [[nodiscard]] std::string against_supports(const Mirror& mirror) const {
     for (std::size_t c = 0; c < held_.size(); ++c) {
-      if (!onto(mirror, held_[c], held_[c])) {
+      if (!mirrored_places(mirror, held_[c], held_[c])) {
         return fmt::format("the supports along {} are not", "xyz"[c]);
       }
     }
     return {};
-  }
-
-  // Values of a load at points and of another at their mirror images, against the largest of all:
-  // where a field goes through zero there is nothing but round-off.
-  static bool same_values(const Mirror& mirror, const model::Load& one, const model::Load& other,
-                          const std::vector<base::Vec3>& at) {
-    if (one.value.size() != other.value.size()) {
-      return false;
-    }
-    // A pressure and a temperature have no direction.
-    const bool scalar =
-        one.type == model::LoadType::pressure || one.type == model::LoadType::temperature;
-    double size = 0.0;
-    double off = 0.0;
-    for (const base::Vec3& x : at) {
-      for (std::size_t c = 0; c < one.value.size(); ++c) {
-        const double sign = !scalar && static_cast<int>(c) == mirror.axis ? -1.0 : 1.0;
-        const double here = one.value[c](x);
-        size = std::max(size, std::abs(here));
-        off = std::max(off, std::abs(sign * here - other.value[c](mirror(x))));
-      }
-    }
-    return off <= same_value * std::max(size, 1e-300);
   }
 
   [[nodiscard]] bool answers(const Mirror& mirror, const model::Load& one,
@@ -160,34 +141,19 @@ private:
     if (crack_of_faces(model_, one) != nullptr) {
       return mirrored_face_load(model_, mirror, one, other);
     }
-    if (one.type != other.type || one.shape != other.shape) {
-      return false;
-    }
-    const Places here = places_of(one);
-    if (!onto(mirror, here, places_of(other))) {
-      return false;
-    }
-    std::vector<base::Vec3> at = here.samples();
-    if (one.elements.valid()) { // inside, too
-      for (const base::ElementId e : mesh_.set(one.elements).elements) {
-        base::Vec3 middle = base::Vec3::Zero();
-        for (const base::NodeId n : mesh_.nodes_of(e)) {
-          middle += mesh_.x[n.index()];
-        }
-        at.push_back(middle / static_cast<double>(mesh_.nodes_of(e).size()));
-      }
-    }
-    return same_values(mirror, one, other, at);
+    return one.type == other.type && one.shape == other.shape &&
+           mirrored_places(mirror, places_of(one), places_of(other)) &&
+           mirrored_values(mirror, one, other, fe::load_places(mesh_, one)) &&
+           mirrored_values(mirror, other, one, fe::load_places(mesh_, other));
   }
 
   [[nodiscard]] std::string against_loads(const Mirror& mirror) const {
     for (const model::LoadCase& load_case : model_.cases) {
-      for (const model::Load& load : load_case.loads) {
-        if (std::ranges::none_of(load_case.loads, [&](const model::Load& other) {
-              return answers(mirror, load, other);
-            })) {
-          return fmt::format("load case {} is not", load_case.name);
-        }
+      const std::vector<model::Load>& loads = load_case.loads;
+      if (without_image(loads.size(), [&](std::size_t i, std::size_t j) {
+            return answers(mirror, loads[i], loads[j]);
+          })) {
+        return fmt::format("load case {} is not", load_case.name);
       }
     }
     return {};
@@ -216,7 +182,7 @@ private:
 
   [[nodiscard]] bool mirrored_faces(const Mirror& mirror, base::FaceSetId one,
                                     base::FaceSetId other) const {
-    return onto(mirror, {mesh_, mesh_.set(one).faces}, {mesh_, mesh_.set(other).faces});
+    return mirrored_places(mirror, {mesh_, mesh_.set(one).faces}, {mesh_, mesh_.set(other).faces});
   }
 
   // A rigid target that is its own image; of two targets that are images of each other it is not
@@ -260,16 +226,10 @@ private:
   }
 
   [[nodiscard]] std::string against_contacts(const Mirror& mirror) const {
-    for (std::size_t one = 0; one < model_.contacts.size(); ++one) {
-      bool answered = false;
-      for (std::size_t other = 0; other < model_.contacts.size() && !answered; ++other) {
-        answered = answers(mirror, one, other);
-      }
-      if (!answered) {
-        return fmt::format("contact {} is not", model_.contacts[one].name);
-      }
-    }
-    return {};
+    const auto lone = without_image(model_.contacts.size(), [&](std::size_t i, std::size_t j) {
+      return answers(mirror, i, j);
+    });
+    return lone ? fmt::format("contact {} is not", model_.contacts[*lone].name) : std::string();
   }
 
   [[nodiscard]] bool answers(const Mirror& mirror, const model::Mpc& one,
@@ -279,25 +239,23 @@ private:
     }
     if (const auto* tie = std::get_if<model::Transition>(&one)) {
       const auto& image = std::get<model::Transition>(other);
-      return onto(mirror, places_of_nodes(mesh_.set(tie->slave).nodes),
-                  places_of_nodes(mesh_.set(image.slave).nodes)) &&
+      return mirrored_places(mirror, places_of_nodes(mesh_.set(tie->slave).nodes),
+                             places_of_nodes(mesh_.set(image.slave).nodes)) &&
              mirrored_faces(mirror, tie->master, image.master);
     }
     if (const auto* rigid = std::get_if<model::RigidTie>(&one)) {
-      return onto(mirror, places_of_nodes(mesh_.set(rigid->slave).nodes),
-                  places_of_nodes(mesh_.set(std::get<model::RigidTie>(other).slave).nodes));
+      return mirrored_places(
+          mirror, places_of_nodes(mesh_.set(rigid->slave).nodes),
+          places_of_nodes(mesh_.set(std::get<model::RigidTie>(other).slave).nodes));
     }
     return false;
   }
 
   [[nodiscard]] std::string against_ties(const Mirror& mirror) const {
-    for (const model::Mpc& one : model_.mpcs) {
-      if (std::ranges::none_of(
-              model_.mpcs, [&](const model::Mpc& other) { return answers(mirror, one, other); })) {
-        return "an $MPC is not";
-      }
-    }
-    return {};
+    const bool lone = without_image(model_.mpcs.size(), [&](std::size_t i, std::size_t j) {
+                        return answers(mirror, model_.mpcs[i], model_.mpcs[j]);
+                      }).has_value();
+    return lone ? "an $MPC is not" : "";
   }
 
   const model::Model& model_;

@@ -103,6 +103,48 @@ TEST(Mirrors, CracksHaveImages) {
   EXPECT_EQ(mirrors(plate(crack('C', 7, 20) + crack('D', 13, 20))).at("y 10"), "crack C is not");
 }
 
+// Strips that begin and end between the nodes of a side, and between those of a body.
+TEST(Mirrors, LoadsAreAskedBetweenNodes) {
+  const auto strip = [](double from) {
+    return fmt::format("(y > {:g})*(y < {:g})", from, from + 0.31);
+  };
+  const auto with = [](const std::string& load) {
+    return mirrors(plate("$LOAD CASE=PULL " + load)).at("y 10");
+  };
+  const std::string one = strip(12.51);
+  const std::string both = one + " + " + strip(20.0 - 12.51 - 0.31);
+  for (const char* load : {"TYPE=PRESSURE\n  XMIN (", "TYPE=TEMPERATURE\n  BODY (",
+                           "TYPE=BODY\n  BODY 1 0\n  BODY ("}) {
+    const std::string end = std::string(load).find(" 1 0") == std::string::npos ? ")" : ") 0";
+    EXPECT_EQ(with(load + one + end), "load case PULL is not") << load;
+    EXPECT_EQ(with(load + both + end), "") << load;
+  }
+}
+
+// Two loads above the plane and one below: the one is the image of one of them.
+TEST(Mirrors, ALoadIsTheImageOfOneLoad) {
+  const std::string sets = "$FSET NAME=UP FROM=XMIN WHERE=(y > 10.4)\n"
+                           "$FSET NAME=DOWN FROM=XMIN WHERE=(y < 9.6)\n";
+  const std::string pair = sets + "$LOAD CASE=PULL TYPE=PRESSURE\n  UP 1\n  DOWN 1\n";
+  EXPECT_EQ(mirrors(plate(pair)).at("y 10"), "");
+  EXPECT_EQ(mirrors(plate(pair + "  UP 1\n")).at("y 10"), "load case PULL is not");
+  EXPECT_EQ(mirrors(plate(pair + "  UP 1\n  DOWN 1\n")).at("y 10"), "");
+  // The image of UP lies within the whole side, which is its own image.
+  EXPECT_EQ(mirrors(plate(sets + "$LOAD CASE=PULL TYPE=PRESSURE\n  XMIN 1\n  UP 1\n")).at("y 10"),
+            "load case PULL is not");
+}
+
+// Pressure on one side of a crack that lies across the plane, between all points of a grid.
+TEST(Mirrors, FacesOfCracksAreAskedEverywhere) {
+  const auto with = [](const std::string& value) {
+    return mirrors(plate("$CRACK NAME=C\n  5 8\n  5 12\n$LOAD CASE=PULL TYPE=FACES\n  C (" + value +
+                         ")"))
+        .at("y 10");
+  };
+  EXPECT_EQ(with("exp(-((y-10.73)/0.05)^2)"), "load case PULL is not");
+  EXPECT_EQ(with("exp(-((y-10.73)/0.05)^2) + exp(-((y-9.27)/0.05)^2)"), "");
+}
+
 TEST(Mirrors, EllipsesAndTheirPlanes) {
   const auto block = [](const std::string& crack) {
     return mirrors(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
