@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/space_enrichment.hpp"
 
+#include "fe/face.hpp"
 #include "fe/load_points.hpp"
-#include "fe/thermal_kernel.hpp"
 #include "model/model.hpp"
 #include "shape/side_place.hpp"
 #include "shape/topology.hpp"
@@ -86,11 +86,12 @@ void SpaceEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, 
 }
 
 // A temperature presses on the volume change of the modes.
-void SpaceEnrichment::add_thermal(base::ElementId e, const base::Vector& temperature,
+void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseHeat& heat,
                                   base::Vector& f) const {
   const fe::AnyElement<3>& element = shape::reference_element<3>(mesh_.type[e.index()]);
-  const fe::CornerValues<3> T = fe::corner_temperature(element, mesh_, e, temperature);
-  if ((T.array() == 0.0).all()) {
+  const fe::CornerValues<3> T = fe::corner_temperature(element, mesh_, e, heat.temperature);
+  const bool varies = heat.field.varies(e);
+  if ((T.array() == 0.0).all() && !varies) {
     return;
   }
   const fe::AnyNodeVectors<3> X = fe::coordinates(element, mesh_, e);
@@ -98,10 +99,14 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const base::Vector& tempera
   const fe::ThermalStress<3> thermal(element, X, law, T);
   const SpaceModes& modes = SpaceModes::of(mesh_.type[e.index()]);
   base::Matrix F = base::Matrix::Zero(static_cast<Eigen::Index>(modes.modes().size()), 3);
-  for (const auto& point : shape::quadrature<3>(element.domain, element.degree)) {
+  const double beta = fe::heat_modulus(law);
+  const int degree = varies ? fe::load_degree : element.degree;
+  for (const auto& point : shape::quadrature<3>(element.domain, degree)) {
     const Eigen::Matrix3d J = X.lazyProduct(element.dN(point.r));
     const Eigen::Matrix3d inverse = J.inverse();
-    const double w = point.weight * J.determinant() * thermal.at(point.r);
+    const double pressure =
+        varies ? beta * heat.field(e, Vec3(X * element.N(point.r))) : thermal.at(point.r);
+    const double w = point.weight * J.determinant() * pressure;
     F += w * modes.dpsi(point.r).lazyProduct(inverse);
   }
   const std::span<const std::int32_t> mode = of_element(e);
@@ -113,7 +118,7 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const base::Vector& tempera
 }
 
 base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
-                                   const base::Vector& temperature) const {
+                                   const fe::CaseHeat& heat) const {
   base::Vector f = base::Vector::Zero(freedoms());
   const auto on_side = [&](const model::Face& face, std::span<const fe::LoadPoint> points) {
     for (const fe::LoadPoint& p : points) {
@@ -128,8 +133,8 @@ base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
   for (const model::Load& load : load_case.loads) {
     fe::for_load_points(model_, mesh_, load, {on_side, inside});
   }
-  for (std::size_t e = 0; e < mesh_.element_count() && temperature.size() > 0; ++e) {
-    add_thermal(base::ElementId(e), temperature, f);
+  for (std::size_t e = 0; e < mesh_.element_count() && heat.temperature.size() > 0; ++e) {
+    add_thermal(base::ElementId(e), heat, f);
   }
   return f.cwiseProduct(free());
 }

@@ -5,6 +5,7 @@
 #include "estimate/space_modes.hpp"
 #include "estimate/space_operator.hpp"
 #include "fe/dependence.hpp"
+#include "fe/heat.hpp"
 #include "model/forward.hpp"
 #include "model/freedoms.hpp"
 #include "model/loads.hpp"
@@ -51,10 +52,9 @@ public:
   /// Zero where held. [freedoms]
   [[nodiscard]] const base::Vector& free() const { return operator_.numbers().free; }
 
-  /// Forces on the modes of spread loads of a case, and what temperatures that elements take press.
-  /// [connectivity index]; empty: none
-  [[nodiscard]] base::Vector load(const model::LoadCase& load_case,
-                                  const base::Vector& temperature) const;
+  /// Forces on the modes of spread loads of a case, and what its temperature presses: all of it,
+  /// also what elements do not take.
+  [[nodiscard]] base::Vector load(const model::LoadCase& load_case, const fe::CaseHeat& heat) const;
   /// Adds what forces at points of faces, as contacts have them, do.
   void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
 
@@ -63,7 +63,7 @@ private:
                    base::Vector& f) const;
   void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,
                   base::Vector& f) const;
-  void add_thermal(base::ElementId e, const base::Vector& temperature, base::Vector& f) const;
+  void add_thermal(base::ElementId e, const fe::CaseHeat& heat, base::Vector& f) const;
 
   const model::Model& model_;
   const model::Mesh& mesh_;

@@ -104,7 +104,7 @@ base::Vector FrontBars::load(const StepState& state) {
       continue;
     }
     if (!case_load_[c]) {
-      case_load_[c] = enrichment_->load(model_.cases[c], scene_.case_heat[c]->temperature);
+      case_load_[c] = enrichment_->load(model_.cases[c], *scene_.case_heat[c]);
     }
     f += factor * *case_load_[c];
   }

@@ -59,7 +59,7 @@ struct FrontElements {
   const FrontSetting& set;
   const PartnerTable& partners;
   const std::vector<FrontBodyLoad>& body;
-  const base::Vector& temperature;
+  const TipLoads& loads;
   std::optional<LinearHeat> linear; ///< the temperature, if it is that in all of them
   const base::Vector& u;
   const FrontTerms& terms;
@@ -71,10 +71,11 @@ public:
       : all_(all), set_(all.set), e_(e),
         element_(shape::reference_element<3>(set_.mesh.type[e.index()])),
         X_(fe::coordinates(element_, set_.mesh, e)), U_(fe::gather(element_, set_.mesh, e, all.u)) {
-    if (all.temperature.size() > 0) {
-      T_ = fe::corner_temperature(element_, set_.mesh, e, all.temperature);
+    if (all.loads.temperature.size() > 0) {
+      T_ = fe::corner_temperature(element_, set_.mesh, e, all.loads.temperature);
       beta_ = fe::heat_modulus(fe::law_of(set_.model, set_.mesh, e));
       if (!all.linear) {
+        known_ = known_inside();
         heat_.emplace(element_, X_);
       }
     }
@@ -138,7 +139,8 @@ private:
     Vec3 beta_grad_T = Vec3::Zero();
   };
 
-  // A linear temperature is that in all elements (fe.40), another one what the element takes
+  // A linear temperature is that in all elements (fe.40); another one that does not jump in the
+  // element is the field itself, which is steadier across its sides than what elements take
   // (crack.21, crack.22). J of the map at r.
   [[nodiscard]] Warmth warmth(const Tensor<3>& J, const shape::Point<3>& r, const Vec3& x) const {
     if (beta_ == 0.0) {
@@ -147,7 +149,33 @@ private:
     if (all_.linear) {
       return {beta_ * (*all_.linear)(x), beta_ * all_.linear->slope};
     }
-    return {beta_ * T_.dot(heat_->at(r)), beta_ * (heat_->gradients(J, r).transpose() * T_)};
+    if (!known_) {
+      return {beta_ * T_.dot(heat_->at(r)), beta_ * (heat_->gradients(J, r).transpose() * T_)};
+    }
+    constexpr double part = 1e-5; // of the element, for central differences
+    const double h = part * (X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).maxCoeff();
+    Vec3 slope;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Vec3 step = h * Vec3::Unit(i);
+      slope[i] = (temperature(x + step) - temperature(x - step)) / (2.0 * h);
+    }
+    return {beta_ * temperature(x), beta_ * slope};
+  }
+  [[nodiscard]] double temperature(const Vec3& x) const {
+    double T = 0.0;
+    for (const fe::ActingHeat& acting : all_.loads.heat) {
+      T += acting.factor * acting.heat->field(e_, x);
+    }
+    return T;
+  }
+  // Whether a field acts that varies in the element, and none that jumps.
+  [[nodiscard]] bool known_inside() const {
+    const auto varies = [&](const fe::ActingHeat& acting) { return acting.heat->field.varies(e_); };
+    const auto jumps = [&](const fe::ActingHeat& acting) {
+      return varies(acting) && !acting.heat->is_known_inside(e_);
+    };
+    return std::ranges::any_of(all_.loads.heat, varies) &&
+           std::ranges::none_of(all_.loads.heat, jumps);
   }
 
   // - q b . u,k (crack.19) and the same of the partners, at points of the load's own.
@@ -184,6 +212,7 @@ private:
   fe::AnyNodeVectors<3> U_;
   std::optional<fe::HeatFunctions<3>> heat_; ///< where a temperature acts that is not linear
   fe::CornerValues<3> T_;
+  bool known_ = false; ///< the temperature, by its field
   double beta_ = 0.0;
 };
 
@@ -195,8 +224,7 @@ void add_element_forces(const FrontSetting& set, const FrontFields& fields, cons
   const std::vector<base::ElementId> elements = fields.elements();
   const std::shared_ptr<const PartnerTable> partners = partner_table(set, fields);
   const FrontElements all{
-      set, *partners, body, loads.temperature, linear_heat(set.mesh, elements, loads.temperature),
-      u,   terms};
+      set, *partners, body, loads, linear_heat(set.mesh, elements, loads.temperature), u, terms};
   for (const base::ElementId e : elements) {
     FrontElement(all, e).add(out);
   }
