@@ -138,6 +138,31 @@ void crack_starts(Context& c) {
   }
 }
 
+// Pressure and traction act on whole faces of the mesh.
+void cut_sets(Context& c) {
+  for (const model::LoadCase& load_case : c.model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      const bool by_area =
+          load.type == model::LoadType::pressure || load.type == model::LoadType::traction;
+      const auto border = load.faces.valid() && by_area ? c.set_borders.find(load.faces.index())
+                                                        : c.set_borders.end();
+      if (border == c.set_borders.end()) {
+        continue;
+      }
+      const SetBorder& area = border->second;
+      const std::string unit = c.model.units.length_name + (c.model.mesh.dim == 3 ? "^2" : "");
+      c.diagnostics.warning(
+          load.span, "W372",
+          fmt::format("load case {}: the border of {} runs through faces: the load acts on whole "
+                      "ones, {:.4g} {} in all, and its condition holds on {:.4g} {}",
+                      load_case.name, c.model.mesh.set(load.faces).name, area.taken, unit,
+                      area.meant, unit),
+          "divide the mesh at the border, or load the whole side by an expression that has the "
+          "condition as a factor, as in (10*(x > 0.5))");
+    }
+  }
+}
+
 } // namespace
 
 void check_sense(Context& context) {
@@ -145,6 +170,7 @@ void check_sense(Context& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
+  cut_sets(context);
   moduli(context);
   crack_states(context);
   crack_starts(context);

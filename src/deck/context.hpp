@@ -5,6 +5,7 @@
 #include "deck/labels.hpp"
 #include "deck/names.hpp"
 #include "deck/read_options.hpp"
+#include "deck/set_border.hpp"
 #include "grammar/compile.hpp"
 #include "mesh/import/imported_physics.hpp"
 #include "model/model.hpp"
@@ -52,6 +53,7 @@ struct Context {
   bool freedom_sound = true;                 ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
   std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
+  std::map<std::size_t, SetBorder> set_borders{}; ///< of face sets whose WHERE cuts faces
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 

@@ -106,6 +106,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"W371", "a toughness beyond that of any material"},
     ErrorCode{"W366", "a request for what a plane of symmetry leaves away"},
     ErrorCode{"W367", "a fit in a step before that which mounts its contact"},
+    ErrorCode{"W372", "a load on a set whose border runs through faces"},
     ErrorCode{"W432", "forces on a plane body whose THICK is not given"},
     ErrorCode{"W433", "plane bodies of different thickness that meet"},
     ErrorCode{"W434", "plane stress that meets plane strain"},

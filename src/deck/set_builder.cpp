@@ -212,8 +212,18 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
     for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces)) {
       inside[n.index()] = holds(card, mesh.x[n.index()]);
     }
-    std::erase_if(faces,
-                  [&](const model::Face& face) { return !mesh::lies_within(mesh, face, inside); });
+    const auto others =
+        std::stable_partition(faces.begin(), faces.end(), [&](const model::Face& face) {
+          return mesh::lies_within(mesh, face, inside);
+        });
+    const std::vector<model::Face> left_out(others, faces.end());
+    faces.erase(others, faces.end());
+    const SetBorder border =
+        border_of(mesh, faces, left_out, [&](const base::Vec3& x) { return holds(card, x); });
+    constexpr double little = 0.01;
+    if (border.meant > (1.0 + little) * border.taken) {
+      c.set_borders[mesh.face_sets.size()] = border;
+    }
   }
   return ok ? std::optional(std::move(faces)) : std::nullopt;
 }

@@ -151,7 +151,8 @@ constexpr std::array advice{
                       "thickness: meant only where the bodies share their middle plane."},
     ErrorCode{"W434", "Give bodies that meet one STATE, unless a thick one holds a thin one."},
     ErrorCode{"W435", "Refine the net where the load changes, or write it with fewer poles and "
-                      "waves: what may be missed is said in parts of its total."},
+                      "waves: what may be missed is said in parts of its total. Told from 0.05 % "
+                      "on; spots of a twentieth of an element may not be seen."},
     ErrorCode{"W436", "Refine the net along the set, with nodes at kinks and steps: the bars of K "
                       "do not hold what is lost between them."},
     ErrorCode{"E437",
@@ -267,6 +268,9 @@ constexpr std::array advice{
     ErrorCode{"W368", "The numbers of a block are its low, its high and its count."},
     ErrorCode{"W369", "Leave out the column of times: only the places t count."},
     ErrorCode{"W370", "Linear and quadratic elements fit together only by a tie."},
+    ErrorCode{"W372",
+              "Faces that WHERE holds on in part are left out. Divide the mesh at the border, "
+              "or load the whole side by an expression with the condition as a factor."},
     ErrorCode{"W364", "FIT takes a part of the fit that $CONTACT declares: 1 is all of it."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "

@@ -76,6 +76,21 @@ TEST_F(Sets, NumbersBelongToTheOpenNet) {
   EXPECT_NE(reading->messages().find("between $NET and $ENDNET"), std::string::npos);
 }
 
+// A pressure from x = 0.5 on, where the mesh has edges from 1 to 3: both lengths are told.
+TEST_F(Sets, ABorderWithinFacesOfALoadIsTold) {
+  const std::string load = "$LOAD CASE=L TYPE=PRESSURE\n P 1\n";
+  ASSERT_TRUE(read("$FSET NAME=P WHERE=(y == 1 and x > 0.5 and x < 9)\n" + load));
+  EXPECT_NE(reading->messages().find("W372"), std::string::npos) << reading->messages();
+  EXPECT_NE(reading->messages().find("2 mm in all, and its condition holds on 2.5 mm"),
+            std::string::npos)
+      << reading->messages();
+  // Whole edges; and a strip of the sides of a bore or a corner is none of the surface.
+  for (const char* where : {"y == 1 and x > 0.999 and x < 9", "y > 0.6 and x < 9"}) {
+    ASSERT_TRUE(read("$FSET NAME=P WHERE=(" + std::string(where) + ")\n" + load));
+    EXPECT_EQ(reading->messages().find("W372"), std::string::npos) << reading->messages();
+  }
+}
+
 TEST(SetItems, RangesRemovalAndEachOnce) {
   const Folder folder;
   const Reading r(folder, k_square + "$NSET NAME=A\n 4  1 : 3 : 2, 1\n"
