@@ -59,7 +59,7 @@ protected:
     return sum;
   }
   void expect(const Vec2& found, const Vec2& wanted, double tolerance) {
-    EXPECT_EQ(unresolved, 0.0);
+    EXPECT_LT(unresolved, 5e-4); // from there on W435 tells
     EXPECT_NEAR(found.x(), wanted.x(), tolerance * std::abs(wanted.x()));
     EXPECT_NEAR(found.y(), wanted.y(), tolerance * std::abs(wanted.y()));
   }
