@@ -321,11 +321,13 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::Run&
     }
   }
   figure.caption = fmt::format(
-      "Pressure of contact {} on its surface, unrolled round the axis{}. Across: the angle; up: "
+      "Pressure of contact {} on its surface ({} recovery), unrolled round the axis{}. Across: the "
+      "angle; up: "
       "the place along the axis. Red: where contact ends; white: there is no surface opposite. "
       "Below: the pressure of {} along the axis at some angles, and for each {} the contact force "
       "per unit length in the direction of the total force.",
-      contact.name, sizes.empty() ? "" : ", as the crack grows", shown.back().label,
+      contact.name, is_consistent(contact) ? "consistent" : "lumped",
+      sizes.empty() ? "" : ", as the crack grows", shown.back().label,
       sizes.empty() ? "step" : "size");
   return figure;
 }
