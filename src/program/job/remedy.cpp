@@ -18,7 +18,9 @@ std::string remedy_of(const base::NoAnswer& answer) {
        {"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
        {"is not mounted before", "mount it before the body is loaded, or hold the body until then"},
        {"was dismounted", "hold the body by a support or another contact before it is dismounted"},
-       {"only presses", "look at the sign of the load; else a support ($FREEDOM), or TYPE=BONDED"},
+       {"only presses",
+        "look at the sign of the load and at its total (TYPE=FORCE acts on each node of a set, "
+        "TYPE=RESULTANT once on all); else a support ($FREEDOM), or TYPE=BONDED"},
        {"not held", "add a support ($FREEDOM), or the $CONTACT that holds it"},
        {"singular", "add a support ($FREEDOM), or join the parts"},
        {"mechanism", "add a support ($FREEDOM), or join the parts"},
