@@ -311,7 +311,8 @@ ContactSystem::Solution ContactSystem::solve(const Problem& problem,
     solution.contact = solve::solve_contact(condensed(problem), settings, problem.start);
   } else {
     solve::FrictionSolution found = solve::solve_friction(
-        {condensed(problem), problem.friction, problem.alpha}, settings, problem.touch);
+        {condensed(problem), problem.friction, problem.alpha, problem.expected}, settings,
+        problem.touch);
     solution.contact = std::move(found.contact);
     solution.touch = std::move(found.touch);
     solution.slides = found.slides;

@@ -51,6 +51,7 @@ public:
     std::vector<solve::FrictionRow> friction; ///< by places in `rows`; empty: nothing rubs
     std::vector<solve::Touch> touch;          ///< [rows in force] with friction, instead of `start`
     base::Vector alpha; ///< with friction: where bodies that nothing holds stay; empty: at zero
+    solve::ExpectedForces expected; ///< with friction
   };
   struct Solution {
     solve::ContactSolution contact;  ///< lambda, gap, closed by rows in force

@@ -127,7 +127,13 @@ base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const
 void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
                        const ModeSplit& split, FrictionSolution& answer) {
   const RoundFriction scaled = round_friction(held, problem.friction, problem.contact.load_scale);
-  const RoundState found = solve_round(scaled, anchor_at(problem.alpha_start, held, split));
+  RoundStart start{.alpha = anchor_at(problem.alpha_start, held, split)};
+  if (problem.expected.lambda.size() == held.rows()) {
+    start.expected = (scaled.inverse.array() > 0.0)
+                         .select(problem.expected.lambda.array() / scaled.inverse.array(), 0.0);
+    start.expected_alpha = anchor_at(problem.expected.alpha, held, split);
+  }
+  const RoundState found = solve_round(scaled, start);
   ContactSolution& c = answer.contact;
   c.block_iterations = found.newton_steps;
   c.pivots = found.sweeps;

@@ -22,6 +22,12 @@ inline bool has_round_cones(const std::vector<FrictionRow>& friction) {
   return std::ranges::any_of(friction, [](const FrictionRow& f) { return f.second >= 0; });
 }
 
+/// Near the answer of an increment, as those before it tell; empty: nothing is known.
+struct ExpectedForces {
+  base::Vector lambda; ///< [n]
+  base::Vector alpha;  ///< [m]
+};
+
 /// One increment with Coulomb friction: the contact problem, where the rows named by `friction`
 /// obey
 ///   |lambda_t| <= mu lambda_n,   v = 0 where it is less,   v lambda_t <= 0,
@@ -31,7 +37,8 @@ inline bool has_round_cones(const std::vector<FrictionRow>& friction) {
 struct FrictionProblem {
   ContactProblem contact;
   std::vector<FrictionRow> friction;
-  base::Vector alpha_start; ///< [m] where bodies that nothing holds or loads stay; empty: zero
+  base::Vector alpha_start;     ///< [m] where bodies that nothing holds or loads stay; empty: zero
+  ExpectedForces expected = {}; ///< round cones alone ask for them
 };
 
 /// What a row does: forward slip is positive, against a negative force; a vector slips forward.

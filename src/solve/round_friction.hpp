@@ -45,10 +45,18 @@ struct RoundState {
   int sweeps = 0;
 };
 
+/// Where an increment begins.
+struct RoundStart {
+  base::Vector alpha;               ///< [m]
+  base::Vector expected = {};       ///< [n] forces near the answer; empty: nothing is known
+  base::Vector expected_alpha = {}; ///< [m] motions that go with them
+};
+
 /// Solves an increment (solve.35): sweeps of one contact point after the other (Jean and Moreau
 /// 1992) to come near, and a semi-smooth Newton method on the projection onto the cones (Alart and
 /// Curnier 1991) to arrive; alone that may cycle, then it begins anew from more sweeps. Motions
-/// that nothing holds stay where `alpha` [m] has them.
-RoundState solve_round(const RoundFriction& problem, const base::Vector& alpha);
+/// that nothing holds stay where `alpha` has them. Expected forces are tried first: near the answer
+/// Newton needs no sweeps and fewer steps.
+RoundState solve_round(const RoundFriction& problem, const RoundStart& start);
 
 } // namespace spricka::solve

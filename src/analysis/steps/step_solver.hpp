@@ -86,6 +86,11 @@ private:
     contact::ContactSystem::Solution solution;
     int increments = 0, iterations = 0, pivots = 0;
     const Seen* seen = nullptr;
+    struct Reached {
+      double at = 0.0; ///< part of the step
+      solve::ExpectedForces forces;
+    };
+    std::vector<Reached> reached = {}; ///< the last two increments
   };
   /// Steps in which contacts rub: in as many increments as the card says, and once more in others
   /// to tell their error, or in ever more until it is small (manual, contact.25).
@@ -97,6 +102,7 @@ private:
   bool complete(std::vector<base::Vector> external, StepState& state, base::Trouble& trouble) const;
   /// One increment between two parts of the step, halved where it does not converge.
   bool advance(Walk& walk, std::pair<double, double> part, int halvings);
+  [[nodiscard]] static solve::ExpectedForces expected_at(const Walk& walk, double part);
   void remember(const Walk& walk);
   void note_uniqueness(const Walk& walk, StepState& state);
   /// Empty: the answer is one.

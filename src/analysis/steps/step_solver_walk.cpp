@@ -179,6 +179,7 @@ std::optional<contact::ContactSystem::Solution> StepSolver::walk(const StepFacto
 bool StepSolver::march(Walk& walk, const Place& start, int increments, base::Trouble& trouble) {
   go_back(start);
   walk.increments = 0;
+  walk.reached.clear();
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(walk, {k / n, (k + 1) / n}, 0)) {
@@ -229,9 +230,23 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
   return true;
 }
 
+// In a straight line from the last two increments: most points go on as they did.
+solve::ExpectedForces StepSolver::expected_at(const Walk& walk, double part) {
+  if (walk.reached.empty()) {
+    return {};
+  }
+  const Walk::Reached& last = walk.reached.back();
+  const Walk::Reached& before = walk.reached.front();
+  const double way = last.at - before.at;
+  const double further = way > 0.0 ? (part - last.at) / way : 0.0;
+  return {last.forces.lambda + further * (last.forces.lambda - before.forces.lambda),
+          last.forces.alpha + further * (last.forces.alpha - before.forces.alpha)};
+}
+
 bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halvings) {
   factors_ = part_way(walk.from, walk.to, part.second);
   walk.problem = problem();
+  walk.problem.expected = expected_at(walk, part.second);
   walk.solution = system_->solve(walk.problem, settings_of(model_));
   const solve::ContactSolution& s = walk.solution.contact;
   walk.iterations += s.block_iterations;
@@ -239,6 +254,10 @@ bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halving
   if (s.status == solve::ContactStatus::solved) {
     ++walk.increments;
     remember(walk);
+    walk.reached.push_back({part.second, {s.lambda, s.alpha}});
+    if (walk.reached.size() > 2) {
+      walk.reached.erase(walk.reached.begin());
+    }
     if (walk.seen != nullptr) {
       (*walk.seen)(walk.problem, walk.solution);
     }

@@ -141,6 +141,34 @@ TEST(RoundFriction, AnswersKeepEveryCondition) {
   EXPECT_EQ(several, 0); // with so weak a coupling there is one solution
 }
 
+// From forces that are near the answer Newton's method gets there alone, and to the same one; from
+// others the sweeps help as before.
+TEST(RoundFriction, ExpectedForcesLeadToTheSameAnswer) {
+  Dice dice(11);
+  for (int t = 0; t < 20; ++t) {
+    const Matrix W = half_space(dice, 12, 4.0);
+    Vector b(W.rows());
+    for (Eigen::Index i = 0; i < b.size(); ++i) {
+      b[i] = i % 3 == 0 ? dice.real(-1.5, 0.2) : dice.real(-0.5, 0.5);
+    }
+    FrictionProblem p = round_problem(W, b, 0.3);
+    const FrictionSolution before = solve(round_problem(W, 0.999 * b, 0.3));
+    const FrictionSolution plain = solve(p);
+    EXPECT_GT(plain.contact.pivots, 0); // sweeps
+    for (const double part : {1.0, -5.0}) {
+      p.expected = {part * before.contact.lambda, before.contact.alpha};
+      const FrictionSolution s = solve(p);
+      ASSERT_EQ(s.contact.status, ContactStatus::solved) << "try " << t;
+      EXPECT_LT(violation(p, s), 1e-8) << "try " << t;
+      EXPECT_LT((s.contact.lambda - plain.contact.lambda).norm(),
+                1e-9 * plain.contact.lambda.norm());
+      if (part == 1.0) {
+        EXPECT_EQ(s.contact.pivots, 0) << "try " << t;
+      }
+    }
+  }
+}
+
 // No direction is favoured: turned frames, the same forces.
 TEST(RoundFriction, FramesDoNotMatter) {
   Dice dice(7);
