@@ -9,7 +9,6 @@
 
 namespace spricka::solve {
 
-using base::at;
 using base::index;
 
 namespace {
@@ -40,31 +39,11 @@ RightVectors right_vectors(const base::Matrix& A) {
   return {svd.vectors, svd.values};
 }
 
-/// As many rows of U [k, r] as it has columns, those that tell its columns apart best (full
-/// pivoting), the last of equals.
-std::vector<bool> pivot_rows(base::Matrix U) {
-  std::vector<bool> taken(static_cast<std::size_t>(U.rows()), false);
-  for (Eigen::Index c = 0; c < U.cols(); ++c) {
-    Eigen::Index row = -1;
-    Eigen::Index col = -1;
-    double most = 0.0;
-    for (Eigen::Index i = 0; i < U.rows(); ++i) {
-      for (Eigen::Index j = 0; j < U.cols(); ++j) {
-        if (!taken[at(i)] && std::abs(U(i, j)) >= most * (1.0 - 1e-6)) {
-          most = std::max(most, std::abs(U(i, j)));
-          row = i;
-          col = j;
-        }
-      }
-    }
-    taken[at(row)] = true;
-    const base::Vector pivot = U.col(col) / U(row, col);
-    for (Eigen::Index j = 0; j < U.cols(); ++j) {
-      U.col(j) -= U(row, j) * pivot;
-    }
-    U.col(col).setZero();
-  }
-  return taken;
+/// Orthonormal directions across the columns of A [m, k], which are independent.
+base::Matrix across(const base::Matrix& A) {
+  const Eigen::HouseholderQR<base::Matrix> qr(A);
+  const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(A.rows(), A.rows());
+  return Q.rightCols(A.rows() - A.cols());
 }
 
 } // namespace
@@ -106,17 +85,9 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
       for (Eigen::Index c = rank; c < k; ++c) {
         add_uncontrollable(scale * V.col(c));
       }
-      // Beside them stand the given modes themselves: what a load on an uncontrollable one leaves
-      // over is then a load on modes left out here, a couple but no force if those are rotations.
-      const std::vector<bool> out = pivot_rows(orthonormal(scale * V.rightCols(k - rank)));
-      controllable = base::Matrix(m, rank);
-      Eigen::Index to = 0;
-      for (Eigen::Index c = 0; c < k; ++c) {
-        const Eigen::Index j = touched[at(c)];
-        if (!out[at(j)]) {
-          controllable.col(to++) = scale.col(c);
-        }
-      }
+      // Across them, so that what a load on them leaves over is a load on them alone: were given
+      // modes to stand beside them, it would be one on those left out, such as a force.
+      controllable = across(uncontrollable);
     }
     for (Eigen::Index c = 0; c < rank; ++c) {
       controllable.col(c) /= (B * controllable.col(c)).cwiseAbs().maxCoeff();
