@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace spricka::contact {
@@ -26,6 +27,8 @@ struct PairPressure {
   /// In space: root mean square of what multipliers go up and down about averages, over that of the
   /// multipliers, where averages are known.
   double unrest = 0.0;
+  /// In space: elements that lie across the spot where it presses most; infinite: it has no edge.
+  double across_peak = std::numeric_limits<double>::infinity();
   double radius = 0.0; ///< in space, mean: the surface is one cylinder or cone; else 0 [length]
 };
 

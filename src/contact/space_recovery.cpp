@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "contact/space_averages.hpp"
 #include "contact/space_rows.hpp"
+#include "contact/space_spot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -204,6 +205,7 @@ PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& la
     result.nodes.push_back(at);
   }
   result.unrest = unrest_of(pair, p, smooth);
+  result.across_peak = elements_across_peak(pair, lambda, closed);
   const SpaceSurface& surface = pair.contact.space;
   const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
   for (const SurfaceTriangle& t : surface.triangles) {

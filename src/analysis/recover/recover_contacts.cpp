@@ -22,6 +22,10 @@ namespace {
 
 constexpr double most_unrest = 0.05; // of the pressure, root mean square
 constexpr double known_part = 0.25;  // of the distance of nodes where faces part
+// Elements across a spot below which its largest pressure is told to be off, and how far it is with
+// one, read off spheres on half spaces (manual, contact_limits.md).
+constexpr double least_across_peak = 2.0;
+constexpr double off_by_one_across = 0.3;
 
 // Stick, slip and shear of a pair with friction. Rows have the slip of the target side along the
 // contact side. The slave's along itself is the negative on either side: both run opposite ways.
@@ -119,6 +123,15 @@ std::string unrest_note(const std::string& contact, double unrest, bool declared
                                 "the other: MULTIPLIER=CORNER is quieter"
                               : "A measured gap holds the facets of curved faces: declare it, or "
                                 "use MULTIPLIER=CORNER");
+}
+
+// What a spot is known to that few elements lie across (manual, contact_limits.md).
+std::string small_spot_note(const std::string& contact, double across) {
+  return fmt::format(
+      "{}: only {:.2g} elements lie across the spot where it presses most: its "
+      "largest pressure may be off by {:.0f} %, and so may the size of the spot; its force "
+      "is not. Take elements of a third of the spot there",
+      contact, across, 100.0 * off_by_one_across / across);
 }
 
 // The only face of a half model runs with its body on the left, which may be from the tip on: its
@@ -259,17 +272,20 @@ void recover_contacts(const Scene& scene, const StepState& state, results::StepR
       }
       std::ranges::stable_sort(result.points, {}, &results::ContactPoint::arc);
     }
+    const bool unilateral = scene.contacts[c].type == model::ContactType::unilateral;
     count_from_mouth(scene, c, result);
     note_parting(scene, c, result, out);
     if (p.unrest > most_unrest) {
       out.notes.push_back(results::less_exact(
           unrest_note(result.name, p.unrest, scene.contacts[c].gap.has_value())));
     }
+    if (unilateral && result.mounted && p.across_peak < least_across_peak) {
+      out.notes.push_back(results::less_exact(small_spot_note(result.name, p.across_peak)));
+    }
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
       out.notes.push_back(results::note(unbounded_note(result)));
     }
-    const bool unilateral = scene.contacts[c].type == model::ContactType::unilateral;
     const std::string parts =
         result.mounted && unilateral && !result.space ? parts_note(result) : std::string();
     if (!parts.empty()) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space_spot.hpp"
+
+#include "base/index.hpp"
+#include "contact/space_rows.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr double no_edge = std::numeric_limits<double>::infinity();
+
+// Whether nodes in the middle of edges have pressures of their own.
+bool has_middle_rows(const PairRows& pair) {
+  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto corners =
+        static_cast<std::size_t>(base::info(pair.contact.space.faces[f].shape).corners);
+    if (faces[f].size() > corners) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool is_at_sharp_edge(const PairRows& pair, base::NodeId node) {
+  return std::ranges::any_of(pair.sharp_ends, [&](const SharpEnd& end) {
+    return std::ranges::find(end.nodes, node) != end.nodes.end();
+  });
+}
+
+// Steps from a closed row to the nearest open one; 0: there is none.
+int steps_to_open(const std::vector<std::set<std::size_t>>& next, std::size_t from,
+                  const std::vector<bool>& closed) {
+  std::vector<bool> met(closed.size(), false);
+  std::vector<std::size_t> now{from};
+  met[from] = true;
+  for (int steps = 1; !now.empty(); ++steps) {
+    std::vector<std::size_t> then;
+    for (const std::size_t at : now) {
+      for (const std::size_t b : next[at]) {
+        if (!closed[b]) {
+          return steps;
+        }
+        if (!met[b]) {
+          met[b] = true;
+          then.push_back(b);
+        }
+      }
+    }
+    now = std::move(then);
+  }
+  return 0;
+}
+
+} // namespace
+
+std::vector<std::set<std::size_t>> row_neighbours(const PairRows& pair) {
+  std::vector<std::set<std::size_t>> next(pair.normal.size());
+  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
+  const auto row_of = [&](const SurfaceTriangle& t, int i) {
+    return pair.functions[faces[t.face][static_cast<std::size_t>(i)]].row;
+  };
+  for (const SurfaceTriangle& t : pair.contact.space.triangles) {
+    for (const int i : t.node) {
+      for (const int k : t.node) {
+        const int a = row_of(t, i);
+        const int b = row_of(t, k);
+        if (a >= 0 && b >= 0 && a != b) {
+          next[static_cast<std::size_t>(a)].insert(static_cast<std::size_t>(b));
+        }
+      }
+    }
+  }
+  return next;
+}
+
+double elements_across_peak(const PairRows& pair, const base::Vector& lambda,
+                            const std::vector<bool>& closed) {
+  if (!pair.segments || pair.normal.empty()) {
+    return no_edge;
+  }
+  Eigen::Index peak = 0;
+  const double most = lambda.head(base::index(pair.normal.size())).maxCoeff(&peak);
+  const std::size_t at = base::at(peak);
+  if (!(most > 0.0) || !closed[at] || is_at_sharp_edge(pair, pair.normal[at].node)) {
+    return no_edge;
+  }
+  const int steps = steps_to_open(row_neighbours(pair), at, closed);
+  if (steps == 0) {
+    return no_edge;
+  }
+  // Contact ends somewhere between the last closed node and the first open one.
+  return (2.0 * steps - 1.0) / (has_middle_rows(pair) ? 2.0 : 1.0);
+}
+
+} // namespace spricka::contact
