@@ -321,11 +321,11 @@ def table(records):
     return "".join(out)
 
 
-def write(text):
+def write(text, mark="coverage"):
     """Replaces what stands between the marks in manual/error_bar.md."""
     path = TOP / "manual" / "error_bar.md"
     old = path.read_text(encoding="utf-8")
-    new = re.sub(r"(<!-- coverage -->\n).*?(<!-- end of coverage -->)", lambda m: m.group(1) + text + m.group(2), old,
+    new = re.sub(rf"(<!-- {mark} -->\n).*?(<!-- end of {mark} -->)", lambda m: m.group(1) + text + m.group(2), old,
                  flags=re.S)
     path.write_text(new, encoding="utf-8")
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/bar_along_front.hpp"
 
+#include "estimate/error_bar.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,10 @@ namespace {
 constexpr double share_of_own = 1.4;     // of the error estimated at the point
 constexpr double share_of_others = 0.25; // of the rms of those along the front
 constexpr double floor_share = 3e-4;     // of the largest K along it
+// Of what a row of nodes more or less at an edge of a contact does: where contact ends on both
+// surfaces, and where on one.
+constexpr double share_of_ends = estimate::share_of_flip;
+constexpr double share_of_sharp = 0.3;
 
 // Points with an estimate: within the body, with a domain.
 bool has_estimate(const results::FrontPlace& place) {
@@ -43,7 +49,8 @@ void fill_surface(results::FrontResult& front) {
 } // namespace
 
 void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
-                    Eigen::Index first, double coarse_contact, results::FrontResult& front) {
+                    const EdgeChanges& edges, Eigen::Index first, double coarse_contact,
+                    results::FrontResult& front) {
   double size = 0.0;
   std::array<double, 3> squares{};
   std::array<double, 3> counts{};
@@ -59,7 +66,10 @@ void add_front_bars(const base::Vector& eta, const std::vector<std::array<double
         continue;
       }
       counts[k] += 1.0;
-      place.bar[k].eta = eta[first + static_cast<Eigen::Index>(3 * i + k)];
+      const Eigen::Index at = first + static_cast<Eigen::Index>(3 * i + k);
+      place.bar[k].eta = eta[at];
+      place.bar[k].flip = edges.ends[at];
+      place.bar[k].edge = share_of_ends * edges.ends[at] + share_of_sharp * edges.sharp[at];
       place.bar[k].best = best[i][k];
       squares[k] += std::pow(best[i][k] - K[k], 2);
     }
@@ -73,7 +83,7 @@ void add_front_bars(const base::Vector& eta, const std::vector<std::array<double
       results::KBar& bar = place.bar[k];
       bar.mesh = share_of_own * std::abs(bar.best - K[k]) +
                  share_of_others * std::sqrt(squares[k] / counts[k]);
-      bar.edge = coarse_contact * size;
+      bar.edge += coarse_contact * size;
       bar.floor = floor_share * size;
     }
   }

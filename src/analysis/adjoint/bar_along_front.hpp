@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/adjoint/edge_changes.hpp"
 #include "base/vec.hpp"
 #include "results/front_result.hpp"
 
@@ -11,7 +12,9 @@ namespace spricka::analysis {
 /// Gives the points of a front their bars (manual, estimate.24) from what cubic elements add to K1,
 /// K2, K3, those of the front from `first` on, and the smooth values of K with that [point].
 /// `coarse_contact`: part of the largest K that coarse surfaces of other bodies may make it off by.
+/// `edges`: what the edges of contacts do to K.
 void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
-                    Eigen::Index first, double coarse_contact, results::FrontResult& front);
+                    const EdgeChanges& edges, Eigen::Index first, double coarse_contact,
+                    results::FrontResult& front);
 
 } // namespace spricka::analysis

@@ -2,6 +2,7 @@
 #include "analysis/adjoint/front_bars.hpp"
 
 #include "analysis/adjoint/bar_along_front.hpp"
+#include "analysis/adjoint/front_edges.hpp"
 #include "analysis/adjoint/partner_surfaces.hpp"
 #include "contact/space_tractions.hpp"
 #include "model/model.hpp"
@@ -195,6 +196,10 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
     eta = changes(step, K);
     reason = eta ? "" : "what closed contacts hold gives way";
   }
+  EdgeChanges edges;
+  if (reason.empty()) {
+    edges = edge_changes(scene_, step, K);
+  }
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < result.fronts.size(); ++f) {
@@ -209,7 +214,7 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
         better[at] = place.closed ? 0.0 : better[at];
       }
       const CoarsePartner coarse = coarse_partner(scene_, step.state, scene_.fronts[f]);
-      add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first(first)),
+      add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first(first)), edges,
                      layout.first(first), coarse.part, front);
       if (!coarse.why_not.empty()) {
         result.notes.push_back(

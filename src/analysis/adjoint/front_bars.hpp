@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/adjoint/frozen_change.hpp"
-#include "analysis/scene/front_functionals.hpp"
+#include "analysis/adjoint/frozen_step.hpp"
 #include "estimate/space_enrichment.hpp"
 #include "results/results.hpp"
 
@@ -10,20 +9,6 @@
 #include <vector>
 
 namespace spricka::analysis {
-
-/// K along the fronts of a scene as functions of displacements and contact forces.
-struct FrontFunctionals {
-  crack::SparseRows rows; ///< [3 * node, K]
-  base::Matrix of_force;  ///< [K, row of the table]
-};
-
-/// One solved step and what its answer is when something is changed.
-struct FrozenStep {
-  const StepSolver& solver;
-  const StepState& state;
-  const ClosedRows& contact;
-  const FrozenSystem& system;
-};
 
 /// Processor ESTIMATE in space: error bars of K along fronts, from the solution that cubic elements
 /// would have (manual, estimate.20 to 24).

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/adjoint/frozen_change.hpp"
+#include "analysis/scene/front_functionals.hpp"
+
+namespace spricka::analysis {
+
+/// K along the fronts of a scene as functions of displacements and contact forces.
+struct FrontFunctionals {
+  crack::SparseRows rows; ///< [3 * node, K]
+  base::Matrix of_force;  ///< [K, row of the table]
+};
+
+/// One solved step and what its answer is when something is changed.
+struct FrozenStep {
+  const StepSolver& solver;
+  const StepState& state;
+  const ClosedRows& contact;
+  const FrozenSystem& system;
+};
+
+} // namespace spricka::analysis
