@@ -21,6 +21,7 @@ from program import Run, numbers
 
 FULL, DAILY = 40, 3
 HELD = 0.95
+WORST = 3.0  # error over bar of few meshes, which show no share: without edges of contact it was up to twelve
 
 
 def records_in_plane(program, case, dice_text):
@@ -90,7 +91,8 @@ def main():
         records, refused = measure(sys.argv[1], family, "B", FULL if full else DAILY, jobs)
         inside, row = row_of(family, records)
         text += row
-        good = good and refused == 0 and inside >= HELD
+        worst = max((error / bar for error, bar, _ in records if bar > 0.0), default=0.0)
+        good = good and refused == 0 and len(records) > 0 and (inside >= HELD if full else worst <= WORST)
     print(text)
     if "--write" in sys.argv:
         coverage.write(text, "coverage of faces")
