@@ -6,6 +6,7 @@
 #include "analysis/steps/far_motion.hpp"
 #include "analysis/steps/held_surfaces.hpp"
 #include "analysis/steps/missing_contact.hpp"
+#include "analysis/steps/resting_forces.hpp"
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/round_gaps.hpp"
 #include "analysis/steps/row_opening.hpp"
@@ -45,23 +46,6 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
     softest = std::min(softest, model.materials[property.material.index()].E * depth * extent);
   }
   return std::isfinite(softest) ? 1e-13 * softest : 0.0;
-}
-
-// Forces on motions by which surfaces slide on themselves: those of normals that are the other
-// side's.
-void tell_resting(StepState& state) {
-  constexpr double worth_a_note = 1e-6;
-  constexpr double too_much = 1e-3;
-  const double share = state.resting.size() > 0 && !state.contact.isZero(0.0)
-                           ? state.resting.lpNorm<1>() / state.contact.lpNorm<1>()
-                           : 0.0;
-  if (share > worth_a_note) {
-    const std::string text = fmt::format(
-        "{:.1e} of the contact forces act on motions by which round or plane surfaces slide on "
-        "themselves (such as their moment about the axis of a bush) and are left over",
-        share);
-    state.notes.push_back(share > too_much ? results::less_exact(text) : results::note(text));
-  }
 }
 
 } // namespace
@@ -273,13 +257,7 @@ bool StepSolver::accept(const contact::ContactSystem::Solution& solution,
     }
     closed_[row] = s.closed[i];
   }
-  state.resting = base::Vector::Zero(solution.resting_force.empty() ? 0 : u_.size());
-  for (std::size_t i = 0; i < solution.resting_force.size(); ++i) {
-    const std::vector<std::int32_t>& freedom = bodies_[condensed_[i]].condensed->freedom();
-    for (std::size_t k = 0; k < freedom.size(); ++k) {
-      state.resting[freedom[k]] = solution.resting_force[i][static_cast<Eigen::Index>(k)];
-    }
-  }
+  state.resting = resting_forces(bodies_, condensed_, solution, u_.size());
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     state.friction.push_back(history_.pair(c));
   }
@@ -344,7 +322,9 @@ void StepSolver::balance(StepState& state) const {
   if (!scene_.ties->rows().empty()) {
     state.tie = tie_forces(open - state.reaction);
   }
-  tell_resting(state);
+  if (const std::optional<results::Note> note = note_of_resting(state.resting, state.contact)) {
+    state.notes.push_back(*note);
+  }
   const double scale =
       std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>(),
                 internal.lpNorm<1>()}); // ties with constants strain without load
