@@ -69,6 +69,24 @@ crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
   return rows;
 }
 
+// Whether rows at a sharp edge of a contact do so much to K of a front that no mesh tells what the
+// singular pressure there does (manual, error_bar.md).
+bool hangs_on_an_edge(const EdgeChanges& edges, Eigen::Index first,
+                      const results::FrontResult& front) {
+  constexpr double too_much = 0.2; // of the largest K
+  double size = 0.0;
+  double most = 0.0;
+  Eigen::Index at = first;
+  for (const results::FrontPlace& place : front.points) {
+    if (!place.at_surface) {
+      size = std::max(size, std::hypot(place.K1, place.K2, place.K3));
+      most = std::max(most, edges.sharp.segment<3>(at).maxCoeff());
+    }
+    at += 3;
+  }
+  return most > too_much * size;
+}
+
 } // namespace
 
 FrontBars::FrontBars(const model::Model& model, const Scene& scene)
@@ -205,6 +223,9 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
   for (std::size_t f = 0; f < result.fronts.size(); ++f) {
     results::FrontResult& front = result.fronts[f];
     front.no_bar = front.doubt.empty() ? reason : front.doubt;
+    if (front.no_bar.empty() && hangs_on_an_edge(edges, layout.first(first), front)) {
+      front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
+    }
     if (front.no_bar.empty()) {
       base::Vector better = *eta;
       for (std::size_t i = 0; i < front.points.size(); ++i) {
