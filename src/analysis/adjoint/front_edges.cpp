@@ -6,9 +6,11 @@
 #include "contact/space_spot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace spricka::analysis {
 
@@ -80,6 +82,26 @@ std::vector<bool> at_sharp_edges(const contact::PairRows& pair, const std::vecto
   return at;
 }
 
+// Whether a contact presses on the faces of a crack, as a body between them does. Elsewhere a sharp
+// edge is far from K, or beside the mouth (partner_surfaces.hpp), where taking a row of coarse
+// elements away says nothing of an error.
+bool presses_on_a_crack(const Scene& scene, const model::Contact& contact) {
+  std::set<std::pair<base::ElementId, int>> sides;
+  for (const mesh::CrackFaces& faces : scene.cracked.faces) {
+    for (const auto* some : {&faces.left_sides, &faces.right_sides}) {
+      for (const model::Face& face : *some) {
+        sides.emplace(face.element, face.side);
+      }
+    }
+  }
+  return std::ranges::any_of(std::array{contact.slave, contact.master}, [&](base::FaceSetId id) {
+    return id.valid() &&
+           std::ranges::any_of(scene.cracked.mesh.set(id).faces, [&](const model::Face& face) {
+             return sides.contains({face.element, face.side});
+           });
+  });
+}
+
 void add_lines_of(const Scene& scene, const StepState& state, std::size_t c,
                   std::vector<RowLine>& lines) {
   const contact::PairRows& pair = scene.pairs[c];
@@ -95,8 +117,10 @@ void add_lines_of(const Scene& scene, const StepState& state, std::size_t c,
   const std::size_t first = scene.table.first[c];
   add_lines(next, last, {.rows = {}, .closed = true, .sharp = false}, first, lines);
   add_lines(next, beyond, {.rows = {}, .closed = false, .sharp = false}, first, lines);
-  add_lines(next, at_sharp_edges(pair, closed), {.rows = {}, .closed = true, .sharp = true}, first,
-            lines);
+  if (presses_on_a_crack(scene, scene.contacts[c])) {
+    add_lines(next, at_sharp_edges(pair, closed), {.rows = {}, .closed = true, .sharp = true},
+              first, lines);
+  }
 }
 
 std::vector<RowLine> lines_of(const Scene& scene, const StepState& state) {
