@@ -134,6 +134,26 @@ std::string small_spot_note(const std::string& contact, double across) {
       contact, across, 100.0 * off_by_one_across / across);
 }
 
+struct Spot {
+  std::string contact;
+  double force = 0.0;
+  double across = 0.0; ///< elements
+};
+
+// A contact that hardly presses beside the others is not what a step is about.
+void tell_small_spots(const std::vector<Spot>& spots, results::StepResult& out) {
+  constexpr double counts = 0.05; // of the largest contact force
+  double most = 0.0;
+  for (const Spot& spot : spots) {
+    most = std::max(most, spot.force);
+  }
+  for (const Spot& spot : spots) {
+    if (spot.across < least_across_peak && spot.force > counts * most) {
+      out.notes.push_back(results::less_exact(small_spot_note(spot.contact, spot.across)));
+    }
+  }
+}
+
 // The only face of a half model runs with its body on the left, which may be from the tip on: its
 // places count from the mouth.
 void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
@@ -220,6 +240,7 @@ void by_places(const contact::PairPressure& pressure, results::ContactResult& re
 } // namespace
 
 void recover_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
+  std::vector<Spot> spots;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const contact::PairPressure p = contact::recover_pressure(
@@ -279,8 +300,8 @@ void recover_contacts(const Scene& scene, const StepState& state, results::StepR
       out.notes.push_back(results::less_exact(
           unrest_note(result.name, p.unrest, scene.contacts[c].gap.has_value())));
     }
-    if (unilateral && result.mounted && p.across_peak < least_across_peak) {
-      out.notes.push_back(results::less_exact(small_spot_note(result.name, p.across_peak)));
+    if (unilateral && result.mounted) {
+      spots.push_back({result.name, result.mean_pressure * result.area, p.across_peak});
     }
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
@@ -293,6 +314,7 @@ void recover_contacts(const Scene& scene, const StepState& state, results::StepR
     }
     out.contacts.push_back(std::move(result));
   }
+  tell_small_spots(spots, out);
 }
 
 } // namespace spricka::analysis

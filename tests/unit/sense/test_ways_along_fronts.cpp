@@ -42,6 +42,15 @@ TEST(WaysAlongFronts, AgreeOnSoundMeshes) {
   EXPECT_TRUE(warnings_of({step}).empty());
 }
 
+TEST(WaysAlongFronts, AgreeBetterWhereThereAreErrorBars) {
+  results::StepResult step = step_with_front();
+  step.fronts[0].no_bar = "";
+  step.fronts[0].points[1].G *= 1.03; // 1.5 % of K
+  EXPECT_TRUE(warnings_of({step}).empty());
+  step.fronts[0].points[1].G *= 1.05; // 4 %
+  EXPECT_EQ(warnings_of({step}).size(), 1U);
+}
+
 TEST(WaysAlongFronts, PartAtTheWorstPlaceOfAllSteps) {
   results::StepResult first = step_with_front();
   first.fronts[0].points[1].G *= 1.21;
