@@ -73,9 +73,9 @@ bool is_number(const base::Vector& f, const model::LoadCase& load_case, const mo
 bool keeps_its_total(const results::LoadTotal& before, const results::LoadTotal& after,
                      const model::LoadCase& load_case, const model::Load& load,
                      base::Diagnostics& diagnostics) {
-  // Curved rims of sets are polygons; fields that jump are followed to load_tolerance in each
-  // element.
-  const double kept = fe::is_constant(load) ? 1e-6 : 1e-4;
+  // Curved rims of sets are polygons; fields that jump or are narrow are followed to some
+  // load_tolerance in each element, and W435 tells what is missed from half of this on.
+  const double kept = fe::is_constant(load) ? 1e-6 : 1e-3;
   const double change = (after.force - before.force).norm();
   const double size = std::max(before.spread, after.spread);
   if (change <= kept * size) {
