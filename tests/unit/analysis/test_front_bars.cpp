@@ -384,9 +384,9 @@ TEST(FrontBars, HotSpotsByChance) {
   };
   Tally all;
   for (int i = 0; i < 8; ++i) {
-    const double w = 0.1 * std::pow(10.0, i / 7.0);
+    const double w = 0.15 * std::pow(6.0, i / 7.0);
     const double phi = chance(0.0, 6.28);
-    const double r = chance(0.4, 1.2);
+    const double r = chance(0.3, 0.8);
     const base::Vec3 x(r * std::cos(phi), r * std::sin(phi), chance(-0.2, 0.2));
     const Tally t = tally_of_hot_spot(hot_spot(w, x, i % 2 == 0 ? "TET10" : "HEXEC20"));
     std::printf("w = %.3g: %d of %d inside, rms error %.3f %%\n", w, t.inside, t.all,
