@@ -52,7 +52,7 @@ struct Context {
   bool property_sound = true;                ///< no mistake in $PROPERTY and what it names
   bool freedom_sound = true;                 ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
-  std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
+  std::vector<std::size_t> building{};            ///< cards of sets being built, outermost first
   std::map<std::size_t, SetBorder> set_borders{}; ///< of face sets whose WHERE cuts faces
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
