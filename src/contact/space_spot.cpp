@@ -32,28 +32,45 @@ bool is_at_sharp_edge(const PairRows& pair, base::NodeId node) {
   });
 }
 
-// Steps from a closed row to the nearest open one; 0: there is none.
-int steps_to_open(const std::vector<std::set<std::size_t>>& next, std::size_t from,
-                  const std::vector<bool>& closed) {
-  std::vector<bool> met(closed.size(), false);
-  std::vector<std::size_t> now{from};
-  met[from] = true;
-  for (int steps = 1; !now.empty(); ++steps) {
-    std::vector<std::size_t> then;
-    for (const std::size_t at : now) {
-      for (const std::size_t b : next[at]) {
-        if (!closed[b]) {
-          return steps;
-        }
-        if (!met[b]) {
-          met[b] = true;
-          then.push_back(b);
-        }
+// Steps over elements from the nearest of some rows to each row; -1 where none leads to it.
+std::vector<int> count_steps(const std::vector<std::set<std::size_t>>& next,
+                             const std::vector<bool>& from) {
+  std::vector<int> steps(from.size(), -1);
+  std::vector<std::size_t> reached;
+  for (std::size_t row = 0; row < from.size(); ++row) {
+    if (from[row]) {
+      steps[row] = 0;
+      reached.push_back(row);
+    }
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (const std::size_t row : next[reached[i]]) {
+      if (steps[row] < 0) {
+        steps[row] = steps[reached[i]] + 1;
+        reached.push_back(row);
       }
     }
-    now = std::move(then);
   }
-  return 0;
+  return steps;
+}
+
+// Radius, in steps, of the largest disc of closed rows that a row lies in: a peak beside the border
+// of a wide spot is in a large one. 0: no open row ends the spot.
+int largest_disc(const std::vector<std::set<std::size_t>>& next, std::size_t row,
+                 const std::vector<bool>& closed) {
+  std::vector<bool> open = closed;
+  open.flip();
+  std::vector<bool> peak(closed.size(), false);
+  peak[row] = true;
+  const std::vector<int> to_open = count_steps(next, open);
+  const std::vector<int> to_peak = count_steps(next, peak);
+  int radius = 0;
+  for (std::size_t center = 0; center < closed.size(); ++center) {
+    if (to_peak[center] >= 0 && to_peak[center] < to_open[center]) {
+      radius = std::max(radius, to_open[center]);
+    }
+  }
+  return radius;
 }
 
 } // namespace
@@ -89,7 +106,7 @@ double elements_across_peak(const PairRows& pair, const base::Vector& lambda,
   if (!(most > 0.0) || !closed[at] || is_at_sharp_edge(pair, pair.normal[at].node)) {
     return no_edge;
   }
-  const int steps = steps_to_open(row_neighbours(pair), at, closed);
+  const int steps = largest_disc(row_neighbours(pair), at, closed);
   if (steps == 0) {
     return no_edge;
   }
