@@ -35,8 +35,9 @@ Vec2 shift_at(const Edge& edge, double xi, const base::Vector& u) {
 
 class Sliding {
 public:
-  Sliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u)
-      : pair_(pair), lambda_(lambda), u_(u), edges_(pair.contact.plane.edges),
+  Sliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+          std::span<const base::Matrix* const> motions)
+      : pair_(pair), lambda_(lambda), u_(u), motions_(motions), edges_(pair.contact.plane.edges),
         targets_(pair.target.plane.edges), row_(normal_rows(pair)) {
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       largest_ = std::max(largest_, lambda[static_cast<Eigen::Index>(i)]);
@@ -109,6 +110,8 @@ private:
     double drawn = 0.0;
     double facet = edge.length;
     std::optional<double> now;
+    Vec2 place;
+    std::optional<double> eta;
     if (pair_.rigid) {
       const std::optional<RigidFoot> before = foot_on(*pair_.rigid, x);
       const std::optional<RigidFoot> after = foot_on(*pair_.rigid, x - relative);
@@ -119,9 +122,10 @@ private:
       drawn = before->gap;
       // Beyond the end of a line there is nothing to press on.
       now = after->beyond ? std::nullopt : std::optional(after->gap);
+      place = point_on(moved(edge, u_), xi);
     } else {
       const Edge& target = targets_[s.target_edge];
-      const std::optional<double> eta = hit_on(target, x, n);
+      eta = hit_on(target, x, n);
       if (!eta) {
         return;
       }
@@ -132,10 +136,20 @@ private:
       relative += shift_at(target, *eta, u_);
       // Along the normal as it is now: bodies that have turned face one another otherwise.
       now = gap_from(at, outer_normal(here, xi), std::abs(drawn) + relative.norm());
-      const Vec2 there = point_on(moved_[s.target_edge], *eta);
-      found_.places.push_back(
-          {.x = {there.x(), there.y(), 0.0}, .thrust = thrust, .gap = drawn + n.dot(relative)});
+      place = point_on(moved_[s.target_edge], *eta);
     }
+    const double counted = drawn + n.dot(relative);
+    // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
+    // is of second order, and no row counts it.
+    found_.places.push_back(
+        {.x = {place.x(), place.y(), 0.0},
+         .thrust = thrust,
+         .gap = counted,
+         .unseen = now ? std::optional(*now - counted) : std::nullopt,
+         .opening = openings(motions_, [&](const base::Vector& motion) {
+           const Vec2 own = shift_at(edge, xi, motion);
+           return n.dot(eta ? shift_at(targets_[s.target_edge], *eta, motion) - own : Vec2(-own));
+         })});
     thrust_ += thrust;
     found_.pressed += length;
     // The part of the motion along the surface.
@@ -147,15 +161,14 @@ private:
     if (!now) {
       lost_ += thrust;
     } else {
-      // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
-      // is of second order, and no row counts it.
-      found_.misfit = std::max(found_.misfit, std::abs(*now - drawn - n.dot(relative)));
+      found_.misfit = std::max(found_.misfit, std::abs(*now - counted));
     }
   }
 
   const PairRows& pair_;
   const base::Vector& lambda_;
   const base::Vector& u_;
+  std::span<const base::Matrix* const> motions_;
   std::span<const Edge> edges_, targets_;
   std::vector<Edge> moved_;
   std::map<base::NodeId, std::size_t> row_;
@@ -165,9 +178,10 @@ private:
 
 } // namespace
 
-Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u) {
-  return pair.contact.space.faces.empty() ? Sliding(pair, lambda, u).look()
-                                          : space_slide_of(pair, lambda, u);
+Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+               std::span<const base::Matrix* const> motions) {
+  return pair.contact.space.faces.empty() ? Sliding(pair, lambda, u, motions).look()
+                                          : space_slide_of(pair, lambda, u, motions);
 }
 
 } // namespace spricka::contact

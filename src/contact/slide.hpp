@@ -3,11 +3,15 @@
 #include "contact/constraint.hpp"
 #include "contact/slide_record.hpp"
 
+#include <span>
+
 /// Whether displacements are still as small as contact needs: it pairs the bodies as drawn.
 namespace spricka::contact {
 
 /// Measures the slide of a pair under multipliers lambda [normal rows, then tangents] [stress] with
-/// displacements u [dim * node] [length].
-Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u);
+/// displacements u [dim * node] [length]; `motions` [dim * node, n] are those whose openings the
+/// places have.
+Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+               std::span<const base::Matrix* const> motions = {});
 
 } // namespace spricka::contact

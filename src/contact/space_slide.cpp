@@ -58,9 +58,10 @@ double largest_shift(const base::Vector& u) {
 
 class SpaceSliding {
 public:
-  SpaceSliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u)
-      : pair_(pair), lambda_(lambda), u_(u), own_(pair.contact.space), other_(pair.target.space),
-        moved_own_(moved(own_, u)), moved_other_(moved(other_, u)),
+  SpaceSliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+               std::span<const base::Matrix* const> motions)
+      : pair_(pair), lambda_(lambda), u_(u), motions_(motions), own_(pair.contact.space),
+        other_(pair.target.space), moved_own_(moved(own_, u)), moved_other_(moved(other_, u)),
         // Fits move bodies as far as they are large: what a body is moved off by is still opposite.
         sighting_(moved_own_, moved_other_, 2.0 * largest_shift(u)),
         functions_(functions_by_face(pair)) {
@@ -147,6 +148,8 @@ private:
     Vec3 relative = -shift_at(own_.faces[triangle.face], at.r, u_);
     double facet = own_size_[triangle.face];
     std::optional<double> now;
+    const FacePoint here = point_on(moved_own_.faces[triangle.face], at.r);
+    Vec3 place = here.x;
     if (pair_.rigid_shape) {
       const Round& shape = *pair_.rigid_shape;
       now = shape.sense * distance_to(shape, at.x - relative);
@@ -154,14 +157,25 @@ private:
       relative += shift_at(other_.faces[at.target], at.s, u_);
       facet = std::max(facet, other_size_[at.target]);
       // Along the normal as it is now: bodies that have turned face one another otherwise.
-      const FacePoint here = point_on(moved_own_.faces[triangle.face], at.r);
       if (const auto met = sighting_.look(here.x, here.area_vector().normalized())) {
         now = met->gap;
       }
-      found_.places.push_back({.x = point_on(moved_other_.faces[at.target], at.s).x,
-                               .thrust = p * at.weight,
-                               .gap = at.gap + at.normal.dot(relative)});
+      place = point_on(moved_other_.faces[at.target], at.s).x;
     }
+    const double counted = at.gap + at.normal.dot(relative);
+    // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
+    // is of second order, and no row counts it.
+    found_.places.push_back({.x = place,
+                             .thrust = p * at.weight,
+                             .gap = counted,
+                             .unseen = now ? std::optional(*now - counted) : std::nullopt,
+                             .opening = openings(motions_, [&](const base::Vector& motion) {
+                               const Vec3 own = shift_at(own_.faces[triangle.face], at.r, motion);
+                               return at.normal.dot(
+                                   pair_.rigid_shape
+                                       ? Vec3(-own)
+                                       : shift_at(other_.faces[at.target], at.s, motion) - own);
+                             })});
     thrust_ += p * at.weight;
     found_.pressed += at.weight;
     // The part of the motion along the surface.
@@ -173,15 +187,14 @@ private:
     if (!now) {
       lost_ += p * at.weight;
     } else {
-      // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
-      // is of second order, and no row counts it.
-      found_.misfit = std::max(found_.misfit, std::abs(*now - at.gap - at.normal.dot(relative)));
+      found_.misfit = std::max(found_.misfit, std::abs(*now - counted));
     }
   }
 
   const PairRows& pair_;
   const base::Vector& lambda_;
   const base::Vector& u_;
+  std::span<const base::Matrix* const> motions_;
   const SpaceSurface& own_;
   const SpaceSurface& other_;
   SpaceSurface moved_own_, moved_other_;
@@ -194,8 +207,9 @@ private:
 
 } // namespace
 
-Slide space_slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u) {
-  return SpaceSliding(pair, lambda, u).look();
+Slide space_slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+                     std::span<const base::Matrix* const> motions) {
+  return SpaceSliding(pair, lambda, u, motions).look();
 }
 
 } // namespace spricka::contact

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace spricka::analysis {
@@ -54,6 +55,7 @@ double facets(const contact::PairRows& pair, double facet) {
 
 /// What contact of the bodies as drawn leaves out of one pair, as it has moved.
 struct Moved {
+  std::size_t pair = 0; ///< in scene.pairs
   std::string contact;
   contact::Slide slide;
   bool far = false;    ///< by more than an element
@@ -69,6 +71,13 @@ struct Moved {
     return std::max({slide.lost > most_lost ? slide.lost : 0.0, far ? way : 0.0, turned});
   }
 };
+
+// Gap that no row counts, in elastic ways of the largest pressure; 0: little.
+double turned_by(const contact::PairRows& pair, double pressure, const contact::Slide& slide) {
+  const double turned =
+      (slide.misfit - facets(pair, slide.facet)) / elastic_way(pair, pressure, slide.pressed);
+  return turned > most_misfit ? turned : 0.0;
+}
 
 // The body of a pair's contact side where displacements have taken it.
 std::optional<contact::BodyOutline> moved_body(const model::Model& model, const Scene& scene,
@@ -115,7 +124,8 @@ std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
   if (!(pressure > no_strain * pair.contact.stiffness)) {
     return std::nullopt;
   }
-  Moved found{.contact = scene.contacts[c].name,
+  Moved found{.pair = c,
+              .contact = scene.contacts[c].name,
               .slide = contact::slide_of(pair, state.pair_lambda[c], state.u)};
   contact::Slide& slide = found.slide;
   if (slide.lost > most_lost && !pair.rigid && !pair.rigid_shape) {
@@ -124,10 +134,73 @@ std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
     }
   }
   found.far = slide.way > slide.facet && slide.way > most_slide * slide.pressed;
-  const double turned =
-      (slide.misfit - facets(pair, slide.facet)) / elastic_way(pair, pressure, slide.pressed);
-  found.turned = turned > most_misfit ? turned : 0.0;
+  found.turned = turned_by(pair, pressure, slide);
   return found;
+}
+
+// Rigid motions that neither supports nor bonds keep a body from.
+std::vector<const base::Matrix*> free_motions(const Scene& scene,
+                                              const std::vector<BodyNet>& bodies) {
+  std::set<base::NodeId> bonded;
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    if (scene.contacts[c].type == model::ContactType::bonded) {
+      for (const contact::Surface* side : {&scene.pairs[c].contact, &scene.pairs[c].target}) {
+        for (const contact::Facet& facet : side->facets) {
+          bonded.insert(facet.nodes.begin(), facet.nodes.end());
+        }
+      }
+    }
+  }
+  std::vector<const base::Matrix*> motions;
+  for (const BodyNet& body : bodies) {
+    if (std::ranges::none_of(body.body.nodes,
+                             [&](base::NodeId node) { return bonded.contains(node); })) {
+      motions.push_back(&body.free_modes);
+    }
+  }
+  return motions;
+}
+
+// Takes out of the gaps that no row counts what rigid motions of bodies that only contact holds
+// close: a pin that keeps its direction in a lug that bends moves across it at no cost. Least
+// squares over all contacts, by thrust.
+void close_by_rigid_motions(const Scene& scene, const std::vector<BodyNet>& bodies,
+                            const StepState& state, std::vector<Moved>& all) {
+  const std::vector<const base::Matrix*> motions = free_motions(scene, bodies);
+  std::vector<std::vector<contact::PressedPlace>> places;
+  base::Matrix normal_matrix;
+  base::Vector unseen;
+  for (const Moved& one : all) {
+    places.push_back(
+        contact::slide_of(scene.pairs[one.pair], state.pair_lambda[one.pair], state.u, motions)
+            .places);
+    for (const contact::PressedPlace& place : places.back()) {
+      if (unseen.size() == 0) {
+        normal_matrix = base::Matrix::Zero(place.opening.size(), place.opening.size());
+        unseen = base::Vector::Zero(place.opening.size());
+      }
+      if (place.unseen) {
+        normal_matrix += place.thrust * place.opening * place.opening.transpose();
+        unseen += place.thrust * *place.unseen * place.opening;
+      }
+    }
+  }
+  if (unseen.size() == 0) {
+    return;
+  }
+  // Bodies may slide on themselves: such motions close nothing, and the least of all is taken.
+  const base::Vector closing = normal_matrix.completeOrthogonalDecomposition().solve(-unseen);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    double left = 0.0;
+    for (const contact::PressedPlace& place : places[i]) {
+      left = place.unseen ? std::max(left, std::abs(*place.unseen + place.opening.dot(closing)))
+                          : left;
+    }
+    const contact::PairRows& pair = scene.pairs[all[i].pair];
+    all[i].slide.misfit = std::min(all[i].slide.misfit, left);
+    all[i].turned =
+        turned_by(pair, largest_pressure(pair, state.pair_lambda[all[i].pair]), all[i].slide);
+  }
 }
 
 std::string what_moves(const Moved& one) {
@@ -176,6 +249,9 @@ void tell_slides(const model::Model& model, const Scene& scene, const std::vecto
       largest = std::max(largest, one->slide.thrust);
       all.push_back(*std::move(one));
     }
+  }
+  if (std::ranges::any_of(all, [](const Moved& one) { return one.turned > 0.0; })) {
+    close_by_rigid_motions(scene, bodies, state, all);
   }
   for (const Moved& one : all) {
     if (one.matters()) {

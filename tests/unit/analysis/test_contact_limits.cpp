@@ -124,6 +124,43 @@ TEST(ContactLimits, SlidesByElementsAreTold) {
   EXPECT_TRUE(has(notes_of(*s), "element lengths")) << notes_of(*s);
 }
 
+// The lower block turns about a point far below and so slides and tilts: 0.4 times 0.02 of gap that
+// no row counts. Where the upper block is held it is pressed by as much less; where only a force
+// presses it, it comes down by itself.
+TEST(ContactLimits, GapsThatAFreeBodyClosesAreNotToldOf) {
+  for (const bool held : {true, false}) {
+    const auto s = test::solve_text(
+        fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=A
+$MESH SHAPE=BLOCK TYPE=QUAMC8 X0=-1.5 LX=4 LY=1 NX=4 NY=2
+$ENDNET
+$NET NAME=B
+$MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=1 LX=1 LY=1 NX=10 NY=3
+$NSET NAME=MID WHERE=(abs(x-0.5) < 1e-9 and abs(y-2) < 1e-9)
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0
+$PROPERTY ESET=A.BODY MATERIAL=M STATE=STRESS THICK=1
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=STRESS THICK=1
+$FREEDOM CLASS=PRESCRIBED DOF=XY
+  A.YMIN
+$FREEDOM CLASS={0}
+  {1}
+$LOAD CASE=TURN TYPE=DISP
+  A.YMIN (0.02*20) (-0.02*(X-0.5))
+  {2}
+$CONTACT NAME=C SLAVE=B.YMIN MASTER=A.YMAX
+$STEP NAME=S
+  LOAD TURN 1
+$END
+)",
+                    held ? "PRESCRIBED DOF=XY" : "SUPPRESSED DOF=X", held ? "B.YMAX" : "B.MID",
+                    held ? "B.YMAX 0 (-0.02*(X-0.5)-0.02)"
+                         : "\n$LOAD CASE=TURN TYPE=RESULTANT\n  B.YMAX 0 -10"));
+    ASSERT_TRUE(s);
+    EXPECT_EQ(has(notes_of(*s), "their gap changes by"), held) << notes_of(*s);
+  }
+}
+
 // A gap above a fifth of the extent is not seen: the pass through each other is.
 TEST(ContactLimits, BodiesThatPassThroughEachOtherAreTold) {
   std::string deck = blocks(0.0, -0.6, pair, 1.0, 0.4);
