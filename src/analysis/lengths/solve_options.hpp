@@ -30,10 +30,10 @@ struct SolveOptions {
   Condensing condensing = Condensing::automatic;
   /// Keeps increments, and gives back those of an earlier run.
   archive::Checkpoint* checkpoint = nullptr;
-  std::function<void(const Progress&)> progress; ///< may be empty
+  std::function<void(const Progress&)> progress = {}; ///< may be empty
   /// Given the increment under way with all its steps so far, whenever there is a new K in it; may
   /// be empty.
-  std::function<void(const results::Increment&)> found;
+  std::function<void(const results::Increment&)> found = {};
   Recorder* recorder = nullptr; ///< of a profile, where one is asked for
 };
 
