@@ -23,16 +23,16 @@ struct Term {
     scale   ///< the value so far is in `unit`
   };
   Kind kind = Kind::number;
-  base::Op op = base::Op::number;
+  base::OpCode op = base::OpCode::number;
   int count = 0;
   double value = 0.0;
-  base::Span span;
-  base::Span unit; ///< the text between [ and ]; invalid where there is none
+  base::SourceSpan span;
+  base::SourceSpan unit; ///< the text between [ and ]; invalid where there is none
 };
 
 struct Expression {
   std::vector<Term> terms;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// A value in a header or a field of a data line.
@@ -48,7 +48,7 @@ struct Field {
   };
   Kind kind = Kind::number;
   char separator = ' '; ///< what follows it in a row: ' ', ',' or '='
-  base::Span span;
+  base::SourceSpan span;
   std::string text;
   Expression expression;
   std::vector<Expression> arguments;
@@ -57,30 +57,30 @@ struct Field {
 
 struct Parameter {
   std::string key;
-  base::Span key_span;
+  base::SourceSpan key_span;
   std::vector<Field> values;
-  base::Span span; ///< of the values
+  base::SourceSpan span; ///< of the values
 };
 
 /// A header and the place of its data lines, which are read once the header is understood.
 struct Card {
   std::string name; ///< without the $
-  base::Span name_span;
+  base::SourceSpan name_span;
   std::vector<Parameter> parameters;
-  base::Span header;
-  base::Span data;
+  base::SourceSpan header;
+  base::SourceSpan data;
   bool bad = false; ///< the header has a syntax error; `parameters` holds what came before it
 };
 
 struct Row {
   std::vector<Field> fields;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 struct Assignment {
   std::string name;    ///< upper case
   std::string written; ///< as in the deck
-  base::Span name_span;
+  base::SourceSpan name_span;
   Expression value;
 };
 

@@ -41,12 +41,12 @@ std::string hint_for(char found, std::string_view wanted) {
 }
 } // namespace
 
-base::Span Builder::span(const char* begin, const char* end) const {
+base::SourceSpan Builder::span(const char* begin, const char* end) const {
   return {file_, static_cast<std::uint32_t>(begin - origin_),
           static_cast<std::uint32_t>(end - origin_)};
 }
 
-bool Builder::fail(base::Span place, std::string code, std::string text, std::string hint) {
+bool Builder::fail(base::SourceSpan place, std::string code, std::string text, std::string hint) {
   if (!failure) {
     failure = Failure{place, std::move(code), std::move(text), std::move(hint)};
   }
@@ -101,7 +101,7 @@ bool Builder::bad_number(const char* begin, const char* end, const char* last, i
                               "a letter");
 }
 
-bool Builder::read_unit(const char*& p, const char* last, base::Span& found) {
+bool Builder::read_unit(const char*& p, const char* last, base::SourceSpan& found) {
   if (p >= last || *p != '[') {
     return true;
   }
@@ -180,7 +180,7 @@ void Builder::end_call() {
   calls_.pop_back();
 }
 
-void Builder::op(base::Op op) {
+void Builder::op(base::OpCode op) {
   Term term;
   term.kind = Term::Kind::op;
   term.op = op;

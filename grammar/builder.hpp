@@ -18,7 +18,7 @@ public:
   Builder(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
 
   struct Failure {
-    base::Span span;
+    base::SourceSpan span;
     std::string code;
     std::string text;
     std::string hint;
@@ -26,7 +26,7 @@ public:
   std::optional<Failure> failure;
 
   /// Keeps the first failure only; false, so that a terminal can return it.
-  bool fail(base::Span place, std::string code, std::string text, std::string hint = {});
+  bool fail(base::SourceSpan place, std::string code, std::string text, std::string hint = {});
   /// "expected ..." at `at`, with the carets under the token there.
   void expected(const char* at, const char* last, std::string_view what);
   void report(base::Diagnostics& diagnostics) const;
@@ -34,7 +34,7 @@ public:
   Card card;             ///< the header being read
   Assignment assignment; ///< the assignment being read
 
-  [[nodiscard]] base::Span span(const char* begin, const char* end) const;
+  [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
   [[nodiscard]] const char* origin() const { return origin_; }
 
   // Expressions.
@@ -46,7 +46,7 @@ public:
   bool call(); ///< the last name is a function; its arguments follow
   void argument() { ++calls_.back().count; }
   void end_call();
-  void op(base::Op op);
+  void op(base::OpCode op);
   void close(const char* end) { token_end_ = end; } ///< a bracket was the last token
   Expression take_expression(const char* begin);    ///< from there to the last token
 
@@ -62,7 +62,7 @@ private:
   bool signed_number(const char*& p, const char* last, Term& term);
   bool field_range(const char*& p, const char* last);
   bool whole_number(const char*& p, const char* last, base::Label& value);
-  bool read_unit(const char*& p, const char* last, base::Span& found);
+  bool read_unit(const char*& p, const char* last, base::SourceSpan& found);
   bool bad_number(const char* begin, const char* end, const char* last, int error);
   bool field_end(const char* p, const char* last);
   bool quantity(const char*& p, const char* last, const char* begin);

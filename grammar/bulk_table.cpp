@@ -54,7 +54,7 @@ constexpr std::size_t k_block = 2048;
 
 template <class Value> class TableReader {
 public:
-  TableReader(const TableForm& form, base::Span data, const Scope& scope,
+  TableReader(const TableForm& form, base::SourceSpan data, const Scope& scope,
               base::Diagnostics& diagnostics)
       : form_(form), scope_(scope), diagnostics_(diagnostics), file_(data.file),
         origin_(scope.sources->text(data.file).data()), p_(origin_ + data.begin),
@@ -205,7 +205,7 @@ private:
     if (!result) {
       return false;
     }
-    const base::Span unit = outer_unit(parsed.expression);
+    const base::SourceSpan unit = outer_unit(parsed.expression);
     if (unit.valid() && std::is_same_v<T, double>) {
       const auto known = base::parse_unit(scope_.sources->text(unit));
       const bool fits = known && (known->dimension == base::Dimension{1.0, 0.0, 0.0} ||
@@ -286,23 +286,23 @@ private:
 
 } // namespace
 
-void parse_coordinates(const TableForm& form, base::Span data, const Scope& scope,
+void parse_coordinates(const TableForm& form, base::SourceSpan data, const Scope& scope,
                        base::Diagnostics& diagnostics, const TakeRows<double>& take) {
   TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
-void parse_connectivity(const TableForm& form, base::Span data, const Scope& scope,
+void parse_connectivity(const TableForm& form, base::SourceSpan data, const Scope& scope,
                         base::Diagnostics& diagnostics, const TakeRows<base::Label>& take) {
   TableReader<base::Label>(form, data, scope, diagnostics).run(take);
 }
 
-std::size_t count_lines(const base::Sources& sources, base::Span data) {
+std::size_t count_lines(const base::SourceTexts& sources, base::SourceSpan data) {
   const std::string_view text = sources.text(data);
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
 }
 
-base::Span table_field(const base::Sources& sources, base::Span data, std::uint32_t offset,
-                       std::size_t index) {
+base::SourceSpan table_field(const base::SourceTexts& sources, base::SourceSpan data,
+                             std::uint32_t offset, std::size_t index) {
   const char* const origin = sources.text(data.file).data();
   const char* const last = origin + data.end;
   const char* p = origin + offset;
@@ -321,7 +321,8 @@ base::Span table_field(const base::Sources& sources, base::Span data, std::uint3
           static_cast<std::uint32_t>(end_of(p) - origin)};
 }
 
-base::Span table_label(const base::Sources& sources, base::Span data, std::size_t index) {
+base::SourceSpan table_label(const base::SourceTexts& sources, base::SourceSpan data,
+                             std::size_t index) {
   const char* const origin = sources.text(data.file).data();
   const char* const last = origin + data.end;
   const char* p = origin + data.begin;

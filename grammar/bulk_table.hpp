@@ -34,20 +34,21 @@ struct TableForm {
 template <class Value> using TakeRows = std::function<void(const Table<Value>&)>;
 
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
-void parse_coordinates(const TableForm& form, base::Span data, const Scope& scope,
+void parse_coordinates(const TableForm& form, base::SourceSpan data, const Scope& scope,
                        base::Diagnostics& diagnostics, const TakeRows<double>& take);
-void parse_connectivity(const TableForm& form, base::Span data, const Scope& scope,
+void parse_connectivity(const TableForm& form, base::SourceSpan data, const Scope& scope,
                         base::Diagnostics& diagnostics, const TakeRows<base::Label>& take);
 
 /// At least as many as the rows of a data block: its lines.
-std::size_t count_lines(const base::Sources& sources, base::Span data);
+std::size_t count_lines(const base::SourceTexts& sources, base::SourceSpan data);
 
 /// Place of field `index` (0: the label) of the row that starts at `offset`: for messages after the
 /// table was read.
-base::Span table_field(const base::Sources& sources, base::Span data, std::uint32_t offset,
-                       std::size_t index);
+base::SourceSpan table_field(const base::SourceTexts& sources, base::SourceSpan data,
+                             std::uint32_t offset, std::size_t index);
 
 /// Place of the label of row `index` of a table without mistakes.
-base::Span table_label(const base::Sources& sources, base::Span data, std::size_t index);
+base::SourceSpan table_label(const base::SourceTexts& sources, base::SourceSpan data,
+                             std::size_t index);
 
 } // namespace spricka::grammar

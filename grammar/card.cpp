@@ -138,7 +138,7 @@ BOOST_SPIRIT_DEFINE(header, value, field, row, assigning)
 
 // Calls `read(begin, end)` for every logical line of `data` that holds more than blanks.
 template <class Read>
-void for_each_line(const base::Sources& sources, base::Span data, const Read& read) {
+void for_each_line(const base::SourceTexts& sources, base::SourceSpan data, const Read& read) {
   const std::string_view all = sources.text(data.file);
   const char* p = all.data() + data.begin;
   const char* const last = all.data() + data.end;
@@ -182,7 +182,7 @@ const char* after_byte_order_mark(std::string_view all) {
 
 } // namespace
 
-std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
+std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t file,
                               base::Diagnostics& diagnostics) {
   std::vector<Card> cards;
   const std::string_view all = sources.text(file);
@@ -222,7 +222,7 @@ std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
   return cards;
 }
 
-std::vector<Row> parse_rows(const base::Sources& sources, base::Span data,
+std::vector<Row> parse_rows(const base::SourceTexts& sources, base::SourceSpan data,
                             base::Diagnostics& diagnostics) {
   std::vector<Row> rows;
   const char* const origin = sources.text(data.file).data();
@@ -238,7 +238,7 @@ std::vector<Row> parse_rows(const base::Sources& sources, base::Span data,
   return rows;
 }
 
-std::vector<Assignment> parse_assignments(const base::Sources& sources, base::Span data,
+std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base::SourceSpan data,
                                           base::Diagnostics& diagnostics) {
   std::vector<Assignment> assignments;
   const char* const origin = sources.text(data.file).data();
@@ -259,7 +259,8 @@ std::vector<Assignment> parse_assignments(const base::Sources& sources, base::Sp
   return assignments;
 }
 
-std::optional<Expression> parse_expression(const base::Sources& sources, base::Span text_span,
+std::optional<Expression> parse_expression(const base::SourceTexts& sources,
+                                           base::SourceSpan text_span,
                                            base::Diagnostics& diagnostics) {
   const char* const origin = sources.text(text_span.file).data();
   Builder builder(text_span.file, origin);

@@ -18,31 +18,34 @@ namespace spricka::grammar {
 
 namespace {
 
-using base::Op;
+using base::OpCode;
 
 struct Function {
   std::string_view name;
-  Op op;
+  OpCode op;
   int arguments; ///< min and max take more, too
   std::string_view form;
   std::string_view doc;
 };
 
 constexpr std::array<Function, 10> functions{{
-    {"SQRT", Op::sqrt, 1, "sqrt(x)", "square root"},
-    {"ABS", Op::abs, 1, "abs(x)", "amount without sign"},
-    {"SIN", Op::sin, 1, "sin(x)", "sine of an angle in radians"},
-    {"COS", Op::cos, 1, "cos(x)", "cosine"},
-    {"TAN", Op::tan, 1, "tan(x)", "tangent"},
-    {"ATAN2", Op::atan2, 2, "atan2(y, x)", "angle of the point (x, y), from -pi to pi"},
-    {"EXP", Op::exp, 1, "exp(x)", "exponential"},
-    {"LOG", Op::log, 1, "log(x)", "natural logarithm"},
-    {"MIN", Op::min, 2, "min(a, b, ..)", "smallest of two or more"},
-    {"MAX", Op::max, 2, "max(a, b, ..)", "largest of two or more"},
+    {"SQRT", OpCode::sqrt, 1, "sqrt(x)", "square root"},
+    {"ABS", OpCode::abs, 1, "abs(x)", "amount without sign"},
+    {"SIN", OpCode::sin, 1, "sin(x)", "sine of an angle in radians"},
+    {"COS", OpCode::cos, 1, "cos(x)", "cosine"},
+    {"TAN", OpCode::tan, 1, "tan(x)", "tangent"},
+    {"ATAN2", OpCode::atan2, 2, "atan2(y, x)", "angle of the point (x, y), from -pi to pi"},
+    {"EXP", OpCode::exp, 1, "exp(x)", "exponential"},
+    {"LOG", OpCode::log, 1, "log(x)", "natural logarithm"},
+    {"MIN", OpCode::min, 2, "min(a, b, ..)", "smallest of two or more"},
+    {"MAX", OpCode::max, 2, "max(a, b, ..)", "largest of two or more"},
 }};
 
-constexpr std::array<std::pair<std::string_view, Op>, 5> variables{
-    {{"X", Op::x}, {"Y", Op::y}, {"Z", Op::z}, {"RHO", Op::rho}, {"THETA", Op::theta}}};
+constexpr std::array<std::pair<std::string_view, OpCode>, 5> variables{{{"X", OpCode::x},
+                                                                        {"Y", OpCode::y},
+                                                                        {"Z", OpCode::z},
+                                                                        {"RHO", OpCode::rho},
+                                                                        {"THETA", OpCode::theta}}};
 
 const Function* find_function(std::string_view name) {
   const auto* const it = std::find_if(functions.begin(), functions.end(),
@@ -50,22 +53,22 @@ const Function* find_function(std::string_view name) {
   return it == functions.end() ? nullptr : it;
 }
 
-std::optional<Op> find_variable(std::string_view name) {
+std::optional<OpCode> find_variable(std::string_view name) {
   const auto* const it = std::find_if(variables.begin(), variables.end(),
                                       [&](const auto& v) { return v.first == name; });
   return it == variables.end() ? std::nullopt : std::optional(it->second);
 }
 
-int operands(Op op) {
+int operands(OpCode op) {
   switch (op) {
-  case Op::negate:
-  case Op::sqrt:
-  case Op::abs:
-  case Op::sin:
-  case Op::cos:
-  case Op::tan:
-  case Op::exp:
-  case Op::log:
+  case OpCode::negate:
+  case OpCode::sqrt:
+  case OpCode::abs:
+  case OpCode::sin:
+  case OpCode::cos:
+  case OpCode::tan:
+  case OpCode::exp:
+  case OpCode::log:
     return 1;
   default:
     return 2;
@@ -77,7 +80,7 @@ public:
   Compiler(const Scope& scope, Fields fields, base::Diagnostics& diagnostics)
       : scope_(scope), fields_(fields), diagnostics_(diagnostics) {}
 
-  std::optional<base::Expression> run(const Expression& expression) {
+  std::optional<base::CompiledExpression> run(const Expression& expression) {
     whole_ = expression.span;
     for (const Term& term : expression.terms) {
       add(term);
@@ -111,24 +114,25 @@ private:
       break;
     case Term::Kind::scale:
       push(factor(term.unit));
-      apply(Op::multiply);
+      apply(OpCode::multiply);
       break;
     }
   }
 
-  void push(double value) { result_.code.push_back({Op::number, value}); }
+  void push(double value) { result_.code.push_back({OpCode::number, value}); }
 
   // Appends the operation, or works it out at once where all operands are numbers. After a failure
   // the stack is kept in step, so that every mistake of the expression is found.
-  void apply(Op op) {
+  void apply(OpCode op) {
     const auto n = static_cast<std::size_t>(operands(op));
-    std::vector<base::Instruction>& code = result_.code;
-    const bool known = code.size() >= n &&
-                       std::all_of(code.end() - static_cast<std::ptrdiff_t>(n), code.end(),
-                                   [](const base::Instruction& i) { return i.op == Op::number; });
+    std::vector<base::ExpressionInstruction>& code = result_.code;
+    const bool known =
+        code.size() >= n &&
+        std::all_of(code.end() - static_cast<std::ptrdiff_t>(n), code.end(),
+                    [](const base::ExpressionInstruction& i) { return i.op == OpCode::number; });
     code.push_back({op, 0.0});
     if (known) {
-      base::Expression part;
+      base::CompiledExpression part;
       part.code.assign(code.end() - static_cast<std::ptrdiff_t>(n + 1), code.end());
       code.resize(code.size() - n - 1);
       push(part(base::Vec3::Zero()));
@@ -137,15 +141,15 @@ private:
 
   // A round number of more than a turn in a function of angles; or theta, which is -pi to pi,
   // beside what it never reaches.
-  void look_for_degrees(Op op, base::Span at) {
+  void look_for_degrees(OpCode op, base::SourceSpan at) {
     constexpr double turn = 2.0 * std::numbers::pi;
-    const std::vector<base::Instruction>& code = result_.code;
+    const std::vector<base::ExpressionInstruction>& code = result_.code;
     const std::size_t n = code.size();
-    const auto is = [&](std::size_t back, Op wanted) {
+    const auto is = [&](std::size_t back, OpCode wanted) {
       return n >= back && code[n - back].op == wanted;
     };
-    const bool last = is(1, Op::number);
-    if ((op == Op::sin || op == Op::cos || op == Op::tan) && last) {
+    const bool last = is(1, OpCode::number);
+    if ((op == OpCode::sin || op == OpCode::cos || op == OpCode::tan) && last) {
       const double angle = code[n - 1].value;
       if (std::abs(angle) > turn && 10.0 * angle == std::round(10.0 * angle)) {
         in_degrees(at, fmt::format("{} takes {:.6g} as radians", scope_.sources->text(at), angle),
@@ -153,11 +157,11 @@ private:
       }
       return;
     }
-    const bool sum = op == Op::add || op == Op::subtract;
-    const bool compares = op == Op::less || op == Op::less_equal || op == Op::greater ||
-                          op == Op::greater_equal || op == Op::equal;
-    const bool theta = last ? is(2, Op::theta) || (is(2, Op::abs) && is(3, Op::theta))
-                            : is(2, Op::number) && is(1, Op::theta);
+    const bool sum = op == OpCode::add || op == OpCode::subtract;
+    const bool compares = op == OpCode::less || op == OpCode::less_equal || op == OpCode::greater ||
+                          op == OpCode::greater_equal || op == OpCode::equal;
+    const bool theta = last ? is(2, OpCode::theta) || (is(2, OpCode::abs) && is(3, OpCode::theta))
+                            : is(2, OpCode::number) && is(1, OpCode::theta);
     if ((sum || compares) && theta) {
       const double angle = code[n - (last ? 1 : 2)].value;
       if (std::abs(angle) > (sum ? turn : 0.5 * turn) * (1.0 + 1e-9)) {
@@ -167,7 +171,7 @@ private:
     }
   }
 
-  void in_degrees(base::Span at, std::string text, double angle) {
+  void in_degrees(base::SourceSpan at, std::string text, double angle) {
     diagnostics_.warning(at.valid() ? at : whole_, "W355", std::move(text),
                          fmt::format("angles are radians; degrees are written {:.6g}[deg]", angle));
   }
@@ -194,7 +198,7 @@ private:
     }
   }
 
-  void unknown(base::Span span, std::string_view written, const std::string& upper) {
+  void unknown(base::SourceSpan span, std::string_view written, const std::string& upper) {
     if (find_function(upper) != nullptr) {
       fail(span, "E203", fmt::format("'{}' is a function", written),
            fmt::format("write {}(...)", written));
@@ -213,14 +217,14 @@ private:
                      [](const auto& variable) { return std::string(variable.first); });
     }
     fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written),
-         base::suggest(upper, valid));
+         base::suggest_spelling(upper, valid));
   }
 
   void call(const Term& term) {
     const std::string_view written = scope_.sources->text(term.span);
     const Function* function = find_function(to_upper(written));
     const bool variadic =
-        function != nullptr && (function->op == Op::min || function->op == Op::max);
+        function != nullptr && (function->op == OpCode::min || function->op == OpCode::max);
     if (function != nullptr && (variadic ? term.count >= 2 : term.count == function->arguments)) {
       look_for_degrees(function->op, term.span);
       for (int i = 0; i < (variadic ? term.count - 1 : 1); ++i) {
@@ -240,17 +244,17 @@ private:
     push(1.0);
   }
 
-  double factor(base::Span unit) {
+  double factor(base::SourceSpan unit) {
     const std::string_view text = scope_.sources->text(unit);
     if (const auto known = base::parse_unit(text)) {
-      return base::to_deck(*known, scope_.units);
+      return base::to_deck_factor(*known, scope_.units);
     }
     fail(unit, "E204", fmt::format("'{}' is not a unit", text),
          "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad, with * / ^");
     return 1.0;
   }
 
-  void fail(base::Span span, std::string code, std::string text, std::string hint = {}) {
+  void fail(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
     failed_ = true;
     diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
   }
@@ -258,9 +262,9 @@ private:
   const Scope& scope_;
   Fields fields_;
   base::Diagnostics& diagnostics_;
-  base::Expression result_;
+  base::CompiledExpression result_;
   bool failed_ = false;
-  base::Span whole_; ///< of the expression
+  base::SourceSpan whole_; ///< of the expression
 };
 
 } // namespace
@@ -276,7 +280,7 @@ std::string instead_of_function(std::string_view name) {
   std::vector<std::string> valid;
   std::ranges::transform(functions, std::back_inserter(valid),
                          [](const Function& f) { return std::string(f.name); });
-  return base::suggest(name, valid);
+  return base::suggest_spelling(name, valid);
 }
 
 std::vector<WordText> function_texts() {
@@ -293,8 +297,8 @@ bool is_reserved(std::string_view upper_name) {
          find_function(upper_name) != nullptr || find_variable(upper_name).has_value();
 }
 
-std::optional<base::Expression> compile(const Expression& expression, const Scope& scope,
-                                        Fields fields, base::Diagnostics& diagnostics) {
+std::optional<base::CompiledExpression> compile(const Expression& expression, const Scope& scope,
+                                                Fields fields, base::Diagnostics& diagnostics) {
   return Compiler(scope, fields, diagnostics).run(expression);
 }
 
@@ -307,7 +311,7 @@ std::optional<double> evaluate(const Expression& expression, const Scope& scope,
   return (*compiled)(base::Vec3::Zero());
 }
 
-base::Span outer_unit(const Expression& expression) {
+base::SourceSpan outer_unit(const Expression& expression) {
   if (expression.terms.empty()) {
     return {};
   }
@@ -316,15 +320,15 @@ base::Span outer_unit(const Expression& expression) {
                      (last.kind == Term::Kind::number && expression.terms.size() == 1);
   // a scale inside the brackets, `(2*(E)[GPa])`, ends before the closing bracket
   const bool outside = last.unit.valid() && last.unit.end + 1 == expression.span.end;
-  return whole && outside ? last.unit : base::Span{};
+  return whole && outside ? last.unit : base::SourceSpan{};
 }
 
-base::Span known_unit(const Expression& expression, const Scope& scope) {
+base::SourceSpan known_unit(const Expression& expression, const Scope& scope) {
   if (expression.terms.size() != 1 || expression.terms.front().kind != Term::Kind::name) {
     return outer_unit(expression);
   }
   const auto known = scope.units_of.find(to_upper(scope.sources->text(expression.terms[0].span)));
-  return known == scope.units_of.end() ? base::Span() : known->second;
+  return known == scope.units_of.end() ? base::SourceSpan() : known->second;
 }
 
 bool has_unit(const Expression& expression, const Scope& scope) {

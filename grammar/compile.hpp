@@ -17,11 +17,11 @@ namespace spricka::grammar {
 
 /// What the names of an expression stand for. Keys are upper case.
 struct Scope {
-  const base::Sources* sources = nullptr;
+  const base::SourceTexts* sources = nullptr;
   base::UnitSystem units;
   std::map<std::string, double, std::less<>> values;
   /// Where the unit stands of a parameter that is a number with a unit, or another such parameter.
-  std::map<std::string, base::Span, std::less<>> units_of = {};
+  std::map<std::string, base::SourceSpan, std::less<>> units_of = {};
   /// Parameters that numbers with units went into, but are no such number themselves.
   std::set<std::string, std::less<>> made_of_units = {};
   std::set<std::string, std::less<>> poisoned; ///< defined by a bad line: their use is not reported
@@ -47,18 +47,18 @@ bool is_reserved(std::string_view upper_name);
 
 /// The expression with everything known folded away; literals with a unit become deck units. Empty
 /// after an error (reported, unless a poisoned name is the cause). Constants are finite.
-std::optional<base::Expression> compile(const Expression& expression, const Scope& scope,
-                                        Fields fields, base::Diagnostics& diagnostics);
+std::optional<base::CompiledExpression> compile(const Expression& expression, const Scope& scope,
+                                                Fields fields, base::Diagnostics& diagnostics);
 
 /// compile() of an expression without fields, as its value.
 std::optional<double> evaluate(const Expression& expression, const Scope& scope,
                                base::Diagnostics& diagnostics);
 
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
-base::Span outer_unit(const Expression& expression);
+base::SourceSpan outer_unit(const Expression& expression);
 
 /// The same, and for an expression that is a parameter alone the unit that was given there.
-base::Span known_unit(const Expression& expression, const Scope& scope);
+base::SourceSpan known_unit(const Expression& expression, const Scope& scope);
 
 /// Whether a unit stands anywhere in an expression or in the parameters it is made of, so that its
 /// value is in deck units.

@@ -93,12 +93,12 @@ bool come_back(const char*& /*p*/, const char* /*last*/, Builder& builder) {
   return true;
 }
 
-template <base::Op O> bool emit(const char*& /*p*/, const char* /*last*/, Builder& builder) {
+template <base::OpCode O> bool emit(const char*& /*p*/, const char* /*last*/, Builder& builder) {
   builder.op(O);
   return true;
 }
 
-template <base::Op O> constexpr Terminal put{"an operator", emit<O>};
+template <base::OpCode O> constexpr Terminal put{"an operator", emit<O>};
 
 const Terminal number{"a number", take_number};
 const Terminal name{"a name", take_name};
@@ -132,20 +132,21 @@ const x3::rule<class factor_id> factor = "a number, a name or '('";
 const x3::rule<class primary_id> primary = "a number, a name or '('";
 const x3::rule<class argument_id> argument = "an argument";
 
-using base::Op;
+using base::OpCode;
 
-const auto expression_def = comparison >> (+(word_and > comparison > put<Op::logical_and>) |
-                                           *(word_or > comparison > put<Op::logical_or>));
-const auto comparison_def = sum >> -((less_equal > sum > put<Op::less_equal>) |
-                                     (greater_equal > sum > put<Op::greater_equal>) |
-                                     (equal > sum > put<Op::equal>) | (less > sum > put<Op::less>) |
-                                     (greater > sum > put<Op::greater>));
-const auto sum_def = product >>
-                     *((plus > product > put<Op::add>) | (minus > product > put<Op::subtract>));
-const auto product_def = factor >> *((times > factor > put<Op::multiply>) |
-                                     (over > factor > put<Op::divide>));
-const auto factor_def = deeper >> ((minus > factor > put<Op::negate>) | (plus > factor) |
-                                   (primary >> -(caret > factor > put<Op::power>))) >>
+const auto expression_def = comparison >> (+(word_and > comparison > put<OpCode::logical_and>) |
+                                           *(word_or > comparison > put<OpCode::logical_or>));
+const auto comparison_def = sum >> -((less_equal > sum > put<OpCode::less_equal>) |
+                                     (greater_equal > sum > put<OpCode::greater_equal>) |
+                                     (equal > sum > put<OpCode::equal>) |
+                                     (less > sum > put<OpCode::less>) |
+                                     (greater > sum > put<OpCode::greater>));
+const auto sum_def = product >> *((plus > product > put<OpCode::add>) |
+                                  (minus > product > put<OpCode::subtract>));
+const auto product_def = factor >> *((times > factor > put<OpCode::multiply>) |
+                                     (over > factor > put<OpCode::divide>));
+const auto factor_def = deeper >> ((minus > factor > put<OpCode::negate>) | (plus > factor) |
+                                   (primary >> -(caret > factor > put<OpCode::power>))) >>
                         back;
 const auto argument_def = expression >> argument_end;
 const auto primary_def = number |

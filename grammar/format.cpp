@@ -197,7 +197,7 @@ private:
 
 } // namespace
 
-std::optional<std::string> format_deck(const base::Sources& sources, std::int32_t file,
+std::optional<std::string> format_deck(const base::SourceTexts& sources, std::int32_t file,
                                        base::Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
   const std::vector<Card> cards = parse_cards(sources, file, diagnostics);

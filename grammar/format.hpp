@@ -15,7 +15,7 @@ namespace spricka::grammar {
 /// keeps its column if it can; a comment line is indented as the line below it; at most one blank
 /// line, no blank at the end of a line, line feeds only. The cards mean the same before and after,
 /// and a second time changes nothing. Empty after a syntax error, which is reported.
-std::optional<std::string> format_deck(const base::Sources& sources, std::int32_t file,
+std::optional<std::string> format_deck(const base::SourceTexts& sources, std::int32_t file,
                                        base::Diagnostics& diagnostics);
 
 } // namespace spricka::grammar

@@ -39,7 +39,7 @@ std::string indented(std::string_view text, std::size_t indent) {
 }
 
 // "MPa" in terms of m and N: "1000000 N/m^2".
-std::string size_of(const base::UnitWord& word) {
+std::string size_of(const base::NamedUnit& word) {
   const base::Dimension& d = word.unit.dimension;
   std::string_view unit = "";
   if (d == dimension_of(Quantity::length)) {
@@ -54,7 +54,7 @@ std::string size_of(const base::UnitWord& word) {
   return fmt::format("{:.10g}{}", word.unit.si, unit);
 }
 
-std::string kind_of(const base::UnitWord& word) {
+std::string kind_of(const base::NamedUnit& word) {
   for (const Quantity quantity :
        {Quantity::length, Quantity::force, Quantity::stress, Quantity::angle}) {
     if (word.unit.dimension == dimension_of(quantity)) {
@@ -254,7 +254,7 @@ std::string functions_help(std::size_t width) {
 std::string units_help(std::size_t width) {
   std::string out = "Units stand in [ ] behind a number or a bracket:\n";
   Columns table{{}, {8, 10, 0}};
-  for (const base::UnitWord& word : base::unit_words()) {
+  for (const base::NamedUnit& word : base::unit_words()) {
     table.rows.push_back({std::string(word.name), kind_of(word), size_of(word)});
   }
   out += table.text(width);

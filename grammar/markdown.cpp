@@ -93,7 +93,7 @@ std::string words() {
   out +=
       "\nThe constant `pi`; in WHERE, ORDER and the values of `$LOAD` also the place: `x y z` and "
       "`rho theta`\n(cylindrical about z).\n\n## Units\n\n";
-  for (const base::UnitWord& word : base::unit_words()) {
+  for (const base::NamedUnit& word : base::unit_words()) {
     out += fmt::format("`{}` ", word.name);
   }
   return out + "with `*`, `/` and `^`, in `[ ]` behind a number or a bracket.\n";

@@ -12,20 +12,20 @@ namespace spricka::grammar {
 
 /// The cards of one file, in order, with their headers read and their data lines found. Text before
 /// the first card is an error.
-std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
+std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t file,
                               base::Diagnostics& diagnostics);
 
 /// The data lines of a card as fields; lines without a field are left out, as are bad ones.
-std::vector<Row> parse_rows(const base::Sources& sources, base::Span data,
+std::vector<Row> parse_rows(const base::SourceTexts& sources, base::SourceSpan data,
                             base::Diagnostics& diagnostics);
 
 /// Data lines of the form NAME = expression. A bad line whose name could be read is there with an
 /// empty expression.
-std::vector<Assignment> parse_assignments(const base::Sources& sources, base::Span data,
+std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base::SourceSpan data,
                                           base::Diagnostics& diagnostics);
 
 /// A whole text as one expression (a definition on the command line).
-std::optional<Expression> parse_expression(const base::Sources& sources, base::Span text,
+std::optional<Expression> parse_expression(const base::SourceTexts& sources, base::SourceSpan text,
                                            base::Diagnostics& diagnostics);
 
 } // namespace spricka::grammar

@@ -146,7 +146,7 @@ std::string schema_json() {
   }
   out["constants"] = {"PI"};
   out["variables"] = {"X", "Y", "Z", "RHO", "THETA"};
-  for (const base::UnitWord& word : base::unit_words()) {
+  for (const base::NamedUnit& word : base::unit_words()) {
     const base::Dimension& d = word.unit.dimension;
     out["units"].push_back({{"name", word.name},
                             {"si", word.unit.si},

@@ -87,10 +87,10 @@ std::string uses(std::string_view text, const Parameters& parameters) {
 }
 
 // What a card's FILE holds, for those that bring something in.
-std::string named_file(const grammar::Card& card, const base::Sources& sources) {
+std::string named_file(const grammar::Card& card, const base::SourceTexts& sources) {
   for (const grammar::Parameter& p : card.parameters) {
     if (p.key == "FILE" && !p.values.empty()) {
-      const std::filesystem::path from = sources.name(card.name_span.file);
+      const std::filesystem::path from = sources.file_name(card.name_span.file);
       return (from.parent_path() / p.values.front().text).string();
     }
   }
@@ -111,7 +111,7 @@ bool same(const CardMark& a, const CardMark& b) {
 } // namespace
 
 std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model::Model& model) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics known; // the deck has been read: it has no mistakes
   const deck::LoadedDeck loaded = deck::load_deck(deck, sources, known);
   Parameters parameters;
@@ -137,7 +137,7 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
     }
     mark.hash = hash_of(text);
     mark.uses = uses(text, parameters);
-    mark.file = std::filesystem::path(sources.name(card.name_span.file)).filename().string();
+    mark.file = std::filesystem::path(sources.file_name(card.name_span.file)).filename().string();
     mark.line = static_cast<int>(sources.locate(card.name_span.file, card.name_span.begin).line);
     mark.span = card.name_span;
     marks.push_back(std::move(mark));
@@ -158,7 +158,7 @@ std::optional<CardDifference> first_difference(const std::vector<CardMark>& befo
     return std::any_of(cards.begin() + static_cast<std::ptrdiff_t>(std::min(i, cards.size())),
                        cards.end(), [&](const CardMark& c) { return same(c, wanted); });
   };
-  const base::Span end = now.empty() ? base::Span{} : now.back().span;
+  const base::SourceSpan end = now.empty() ? base::SourceSpan{} : now.back().span;
   const bool missing =
       i == now.size() || (i < before.size() && in(now, before[i]) == false && in(before, now[i]));
   if (missing) {

@@ -18,7 +18,7 @@ struct CardMark {
   std::string uses; ///< parameters in it with their values, "F = 75000, R = 36"
   std::string file; ///< where it stands
   int line = 0;
-  base::Span span; ///< in the deck that is read now
+  base::SourceSpan span; ///< in the deck that is read now
 };
 
 /// All cards with their includes' but those that change no solution ($TEST, $OUTPUT, $CHECK,
@@ -28,8 +28,8 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
 
 /// The first card that is another one, was added or is missing; empty: all are the same.
 struct CardDifference {
-  base::Span span;  ///< in the deck `now`, of its last card where one is missing at the end
-  std::string text; ///< "$LOAD uses F = 80000, it was F = 75000"
+  base::SourceSpan span; ///< in the deck `now`, of its last card where one is missing at the end
+  std::string text;      ///< "$LOAD uses F = 80000, it was F = 75000"
 };
 std::optional<CardDifference> first_difference(const std::vector<CardMark>& before,
                                                const std::vector<CardMark>& now);

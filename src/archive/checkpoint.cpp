@@ -109,8 +109,8 @@ CheckpointList read_list_file(const fs::path& file) {
 
 } // namespace
 
-Checkpoint::Checkpoint(CheckpointPlace place, const fs::path& deck, const base::Sources& sources,
-                       const model::Model& model)
+Checkpoint::Checkpoint(CheckpointPlace place, const fs::path& deck,
+                       const base::SourceTexts& sources, const model::Model& model)
     : place_(std::move(place)), sources_(sources), model_(model), cards_(card_marks(deck, model)) {
   if (!place_.read.empty()) {
     found_ = read_newest();
@@ -310,7 +310,7 @@ bool Checkpoint::out_of_time() const {
   if (walls_.size() > 1) {
     next = std::max(next, walls_[walls_.size() - 2]);
   }
-  return place_.since.wall() + next > place_.seconds;
+  return place_.since.wall_time() + next > place_.seconds;
 }
 
 std::string Checkpoint::limit() const {
@@ -345,7 +345,7 @@ void Checkpoint::put_on_disk() {
   const fs::path before = list_before(place_.write);
   std::error_code none;
   if (fs::exists(place_.write, none)) {
-    const fs::path linked = base::free_part(before);
+    const fs::path linked = base::unused_part_path(before);
     // The name never vanishes: a second link to the list becomes the one before.
     fs::create_hard_link(place_.write, linked, none);
     if (!none) {

@@ -48,15 +48,15 @@ struct CheckpointPlace {
 /// Why a state does not fit the deck: shown at its place, Outcome::deck_error.
 struct Misfit {
   std::string code;
-  base::Span span;
+  base::SourceSpan span;
   std::string text;
 };
 
 class Checkpoint {
 public:
   /// Opens both places. Throws FileTrouble for files that cannot be used.
-  Checkpoint(CheckpointPlace place, const std::filesystem::path& deck, const base::Sources& sources,
-             const model::Model& model);
+  Checkpoint(CheckpointPlace place, const std::filesystem::path& deck,
+             const base::SourceTexts& sources, const model::Model& model);
   ~Checkpoint();
   Checkpoint(const Checkpoint&) = delete;
   Checkpoint& operator=(const Checkpoint&) = delete;
@@ -114,7 +114,7 @@ private:
   void tell(const std::string& code, const std::string& text);
 
   CheckpointPlace place_;
-  const base::Sources& sources_;
+  const base::SourceTexts& sources_;
   const model::Model& model_;
   std::vector<CardMark> cards_; ///< of the deck now
   CheckpointList found_;        ///< in the file that is read

@@ -149,7 +149,7 @@ std::string growth_rules(const model::Model& model) {
   if (!model.growth) {
     return "none";
   }
-  const model::Growth& g = *model.growth;
+  const model::CrackGrowthSettings& g = *model.growth;
   std::string text =
       fmt::format("law {} direction {} shape {} history {} mounted {}", static_cast<int>(g.law),
                   static_cast<int>(g.direction), static_cast<int>(g.shape),
@@ -158,10 +158,10 @@ std::string growth_rules(const model::Model& model) {
     text += " " + model.cracks[crack.index()].name;
   }
   // Given lengths do not hang on K: the rest has no part in them.
-  if (g.law == model::GrowthLaw::increment) {
+  if (g.law == model::CrackGrowthLaw::increment) {
     return text;
   }
-  const model::LawConstants& c = g.constants;
+  const model::GrowthLawConstants& c = g.constants;
   text += fmt::format(" from {} to {} corrected {} law", g.kmin.value, g.kmax.value, g.corrected);
   add(text, {c.C, c.m, c.p, c.q, c.alpha, c.stress_ratio, c.threshold, c.k_unit, c.a_unit});
   add(text, c.k_c);

@@ -37,7 +37,7 @@ std::optional<Misfit> Checkpoint::misfit() {
     last = std::max(last, e.number);
   }
   if (place_.at && *place_.at > last) {
-    return Misfit{"E562", model_.restart ? model_.restart->span : base::Span{},
+    return Misfit{"E562", model_.restart ? model_.restart->span : base::SourceSpan{},
                   fmt::format("AT={}, but {} holds {} increment{}", *place_.at,
                               place_.read.string(), last, last == 1 ? "" : "s")};
   }
@@ -77,7 +77,7 @@ std::optional<Misfit> Checkpoint::misfit_of_growth() const {
   if (!d) {
     return std::nullopt;
   }
-  const bool lengths = !model_.growth || model_.growth->law == model::GrowthLaw::increment;
+  const bool lengths = !model_.growth || model_.growth->law == model::CrackGrowthLaw::increment;
   const std::array<double, 2> ends = growth_ends(model_);
   const bool further = ends[0] >= found_.ends[0] && ends[1] >= found_.ends[1];
   // Rates are kept with the stations: another spectrum would have others.

@@ -64,14 +64,14 @@ void add_texts(const fs::path& file, std::vector<fs::path>& seen, std::vector<st
 
 } // namespace
 
-std::string deck_digest(const base::Sources& sources, const model::Model& model,
+std::string deck_digest(const base::SourceTexts& sources, const model::Model& model,
                         const std::vector<std::pair<std::string, double>>& sweep_values) {
   base::Hasher hash;
-  hash.text(SPRICKA_VERSION);
+  hash.add_text(SPRICKA_VERSION);
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    const std::string& name = sources.name(f);
-    hash.text(name.starts_with("-D ") ? name : std::string());
-    hash.text(sources.text(f));
+    const std::string& name = sources.file_name(f);
+    hash.add_text(name.starts_with("-D ") ? name : std::string());
+    hash.add_text(sources.text(f));
   }
   std::vector<fs::path> seen;
   std::vector<std::string> texts;
@@ -79,20 +79,20 @@ std::string deck_digest(const base::Sources& sources, const model::Model& model,
     add_texts(file, seen, texts);
   }
   for (const std::string& text : texts) {
-    hash.text(text);
+    hash.add_text(text);
   }
   for (const auto& [name, value] : sweep_values) {
-    hash.text(name);
+    hash.add_text(name);
     hash.value(value);
   }
-  const auto [high, low] = hash.key();
+  const auto [high, low] = hash.digest();
   return fmt::format("{:016x}{:016x}", high, low);
 }
 
-std::uintmax_t bytes_of_deck(const base::Sources& sources, const model::Model& model) {
+std::uintmax_t bytes_of_deck(const base::SourceTexts& sources, const model::Model& model) {
   std::uintmax_t bytes = 0;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    bytes += sources.name(f).starts_with("-D ") ? 0 : sources.text(f).size();
+    bytes += sources.file_name(f).starts_with("-D ") ? 0 : sources.text(f).size();
   }
   std::vector<fs::path> seen;
   std::vector<std::string> texts;

@@ -101,8 +101,8 @@ FolderLock::~FolderLock() {
 }
 
 void write_owner(const fs::path& folder) {
-  base::write_whole(folder / owner_name,
-                    fmt::format("process {} on {}\n", ::getpid(), host_name()));
+  base::write_atomically(folder / owner_name,
+                         fmt::format("process {} on {}\n", ::getpid(), host_name()));
 }
 
 } // namespace spricka::archive

@@ -112,7 +112,7 @@ void write_mark(const fs::path& folder, const FolderMark& mark) {
   for (const std::string& name : mark.files) {
     text += name + "\n";
   }
-  base::write_whole(folder / mark_name, text);
+  base::write_atomically(folder / mark_name, text);
 }
 
 void add_to_mark(const fs::path& folder, const std::string& name) {

@@ -20,7 +20,7 @@ constexpr std::int64_t format_version = 1;
 // Stations of a growth by a law are the program's choice, and many: of those between the first and
 // the last fields are kept only where the deck asks for fields of each.
 std::vector<bool> kept_fields(const model::Model& model, const results::Run& run) {
-  const bool law = model.growth && model.growth->law != model::GrowthLaw::increment;
+  const bool law = model.growth && model.growth->law != model::CrackGrowthLaw::increment;
   const bool asked = std::ranges::any_of(model.outputs, [](const model::Output& output) {
     return output.format == model::OutputFormat::vtu && output.every != model::OutputEvery::end;
   });
@@ -45,13 +45,13 @@ void describe_origin(const results::StoreGroup& given, const model::Model& model
   group.describe("K_unit", model.units.stress_intensity_name());
 }
 
-void store_deck(const results::StoreGroup& given, const base::Sources& sources,
+void store_deck(const results::StoreGroup& given, const base::SourceTexts& sources,
                 const model::Model& model) {
   results::StoreGroup group = given.group("deck");
   std::vector<std::string> names;
   std::vector<std::string> texts;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    names.emplace_back(std::filesystem::path(sources.name(f)).filename().string());
+    names.emplace_back(std::filesystem::path(sources.file_name(f)).filename().string());
     texts.emplace_back(sources.text(f));
   }
   results::Table files{{{"file", names}}};
@@ -71,7 +71,7 @@ void store_deck(const results::StoreGroup& given, const base::Sources& sources,
   group.describe("hash", deck_digest(sources, model, {}));
 }
 
-void write_results_file(const std::filesystem::path& file, const base::Sources& sources,
+void write_results_file(const std::filesystem::path& file, const base::SourceTexts& sources,
                         const model::Model& model, const results::Run& run) {
   try {
     results::Store store = results::Store::in_memory();

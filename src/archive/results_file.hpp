@@ -12,14 +12,14 @@ namespace spricka::archive {
 /// results.h5 of the run folder: the run whole, the tables that people ask for first, the deck's
 /// texts and parameters, versions and units (manual/results_file.md). Its bytes depend on the deck
 /// and the program only. Throws std::system_error.
-void write_results_file(const std::filesystem::path& file, const base::Sources& sources,
+void write_results_file(const std::filesystem::path& file, const base::SourceTexts& sources,
                         const model::Model& model, const results::Run& run);
 
 /// Program, libraries and units as attributes of a folder.
 void describe_origin(const results::StoreGroup& given, const model::Model& model);
 
 /// Texts and parameters of a deck into a folder "deck".
-void store_deck(const results::StoreGroup& given, const base::Sources& sources,
+void store_deck(const results::StoreGroup& given, const base::SourceTexts& sources,
                 const model::Model& model);
 
 } // namespace spricka::archive

@@ -57,7 +57,7 @@ constexpr std::size_t line_words = 9;
 
 void write_safely(const fs::path& file, std::string_view bytes) {
   try {
-    base::write_whole(file, bytes, base::Sync::yes);
+    base::write_atomically(file, bytes, base::DiskSync::yes);
   } catch (const std::system_error& trouble) {
     throw FileTrouble("E563",
                       fmt::format("{}: {}", file.string(), std::strerror(trouble.code().value())));
@@ -66,8 +66,8 @@ void write_safely(const fs::path& file, std::string_view bytes) {
 
 std::string hash_of(std::string_view bytes) {
   base::Hasher hash;
-  hash.add(bytes.data(), bytes.size());
-  const auto [high, low] = hash.key();
+  hash.add_bytes(bytes.data(), bytes.size());
+  const auto [high, low] = hash.digest();
   return fmt::format("{:016x}{:016x}", high, low);
 }
 

@@ -18,7 +18,7 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-double moment() {
+double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
@@ -35,7 +35,7 @@ void return_free_memory() {
   }
 }
 
-std::optional<std::size_t> peak_memory_of(const std::string& process) {
+std::optional<std::size_t> process_peak_memory(const std::string& process) {
   std::ifstream status("/proc/" + process + "/status");
   for (std::string word; status >> word;) {
     if (std::size_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) {
@@ -46,7 +46,7 @@ std::optional<std::size_t> peak_memory_of(const std::string& process) {
 }
 
 std::size_t peak_memory() {
-  if (const std::optional<std::size_t> own = peak_memory_of("self")) {
+  if (const std::optional<std::size_t> own = process_peak_memory("self")) {
     return *own;
   }
   // Without /proc. It knows no less than the peak of the parent: a process that vfork or

@@ -23,25 +23,25 @@ std::size_t peak_memory();
 
 /// The same of another process, by its number, or of this one, "self"; empty where the system does
 /// not tell: it may have ended.
-std::optional<std::size_t> peak_memory_of(const std::string& process);
+std::optional<std::size_t> process_peak_memory(const std::string& process);
 
 /// Resident set of the process now [bytes]; 0 where the system does not tell.
 std::size_t resident_memory();
 
 /// The steady clock [s]; its origin is the same throughout the process.
-double moment();
+double steady_seconds();
 
 /// Measures a stretch of the run; both times start at construction.
 class Stopwatch {
 public:
-  [[nodiscard]] double cpu() const { return cpu_seconds() - cpu_; }
-  [[nodiscard]] double wall() const { return moment() - begun_; }
+  [[nodiscard]] double cpu_time() const { return cpu_seconds() - cpu_; }
+  [[nodiscard]] double wall_time() const { return steady_seconds() - begun_; }
   /// When it was started, as moment() has it [s].
-  [[nodiscard]] double begun() const { return begun_; }
+  [[nodiscard]] double start_time() const { return begun_; }
 
 private:
   double cpu_ = cpu_seconds();
-  double begun_ = moment();
+  double begun_ = steady_seconds();
 };
 
 } // namespace spricka::base

@@ -31,7 +31,7 @@ Eigen::Index column_rank(const Matrix& A, double threshold) {
   return pivoted(A, threshold).rank();
 }
 
-Matrix directions_across(const Matrix& A, double threshold) {
+Matrix orthogonal_complement(const Matrix& A, double threshold) {
   const Eigen::ColPivHouseholderQR<Matrix> qr = pivoted(A, threshold);
   const Matrix Q = qr.householderQ() * Matrix::Identity(A.rows(), A.rows());
   return Q.rightCols(A.rows() - qr.rank());

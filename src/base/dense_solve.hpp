@@ -15,7 +15,7 @@ Matrix least_squares(const Matrix& A, const Matrix& B);
 Eigen::Index column_rank(const Matrix& A, double threshold);
 
 /// Orthonormal directions [m, m - rank] across all columns of A [m, n].
-Matrix directions_across(const Matrix& A, double threshold);
+Matrix orthogonal_complement(const Matrix& A, double threshold);
 
 /// Singular values, descending, and left or right singular vectors.
 struct SingularVectors {

@@ -42,20 +42,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 } // namespace
 
-void Diagnostics::error(Span span, std::string code, std::string text, std::string hint) {
+void Diagnostics::error(SourceSpan span, std::string code, std::string text, std::string hint) {
   all_.push_back({Severity::error, std::move(code), span, std::move(text), std::move(hint)});
   ++errors_;
 }
 
-void Diagnostics::warning(Span span, std::string code, std::string text, std::string hint) {
+void Diagnostics::warning(SourceSpan span, std::string code, std::string text, std::string hint) {
   all_.push_back({Severity::warning, std::move(code), span, std::move(text), std::move(hint)});
 }
 
-void Diagnostics::note(Span span, std::string code, std::string text, std::string hint) {
+void Diagnostics::note(SourceSpan span, std::string code, std::string text, std::string hint) {
   all_.push_back({Severity::note, std::move(code), span, std::move(text), std::move(hint)});
 }
 
-std::string suggest(std::string_view word, const std::vector<std::string>& valid) {
+std::string suggest_spelling(std::string_view word, const std::vector<std::string>& valid) {
   const std::string wanted = upper(word);
   std::size_t best = wanted.size() / 3 + 1;
   const std::string* nearest = nullptr;

@@ -14,7 +14,7 @@ enum class Severity { note, warning, error };
 struct Diagnostic {
   Severity severity = Severity::error;
   std::string code; ///< "E108"; stable, documented in the manual
-  Span span;
+  SourceSpan span;
   std::string text;
   std::string hint; ///< printed after "= "; may be empty
 };
@@ -22,13 +22,13 @@ struct Diagnostic {
 /// Collects messages; nothing is thrown, so that one run shows every mistake of a deck.
 class Diagnostics {
 public:
-  void error(Span span, std::string code, std::string text, std::string hint = {});
-  void warning(Span span, std::string code, std::string text, std::string hint = {});
-  void note(Span span, std::string code, std::string text, std::string hint = {});
+  void error(SourceSpan span, std::string code, std::string text, std::string hint = {});
+  void warning(SourceSpan span, std::string code, std::string text, std::string hint = {});
+  void note(SourceSpan span, std::string code, std::string text, std::string hint = {});
 
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return errors_; }
-  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+  [[nodiscard]] const std::vector<Diagnostic>& messages() const { return all_; }
 
 private:
   std::vector<Diagnostic> all_;
@@ -37,7 +37,7 @@ private:
 
 /// "did you mean 'STRESS'?" for the nearest word within a third of the length
 /// (Damerau-Levenshtein), else "one of: A, B, C" while the list is short, else empty.
-std::string suggest(std::string_view word, const std::vector<std::string>& valid);
+std::string suggest_spelling(std::string_view word, const std::vector<std::string>& valid);
 
 /// Whether a suggestion for one more error is worth its search through all names: who has made so
 /// many mistakes does not read them, and with as many names it takes for ever.

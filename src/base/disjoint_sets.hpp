@@ -19,7 +19,7 @@ public:
     }
     return n;
   }
-  void join(std::size_t a, std::size_t b) {
+  void join_sets(std::size_t a, std::size_t b) {
     a = root(a);
     b = root(b);
     (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;

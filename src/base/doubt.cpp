@@ -15,20 +15,21 @@ constexpr std::array<std::string_view, 13> inexact{"W307", "W423", "W425", "W426
 
 } // namespace
 
-Doubt doubt_of(std::string_view code) {
+ResultConcern warning_concern(std::string_view code) {
   if (std::ranges::find(without_answer, code) != without_answer.end()) {
-    return Doubt::no_answer;
+    return ResultConcern::no_answer;
   }
-  return std::ranges::find(inexact, code) != inexact.end() ? Doubt::less_exact : Doubt::odd;
+  return std::ranges::find(inexact, code) != inexact.end() ? ResultConcern::less_exact
+                                                           : ResultConcern::odd;
 }
 
-std::string_view word_of(Doubt doubt) {
+std::string_view display_word(ResultConcern doubt) {
   switch (doubt) {
-  case Doubt::no_answer:
+  case ResultConcern::no_answer:
     return "no answer";
-  case Doubt::less_exact:
+  case ResultConcern::less_exact:
     return "less exact";
-  case Doubt::odd:
+  case ResultConcern::odd:
     break;
   }
   return "odd";

@@ -5,16 +5,16 @@
 namespace spricka::base {
 
 /// What a warning says of the results, the worst first.
-enum class Doubt {
+enum class ResultConcern {
   no_answer,  ///< there is a number, but it answers nothing
   less_exact, ///< the answer is off by more than meshes, loads or models of this kind are
   odd,        ///< the answer is what the deck asks for: is it what is meant?
 };
 
 /// That of the warnings of a code, "W508"; others are odd.
-Doubt doubt_of(std::string_view code);
+ResultConcern warning_concern(std::string_view code);
 
 /// "no answer", "less exact" or "odd".
-std::string_view word_of(Doubt doubt);
+std::string_view display_word(ResultConcern doubt);
 
 } // namespace spricka::base

@@ -41,7 +41,7 @@ constexpr int exit_code(Outcome outcome) {
 }
 
 /// Empty: a number with which the program does not end.
-constexpr std::optional<Outcome> outcome_of(int code) {
+constexpr std::optional<Outcome> exit_outcome(int code) {
   const auto* const found = std::ranges::find(exit_texts, code, &ExitText::code);
   return found == exit_texts.end() ? std::nullopt : std::optional(found->outcome);
 }

@@ -8,84 +8,85 @@ namespace spricka::base {
 
 namespace {
 
-bool is_field(Op op) {
-  return op == Op::x || op == Op::y || op == Op::z || op == Op::rho || op == Op::theta;
+bool is_field(OpCode op) {
+  return op == OpCode::x || op == OpCode::y || op == OpCode::z || op == OpCode::rho ||
+         op == OpCode::theta;
 }
 
-double field(Op op, const Vec3& p) {
+double field(OpCode op, const Vec3& p) {
   switch (op) {
-  case Op::x:
+  case OpCode::x:
     return p.x();
-  case Op::y:
+  case OpCode::y:
     return p.y();
-  case Op::z:
+  case OpCode::z:
     return p.z();
-  case Op::rho:
+  case OpCode::rho:
     return std::hypot(p.x(), p.y());
   default:
     return std::atan2(p.y(), p.x());
   }
 }
 
-double unary(Op op, double a) {
+double unary(OpCode op, double a) {
   switch (op) {
-  case Op::negate:
+  case OpCode::negate:
     return -a;
-  case Op::sqrt:
+  case OpCode::sqrt:
     return std::sqrt(a);
-  case Op::abs:
+  case OpCode::abs:
     return std::abs(a);
-  case Op::sin:
+  case OpCode::sin:
     return std::sin(a);
-  case Op::cos:
+  case OpCode::cos:
     return std::cos(a);
-  case Op::tan:
+  case OpCode::tan:
     return std::tan(a);
-  case Op::exp:
+  case OpCode::exp:
     return std::exp(a);
   default:
     return std::log(a);
   }
 }
 
-bool is_unary(Op op) {
-  return op == Op::negate || op == Op::sqrt || op == Op::abs || op == Op::sin || op == Op::cos ||
-         op == Op::tan || op == Op::exp || op == Op::log;
+bool is_unary(OpCode op) {
+  return op == OpCode::negate || op == OpCode::sqrt || op == OpCode::abs || op == OpCode::sin ||
+         op == OpCode::cos || op == OpCode::tan || op == OpCode::exp || op == OpCode::log;
 }
 
 double truth(bool b) {
   return b ? 1.0 : 0.0;
 }
 
-double binary(Op op, double a, double b) {
+double binary(OpCode op, double a, double b) {
   switch (op) {
-  case Op::add:
+  case OpCode::add:
     return a + b;
-  case Op::subtract:
+  case OpCode::subtract:
     return a - b;
-  case Op::multiply:
+  case OpCode::multiply:
     return a * b;
-  case Op::divide:
+  case OpCode::divide:
     return a / b;
-  case Op::power:
+  case OpCode::power:
     return std::pow(a, b);
-  case Op::less:
+  case OpCode::less:
     return truth(a < b);
-  case Op::less_equal:
+  case OpCode::less_equal:
     return truth(a <= b);
-  case Op::greater:
+  case OpCode::greater:
     return truth(a > b);
-  case Op::greater_equal:
+  case OpCode::greater_equal:
     return truth(a >= b);
-  case Op::equal:
+  case OpCode::equal:
     return truth(a == b);
-  case Op::logical_and:
+  case OpCode::logical_and:
     return truth(a != 0.0 && b != 0.0);
-  case Op::logical_or:
+  case OpCode::logical_or:
     return truth(a != 0.0 || b != 0.0);
-  case Op::atan2:
+  case OpCode::atan2:
     return std::atan2(a, b);
-  case Op::min:
+  case OpCode::min:
     return std::min(a, b);
   default:
     return std::max(a, b);
@@ -94,16 +95,16 @@ double binary(Op op, double a, double b) {
 
 } // namespace
 
-bool Expression::is_constant() const {
+bool CompiledExpression::is_constant() const {
   return std::none_of(code.begin(), code.end(),
-                      [](const Instruction& i) { return is_field(i.op); });
+                      [](const ExpressionInstruction& i) { return is_field(i.op); });
 }
 
-double Expression::operator()(const Vec3& at) const {
+double CompiledExpression::operator()(const Vec3& at) const {
   std::vector<double> stack;
   stack.reserve(code.size());
-  for (const Instruction& i : code) {
-    if (i.op == Op::number) {
+  for (const ExpressionInstruction& i : code) {
+    if (i.op == OpCode::number) {
       stack.push_back(i.value);
     } else if (is_field(i.op)) {
       stack.push_back(field(i.op, at));

@@ -7,7 +7,7 @@
 
 namespace spricka::base {
 
-enum class Op : std::uint8_t {
+enum class OpCode : std::uint8_t {
   number, ///< push Instruction::value
   x,
   y,
@@ -39,17 +39,17 @@ enum class Op : std::uint8_t {
   max
 };
 
-struct Instruction {
-  Op op = Op::number;
+struct ExpressionInstruction {
+  OpCode op = OpCode::number;
   double value = 0.0;
 };
 
 /// A compiled expression in reverse Polish order, parameters already folded to numbers. Built by
 /// the grammar, evaluated anywhere. Logical results are 1 and 0.
-struct Expression {
-  std::vector<Instruction> code;
+struct CompiledExpression {
+  std::vector<ExpressionInstruction> code;
 
-  static Expression constant(double value) { return {{{Op::number, value}}}; }
+  static CompiledExpression constant(double value) { return {{{OpCode::number, value}}}; }
   [[nodiscard]] bool is_constant() const;
   /// Value at a point. Domain errors give NaN, as the C library does.
   [[nodiscard]] double operator()(const Vec3& at) const;

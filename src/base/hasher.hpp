@@ -15,23 +15,25 @@ class Hasher {
 public:
   Hasher() : state_(XXH3_createState()) { XXH3_128bits_reset(state_.get()); }
 
-  void add(const void* data, std::size_t bytes) { XXH3_128bits_update(state_.get(), data, bytes); }
-  template <class T> void value(const T& v) { add(&v, sizeof v); }
-  /// With its length, so that no two lists of texts are alike.
-  void text(std::string_view t) {
-    value(t.size());
-    add(t.data(), t.size());
+  void add_bytes(const void* data, std::size_t bytes) {
+    XXH3_128bits_update(state_.get(), data, bytes);
   }
-  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> key() const {
+  template <class T> void value(const T& v) { add_bytes(&v, sizeof v); }
+  /// With its length, so that no two lists of texts are alike.
+  void add_text(std::string_view t) {
+    value(t.size());
+    add_bytes(t.data(), t.size());
+  }
+  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> digest() const {
     const XXH128_hash_t h = XXH3_128bits_digest(state_.get());
     return {h.high64, h.low64};
   }
 
 private:
-  struct Free {
+  struct HashStateDeleter {
     void operator()(XXH3_state_t* s) const { XXH3_freeState(s); }
   };
-  std::unique_ptr<XXH3_state_t, Free> state_;
+  std::unique_ptr<XXH3_state_t, HashStateDeleter> state_;
 };
 
 } // namespace spricka::base

@@ -22,8 +22,8 @@ struct Paint {
   std::string_view off;
 };
 
-Paint paint_for(Severity severity, Colour colour) {
-  if (colour == Colour::none) {
+Paint paint_for(Severity severity, MessageColour colour) {
+  if (colour == MessageColour::none) {
     return {};
   }
   const std::string_view red = "\033[1;31m";
@@ -32,7 +32,7 @@ Paint paint_for(Severity severity, Colour colour) {
 }
 
 // Blanks up to the token (tabs copied as tabs), then carets under the whole of it.
-std::string caret_line(const Sources& sources, Span span) {
+std::string caret_line(const SourceTexts& sources, SourceSpan span) {
   const std::string_view line = sources.line_at(span.file, span.begin);
   const std::size_t first = sources.locate(span.file, span.begin).column - 1;
   std::string result;
@@ -75,7 +75,7 @@ std::string cut(const std::string& text, std::size_t first, std::size_t count) {
 }
 
 // The line and its carets; of a long line the part round the token.
-std::pair<std::string, std::string> excerpt(const Sources& sources, const Diagnostic& d) {
+std::pair<std::string, std::string> excerpt(const SourceTexts& sources, const Diagnostic& d) {
   std::string line = printable(sources.line_at(d.span.file, d.span.begin));
   std::string carets = caret_line(sources, d.span);
   const auto length = static_cast<std::size_t>(
@@ -103,14 +103,14 @@ std::string shortened(std::string text) {
   return text;
 }
 
-std::string format_one(const Sources& sources, const Diagnostic& d, Colour colour) {
+std::string format_one(const SourceTexts& sources, const Diagnostic& d, MessageColour colour) {
   const Paint paint = paint_for(d.severity, colour);
   std::string out;
-  const std::string kind = fmt::format("{}{} {}:{} {}\n", paint.severity, word_of(d.severity),
+  const std::string kind = fmt::format("{}{} {}:{} {}\n", paint.severity, display_word(d.severity),
                                        d.code, paint.off, shortened(d.text));
   if (d.span.valid()) {
-    const Location at = sources.locate(d.span.file, d.span.begin);
-    out += fmt::format("{}{}:{}:{}:{} {}", paint.bold, printable(sources.name(d.span.file)),
+    const SourceLocation at = sources.locate(d.span.file, d.span.begin);
+    out += fmt::format("{}{}:{}:{}:{} {}", paint.bold, printable(sources.file_name(d.span.file)),
                        at.line, at.column, paint.off, kind);
     const std::string number = fmt::format("{:>6}", at.line);
     const auto [line, carets] = excerpt(sources, d);
@@ -128,7 +128,7 @@ std::string format_one(const Sources& sources, const Diagnostic& d, Colour colou
 
 } // namespace
 
-std::string_view word_of(Severity severity) {
+std::string_view display_word(Severity severity) {
   switch (severity) {
   case Severity::note:
     return "note";
@@ -140,28 +140,29 @@ std::string_view word_of(Severity severity) {
   return "error";
 }
 
-std::vector<const Diagnostic*> in_order(const Diagnostics& diagnostics) {
+std::vector<const Diagnostic*> messages_by_severity(const Diagnostics& diagnostics) {
   std::vector<const Diagnostic*> order;
-  for (const Diagnostic& d : diagnostics.all()) {
+  for (const Diagnostic& d : diagnostics.messages()) {
     order.push_back(&d);
   }
   std::ranges::stable_sort(order, {}, [](const Diagnostic* d) {
-    return std::tuple(-static_cast<int>(d->severity), doubt_of(d->code), d->span.file,
+    return std::tuple(-static_cast<int>(d->severity), warning_concern(d->code), d->span.file,
                       d->span.begin);
   });
   return order;
 }
 
-std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit) {
-  return format(sources, diagnostics, Colour::none, limit);
+std::string format_messages(const SourceTexts& sources, const Diagnostics& diagnostics,
+                            std::size_t limit) {
+  return format_messages(sources, diagnostics, MessageColour::none, limit);
 }
 
-std::string format(const Sources& sources, const Diagnostics& diagnostics, Colour colour,
-                   std::size_t limit) {
+std::string format_messages(const SourceTexts& sources, const Diagnostics& diagnostics,
+                            MessageColour colour, std::size_t limit) {
   std::string out;
   std::size_t errors = 0;
   std::size_t warnings = 0;
-  for (const Diagnostic* d : in_order(diagnostics)) {
+  for (const Diagnostic* d : messages_by_severity(diagnostics)) {
     if ((d->severity == Severity::error && ++errors > limit) ||
         (d->severity == Severity::warning && ++warnings > limit)) {
       continue;

@@ -10,20 +10,21 @@
 namespace spricka::base {
 
 /// "error", "warning" or "note".
-std::string_view word_of(Severity severity);
+std::string_view display_word(Severity severity);
 
 /// The worst first: errors, warnings by their doubt, notes; of alike those without a place, then by
 /// file and place.
-std::vector<const Diagnostic*> in_order(const Diagnostics& diagnostics);
+std::vector<const Diagnostic*> messages_by_severity(const Diagnostics& diagnostics);
 
-enum class Colour { none, terminal };
+enum class MessageColour { none, terminal };
 
 /// The messages as text: `file:line:col: error E108: text`, source line, carets under the whole
 /// token, hint. In that order; at most `limit` errors and warnings, then a count of the rest.
-std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit = 20);
+std::string format_messages(const SourceTexts& sources, const Diagnostics& diagnostics,
+                            std::size_t limit = 20);
 
 /// The same; on a terminal with the severity and the carets in colour.
-std::string format(const Sources& sources, const Diagnostics& diagnostics, Colour colour,
-                   std::size_t limit = 20);
+std::string format_messages(const SourceTexts& sources, const Diagnostics& diagnostics,
+                            MessageColour colour, std::size_t limit = 20);
 
 } // namespace spricka::base

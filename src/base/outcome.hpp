@@ -26,15 +26,15 @@ enum class Outcome : std::uint8_t {
 };
 
 /// Why there is no answer: of what kind, in words, and at which place of the deck.
-struct NoAnswer {
+struct OperationFailure {
   Outcome kind = Outcome::not_solvable;
   std::string why = {};
-  Span span = {};        ///< may be no place
+  SourceSpan span = {};  ///< may be no place
   std::string hint = {}; ///< what was probably meant; may be empty
   bool complete = false; ///< `why` is whole messages with their places, ended by a newline
 };
 
 /// Empty: there is an answer.
-using Trouble = std::optional<NoAnswer>;
+using Trouble = std::optional<OperationFailure>;
 
 } // namespace spricka::base

@@ -31,7 +31,7 @@ PiecewiseLinear::PiecewiseLinear(std::vector<double> knot, std::vector<double> v
   }
 }
 
-std::size_t PiecewiseLinear::segment(double t) const {
+std::size_t PiecewiseLinear::find_segment(double t) const {
   const auto bin =
       std::min(static_cast<std::size_t>((t - knot_.front()) * bins_per_t_), index_.size() - 2);
   // the bin's bounds are rounded: one segment more on either side
@@ -55,7 +55,7 @@ double PiecewiseLinear::operator()(double t) const {
   if (value_.empty() || !(t >= knot_.front() && t <= knot_.back())) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const std::size_t s = segment(t);
+  const std::size_t s = find_segment(t);
   return value_[s] + (t - knot_[s]) * slope_[s];
 }
 

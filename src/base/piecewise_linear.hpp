@@ -31,7 +31,7 @@ public:
     return slope_[k < slope_.size() ? k : slope_.size() - 1];
   }
   /// The segment with t; of two that meet there the first. t must lie within the knots.
-  [[nodiscard]] std::size_t segment(double t) const;
+  [[nodiscard]] std::size_t find_segment(double t) const;
   /// Smallest and largest value: they are at knots.
   [[nodiscard]] double lowest() const;
   [[nodiscard]] double highest() const;

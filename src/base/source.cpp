@@ -15,24 +15,24 @@ std::size_t line_start(std::string_view text, std::size_t offset) {
 
 } // namespace
 
-std::int32_t Sources::add(std::string name, std::string text) {
+std::int32_t SourceTexts::add_text(std::string name, std::string text) {
   files_.push_back({std::move(name), std::move(text)});
   return static_cast<std::int32_t>(files_.size() - 1);
 }
 
-const std::string& Sources::name(std::int32_t file) const {
+const std::string& SourceTexts::file_name(std::int32_t file) const {
   return files_[static_cast<std::size_t>(file)].name;
 }
 
-std::string_view Sources::text(std::int32_t file) const {
+std::string_view SourceTexts::text(std::int32_t file) const {
   return files_[static_cast<std::size_t>(file)].text;
 }
 
-std::string_view Sources::text(Span span) const {
+std::string_view SourceTexts::text(SourceSpan span) const {
   return text(span.file).substr(span.begin, span.end - span.begin);
 }
 
-Location Sources::locate(std::int32_t file, std::size_t offset) const {
+SourceLocation SourceTexts::locate(std::int32_t file, std::size_t offset) const {
   const std::string_view all = text(file);
   offset = std::min(offset, all.size());
   const std::size_t begin = line_start(all, offset);
@@ -44,7 +44,7 @@ Location Sources::locate(std::int32_t file, std::size_t offset) const {
   return {static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(columns) + 1};
 }
 
-std::string_view Sources::line_at(std::int32_t file, std::size_t offset) const {
+std::string_view SourceTexts::line_at(std::int32_t file, std::size_t offset) const {
   const std::string_view all = text(file);
   const std::size_t begin = line_start(all, std::min(offset, all.size()));
   std::string_view line = all.substr(begin, all.find('\n', begin) - begin);

@@ -14,7 +14,7 @@ inline bool starts_character(char c) {
 }
 
 /// A stretch of bytes in one source file; `file < 0` means "no place in a deck".
-struct Span {
+struct SourceSpan {
   std::int32_t file = -1;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -23,32 +23,32 @@ struct Span {
 };
 
 /// Line and column count from 1; columns count characters, not bytes.
-struct Location {
+struct SourceLocation {
   std::size_t line = 0;
   std::size_t column = 0;
 };
 
 /// The texts a run has read: the deck and its includes. Texts never move, so that string views and
 /// pointers into them stay valid as long as the object lives.
-class Sources {
+class SourceTexts {
 public:
   /// Takes over a text and returns its file number for spans. [bytes] at most 4 GiB.
-  std::int32_t add(std::string name, std::string text);
+  std::int32_t add_text(std::string name, std::string text);
 
   [[nodiscard]] std::size_t count() const { return files_.size(); }
-  [[nodiscard]] const std::string& name(std::int32_t file) const;
+  [[nodiscard]] const std::string& file_name(std::int32_t file) const;
   [[nodiscard]] std::string_view text(std::int32_t file) const;
-  [[nodiscard]] std::string_view text(Span span) const;
-  [[nodiscard]] Location locate(std::int32_t file, std::size_t offset) const;
+  [[nodiscard]] std::string_view text(SourceSpan span) const;
+  [[nodiscard]] SourceLocation locate(std::int32_t file, std::size_t offset) const;
   /// The line that holds an offset, without its end-of-line bytes.
   [[nodiscard]] std::string_view line_at(std::int32_t file, std::size_t offset) const;
 
 private:
-  struct File {
+  struct SourceFile {
     std::string name;
     std::string text;
   };
-  std::deque<File> files_;
+  std::deque<SourceFile> files_;
 };
 
 } // namespace spricka::base

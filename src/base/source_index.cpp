@@ -11,14 +11,14 @@ constexpr std::size_t block_size = 1024; ///< [bytes]
 
 } // namespace
 
-const std::vector<SourceIndex::Block>& SourceIndex::blocks_of(std::int32_t file) {
-  std::vector<Block>& blocks = blocks_[file];
+const std::vector<SourceIndex::LineCountBlock>& SourceIndex::blocks_of(std::int32_t file) {
+  std::vector<LineCountBlock>& blocks = blocks_[file];
   if (!blocks.empty()) {
     return blocks;
   }
   const std::string_view text = sources_.text(file);
   blocks.reserve(text.size() / block_size + 1);
-  Block now;
+  LineCountBlock now;
   for (std::size_t at = 0; at <= text.size(); ++at) {
     if (at % block_size == 0) {
       blocks.push_back(now);
@@ -33,11 +33,11 @@ const std::vector<SourceIndex::Block>& SourceIndex::blocks_of(std::int32_t file)
   return blocks;
 }
 
-Location SourceIndex::locate(std::int32_t file, std::size_t offset) {
+SourceLocation SourceIndex::locate(std::int32_t file, std::size_t offset) {
   const std::string_view text = sources_.text(file);
   offset = std::min(offset, text.size());
   const std::size_t block = offset / block_size;
-  Block now = blocks_of(file)[block];
+  LineCountBlock now = blocks_of(file)[block];
   for (std::size_t at = block * block_size; at < offset; ++at) {
     if (text[at] == '\n') {
       ++now.lines;

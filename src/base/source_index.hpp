@@ -14,20 +14,20 @@ namespace spricka::base {
 /// from the block that the offset is in. Texts that are added later are seen too.
 class SourceIndex {
 public:
-  explicit SourceIndex(const Sources& sources) : sources_(sources) {}
+  explicit SourceIndex(const SourceTexts& sources) : sources_(sources) {}
 
   /// The same as Sources::locate.
-  Location locate(std::int32_t file, std::size_t offset);
+  SourceLocation locate(std::int32_t file, std::size_t offset);
 
 private:
-  struct Block {
+  struct LineCountBlock {
     std::size_t lines = 0;      ///< line feeds before it
     std::size_t characters = 0; ///< of its line before it
   };
-  const std::vector<Block>& blocks_of(std::int32_t file);
+  const std::vector<LineCountBlock>& blocks_of(std::int32_t file);
 
-  const Sources& sources_;
-  std::map<std::int32_t, std::vector<Block>> blocks_;
+  const SourceTexts& sources_;
+  std::map<std::int32_t, std::vector<LineCountBlock>> blocks_;
 };
 
 } // namespace spricka::base

@@ -23,7 +23,7 @@ constexpr Dimension force_dimension{0.0, 1.0, 0.0};
 constexpr Dimension stress_dimension{-2.0, 1.0, 0.0};
 constexpr Dimension angle_dimension{0.0, 0.0, 1.0};
 
-constexpr std::array<UnitWord, 17> words{{
+constexpr std::array<NamedUnit, 17> words{{
     {"m", {1.0, length_dimension}},
     {"mm", {1e-3, length_dimension}},
     {"um", {1e-6, length_dimension}},
@@ -43,9 +43,9 @@ constexpr std::array<UnitWord, 17> words{{
     {"cycle", {1.0, {}}}, // a count
 }};
 
-const Unit* find_word(std::string_view name) {
+const PhysicalUnit* find_word(std::string_view name) {
   const auto* const it =
-      std::find_if(words.begin(), words.end(), [&](const UnitWord& w) { return w.name == name; });
+      std::find_if(words.begin(), words.end(), [&](const NamedUnit& w) { return w.name == name; });
   return it == words.end() ? nullptr : &it->unit;
 }
 
@@ -74,12 +74,12 @@ double tidied(double factor) {
 
 // One `word [^exponent]` or `sqrt(word)`, taken off the front of `text`; multiplied onto `unit`
 // with the sign of `direction`.
-bool take_term(std::string_view& text, double direction, Unit& unit) {
+bool take_term(std::string_view& text, double direction, PhysicalUnit& unit) {
   const bool root = text.starts_with("sqrt(");
   text.remove_prefix(root ? 5 : 0);
   const auto stop = std::find_if_not(text.begin(), text.end(), is_letter);
   const auto length = static_cast<std::size_t>(stop - text.begin());
-  const Unit* word = find_word(text.substr(0, length));
+  const PhysicalUnit* word = find_word(text.substr(0, length));
   if (word == nullptr) {
     return false;
   }
@@ -114,7 +114,7 @@ bool same_word(std::string_view a, std::string_view upper_case) {
 
 } // namespace
 
-std::vector<UnitWord> unit_words() {
+std::vector<NamedUnit> unit_words() {
   return {words.begin(), words.end()};
 }
 
@@ -141,8 +141,8 @@ std::string UnitSystem::stress_intensity_name() const {
   return fmt::format("{}*{}^0.5", stress_name(), length_name);
 }
 
-std::optional<Unit> parse_unit(std::string_view text) {
-  Unit unit;
+std::optional<PhysicalUnit> parse_unit(std::string_view text) {
+  PhysicalUnit unit;
   if (!take_term(text, 1.0, unit)) {
     return std::nullopt;
   }
@@ -156,7 +156,7 @@ std::optional<Unit> parse_unit(std::string_view text) {
   return unit;
 }
 
-double to_deck(const Unit& unit, const UnitSystem& system) {
+double to_deck_factor(const PhysicalUnit& unit, const UnitSystem& system) {
   const double lengths = scaled(unit.si, system.metre_per_length, -unit.dimension.length);
   return tidied(scaled(lengths, system.newton_per_force, -unit.dimension.force));
 }

@@ -27,24 +27,24 @@ struct UnitSystem {
 };
 
 /// A parsed unit: value in SI (m, N, rad) of one such unit, and its dimension.
-struct Unit {
+struct PhysicalUnit {
   double si = 1.0;
   Dimension dimension;
 };
 
 /// A unit that the language knows by name; products, quotients and powers are made of these.
-struct UnitWord {
+struct NamedUnit {
   std::string_view name;
-  Unit unit;
+  PhysicalUnit unit;
 };
-std::vector<UnitWord> unit_words();
+std::vector<NamedUnit> unit_words();
 
 /// Reads the text between [ and ]: m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad cycle
 /// with * / and ^. Empty when a word or the form is unknown.
-std::optional<Unit> parse_unit(std::string_view text);
+std::optional<PhysicalUnit> parse_unit(std::string_view text);
 
 /// Factor that turns a number in `unit` into deck units.
-double to_deck(const Unit& unit, const UnitSystem& system);
+double to_deck_factor(const PhysicalUnit& unit, const UnitSystem& system);
 
 /// $DECK's LENGTH (M, MM, IN) and FORCE (N, KN, LBF), any case; empty when unknown.
 std::optional<UnitSystem> make_unit_system(std::string_view length, std::string_view force);

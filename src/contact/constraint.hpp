@@ -59,11 +59,11 @@ struct SpaceFunction {
 /// The rows of one contact pair.
 struct PairRows {
   std::vector<ConstraintRow> normal;
-  std::vector<ConstraintRow> tangent; ///< bonded pairs and those with friction
-  Surface contact;                    ///< side that carries the multipliers
-  Surface target;                     ///< no edges where `rigid` stands in its place
-  std::optional<model::Rigid> rigid;  ///< rows then weigh nodes of the contact side only
-  bool swapped = false;               ///< the deck's master carries the multipliers
+  std::vector<ConstraintRow> tangent;      ///< bonded pairs and those with friction
+  Surface contact;                         ///< side that carries the multipliers
+  Surface target;                          ///< no edges where `rigid` stands in its place
+  std::optional<model::RigidTarget> rigid; ///< rows then weigh nodes of the contact side only
+  bool swapped = false;                    ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
   bool faces = false;    ///< of a crack: they end together at its mouth and its tips
   bool found = false;    ///< the surfaces face each other somewhere

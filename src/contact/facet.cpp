@@ -12,17 +12,17 @@ namespace spricka::contact {
 
 namespace {
 
-shape::Domain domain_of(std::size_t corners) {
-  return corners == 2   ? shape::Domain::line
-         : corners == 3 ? shape::Domain::triangle
-                        : shape::Domain::quadrilateral;
+shape::ReferenceDomain domain_of(std::size_t corners) {
+  return corners == 2   ? shape::ReferenceDomain::line
+         : corners == 3 ? shape::ReferenceDomain::triangle
+                        : shape::ReferenceDomain::quadrilateral;
 }
 
 } // namespace
 
 Facet make_facet(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
   Facet facet{face, domain_of(shape::side_corners(type, face.side)), {}};
   for (const int local : shape::side_nodes(type, face.side)) {
     facet.nodes.push_back(nodes[static_cast<std::size_t>(local)]);
@@ -31,12 +31,12 @@ Facet make_facet(const model::Mesh& mesh, const model::Face& face) {
 }
 
 FacetValues facet_N(const Facet& facet, const Vec2& r) {
-  assert(facet.domain == shape::Domain::line);
+  assert(facet.domain == shape::ReferenceDomain::line);
   return mesh::edge_N(static_cast<int>(facet.nodes.size()), r[0]);
 }
 
 FacetValues facet_hats(const Facet& facet, const Vec2& r) {
-  assert(facet.domain == shape::Domain::line);
+  assert(facet.domain == shape::ReferenceDomain::line);
   return line_hats(static_cast<int>(facet.nodes.size()), r[0]);
 }
 

@@ -15,7 +15,7 @@ using base::Vec2;
 /// One side of an element. Its reference coordinates r have two places; a line uses the first.
 struct Facet {
   model::Face face;
-  shape::Domain domain = shape::Domain::line; ///< that r runs over
+  shape::ReferenceDomain domain = shape::ReferenceDomain::line; ///< that r runs over
   std::vector<base::NodeId> nodes; ///< corners first; with the domain they tell the shape
 };
 

@@ -33,7 +33,7 @@ double to_circle(const Surface& surface, const Vec2& x, const Vec2& n) {
   return std::abs(along) < 0.5 ? 0.0 : (surface.circle->radius - d.norm()) / along;
 }
 
-std::optional<Opposite> opposite(const Surface& contact, const model::Rigid& rigid,
+std::optional<Opposite> opposite(const Surface& contact, const model::RigidTarget& rigid,
                                  const Segment& s, double xi) {
   const Vec2 x = point_on(contact.plane.edges[s.contact_edge], xi);
   const std::optional<RigidFoot> foot = foot_on(rigid, x);
@@ -152,7 +152,7 @@ PairPoints pair_points(const Surface& contact, const Surface& target,
                      [&](const Vec2& x) { return depth_at(contact, target, x); });
 }
 
-PairPoints pair_points(const Surface& contact, const model::Rigid& target,
+PairPoints pair_points(const Surface& contact, const model::RigidTarget& target,
                        std::optional<double> declared_gap) {
   return find_points(contact, target, declared_gap,
                      [&](const Vec2& x) { return depth_at(contact, contact, x); });

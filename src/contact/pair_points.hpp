@@ -46,7 +46,7 @@ struct PairPoints {
 /// stands in the place of the measured ones.
 PairPoints pair_points(const Surface& contact, const Surface& target,
                        std::optional<double> declared_gap);
-PairPoints pair_points(const Surface& contact, const model::Rigid& target,
+PairPoints pair_points(const Surface& contact, const model::RigidTarget& target,
                        std::optional<double> declared_gap);
 
 } // namespace spricka::contact

@@ -155,11 +155,11 @@ Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Sur
 void add_rows(PairRows& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   if (!pair.contact.space.faces.empty()) {
-    if (contact.pairing == model::Pairing::node) {
+    if (contact.pairing == model::PairingMethod::node) {
       space_node_rows(pair, contact.gap, tangents);
       return;
     }
-    if (contact.multiplier == model::Multiplier::corners) {
+    if (contact.multiplier == model::MultiplierNodes::corners) {
       pair.contact.space.triangles = corner_triangles(pair.contact.space);
     }
     space_rows(pair, contact.gap, tangents);
@@ -168,7 +168,7 @@ void add_rows(PairRows& pair, const model::Contact& contact) {
     }
     return;
   }
-  if (contact.pairing == model::Pairing::node) {
+  if (contact.pairing == model::PairingMethod::node) {
     node_rows(pair, contact.gap, tangents);
   } else {
     segment_rows(pair, contact.gap, tangents);
@@ -183,7 +183,7 @@ void add_rows(PairRows& pair, const model::Contact& contact) {
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
                    const model::Contact& contact) {
   PairRows pair;
-  const bool nodes = contact.pairing == model::Pairing::node;
+  const bool nodes = contact.pairing == model::PairingMethod::node;
   Surface slave = make_surface(model, mesh, contact.slave);
   if (contact.rigid.valid()) {
     pair.contact = std::move(slave);
@@ -215,9 +215,9 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
 }
 
 std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact) {
-  std::vector<model::Face> faces = mesh.set(contact.slave).faces;
+  std::vector<model::Face> faces = mesh.set_with_id(contact.slave).faces;
   if (contact.master.valid()) {
-    const std::vector<model::Face>& other = mesh.set(contact.master).faces;
+    const std::vector<model::Face>& other = mesh.set_with_id(contact.master).faces;
     faces.insert(faces.end(), other.begin(), other.end());
   }
   return mesh::nodes_of_faces(mesh, faces);

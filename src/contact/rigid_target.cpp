@@ -13,7 +13,7 @@ namespace {
 
 constexpr double snap = 1e-9; // cuts this near to a node, or points to an end, are there
 
-RigidFoot foot_on_line(const model::Rigid& line, const Vec2& x) {
+RigidFoot foot_on_line(const model::RigidTarget& line, const Vec2& x) {
   const Vec2 first = line.first.head<2>();
   const Vec2 chord = line.second.head<2>() - first;
   const double length = chord.norm();
@@ -64,7 +64,7 @@ void settle(std::vector<double>& cuts) {
 }
 
 // Whether a point of an edge looks at the target, near enough and between its ends.
-bool faces(const Surface& contact, const Edge& edge, const model::Rigid& rigid, double xi) {
+bool faces(const Surface& contact, const Edge& edge, const model::RigidTarget& rigid, double xi) {
   const std::optional<RigidFoot> foot = foot_on(rigid, point_on(edge, xi));
   return foot && !foot->beyond && outer_normal(edge, xi).dot(foot->normal) > 0.0 &&
          std::abs(foot->gap) <= farthest_opposite * contact.extent;
@@ -72,8 +72,8 @@ bool faces(const Surface& contact, const Edge& edge, const model::Rigid& rigid, 
 
 } // namespace
 
-std::optional<RigidFoot> foot_on(const model::Rigid& rigid, const Vec2& x) {
-  if (rigid.shape == model::RigidShape::line) {
+std::optional<RigidFoot> foot_on(const model::RigidTarget& rigid, const Vec2& x) {
+  if (rigid.shape == model::RigidTargetShape::line) {
     return foot_on_line(rigid, x);
   }
   const Vec2 centre = rigid.first.head<2>();
@@ -91,7 +91,7 @@ std::optional<RigidFoot> foot_on(const model::Rigid& rigid, const Vec2& x) {
   return foot;
 }
 
-std::vector<Segment> find_segments(const Surface& contact, const model::Rigid& rigid) {
+std::vector<Segment> find_segments(const Surface& contact, const model::RigidTarget& rigid) {
   std::vector<Segment> all;
   std::size_t number = 0;
   for (const Edge& edge : contact.plane.edges) {
@@ -99,7 +99,7 @@ std::vector<Segment> find_segments(const Surface& contact, const model::Rigid& r
     if (edge.count == 3) {
       cuts.push_back(0.0);
     }
-    if (rigid.shape == model::RigidShape::line) {
+    if (rigid.shape == model::RigidTargetShape::line) {
       const Vec2 first = rigid.first.head<2>();
       const Vec2 second = rigid.second.head<2>();
       const Vec2 t = (second - first).normalized();

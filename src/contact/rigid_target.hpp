@@ -19,11 +19,11 @@ struct RigidFoot {
 };
 
 /// The target's nearest point; none at the centre of an arc.
-std::optional<RigidFoot> foot_on(const model::Rigid& rigid, const Vec2& x);
+std::optional<RigidFoot> foot_on(const model::RigidTarget& rigid, const Vec2& x);
 
 /// The stretches of contact edges that face the target, in the order of the edges, cut exactly at
 /// the ends of a line and in the middle of quadratic edges; target_edge is 0. What looks away from
 /// the target or lies farther off than a fifth of the surface's extent does not count.
-std::vector<Segment> find_segments(const Surface& contact, const model::Rigid& rigid);
+std::vector<Segment> find_segments(const Surface& contact, const model::RigidTarget& rigid);
 
 } // namespace spricka::contact

@@ -38,7 +38,7 @@ bool target_ends(const PairRows& pair, const std::vector<EdgeEnds>& targets, con
   if (pair.rigid) {
     const std::optional<RigidFoot> foot = foot_on(*pair.rigid, x);
     const double near = at_node * edge.length;
-    return foot && pair.rigid->shape == model::RigidShape::line &&
+    return foot && pair.rigid->shape == model::RigidTargetShape::line &&
            std::min((foot->point - pair.rigid->first.head<2>()).norm(),
                     (foot->point - pair.rigid->second.head<2>()).norm()) < near;
   }

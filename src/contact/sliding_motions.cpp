@@ -119,7 +119,7 @@ private:
   // All motions that some surfaces let pass, besides the known ones.
   void add_motions_of(const std::vector<bool>& some, const base::Matrix& known) {
     const base::Matrix across = known.cols() > 0
-                                    ? base::directions_across(known, 1e-6)
+                                    ? base::orthogonal_complement(known, 1e-6)
                                     : base::Matrix(base::Matrix::Identity(size_, size_));
     if (across.cols() == 0) {
       return;

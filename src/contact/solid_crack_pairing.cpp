@@ -13,7 +13,7 @@ namespace {
 // Where the function of each front node of a face goes: that of a corner to the next node of an
 // edge that leaves the front (a quarter point), that of a middle on the front across the face.
 void find_behind(const SolidFace& face, const std::set<base::NodeId>& front, NodesBehind& behind) {
-  const auto corners = static_cast<std::size_t>(base::info(face.shape).corners);
+  const auto corners = static_cast<std::size_t>(base::element_info(face.shape).corners);
   const bool quadratic = face.nodes.size() > corners;
   const auto on_front = [&](std::size_t n) { return front.contains(face.nodes[n]); };
   for (std::size_t c = 0; c < corners; ++c) {

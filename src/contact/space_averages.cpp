@@ -107,7 +107,7 @@ public:
 
 private:
   [[nodiscard]] std::size_t corners_of(std::size_t f) const {
-    return static_cast<std::size_t>(base::info(pair_.contact.space.faces[f].shape).corners);
+    return static_cast<std::size_t>(base::element_info(pair_.contact.space.faces[f].shape).corners);
   }
 
   void look_at(std::size_t f, const std::vector<bool>& closed) {

@@ -38,7 +38,7 @@ using PartNodes = std::map<std::pair<std::size_t, base::NodeId>, PartNodeArea>;
 
 // Integrals of the shape functions of a face.
 FaceValues shape_areas(const SolidFace& face) {
-  const shape::Domain domain = shape::reference_element<2>(face.shape).domain;
+  const shape::ReferenceDomain domain = shape::reference_element<2>(face.shape).domain;
   FaceValues area = FaceValues::Zero(index(face.nodes.size()));
   for (const auto& [r, weight] : shape::quadrature<2>(domain, node_degree)) {
     area += weight * point_on(face, r).area_vector().norm() * face_N(face.shape, r);

@@ -35,7 +35,7 @@ struct Rim {
 
 Rim rim_of(const SpaceSurface& surface, std::size_t f, int corner) {
   const SolidFace& face = surface.faces[f];
-  const int corners = base::info(face.shape).corners;
+  const int corners = base::element_info(face.shape).corners;
   const int next = (corner + 1) % corners;
   Rim rim;
   rim.face = f;
@@ -58,7 +58,7 @@ std::vector<Rim> rims_of(const SpaceSurface& surface) {
   std::map<std::tuple<std::size_t, base::NodeId, base::NodeId>, int> met;
   const auto each_side = [&](const auto& visit) {
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-      const int corners = base::info(surface.faces[f].shape).corners;
+      const int corners = base::element_info(surface.faces[f].shape).corners;
       for (int i = 0; i < corners; ++i) {
         const auto [a, b] =
             std::minmax(surface.faces[f].nodes[static_cast<std::size_t>(i)],

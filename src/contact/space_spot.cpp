@@ -18,7 +18,7 @@ bool has_middle_rows(const PairRows& pair) {
   const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto corners =
-        static_cast<std::size_t>(base::info(pair.contact.space.faces[f].shape).corners);
+        static_cast<std::size_t>(base::element_info(pair.contact.space.faces[f].shape).corners);
     if (faces[f].size() > corners) {
       return true;
     }

@@ -64,7 +64,7 @@ Surface solid_surface(const model::Model& model, const model::Mesh& mesh,
   surface.extent = surface.space.extent;
   surface.mean_length = surface.space.mean_size;
   for (const model::Face& face : faces) {
-    const double E = model.material_of(mesh, face.element).E;
+    const double E = model.element_material(mesh, face.element).E;
     surface.stiffness = surface.facets.empty() ? E : std::min(surface.stiffness, E);
     surface.facets.push_back(make_facet(mesh, face));
   }
@@ -81,7 +81,7 @@ double depth_at(const Surface& contact, const Surface& target, const Vec2& x) {
 }
 
 Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set) {
-  return make_surface(model, mesh, mesh.set(set).faces);
+  return make_surface(model, mesh, mesh.set_with_id(set).faces);
 }
 
 Surface make_surface(const model::Model& model, const model::Mesh& mesh,
@@ -106,11 +106,11 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh,
         high = high.cwiseMax(p);
       }
       surface.mean_length += edge.length;
-      const double E = model.material_of(mesh, face.element).E;
+      const double E = model.element_material(mesh, face.element).E;
       // The softest, by which the contact side is chosen (contact.6); the thinnest, as depth_at()
       // takes the smaller.
       surface.stiffness = count == 0 ? E : std::min(surface.stiffness, E);
-      const double t = model.property_of(mesh, face.element).thickness;
+      const double t = model.element_property(mesh, face.element).thickness;
       surface.thickness = count == 0 ? t : std::min(surface.thickness, t);
       ++count;
       surface.facets.push_back(make_facet(mesh, face));

@@ -111,7 +111,7 @@ Survey survey(const Surface& from, const Surface& to) {
                 });
 }
 
-Survey survey(const Surface& from, const model::Rigid& to) {
+Survey survey(const Surface& from, const model::RigidTarget& to) {
   if (!from.space.faces.empty()) {
     const Round shape = rigid_round(to);
     return survey_space(from.space, [&](const SurfaceTriangle& triangle) {

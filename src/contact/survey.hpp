@@ -26,6 +26,6 @@ struct Survey {
 Survey survey(const Surface& from, const Surface& to);
 
 /// The same for a rigid target, along its normals.
-Survey survey(const Surface& from, const model::Rigid& to);
+Survey survey(const Surface& from, const model::RigidTarget& to);
 
 } // namespace spricka::contact

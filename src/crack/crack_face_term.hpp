@@ -25,11 +25,11 @@ struct CrackFaceForces {
 struct TipPlace {
   TipFrame frame;
   base::NodeId node;
-  const model::Material& material;
-  model::State state;
+  const model::ElasticMaterial& material;
+  model::StressState state;
   double thickness = 1.0;
 
-  [[nodiscard]] bool axial() const { return state == model::State::axisymmetric; }
+  [[nodiscard]] bool axial() const { return state == model::StressState::axisymmetric; }
 };
 
 /// The terms by which integrals over a domain miss the tip's value (crack.31, crack.32), for

@@ -48,7 +48,7 @@ public:
 
   void add(NodalForces& out, bool strained, bool filled) const {
     Forces force;
-    for (const base::NodeId n : set_.mesh.nodes_of(e_)) {
+    for (const base::NodeId n : set_.mesh.element_nodes(e_)) {
       force.push_back(&out[n]);
     }
     for_domain_points(set_, e_, [&](const shape::Point<2>& r, double weight) {
@@ -164,8 +164,8 @@ private:
       here.H = here.strained + expansion;
       return;
     }
-    const base::Vec2 slope = element_.linear().dN(r).transpose() * T_; // by r
-    here.beta_T = beta * T_.dot(element_.linear().N(r));
+    const base::Vec2 slope = element_.linear_element().dN(r).transpose() * T_; // by r
+    here.beta_T = beta * T_.dot(element_.linear_element().N(r));
     here.beta_grad_T = beta * at.J.transpose().inverse() * slope;
   }
 

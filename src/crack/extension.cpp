@@ -54,13 +54,13 @@ Neighbourhood::Neighbourhood(const model::Mesh& mesh) : mesh_(mesh), elements_(m
 // A side that no other element has the corners of.
 bool Neighbourhood::on_boundary(base::NodeId n) const {
   const auto has = [&](base::ElementId e, base::NodeId node) {
-    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+    const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
   };
   for (const base::ElementId e : elements_.around(n)) {
     const base::ElementType type = mesh_.type[e.index()];
-    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       const std::span<const int> side = shape::side_nodes(type, s);
       const auto is_n = [&](int i) { return nodes[static_cast<std::size_t>(i)] == n; };
       if (std::none_of(side.begin(), side.end(), is_n)) {
@@ -110,7 +110,7 @@ ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) co
     }
     for (const base::ElementId e : rim) {
       inside.insert(e);
-      const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+      const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
       rigid.insert(nodes.begin(), nodes.end());
     }
   }
@@ -124,8 +124,8 @@ ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) co
   }
   for (const base::ElementId e : rim) {
     const base::ElementType type = mesh_.type[e.index()];
-    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       const std::span<const int> side = shape::side_nodes(type, s);
       if (side.size() == 3) {
         const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
@@ -166,7 +166,7 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   };
   const auto on_left = [&](base::ElementId e) {
     base::Vec3 middle = base::Vec3::Zero();
-    for (const base::NodeId n : mesh_.nodes_of(e)) {
+    for (const base::NodeId n : mesh_.element_nodes(e)) {
       middle += mesh_.x[n.index()] - front.tip().x;
     }
     // By the sum of the nodes' places: the sign is that of their mean.

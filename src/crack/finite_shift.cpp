@@ -84,11 +84,11 @@ double heated_energy(const Shift& shift, const Moved& moved) {
   for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {
     const fe::Jacobian<PlaneElement> at = fe::jacobian(element, X, point.r);
     const PlaneValues N = element.N(point.r);
-    const base::Vec2 by_r = element.linear().dN(point.r).transpose() * T;
+    const base::Vec2 by_r = element.linear_element().dN(point.r).transpose() * T;
     const base::Vec2 slope = fe::jacobian(element, before, point.r).J.transpose().inverse() * by_r;
     // A point that q has carried on by s meets the field ahead of it, which stays in space.
     const double here =
-        T.dot(element.linear().N(point.r)) + shift.s * q.dot(N) * slope.dot(set.tip.e1);
+        T.dot(element.linear_element().N(point.r)) + shift.s * q.dot(N) * slope.dot(set.tip.e1);
     const double hoop = U.row(0) * fe::Hoop<PlaneElement>(element, X, law, point.r).h;
     const Eigen::Matrix2d H = U.lazyProduct(at.dNdx);
     thermal += point.weight * at.det * set.depth(X * N) * beta * here * (H.trace() + hoop);

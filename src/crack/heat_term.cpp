@@ -78,7 +78,7 @@ public:
   [[nodiscard]] double beta() const { return fe::heat_modulus(law_); }
   /// What the element takes of the temperature.
   [[nodiscard]] double taken(const shape::Point<2>& r) const {
-    return carried_ ? free_.temperature(x(r)) : T_.dot(element_.linear().N(r));
+    return carried_ ? free_.temperature(x(r)) : T_.dot(element_.linear_element().N(r));
   }
   [[nodiscard]] double extension(const shape::Point<2>& r) const {
     return moved_.dot(element_.N(r));
@@ -91,11 +91,13 @@ public:
   }
   /// The point t of -1 .. 1 on a side.
   [[nodiscard]] shape::Point<2> on_side(int side, double t) const {
-    return 0.5 * (1.0 - t) * element_.node(side) + 0.5 * (1.0 + t) * element_.node(after(side));
+    return 0.5 * (1.0 - t) * element_.node_coordinates(side) +
+           0.5 * (1.0 + t) * element_.node_coordinates(after(side));
   }
   /// dx/dt there.
   [[nodiscard]] Vec2 along_side(int side, const shape::Point<2>& r) const {
-    const shape::Point<2> step = 0.5 * (element_.node(after(side)) - element_.node(side));
+    const shape::Point<2> step =
+        0.5 * (element_.node_coordinates(after(side)) - element_.node_coordinates(side));
     return Eigen::Matrix2d(X_.lazyProduct(element_.dN(r))) * step;
   }
   [[nodiscard]] Vec2 middle() const { return x(element_.centre()); }
@@ -195,9 +197,9 @@ std::vector<Between> sides_between(const model::Mesh& mesh, const std::vector<El
   std::map<std::pair<base::NodeId, base::NodeId>, std::pair<ElementId, int>> open;
   std::vector<Between> found;
   for (const ElementId e : all) {
-    const auto nodes = mesh.nodes_of(e);
+    const auto nodes = mesh.element_nodes(e);
     const base::ElementType type = mesh.type[e.index()];
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       const auto side = shape::side_nodes(type, s);
       const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
       const base::NodeId b = nodes[static_cast<std::size_t>(side[1])];
@@ -298,8 +300,8 @@ bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
   const double scale = set.loads.temperature.cwiseAbs().maxCoeff();
   std::map<base::NodeId, double> of_node;
   for (const ElementId e : all) {
-    const auto nodes = set.mesh.nodes_of(e);
-    for (int c = 0; c < base::info(set.mesh.type[e.index()]).corners; ++c) {
+    const auto nodes = set.mesh.element_nodes(e);
+    for (int c = 0; c < base::element_info(set.mesh.type[e.index()]).corners; ++c) {
       const double T = set.loads.temperature[set.mesh.first[e.index()] + c];
       const auto [met, fresh] = of_node.try_emplace(nodes[static_cast<std::size_t>(c)], T);
       if (!fresh && std::abs(met->second - T) > 1e-9 * scale) {
@@ -326,7 +328,7 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& 
   Vec2 right = Vec2::Zero();
   double weight = 0.0;
   for (const ElementId e : all) {
-    const auto nodes = set.mesh.nodes_of(e);
+    const auto nodes = set.mesh.element_nodes(e);
     if (std::ranges::find(nodes, front.tip().node) != nodes.end()) {
       affine.at_tip += temperature_at(set.loads, e, set.tip.x);
       weight += 1.0;
@@ -334,8 +336,8 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& 
   }
   affine.at_tip /= std::max(weight, 1.0);
   for (const ElementId e : all) {
-    const auto nodes = set.mesh.nodes_of(e);
-    for (int c = 0; c < base::info(set.mesh.type[e.index()]).corners; ++c) {
+    const auto nodes = set.mesh.element_nodes(e);
+    for (int c = 0; c < base::element_info(set.mesh.type[e.index()]).corners; ++c) {
       const Vec2 d = set.mesh.x[nodes[static_cast<std::size_t>(c)].index()].head<2>() - set.tip.x;
       const double T = set.loads.temperature[set.mesh.first[e.index()] + c] - affine.at_tip;
       G += d * d.transpose();

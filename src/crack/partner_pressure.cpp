@@ -88,7 +88,7 @@ void for_pressed_points(const TipSetting& set, const std::vector<base::ElementId
   const Along left(set.crack_faces->left);
   const Along right(set.crack_faces->right);
   for (const base::ElementId e : elements) {
-    for (int s = 0; s < base::info(set.mesh.type[e.index()]).sides; ++s) {
+    for (int s = 0; s < base::element_info(set.mesh.type[e.index()]).sides; ++s) {
       const PlaneSide side(set.mesh, {e, s});
       if (left.has_side(side.nodes) || right.has_side(side.nodes)) {
         for_points_of(set, e, side, visit);

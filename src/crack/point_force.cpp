@@ -10,7 +10,7 @@ namespace spricka::crack {
 
 namespace {
 
-double shear_modulus(const model::Material& m) {
+double shear_modulus(const model::ElasticMaterial& m) {
   return m.E / (2.0 * (1.0 + m.nu));
 }
 
@@ -19,7 +19,8 @@ double shear_modulus(const model::Material& m) {
 // u1 = -((kappa + 1) ln r + 2 sin^2 theta) / (8 pi mu),
 // u2 = -((kappa - 1) theta - 2 sin theta cos theta) / (8 pi mu) along e1 and e2.
 base::Vec2 point_force_displacement(const TipFrame& tip, const Polar& at, double unit,
-                                    const model::Material& material, model::State state) {
+                                    const model::ElasticMaterial& material,
+                                    model::StressState state) {
   const double kappa = kolosov(material.nu, state);
   const double C = std::cos(at.theta);
   const double S = std::sin(at.theta);
@@ -30,7 +31,8 @@ base::Vec2 point_force_displacement(const TipFrame& tip, const Polar& at, double
 }
 
 Eigen::Matrix2d point_force_gradient(const TipFrame& tip, const Polar& at,
-                                     const model::Material& material, model::State state) {
+                                     const model::ElasticMaterial& material,
+                                     model::StressState state) {
   const double kappa = kolosov(material.nu, state);
   const double C = std::cos(at.theta);
   const double S = std::sin(at.theta);

@@ -8,10 +8,12 @@ namespace spricka::crack {
 /// direction, at the tip of a half-infinite crack (the partner of T: Kfouri 1986), at a point off
 /// the tip: s_rr = - cos(theta) / (pi r) is its only stress (manual, crack.24, crack.25).
 Eigen::Matrix2d point_force_gradient(const TipFrame& tip, const Polar& at,
-                                     const model::Material& material, model::State state);
+                                     const model::ElasticMaterial& material,
+                                     model::StressState state);
 
 /// The displacement itself, global axes; lengths in units of `unit`, as a rigid motion is free.
 base::Vec2 point_force_displacement(const TipFrame& tip, const Polar& at, double unit,
-                                    const model::Material& material, model::State state);
+                                    const model::ElasticMaterial& material,
+                                    model::StressState state);
 
 } // namespace spricka::crack

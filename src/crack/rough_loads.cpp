@@ -84,8 +84,8 @@ double largest_jump(const TipSetting& set, const ExtensionField& field) {
   std::map<base::NodeId, double> of_node;
   for (const std::vector<base::ElementId>* elements : {&field.elements, &field.inside}) {
     for (const base::ElementId e : *elements) {
-      const auto nodes = set.mesh.nodes_of(e);
-      for (int c = 0; c < base::info(set.mesh.type[e.index()]).corners; ++c) {
+      const auto nodes = set.mesh.element_nodes(e);
+      for (int c = 0; c < base::element_info(set.mesh.type[e.index()]).corners; ++c) {
         const double T = set.loads.temperature[set.mesh.first[e.index()] + c];
         const auto [met, fresh] = of_node.try_emplace(nodes[static_cast<std::size_t>(c)], T);
         most = std::max(most, std::abs(met->second - T));
@@ -119,7 +119,7 @@ constexpr double of_heat = 0.05;
 double heat_doubt(const TipSetting& set, const ExtensionField& field) {
   const double E = fe::effective_modulus(set.material, set.state());
   // The free strain along the crack, alpha' T of (crack.26).
-  const double strain = set.state() == model::State::plane_stress
+  const double strain = set.state() == model::StressState::plane_stress
                             ? set.material.alpha
                             : (1.0 + set.material.nu) * set.material.alpha;
   const double stress = E * strain * largest_jump(set, field);

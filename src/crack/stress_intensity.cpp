@@ -21,13 +21,14 @@ namespace spricka::crack {
 
 namespace {
 
-double crack_modulus(const model::Material& material, model::State own, model::CrackState wish) {
+double crack_modulus(const model::ElasticMaterial& material, model::StressState own,
+                     model::TipConstraint wish) {
   switch (wish) {
-  case model::CrackState::stress:
-    return fe::effective_modulus(material, model::State::plane_stress);
-  case model::CrackState::strain:
-    return fe::effective_modulus(material, model::State::plane_strain);
-  case model::CrackState::automatic:
+  case model::TipConstraint::stress:
+    return fe::effective_modulus(material, model::StressState::plane_stress);
+  case model::TipConstraint::strain:
+    return fe::effective_modulus(material, model::StressState::plane_strain);
+  case model::TipConstraint::automatic:
     break;
   }
   return fe::effective_modulus(material, own);
@@ -45,7 +46,7 @@ struct Factors {
   [[nodiscard]] double T() const { return E_own * halves; }
 };
 
-Factors factors_of(const TipSetting& set, const mesh::Front& front, model::CrackState wish) {
+Factors factors_of(const TipSetting& set, const mesh::Front& front, model::TipConstraint wish) {
   Factors f;
   f.E_own = fe::effective_modulus(set.material, set.state());
   f.E_used = crack_modulus(set.material, set.state(), wish);
@@ -101,7 +102,7 @@ void add_hoop(const TipSetting& set, base::ElementId e, const shape::Point<2>& r
   const PlaneValues N = element.N(r);
   const double x = fe::coordinates(element, set.mesh, e).row(0) * N;
   for (int n = 0; n < element.nodes; ++n) {
-    const base::NodeId node = set.mesh.nodes_of(e)[static_cast<std::size_t>(n)];
+    const base::NodeId node = set.mesh.element_nodes(e)[static_cast<std::size_t>(n)];
     row[2 * static_cast<Eigen::Index>(node.index())] += weight / x * N[n];
   }
 }
@@ -111,7 +112,7 @@ base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField
   base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
   const auto add = [&](base::ElementId e, const shape::Point<2>& r,
                        const fe::Jacobian<PlaneElement>& at, const Contracted& c) {
-    const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
+    const std::span<const base::NodeId> nodes = set.mesh.element_nodes(e);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
       row.segment<2>(freedom) += c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
@@ -238,7 +239,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
 
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                             const mesh::Front& front, const std::vector<ExtensionField>& fields,
-                            model::CrackState state) {
+                            model::TipConstraint state) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
@@ -260,7 +261,7 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::Front& front,
                                              const std::vector<ExtensionField>& fields,
-                                             model::CrackState state) {
+                                             model::TipConstraint state) {
   std::vector<IntensityPoint> points;
   const TipLoads none;
   if (fields.empty()) {
@@ -294,7 +295,7 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
 base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::Front& front,
                                        const std::vector<ExtensionField>& fields,
-                                       model::CrackState state,
+                                       model::TipConstraint state,
                                        const std::vector<model::Face>& faces) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
@@ -326,7 +327,7 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
   const TipLoads none;
   const TipSetting set = tip_setting(model, cracked, front, fields, none);
   base::Vector row =
-      factors_of(set, front, model::CrackState::automatic).T() * partner_row(set, fields, 3);
+      factors_of(set, front, model::TipConstraint::automatic).T() * partner_row(set, fields, 3);
   if (set.axial()) {
     row[2 * static_cast<Eigen::Index>(set.tip_node.index())] += stress_of_hoop(set);
   }
@@ -336,7 +337,7 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
                                      const mesh::Front& front,
                                      const std::vector<ExtensionField>& fields,
-                                     model::CrackState state, const TipLoads& loads) {
+                                     model::TipConstraint state, const TipLoads& loads) {
   if (loads.loads.empty() && loads.temperature.size() == 0) {
     return {};
   }

@@ -55,7 +55,7 @@ struct StressIntensity {
 
 struct VceRequest {
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic
-  model::CrackState state = model::CrackState::automatic;
+  model::TipConstraint state = model::TipConstraint::automatic;
   const CrackFaceForces* crack_faces =
       nullptr;          ///< between the faces of the tip's crack; null: there are none
   bool opening = false; ///< K from the opening of the crack faces as well
@@ -81,7 +81,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
 /// analytic derivative. The rows are their exact gradient. [dim * node, 2]
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                             const mesh::Front& front, const std::vector<ExtensionField>& fields,
-                            model::CrackState state);
+                            model::TipConstraint state);
 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
 /// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
@@ -96,13 +96,13 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::Front& front,
                                              const std::vector<ExtensionField>& fields,
-                                             model::CrackState state);
+                                             model::TipConstraint state);
 /// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
 /// [dim * node, 2]
 base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::Front& front,
                                        const std::vector<ExtensionField>& fields,
-                                       model::CrackState state,
+                                       model::TipConstraint state,
                                        const std::vector<model::Face>& faces);
 /// The same of T. [dim * node]
 base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
@@ -115,6 +115,6 @@ struct IntensityConstant {
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
                                      const mesh::Front& front,
                                      const std::vector<ExtensionField>& fields,
-                                     model::CrackState state, const TipLoads& loads);
+                                     model::TipConstraint state, const TipLoads& loads);
 
 } // namespace spricka::crack

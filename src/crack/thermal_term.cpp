@@ -17,7 +17,7 @@ double thermal_stress_at_tip(const TipSetting& set, const mesh::Front& front) {
       ++count;
     }
   }
-  const double strain = set.state() == model::State::plane_stress
+  const double strain = set.state() == model::StressState::plane_stress
                             ? set.material.alpha
                             : (1.0 + set.material.nu) * set.material.alpha;
   return fe::effective_modulus(set.material, set.state()) * strain * sum / std::max(count, 1);

@@ -30,8 +30,8 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
   const base::ElementId near = fields.front().elements.front();
   return {model,
           cracked.mesh,
-          model.material_of(cracked.mesh, near),
-          model.property_of(cracked.mesh, near),
+          model.element_material(cracked.mesh, near),
+          model.element_property(cracked.mesh, near),
           frame_of(front),
           front.tip().node,
           front.crack.index() < cracked.faces.size() ? &cracked.faces[front.crack.index()]
@@ -41,17 +41,18 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
 }
 
 fe::Elasticity<2> TipSetting::elasticity(base::ElementId e) const {
-  const model::State own = model.property_of(mesh, e).state;
+  const model::StressState own = model.element_property(mesh, e).state;
   // About an axis the section is strained round it as well: see SectionState.
-  return fe::elasticity<2>(model.material_of(mesh, e),
-                           own == model::State::axisymmetric ? model::State::plane_strain : own);
+  return fe::elasticity<2>(model.element_material(mesh, e), own == model::StressState::axisymmetric
+                                                                ? model::StressState::plane_strain
+                                                                : own);
 }
 
 bool between_materials(const TipSetting& set, const ExtensionField& field) {
   const auto differs = [&](base::ElementId e) {
-    const model::Material& m = set.model.material_of(set.mesh, e);
+    const model::ElasticMaterial& m = set.model.element_material(set.mesh, e);
     return m.E != set.material.E || m.nu != set.material.nu ||
-           set.model.property_of(set.mesh, e).state != set.state();
+           set.model.element_property(set.mesh, e).state != set.state();
   };
   return std::ranges::any_of(field.elements, differs) || std::ranges::any_of(field.inside, differs);
 }
@@ -93,7 +94,7 @@ base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::siz
 
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
                          const std::map<base::NodeId, double>& q) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   PlaneValues moved = PlaneValues::Zero(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const auto at = q.find(nodes[n]);

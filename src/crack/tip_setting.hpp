@@ -42,16 +42,16 @@ struct AffineHeat {
 struct TipSetting {
   const model::Model& model;
   const model::Mesh& mesh;
-  const model::Material& material;
-  const model::Property& property;
+  const model::ElasticMaterial& material;
+  const model::ElementProperty& property;
   TipFrame tip;
   base::NodeId tip_node;
   const mesh::CrackFaces* crack_faces; ///< of the tip's crack; null: unknown
   const TipLoads& loads;
   std::optional<AffineHeat> affine = std::nullopt;
 
-  [[nodiscard]] model::State state() const { return property.state; }
-  [[nodiscard]] bool axial() const { return state() == model::State::axisymmetric; }
+  [[nodiscard]] model::StressState state() const { return property.state; }
+  [[nodiscard]] bool axial() const { return state() == model::StressState::axisymmetric; }
   /// What stands behind a point of the section for a unit of the front: 1, and about an axis its
   /// radius over the front's (crack.36).
   [[nodiscard]] double depth(const base::Vec2& x) const {

@@ -30,7 +30,7 @@ Angular angular(double theta, int mode, double kappa) {
 }
 
 // The factor in front of g [length^0.5 / stress].
-double amplitude(double r, const model::Material& m) {
+double amplitude(double r, const model::ElasticMaterial& m) {
   const double shear = m.E / (2.0 * (1.0 + m.nu));
   return std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * shear);
 }
@@ -50,12 +50,13 @@ Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2&
   return {p.r, std::copysign(p.theta, -n.dot(tip.e2))};
 }
 
-double kolosov(double nu, model::State state) {
-  return state == model::State::plane_stress ? (3.0 - nu) / (1.0 + nu) : 3.0 - 4.0 * nu;
+double kolosov(double nu, model::StressState state) {
+  return state == model::StressState::plane_stress ? (3.0 - nu) / (1.0 + nu) : 3.0 - 4.0 * nu;
 }
 
 Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mode,
-                                   const model::Material& material, model::State state) {
+                                   const model::ElasticMaterial& material,
+                                   model::StressState state) {
   const auto [r, theta] = at;
   const Angular f = angular(theta, mode, kolosov(material.nu, state));
   const double a = amplitude(r, material) / r;
@@ -71,7 +72,8 @@ Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mod
 }
 
 base::Vec2 auxiliary_displacement(const TipFrame& tip, const Polar& at, int mode,
-                                  const model::Material& material, model::State state) {
+                                  const model::ElasticMaterial& material,
+                                  model::StressState state) {
   const auto [r, theta] = at;
   const Angular f = angular(theta, mode, kolosov(material.nu, state));
   const base::Vec2 u = amplitude(r, material) * f.g;

@@ -23,24 +23,27 @@ Polar polar(const TipFrame& tip, const base::Vec2& at);
 Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n);
 
 /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress.
-double kolosov(double nu, model::State state);
+double kolosov(double nu, model::StressState state);
 
 /// Displacement gradient du_i/dx_j in global axes of the near-tip field with K = 1 in `mode` 1 or
 /// 2 (Williams 1957), at a point off the tip.
 Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mode,
-                                   const model::Material& material, model::State state);
+                                   const model::ElasticMaterial& material,
+                                   model::StressState state);
 
 inline Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
-                                          const model::Material& material, model::State state) {
+                                          const model::ElasticMaterial& material,
+                                          model::StressState state) {
   return auxiliary_gradient(tip, polar(tip, at), mode, material, state);
 }
 
 /// The displacement itself, global axes.
 base::Vec2 auxiliary_displacement(const TipFrame& tip, const Polar& at, int mode,
-                                  const model::Material& material, model::State state);
+                                  const model::ElasticMaterial& material, model::StressState state);
 
 inline base::Vec2 auxiliary_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
-                                         const model::Material& material, model::State state) {
+                                         const model::ElasticMaterial& material,
+                                         model::StressState state) {
   return auxiliary_displacement(tip, polar(tip, at), mode, material, state);
 }
 

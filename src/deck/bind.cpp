@@ -119,7 +119,7 @@ private:
                                   : std::string(scope_.sources->text(field.span));
     if (field.kind != Field::Kind::name ||
         std::find(valid.begin(), valid.end(), given) == valid.end()) {
-      const std::string near = base::suggest(given, valid);
+      const std::string near = base::suggest_spelling(given, valid);
       return fail(field.span, "E108",
                   fmt::format("{}: '{}' is not one of {}", key_.name,
                               scope_.sources->text(field.span), key_.words),
@@ -144,10 +144,11 @@ private:
 
   // Ends in a comparison, and or or; a number would be a condition by accident only.
   static bool is_condition(const grammar::Expression& expression) {
-    using base::Op;
+    using base::OpCode;
     const grammar::Term& last = expression.terms.back();
-    constexpr std::array conditions{Op::less,  Op::less_equal,  Op::greater,   Op::greater_equal,
-                                    Op::equal, Op::logical_and, Op::logical_or};
+    constexpr std::array conditions{OpCode::less,          OpCode::less_equal, OpCode::greater,
+                                    OpCode::greater_equal, OpCode::equal,      OpCode::logical_and,
+                                    OpCode::logical_or};
     return last.kind == grammar::Term::Kind::op &&
            std::find(conditions.begin(), conditions.end(), last.op) != conditions.end();
   }
@@ -170,7 +171,7 @@ private:
     return true;
   }
 
-  bool fail(base::Span span, std::string code, std::string text, std::string hint = {}) {
+  bool fail(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
     diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
     return false;
   }
@@ -216,7 +217,7 @@ private:
       fail(p.key_span, "E105",
            valid.empty() ? fmt::format("${} takes no keys", spec_.name)
                          : fmt::format("${} has no key '{}'", spec_.name, p.key),
-           base::suggest(p.key, valid));
+           base::suggest_spelling(p.key, valid));
       for (const Field& field : p.values) {
         bound_.stray.push_back(field.text);
       }
@@ -302,9 +303,9 @@ private:
       if (key.type == KeyType::word) {
         value.text = key.default_value;
       } else {
-        base::Sources own; // the catalogue's text, read as the deck would be
-        const std::int32_t file = own.add("catalogue", std::string(key.default_value));
-        const base::Span all{file, 0, static_cast<std::uint32_t>(key.default_value.size())};
+        base::SourceTexts own; // the catalogue's text, read as the deck would be
+        const std::int32_t file = own.add_text("catalogue", std::string(key.default_value));
+        const base::SourceSpan all{file, 0, static_cast<std::uint32_t>(key.default_value.size())};
         base::Diagnostics none;
         grammar::Scope constants;
         constants.sources = &own;
@@ -315,7 +316,7 @@ private:
     }
   }
 
-  void fail(base::Span span, std::string code, std::string text, std::string hint = {}) {
+  void fail(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
     bound_.bad = true;
     diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
   }
@@ -383,7 +384,7 @@ std::optional<double> number_of(const grammar::Field& field, grammar::Quantity q
     return std::nullopt;
   }
   const auto value = grammar::evaluate(field.expression, scope, diagnostics);
-  const base::Span unit = grammar::known_unit(field.expression, scope);
+  const base::SourceSpan unit = grammar::known_unit(field.expression, scope);
   if (!value || !unit.valid()) {
     return value;
   }

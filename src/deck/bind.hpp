@@ -17,14 +17,14 @@ namespace spricka::deck {
 /// A name used in a deck: where, and in which net's scope.
 struct Reference {
   std::string name;
-  base::Span span;
+  base::SourceSpan span;
   std::string net;
 };
 
 /// The value of one key after checking against the catalogue.
 struct BoundValue {
   const grammar::KeySpec* key = nullptr;
-  base::Span span; ///< of the value; of the card for a default
+  base::SourceSpan span; ///< of the value; of the card for a default
   bool given = false;
   bool sound = true;      ///< false: the value is wrong, and reported
   bool with_unit = false; ///< a unit stands in the number, or in what it is made of
@@ -32,7 +32,7 @@ struct BoundValue {
   std::string text;             ///< word, name or text
   std::vector<Reference> names; ///< lists of names
   std::vector<double> numbers;  ///< lists of numbers
-  base::Expression expression;
+  base::CompiledExpression expression;
 };
 
 /// A card whose header agrees with the catalogue, but for what is missing in a bad one.
@@ -42,8 +42,8 @@ struct BoundCard {
   bool rows_bad = false; ///< rows with a syntax error, reported, are missing in `rows`
   std::string net;       ///< the open net's name, or empty
   base::NetId net_id;
-  base::Span span; ///< of $NAME
-  base::Span data;
+  base::SourceSpan span; ///< of $NAME
+  base::SourceSpan data;
   std::vector<BoundValue> values;
   std::vector<grammar::Row> rows;
   std::vector<std::string> stray; ///< names given under keys the card does not have

@@ -83,7 +83,7 @@ private:
     for (const grammar::CardSpec& spec : grammar::catalogue()) {
       valid.push_back(fmt::format("${}", spec.name));
     }
-    const std::string hint = base::suggest(fmt::format("${}", card.name), valid);
+    const std::string hint = base::suggest_spelling(fmt::format("${}", card.name), valid);
     if (!card.name.empty()) {
       c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name), hint);
     }
@@ -149,7 +149,7 @@ private:
     net_open_ = true;
     net_ = bound.word("NAME");
     const bool again = std::any_of(c_.model.nets.begin(), c_.model.nets.end(),
-                                   [&](const model::Net& n) { return n.name == net_; });
+                                   [&](const model::MeshNet& n) { return n.name == net_; });
     if (again && !bound.bad) {
       c_.error(bound.find("NAME")->span, "E302", fmt::format("net {} is defined twice", net_));
       c_.property_sound = false; // which of the two a set means is not known
@@ -183,7 +183,7 @@ private:
   }
 
   // The first token behind the header; invalid if there is none.
-  [[nodiscard]] base::Span first_token(const grammar::Card& card) const {
+  [[nodiscard]] base::SourceSpan first_token(const grammar::Card& card) const {
     const std::string_view text = c_.sources.text(card.data);
     const char* p = text.data();
     const char* const last = p + text.size();
@@ -199,7 +199,7 @@ private:
   }
 
   void no_data(const grammar::Card& card) {
-    if (const base::Span token = first_token(card); token.valid()) {
+    if (const base::SourceSpan token = first_token(card); token.valid()) {
       const bool continues = c_.sources.text(token).starts_with('&');
       c_.error(token, "E115", fmt::format("${} takes no data lines", card.name),
                continues ? "a continued line follows at once" : card_hint(c_.sources.text(token)));
@@ -224,7 +224,7 @@ private:
         if (overridden && value) {
           overrides_.warn_of_lost_unit(c_, a);
         }
-        const base::Span unit =
+        const base::SourceSpan unit =
             overridden ? overrides_.unit(a.name) : grammar::known_unit(a.value, c_.scope);
         if (unit.valid()) {
           c_.scope.units_of[a.name] = unit;

@@ -37,23 +37,23 @@ bool share_a_face(const model::FaceSet& a, const model::FaceSet& b) {
 
 struct ShapeWord {
   std::string_view word;
-  model::RigidShape shape;
+  model::RigidTargetShape shape;
   bool two_points = false;
   bool round = false; ///< has a radius
 };
 constexpr std::array rigid_shapes{
-    ShapeWord{"LINE", model::RigidShape::line, true, false},
-    ShapeWord{"ARC", model::RigidShape::arc, false, true},
-    ShapeWord{"PLANE", model::RigidShape::plane, true, false},
-    ShapeWord{"CYLINDER", model::RigidShape::cylinder, true, true},
-    ShapeWord{"CONE", model::RigidShape::cone, true, true},
-    ShapeWord{"SPHERE", model::RigidShape::sphere, false, true},
+    ShapeWord{"LINE", model::RigidTargetShape::line, true, false},
+    ShapeWord{"ARC", model::RigidTargetShape::arc, false, true},
+    ShapeWord{"PLANE", model::RigidTargetShape::plane, true, false},
+    ShapeWord{"CYLINDER", model::RigidTargetShape::cylinder, true, true},
+    ShapeWord{"CONE", model::RigidTargetShape::cone, true, true},
+    ShapeWord{"SPHERE", model::RigidTargetShape::sphere, false, true},
 };
 
 void rigid(Context& c, const BoundCard& card) {
   const auto shape = std::ranges::find_if(
       rigid_shapes, [&](const ShapeWord& s) { return card.is("SHAPE", s.word); });
-  model::Rigid rigid;
+  model::RigidTarget rigid;
   rigid.name = card.word("NAME");
   rigid.shape = shape->shape;
   rigid.first = {card.number("X0"), card.number("Y0"), card.number("Z0")};
@@ -61,13 +61,13 @@ void rigid(Context& c, const BoundCard& card) {
   rigid.radius = card.number("R");
   rigid.second_radius = card.number("R1");
   rigid.span = card.span;
-  const bool cone = rigid.shape == model::RigidShape::cone;
+  const bool cone = rigid.shape == model::RigidTargetShape::cone;
   if (shape->two_points && rigid.first == rigid.second) {
     c.error(card.span, "E109", fmt::format("the two points of the {} are the same", shape->word));
   } else if (shape->round && rigid.radius == 0.0 && !cone) {
     c.error(card.find("R")->span, "E109",
             fmt::format("R: the radius of {} {} is not 0",
-                        shape->shape == model::RigidShape::arc ? "an" : "a", shape->word),
+                        shape->shape == model::RigidTargetShape::arc ? "an" : "a", shape->word),
             "positive for a shaft, negative for a bore");
   } else if (cone &&
              (rigid.radius * rigid.second_radius < 0.0 || rigid.radius == rigid.second_radius)) {
@@ -89,8 +89,9 @@ void master_of(Context& c, const BoundCard& card, model::Contact& contact) {
     return;
   }
   contact.rigid = base::RigidId(meant->index);
-  const model::RigidShape shape = c.model.rigids[meant->index].shape;
-  const bool plane = shape == model::RigidShape::line || shape == model::RigidShape::arc;
+  const model::RigidTargetShape shape = c.model.rigids[meant->index].shape;
+  const bool plane =
+      shape == model::RigidTargetShape::line || shape == model::RigidTargetShape::arc;
   if (plane != (c.model.mesh.dim == 2) && c.mesh_sound) {
     c.error(master.span, "E313",
             fmt::format("{} is a rigid target in {}", master.name, plane ? "the plane" : "space"),
@@ -117,22 +118,23 @@ void build_contacts(Context& context) {
         card.is("TYPE", "BONDED") ? model::ContactType::bonded : model::ContactType::unilateral;
     contact.gap = declared_gap(card);
     contact.mu = card.number("MU");
-    contact.pairing = card.is("PAIRING", "NODE") ? model::Pairing::node : model::Pairing::segment;
-    contact.multiplier =
-        card.is("MULTIPLIER", "CORNER") ? model::Multiplier::corners : model::Multiplier::nodes;
-    if (contact.multiplier == model::Multiplier::corners && context.known_plane()) {
+    contact.pairing =
+        card.is("PAIRING", "NODE") ? model::PairingMethod::node : model::PairingMethod::segment;
+    contact.multiplier = card.is("MULTIPLIER", "CORNER") ? model::MultiplierNodes::corners
+                                                         : model::MultiplierNodes::nodes;
+    if (contact.multiplier == model::MultiplierNodes::corners && context.known_plane()) {
       context.error(card.find("MULTIPLIER")->span, "E313",
                     "MULTIPLIER=CORNER is one of contacts between solids");
     }
-    contact.recovery =
-        card.is("RECOVERY", "CONSISTENT") ? model::Recovery::consistent : model::Recovery::lumped;
+    contact.recovery = card.is("RECOVERY", "CONSISTENT") ? model::PressureRecovery::consistent
+                                                         : model::PressureRecovery::lumped;
     contact.span = card.span;
     contact.slave = use_face_set(context, card.reference("SLAVE")).value_or(base::FaceSetId());
     const Reference master = card.reference("MASTER");
     master_of(context, card, contact);
     if (contact.slave.valid() && contact.master.valid() &&
-        share_a_face(context.model.mesh.set(contact.slave),
-                     context.model.mesh.set(contact.master))) {
+        share_a_face(context.model.mesh.set_with_id(contact.slave),
+                     context.model.mesh.set_with_id(contact.master))) {
       context.error(master.span, "E316",
                     fmt::format("SLAVE and MASTER of {} have faces in common", contact.name));
     }

@@ -15,7 +15,7 @@ namespace spricka::deck {
 namespace {
 
 // Rows `x y` of a free crack.
-bool crack_points(Context& c, const BoundCard& card, model::Crack& crack) {
+bool crack_points(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
   bool ok = !card.rows_bad;
   for (const grammar::Row& row : card.rows) {
     if (row.fields.size() != 2) {
@@ -42,14 +42,14 @@ bool crack_points(Context& c, const BoundCard& card, model::Crack& crack) {
 }
 
 // The path as ordered nodes; a face set has no order of its own.
-void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
+void crack_path(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
   const Reference reference = card.reference("PATH");
   const auto path = use_node_set(c, reference);
   if (!path) {
     return;
   }
   crack.path = *path;
-  const std::vector<base::NodeId>& nodes = c.model.mesh.set(*path).nodes;
+  const std::vector<base::NodeId>& nodes = c.model.mesh.set_with_id(*path).nodes;
   if (nodes.size() < 2) {
     c.error(reference.span, "E317", "a crack path has at least two nodes");
     return;
@@ -74,12 +74,13 @@ void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
 }
 
 // The net that a drawn crack cuts.
-void crack_net(Context& c, const BoundCard& card, model::Crack& crack) {
+void crack_net(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
   if (card.has("NET")) {
     const Reference reference = card.reference("NET");
     if (look_up(c, Kind::net, reference) != nullptr) {
-      const auto it = std::find_if(c.model.nets.begin(), c.model.nets.end(),
-                                   [&](const model::Net& n) { return n.name == reference.name; });
+      const auto it =
+          std::find_if(c.model.nets.begin(), c.model.nets.end(),
+                       [&](const model::MeshNet& n) { return n.name == reference.name; });
       crack.net = base::NetId(static_cast<std::size_t>(it - c.model.nets.begin()));
     }
   } else if (c.model.nets.size() == 1) {
@@ -89,8 +90,8 @@ void crack_net(Context& c, const BoundCard& card, model::Crack& crack) {
   }
 }
 
-void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
-  crack.kind = model::CrackKind::free;
+void free_crack(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+  crack.kind = model::CrackDefinitionKind::free;
   const bool sound = crack_points(c, card, crack);
   if (sound && crack.points.empty()) {
     c.error(card.span, "E106", "$CRACK needs PATH, FRONT, or points as data lines",
@@ -104,14 +105,14 @@ void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
 }
 
 // An empty face set for a crack face; what names it is the load, see build_loads.
-base::FaceSetId crack_face(Context& c, const model::Crack& crack, std::string_view side) {
+base::FaceSetId crack_face(Context& c, const model::CrackDefinition& crack, std::string_view side) {
   std::vector<model::FaceSet>& sets = c.model.mesh.face_sets;
   sets.push_back({fmt::format("{}.{}", crack.name, side), {}, crack.span});
   return base::FaceSetId(sets.size() - 1);
 }
 
 // What is drawn by keys and points; where there is no mesh to tell, they tell plane from space.
-void drawn_crack(Context& c, const BoundCard& card, model::Crack& crack) {
+void drawn_crack(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
   const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
   const bool plane = c.known_plane();
   const char* of_space = card.has("A") ? "A" : card.has("X0") ? "X0" : nullptr;
@@ -128,13 +129,13 @@ void drawn_crack(Context& c, const BoundCard& card, model::Crack& crack) {
 }
 
 void crack(Context& c, const BoundCard& card) {
-  model::Crack crack;
+  model::CrackDefinition crack;
   crack.name = card.word("NAME");
   crack.a0 = card.optional("A0");
   crack.angle = card.optional("ANGLE");
-  crack.state = card.is("STATE", "STRESS")   ? model::CrackState::stress
-                : card.is("STATE", "STRAIN") ? model::CrackState::strain
-                                             : model::CrackState::automatic;
+  crack.state = card.is("STATE", "STRESS")   ? model::TipConstraint::stress
+                : card.is("STATE", "STRAIN") ? model::TipConstraint::strain
+                                             : model::TipConstraint::automatic;
   crack.smooth = card.is("LINE", "SMOOTH");
   crack.faces_in_contact = card.is("FACES", "CONTACT");
   crack.mu = card.number("MU");
@@ -142,7 +143,7 @@ void crack(Context& c, const BoundCard& card) {
   if (card.has("PATH")) {
     crack_path(c, card, crack);
   } else if (card.has("FRONT")) {
-    crack.kind = model::CrackKind::front;
+    crack.kind = model::CrackDefinitionKind::front;
     crack.path = use_node_set(c, card.reference("FRONT")).value_or(base::NodeSetId());
     if (c.known_plane()) {
       c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
@@ -186,7 +187,7 @@ constexpr int solid_rings = 3;
 constexpr int solid_sectors = 8;
 
 void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
-  model::TipNet tip;
+  model::TipMeshSettings tip;
   tip.crack = crack_of(c, card, seen);
   tip.radius = card.optional("RADIUS");
   tip.size = card.optional("SIZE");
@@ -194,7 +195,8 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   tip.rings = solid && !card.has("RINGS") ? solid_rings : card.integer("RINGS");
   tip.sectors = solid && !card.has("SECTORS") ? solid_sectors : card.integer("SECTORS");
   tip.quarter_point = card.is("QUARTER", "YES");
-  tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
+  tip.join = card.is("JOIN", "TRANSITION") ? model::PatchCoupling::transition
+                                           : model::PatchCoupling::conforming;
   tip.patch = card.is("PATCH", "YES");
   tip.tube = card.is("TUBE", "YES");
   if (!tip.tube && c.known_plane()) {
@@ -215,7 +217,7 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
 }
 
 void vce(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
-  model::Vce vce;
+  model::CrackExtensionSettings vce;
   vce.crack = crack_of(c, card, seen);
   vce.shift = card.optional("SHIFT");
   vce.opening = card.is("CHECK", "OPENING");

@@ -86,7 +86,7 @@ std::optional<base::FaceSetId> crack_face_set(Context& c, const Reference& refer
             "rename the crack");
     return base::FaceSetId();
   }
-  const model::Crack& found = c.model.cracks[crack->index];
+  const model::CrackDefinition& found = c.model.cracks[crack->index];
   return side == "LEFT" ? found.left : found.right;
 }
 
@@ -146,7 +146,7 @@ bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, m
             "give a number; TRACTION, PRESSURE and BODY take fields of x y z");
     return false;
   }
-  const base::Span unit = grammar::known_unit(field.expression, c.scope);
+  const base::SourceSpan unit = grammar::known_unit(field.expression, c.scope);
   if (value && unit.valid()) {
     const auto known = base::parse_unit(c.sources.text(unit));
     if (known && known->dimension != dimension_of(form.type)) {
@@ -179,7 +179,7 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   const std::size_t given = row.fields.size() - 1;
   const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);
   if (given == 0 || (given > most && c.mesh_sound)) {
-    const base::Span at = given == 0 ? row.span : row.fields[most + 1].span;
+    const base::SourceSpan at = given == 0 ? row.span : row.fields[most + 1].span;
     c.error(at, "E312",
             fmt::format("TYPE={} takes {}{} value{}, not {}", form.word, most > 1 ? "1 to " : "",
                         most, most == 1 ? "" : "s", given),
@@ -211,16 +211,16 @@ struct Held {
 // A body has no way to leave its axis.
 bool on_axis(const model::Model& model, base::NodeId node, std::size_t direction) {
   return model::axisymmetric(model) && direction == 0 &&
-         model.mesh.x[node.index()].x() <= model::axis_reach(model.mesh);
+         model.mesh.x[node.index()].x() <= model::axis_tolerance(model.mesh);
 }
 
 // Displacements belong to prescribed freedoms: elsewhere they would have no effect, and what is
 // suppressed does not move.
 void check_displacement(Context& c, const model::Load& load, const std::vector<Held>& held) {
   const model::Mesh& mesh = c.model.mesh;
-  for (const base::NodeId node : mesh.set(load.nodes).nodes) {
+  for (const base::NodeId node : mesh.set_with_id(load.nodes).nodes) {
     for (std::size_t d = 0; d < load.value.size(); ++d) {
-      const base::Expression& value = load.value[d];
+      const base::CompiledExpression& value = load.value[d];
       const double here = value(mesh.x[node.index()]);
       const unsigned bit = 1U << d;
       const Held& is = held[node.index()];
@@ -248,7 +248,7 @@ void check_displacement(Context& c, const model::Load& load, const std::vector<H
 struct Told {
   std::size_t set = 0; ///< of the case, by its first line
   double value = 0.0;
-  base::Span span; ///< of its last line
+  base::SourceSpan span; ///< of its last line
 };
 using ToldFreedoms = std::map<std::size_t, std::vector<Told>>; // by 3 * node + direction
 
@@ -259,7 +259,7 @@ ToldFreedoms told_displacements(const model::Mesh& mesh, const model::LoadCase& 
     if (load.type != LoadType::displacement) {
       continue;
     }
-    const model::NodeSet& set = mesh.set(load.nodes);
+    const model::NodeSet& set = mesh.set_with_id(load.nodes);
     const auto at = std::ranges::find_if(
         sets, [&](const model::NodeSet* s) { return s == &set || s->nodes == set.nodes; });
     const auto number = static_cast<std::size_t>(at - sets.begin());
@@ -308,8 +308,8 @@ void displacements_agree(Context& c, const model::LoadCase& load_case) {
 
 std::vector<Held> held_nodes(const Context& c) {
   std::vector<Held> held(c.model.mesh.node_count());
-  for (const model::Freedom& freedom : c.model.freedoms) {
-    for (const base::NodeId node : c.model.mesh.set(freedom.nodes).nodes) {
+  for (const model::FreedomAssignment& freedom : c.model.freedoms) {
+    for (const base::NodeId node : c.model.mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
         const unsigned bit = freedom.dof[d] ? 1U << d : 0U;
         held[node.index()].prescribed |= freedom.cls == model::FreedomClass::prescribed ? bit : 0U;
@@ -337,7 +337,7 @@ void check_displacements(Context& c, const std::vector<Held>& held) {
 bool counts_along(const model::Mesh& mesh, const model::Load& load, std::size_t direction,
                   const std::vector<Held>& held) {
   return load.type != LoadType::displacement ||
-         std::ranges::any_of(mesh.set(load.nodes).nodes, [&](base::NodeId node) {
+         std::ranges::any_of(mesh.set_with_id(load.nodes).nodes, [&](base::NodeId node) {
            return (held[node.index()].prescribed & (1U << direction)) != 0;
          });
 }
@@ -352,7 +352,7 @@ void fill_in(Context& c, const std::vector<Held>& held, bool sound, model::Load&
   }
   std::vector<char> unsaid;
   for (std::size_t d = given; d < most; ++d) {
-    load.value.push_back(base::Expression::constant(0.0));
+    load.value.push_back(base::CompiledExpression::constant(0.0));
     if (sound && counts_along(c.model.mesh, load, d, held)) {
       unsaid.push_back("xyz"[d]);
     }

@@ -136,7 +136,7 @@ void report_row(Context& c, const BoundCard& card, const grammar::Table<base::La
 
 void elements(Context& c, const BoundCard& card) {
   const base::ElementType type = element_type(card.word("TYPE"));
-  const base::ElementInfo& info = base::info(type);
+  const base::ElementInfo& info = base::element_info(type);
   grammar::TableForm form;
   form.columns = static_cast<std::size_t>(info.nodes);
   form.row = "element number";
@@ -190,7 +190,7 @@ void generate(Context& c, const BoundCard& card) {
     spec.ny = times * card.integer("NY");
     spec.nz = times * card.integer("NZ");
     spec.bias = card.number("BIAS");
-    const bool solid = base::info(type).dim == 3;
+    const bool solid = base::element_info(type).dim == 3;
     (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, card.net_id, prefix, spec);
   } else if (card.is("SHAPE", "RING")) {
     mesh::RingSpec spec;
@@ -221,7 +221,7 @@ void generate(Context& c, const BoundCard& card) {
 
 // Sizes that only together make a shape.
 bool sizes_fit(Context& c, const BoundCard& card) {
-  if (base::info(element_type(card.word("TYPE"))).dim == 3) {
+  if (base::element_info(element_type(card.word("TYPE"))).dim == 3) {
     if (!card.is("SHAPE", "BLOCK")) {
       c.error(card.find("TYPE")->span, "E110",
               fmt::format("{} is for SHAPE=BLOCK only", card.word("TYPE")));
@@ -262,7 +262,7 @@ bool sizes_fit(Context& c, const BoundCard& card) {
 template <class Set>
 bool adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
                 std::size_t first) {
-  const auto of_net = [&](const model::Net& net) { return net.name == card.net; };
+  const auto of_net = [&](const model::MeshNet& net) { return net.name == card.net; };
   for (std::size_t i = first; i < sets.size(); ++i) {
     if (!sets[i].span.valid()) {
       sets[i].span = card.span;
@@ -275,7 +275,7 @@ bool adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& 
     if (before == nullptr || before->poisoned) {
       continue;
     }
-    const std::vector<model::Net>& nets = c.model.nets;
+    const std::vector<model::MeshNet>& nets = c.model.nets;
     if (std::count_if(nets.begin(), nets.end(), of_net) < 2) { // else the net is said to be double
       c.error(card.span, "E302", fmt::format("there is a set {} already", sets[i].name),
               "put each mesh into a $NET of its own");
@@ -331,8 +331,8 @@ void reserve_tables(Context& c) {
     } else if (card.spec->name == "ELEMENT" && !card.bad) {
       const std::size_t lines = grammar::count_lines(c.sources, card.data);
       elements += lines;
-      entries +=
-          lines * static_cast<std::size_t>(base::info(element_type(card.word("TYPE"))).nodes);
+      entries += lines * static_cast<std::size_t>(
+                             base::element_info(element_type(card.word("TYPE"))).nodes);
     }
   }
   model::reserve(c.model.mesh, nodes, elements, entries);
@@ -375,12 +375,13 @@ void build_mesh(Context& context) {
   // of the space the deck means, though a bad mesh in space was not made
   const auto in_space = [](const BoundCard& card) {
     const bool typed = card.spec->name == "MESH" || card.spec->name == "ELEMENT";
-    return typed && !card.bad && base::info(element_type(card.word("TYPE"))).dim == 3;
+    return typed && !card.bad && base::element_info(element_type(card.word("TYPE"))).dim == 3;
   };
   model::Mesh& mesh = context.model.mesh;
   const bool solid = std::any_of(context.cards.begin(), context.cards.end(), in_space) ||
-                     std::any_of(mesh.type.begin(), mesh.type.end(),
-                                 [](base::ElementType t) { return base::info(t).dim == 3; });
+                     std::any_of(mesh.type.begin(), mesh.type.end(), [](base::ElementType t) {
+                       return base::element_info(t).dim == 3;
+                     });
   mesh.dim = solid ? 3 : 2;
   context.mesh_sound = context.mesh_sound && context.diagnostics.error_count() == errors;
 }

@@ -24,7 +24,7 @@ public:
     equation_.span = card.span;
   }
 
-  model::Equation run() {
+  model::ConstraintEquation run() {
     for (const grammar::Row& row : card_.rows) {
       if (row.fields.size() % 3 != 0) {
         c_.error(row.span, "E115", "an equation is coefficient node dof, again and again",
@@ -53,12 +53,12 @@ private:
     if (!coefficient || !node || !dof) {
       return;
     }
-    const auto same = [&](const model::Equation::Term& t) {
+    const auto same = [&](const model::ConstraintEquation::ConstraintTerm& t) {
       return t.node == *node && t.dof == *dof;
     };
     if (std::any_of(equation_.terms.begin(), equation_.terms.end(), same)) {
-      const base::Span pair{row.span.file, row.fields[first + 1].span.begin,
-                            row.fields[first + 2].span.end};
+      const base::SourceSpan pair{row.span.file, row.fields[first + 1].span.begin,
+                                  row.fields[first + 2].span.end};
       c_.error(pair, "E107", "this freedom stands twice in the equation",
                "add the coefficients up");
     }
@@ -96,7 +96,7 @@ private:
       return std::nullopt;
     }
     const auto it = std::find_if(c_.model.nets.begin(), c_.model.nets.end(),
-                                 [&](const model::Net& n) { return n.name == net; });
+                                 [&](const model::MeshNet& n) { return n.name == net; });
     return find(field, base::NetId(static_cast<std::size_t>(it - c_.model.nets.begin())), label);
   }
 
@@ -131,7 +131,7 @@ private:
 
   Context& c_;
   const BoundCard& card_;
-  model::Equation equation_;
+  model::ConstraintEquation equation_;
 };
 
 void tie(Context& c, const BoundCard& card) {
@@ -145,7 +145,7 @@ void tie(Context& c, const BoundCard& card) {
     return;
   }
   const auto master = use_face_set(c, card.reference("MASTER")).value_or(base::FaceSetId());
-  c.model.mpcs.emplace_back(model::Transition{slave, master, card.span});
+  c.model.mpcs.emplace_back(model::TransitionTie{slave, master, card.span});
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace spricka::deck {
 namespace {
 
 void material(Context& c, const BoundCard& card) {
-  model::Material material;
+  model::ElasticMaterial material;
   material.name = card.word("NAME");
   material.E = card.number("E");
   material.nu = card.number("NU");
@@ -27,14 +27,14 @@ void material(Context& c, const BoundCard& card) {
   c.model.materials.push_back(material);
 }
 
-model::State state_of(std::string_view word) {
+model::StressState state_of(std::string_view word) {
   if (word == "STRESS") {
-    return model::State::plane_stress;
+    return model::StressState::plane_stress;
   }
   if (word == "STRAIN") {
-    return model::State::plane_strain;
+    return model::StressState::plane_strain;
   }
-  return word == "AXI" ? model::State::axisymmetric : model::State::solid;
+  return word == "AXI" ? model::StressState::axisymmetric : model::StressState::solid;
 }
 
 void property(Context& c, const BoundCard& card) {
@@ -45,15 +45,15 @@ void property(Context& c, const BoundCard& card) {
     c.property_sound = false;
     return;
   }
-  model::Property property;
+  model::ElementProperty property;
   property.elements = *elements;
   property.material = base::MaterialId(material_name->index);
   property.state = state_of(card.word("STATE"));
   property.thickness = card.number("THICK");
   property.span = card.span;
   const base::PropertyId id(c.model.properties.size());
-  const bool solid = property.state == model::State::solid;
-  for (const base::ElementId e : mesh.set(*elements).elements) {
+  const bool solid = property.state == model::StressState::solid;
+  for (const base::ElementId e : mesh.set_with_id(*elements).elements) {
     if (mesh.property[e.index()].valid()) {
       c.error(card.find("ESET")->span, "E306",
               fmt::format("element {} has a property already", mesh.element_label[e.index()]),
@@ -61,18 +61,19 @@ void property(Context& c, const BoundCard& card) {
       c.property_sound = false;
       break;
     }
-    if (solid != (base::info(mesh.type[e.index()]).dim == 3)) {
+    if (solid != (base::element_info(mesh.type[e.index()]).dim == 3)) {
       c.error(card.find("STATE")->span, "E313",
               fmt::format("STATE={} does not fit element {}, a {}", card.word("STATE"),
-                          mesh.element_label[e.index()], base::info(mesh.type[e.index()]).name),
+                          mesh.element_label[e.index()],
+                          base::element_info(mesh.type[e.index()]).name),
               "SOLID is for elements in space, the others for those in the plane");
       c.property_sound = false;
       break;
     }
     mesh.property[e.index()] = id;
   }
-  if (!card.has("THICK") && (property.state == model::State::plane_stress ||
-                             property.state == model::State::plane_strain)) {
+  if (!card.has("THICK") && (property.state == model::StressState::plane_stress ||
+                             property.state == model::StressState::plane_strain)) {
     c.default_thickness.insert(c.model.properties.size());
   }
   c.model.properties.push_back(property);
@@ -85,7 +86,7 @@ void freedom(Context& c, const BoundCard& card) {
     return;
   }
   const std::string_view dof = card.word("DOF");
-  model::Freedom freedom;
+  model::FreedomAssignment freedom;
   freedom.cls = card.is("CLASS", "SUPPRESSED")   ? model::FreedomClass::suppressed
                 : card.is("CLASS", "PRESCRIBED") ? model::FreedomClass::prescribed
                                                  : model::FreedomClass::external;
@@ -105,7 +106,7 @@ void symmetry(Context& c, const BoundCard& card) {
   plane.axis = card.word("NORMAL").front() - 'X';
   plane.above = card.is("KEEP", "ABOVE");
   plane.span = card.span;
-  const base::Span at = card.find("NORMAL")->span;
+  const base::SourceSpan at = card.find("NORMAL")->span;
   if (plane.axis == 2 && c.known_plane()) {
     c.error(at, "E313", "NORMAL: a plane model has no side across Z");
   }

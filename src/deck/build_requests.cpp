@@ -123,7 +123,7 @@ void control(Context& c, const BoundCard& card) {
 }
 
 void restart(Context& c, const BoundCard& card) {
-  model::Restart restart;
+  model::RestartFiles restart;
   restart.read = card.word("READ");
   if (card.has("AT")) {
     restart.at = card.integer("AT");
@@ -178,7 +178,7 @@ void task(Context& c, const BoundCard& card) {
       if (field.kind != Field::Kind::name || it == valid.end()) {
         c.error(field.span, "E108",
                 fmt::format("'{}' is not a processor", c.sources.text(field.span)),
-                base::suggest(field.text, valid));
+                base::suggest_spelling(field.text, valid));
         continue;
       }
       const auto place = static_cast<std::size_t>(it - valid.begin()) + 1;
@@ -196,7 +196,7 @@ void task(Context& c, const BoundCard& card) {
 // The parameter's name as the deck defines it. Empty after an error.
 std::string swept_parameter(Context& c, const BoundCard& card, std::string_view key) {
   const std::string name(card.word(key));
-  const base::Span span = card.find(key)->span;
+  const base::SourceSpan span = card.find(key)->span;
   const auto known = std::find_if(c.parameters.begin(), c.parameters.end(), [&](const auto& p) {
     return grammar::to_upper(p.first) == name;
   });
@@ -207,7 +207,7 @@ std::string swept_parameter(Context& c, const BoundCard& card, std::string_view 
         valid.push_back(other);
       }
       c.error(span, "E301", fmt::format("there is no parameter '{}'", name),
-              base::suggest(name, valid));
+              base::suggest_spelling(name, valid));
     }
     return {};
   }
@@ -218,8 +218,9 @@ std::string swept_parameter(Context& c, const BoundCard& card, std::string_view 
   const auto swept = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), known->first) != names.end();
   };
-  const bool before = std::any_of(c.model.sweeps.begin(), c.model.sweeps.end(),
-                                  [&](const model::Sweep& s) { return swept(s.parameters); });
+  const bool before =
+      std::any_of(c.model.sweeps.begin(), c.model.sweeps.end(),
+                  [&](const model::ParameterSweep& s) { return swept(s.parameters); });
   const bool with_itself = key == "WITH" && card.word("PARAMETER") == name;
   if (before || with_itself) {
     c.error(span, "E391", fmt::format("parameter {} is swept twice", known->first));
@@ -242,7 +243,7 @@ std::optional<double> sweep_value(Context& c, const Field& field, const std::str
 }
 
 void sweep(Context& c, const BoundCard& card) {
-  model::Sweep sweep;
+  model::ParameterSweep sweep;
   sweep.span = card.span;
   for (const std::string_view key : {"PARAMETER", "WITH"}) {
     if (card.has(key)) {
@@ -271,7 +272,7 @@ void sweep(Context& c, const BoundCard& card) {
 void limit_sweeps(Context& c) {
   constexpr double most = 1e5;
   double points = 1.0;
-  for (const model::Sweep& sweep : c.model.sweeps) {
+  for (const model::ParameterSweep& sweep : c.model.sweeps) {
     points *= static_cast<double>(sweep.values.size());
   }
   if (points > most) {

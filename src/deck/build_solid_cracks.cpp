@@ -29,7 +29,7 @@ Vec3 point_of(const BoundCard& card, char number) {
 
 // The normal by NORMAL, or from the centre to X1; Y where the deck says neither, as in the plane z
 // = 0 of most fronts.
-bool ellipse_axes(Context& c, const BoundCard& card, model::CrackPlane& plane) {
+bool ellipse_axes(Context& c, const BoundCard& card, model::PlanarCrack& plane) {
   int axis = 1;
   if (card.has("X1")) {
     const Vec3 towards = point_of(card, '1') - plane.place;
@@ -60,8 +60,8 @@ bool ellipse_axes(Context& c, const BoundCard& card, model::CrackPlane& plane) {
   return true;
 }
 
-void ellipse(Context& c, const BoundCard& card, model::Crack& crack) {
-  crack.kind = model::CrackKind::ellipse;
+void ellipse(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+  crack.kind = model::CrackDefinitionKind::ellipse;
   crack.plane.place = point_of(card, '0');
   crack.plane.a = card.number("A");
   crack.plane.c = card.optional("C").value_or(crack.plane.a);
@@ -87,7 +87,7 @@ std::optional<Vec3> row_point(Context& c, const grammar::Row& row) {
   return ok ? std::optional(point) : std::nullopt;
 }
 
-bool front_points(Context& c, const BoundCard& card, model::Crack& crack) {
+bool front_points(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
   bool ok = !card.rows_bad;
   for (const grammar::Row& row : card.rows) {
     const std::optional<Vec3> point = row_point(c, row);
@@ -106,7 +106,7 @@ bool front_points(Context& c, const BoundCard& card, model::Crack& crack) {
 
 // The plane through all points (and the one within the crack of an open front), its normal with the
 // largest component positive.
-bool front_plane(Context& c, const BoundCard& card, model::Crack& crack) {
+bool front_plane(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
   std::vector<Vec3> all = crack.points;
   if (card.has("X0")) {
     all.push_back(crack.plane.place);
@@ -157,8 +157,8 @@ bool has_whole_place(Context& c, const BoundCard& card) {
   return count == 0 || count == 3;
 }
 
-void drawn_front(Context& c, const BoundCard& card, model::Crack& crack) {
-  crack.kind = model::CrackKind::drawn;
+void drawn_front(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+  crack.kind = model::CrackDefinitionKind::drawn;
   crack.plane.closed = card.is("CLOSED", "YES");
   for (const char* key : {"X1", "X2"}) {
     if (card.has(key)) {
@@ -188,7 +188,7 @@ void drawn_front(Context& c, const BoundCard& card, model::Crack& crack) {
 
 } // namespace
 
-void solid_crack(Context& context, const BoundCard& card, model::Crack& crack) {
+void solid_crack(Context& context, const BoundCard& card, model::CrackDefinition& crack) {
   if (card.has("A")) {
     ellipse(context, card, crack);
   } else {

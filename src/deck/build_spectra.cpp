@@ -183,7 +183,7 @@ private:
 
   Context& c_;
   const BoundCard& card_;
-  model::Spectrum spectrum_;
+  model::SpectrumDefinition spectrum_;
   double last_ = 1.0; ///< t at the end of the path
   bool good_ = true;
   bool off_path_ = false; ///< some t

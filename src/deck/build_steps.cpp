@@ -27,10 +27,10 @@ bool says_twice(Context& c, const grammar::Row& row, const model::Step& step, st
     if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
       return verb == "FIT" && fit->contact.index() == index;
     }
-    if (const auto* mount = std::get_if<model::Mount>(&action)) {
+    if (const auto* mount = std::get_if<model::MountContact>(&action)) {
       return (verb == "MOUNT" || verb == "DISMOUNT") && mount->contact.index() == index;
     }
-    const auto* off = std::get_if<model::Dismount>(&action);
+    const auto* off = std::get_if<model::DismountContact>(&action);
     return (verb == "MOUNT" || verb == "DISMOUNT") && off->contact.index() == index;
   };
   if (std::any_of(step.actions.begin(), step.actions.end(), same)) {
@@ -70,9 +70,9 @@ void action(Context& c, const grammar::Row& row, model::Step& step) {
   } else if (verb.text == "FIT") {
     step.actions.emplace_back(model::ApplyFit{base::ContactId(found->index), *factor});
   } else if (verb.text == "MOUNT") {
-    step.actions.emplace_back(model::Mount{base::ContactId(found->index)});
+    step.actions.emplace_back(model::MountContact{base::ContactId(found->index)});
   } else {
-    step.actions.emplace_back(model::Dismount{base::ContactId(found->index)});
+    step.actions.emplace_back(model::DismountContact{base::ContactId(found->index)});
   }
 }
 
@@ -89,7 +89,7 @@ void step(Context& c, const BoundCard& card) {
       action(c, row, step);
     } else {
       c.error(verb.span, "E115", fmt::format("a step has no '{}'", c.sources.text(verb.span)),
-              base::suggest(verb.text, k_actions));
+              base::suggest_spelling(verb.text, k_actions));
     }
   }
   if (!card.bad) {
@@ -97,20 +97,20 @@ void step(Context& c, const BoundCard& card) {
   }
 }
 
-model::GrowthLaw law_of(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, model::GrowthLaw>, 6> laws{
-      {{"INCREMENT", model::GrowthLaw::increment},
-       {"PARIS", model::GrowthLaw::paris},
-       {"WALKER", model::GrowthLaw::walker},
-       {"FORMAN", model::GrowthLaw::forman},
-       {"NASGRO", model::GrowthLaw::nasgro},
-       {"TABLE", model::GrowthLaw::table}}};
+model::CrackGrowthLaw law_of(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, model::CrackGrowthLaw>, 6> laws{
+      {{"INCREMENT", model::CrackGrowthLaw::increment},
+       {"PARIS", model::CrackGrowthLaw::paris},
+       {"WALKER", model::CrackGrowthLaw::walker},
+       {"FORMAN", model::CrackGrowthLaw::forman},
+       {"NASGRO", model::CrackGrowthLaw::nasgro},
+       {"TABLE", model::CrackGrowthLaw::table}}};
   for (const auto& [name, law] : laws) {
     if (name == word) {
       return law;
     }
   }
-  return model::GrowthLaw::increment;
+  return model::CrackGrowthLaw::increment;
 }
 
 base::StepId step_id(Context& c, const BoundCard& card, std::string_view key) {
@@ -122,7 +122,7 @@ base::StepId step_id(Context& c, const BoundCard& card, std::string_view key) {
 }
 
 // The crack lengths of LAW=INCREMENT, ascending.
-void lengths(Context& c, const BoundCard& card, model::Growth& growth) {
+void lengths(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) {
   for (const grammar::Row& row : card.rows) {
     for (const Field& field : row.fields) {
       const auto a =
@@ -147,7 +147,7 @@ void lengths(Context& c, const BoundCard& card, model::Growth& growth) {
 }
 
 // The lines `delta_K da/dN` of LAW=TABLE, in KUNIT and AUNIT.
-void law_table(Context& c, const BoundCard& card, model::LawConstants& constants) {
+void law_table(Context& c, const BoundCard& card, model::GrowthLawConstants& constants) {
   for (const grammar::Row& row : card.rows) {
     if (row.fields.size() != 2) {
       c.error(row.span, "E115", "a line of LAW=TABLE is delta_K da/dN");
@@ -177,7 +177,7 @@ void law_table(Context& c, const BoundCard& card, model::LawConstants& constants
 // One unit of KUNIT or AUNIT in deck units.
 double law_unit(const Context& c, const BoundCard& card, std::string_view key) {
   const auto unit = base::parse_unit(card.word(key));
-  return card.has(key) && unit ? base::to_deck(*unit, c.scope.units) : 1.0;
+  return card.has(key) && unit ? base::to_deck_factor(*unit, c.scope.units) : 1.0;
 }
 
 // A K of the law in deck units: a number alone counts in KUNIT, as C does.
@@ -186,7 +186,7 @@ double law_intensity(const BoundCard& card, std::string_view key, double k_unit)
   return value->with_unit ? value->number : value->number * k_unit;
 }
 
-void law_constants(const Context& c, const BoundCard& card, model::LawConstants& constants) {
+void law_constants(const Context& c, const BoundCard& card, model::GrowthLawConstants& constants) {
   constants.C = card.number("C");
   constants.m = card.number("M");
   constants.p = card.number("P");
@@ -202,7 +202,7 @@ void law_constants(const Context& c, const BoundCard& card, model::LawConstants&
 }
 
 // What ends the growth by a law, and how well it is followed.
-void stops(const BoundCard& card, double tolerance, model::Growth& growth) {
+void stops(const BoundCard& card, double tolerance, model::CrackGrowthSettings& growth) {
   growth.largest_advance = card.optional("DA");
   growth.last_length = card.optional("AMAX");
   growth.cycles = card.optional("CYCLES");
@@ -211,11 +211,11 @@ void stops(const BoundCard& card, double tolerance, model::Growth& growth) {
   growth.corrected = card.is("CORRECT", "YES");
 }
 
-void law(Context& c, const BoundCard& card, model::Growth& growth) {
+void law(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) {
   law_constants(c, card, growth.constants);
-  if (growth.law == model::GrowthLaw::increment) {
+  if (growth.law == model::CrackGrowthLaw::increment) {
     lengths(c, card, growth);
-  } else if (growth.law == model::GrowthLaw::table) {
+  } else if (growth.law == model::CrackGrowthLaw::table) {
     law_table(c, card, growth.constants);
   } else if (!card.rows.empty()) {
     c.error(card.rows.front().span, "E115",
@@ -226,7 +226,7 @@ void law(Context& c, const BoundCard& card, model::Growth& growth) {
 }
 
 // The loads that a law counts: from step to step, or a spectrum.
-void cycles_of(Context& c, const BoundCard& card, model::Growth& growth) {
+void cycles_of(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) {
   growth.kmax = step_id(c, card, "KMAX");
   growth.kmin = step_id(c, card, "KMIN");
   if (growth.kmin.valid() && growth.kmin == growth.kmax) {
@@ -236,7 +236,8 @@ void cycles_of(Context& c, const BoundCard& card, model::Growth& growth) {
     if (const Definition* found = look_up(c, Kind::spectrum, card.reference("SPECTRUM"))) {
       growth.spectrum = found->index;
     }
-  } else if (growth.law != model::GrowthLaw::increment && !(card.has("KMAX") && card.has("KMIN"))) {
+  } else if (growth.law != model::CrackGrowthLaw::increment &&
+             !(card.has("KMAX") && card.has("KMIN"))) {
     c.error(card.span, "E106",
             fmt::format("$GROW LAW={} needs KMAX and KMIN, or SPECTRUM", card.word("LAW")),
             "the steps with the largest and the smallest K of a cycle, or a load history");
@@ -244,7 +245,7 @@ void cycles_of(Context& c, const BoundCard& card, model::Growth& growth) {
 }
 
 void grow(Context& c, const BoundCard& card) {
-  model::Growth growth;
+  model::CrackGrowthSettings growth;
   growth.law = law_of(card.word("LAW"));
   growth.direction = card.is("DIRECTION", "HOOP")     ? model::GrowthDirection::hoop
                      : card.is("DIRECTION", "K2ZERO") ? model::GrowthDirection::k2_zero
@@ -256,13 +257,15 @@ void grow(Context& c, const BoundCard& card) {
       }
     }
   }
-  growth.history =
-      card.is("HISTORY", "CONTINUE") ? model::History::carry_on : model::History::restart;
+  growth.history = card.is("HISTORY", "CONTINUE") ? model::GrowthHistoryMode::carry_on
+                                                  : model::GrowthHistoryMode::restart;
   // a part that keeps what it has slipped keeps what it was mounted with
-  growth.mounted = card.is("MOUNTED", "FIRST") || growth.history == model::History::carry_on
-                       ? model::Mounted::first
-                       : model::Mounted::each;
-  growth.shape = card.is("SHAPE", "ELLIPSE") ? model::FrontShape::ellipse : model::FrontShape::free;
+  growth.mounted =
+      card.is("MOUNTED", "FIRST") || growth.history == model::GrowthHistoryMode::carry_on
+          ? model::ContactMounting::first
+          : model::ContactMounting::each;
+  growth.shape =
+      card.is("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse : model::FrontShapeRule::free;
   growth.span = card.span;
   cycles_of(c, card, growth);
   law(c, card, growth);
@@ -272,14 +275,14 @@ void grow(Context& c, const BoundCard& card) {
 // Where a MOUNT or DISMOUNT lies between two steps, in deck order.
 bool changes_contacts(const model::Step& step) {
   return std::any_of(step.actions.begin(), step.actions.end(), [](const model::Action& action) {
-    return std::holds_alternative<model::Mount>(action) ||
-           std::holds_alternative<model::Dismount>(action);
+    return std::holds_alternative<model::MountContact>(action) ||
+           std::holds_alternative<model::DismountContact>(action);
   });
 }
 
 // Steps must be complete.
 void load_path(Context& c, const BoundCard& card) {
-  model::LoadPath path;
+  model::LoadPathDefinition path;
   path.name = card.word("NAME");
   path.from = step_id(c, card, "FROM");
   path.to = step_id(c, card, "TO");
@@ -311,7 +314,7 @@ std::string what_rubs(const model::Model& model) {
       return fmt::format("contact {} has friction", contact.name);
     }
   }
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     if (crack.faces_in_contact && crack.mu > 0.0) {
       return fmt::format("the faces of crack {} have friction", crack.name);
     }
@@ -322,7 +325,7 @@ std::string what_rubs(const model::Model& model) {
 // With friction there is no map over a path; only a growth can follow its loads, as they come.
 void paths_with_friction(Context& c) {
   const std::string rubs = what_rubs(c.model);
-  const std::optional<model::Growth>& growth = c.model.growth;
+  const std::optional<model::CrackGrowthSettings>& growth = c.model.growth;
   const bool spectrum = growth && growth->spectrum && *growth->spectrum < c.model.spectra.size();
   for (std::size_t p = 0; p < c.model.load_paths.size() && !rubs.empty(); ++p) {
     if (!(spectrum && c.model.spectra[*growth->spectrum].path == p)) {
@@ -334,8 +337,8 @@ void paths_with_friction(Context& c) {
   if (!spectrum || rubs.empty()) {
     return;
   }
-  const model::Spectrum& history = c.model.spectra[*growth->spectrum];
-  const std::size_t places = model::followed_places(model::spectrum_runs(history));
+  const model::SpectrumDefinition& history = c.model.spectra[*growth->spectrum];
+  const std::size_t places = model::followed_places(model::divide_spectrum(history));
   if (places > model::most_followed_places) {
     c.error(
         history.span, "E327",

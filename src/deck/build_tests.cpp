@@ -18,19 +18,19 @@ using grammar::Field;
 struct Reading {
   double first = 0.0, second = 0.0;
   std::optional<double> third = {};
-  base::Span span;
+  base::SourceSpan span;
   std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
 };
 
 // Readings that a method works on.
-std::size_t fewest_readings(const model::GrowthTest& test) {
+std::size_t fewest_readings(const model::GrowthTestReadings& test) {
   switch (test.method) {
-  case model::RateMethod::secant:
+  case model::TestRateMethod::secant:
     return 2;
-  case model::RateMethod::spline:
+  case model::TestRateMethod::spline:
     return 8;
-  case model::RateMethod::polynomial:
-  case model::RateMethod::e647:
+  case model::TestRateMethod::polynomial:
+  case model::TestRateMethod::e647:
     break;
   }
   return static_cast<std::size_t>(test.window);
@@ -42,10 +42,10 @@ public:
 
   void read() {
     test_.name = card_.word("NAME");
-    test_.method = card_.is("METHOD", "SECANT")   ? model::RateMethod::secant
-                   : card_.is("METHOD", "E647")   ? model::RateMethod::e647
-                   : card_.is("METHOD", "SPLINE") ? model::RateMethod::spline
-                                                  : model::RateMethod::polynomial;
+    test_.method = card_.is("METHOD", "SECANT")   ? model::TestRateMethod::secant
+                   : card_.is("METHOD", "E647")   ? model::TestRateMethod::e647
+                   : card_.is("METHOD", "SPLINE") ? model::TestRateMethod::spline
+                                                  : model::TestRateMethod::polynomial;
     test_.window = card_.integer("POINTS");
     test_.ratio = card_.optional("RATIO");
     test_.k_unit = unit("KUNIT");
@@ -72,7 +72,7 @@ public:
 private:
   double unit(std::string_view key) {
     const auto parsed = base::parse_unit(card_.word(key));
-    return card_.has(key) && parsed ? base::to_deck(*parsed, c_.scope.units) : 1.0;
+    return card_.has(key) && parsed ? base::to_deck_factor(*parsed, c_.scope.units) : 1.0;
   }
 
   // A crack in space has two half axes that can be read.
@@ -202,14 +202,14 @@ private:
       lacks("AXIS is of a crack in space", "in the plane a crack has one length");
     }
     if (space && test_.crack.valid() &&
-        c_.model.cracks[test_.crack.index()].kind != model::CrackKind::ellipse) {
+        c_.model.cracks[test_.crack.index()].kind != model::CrackDefinitionKind::ellipse) {
       lacks(fmt::format("{} has no half axes to read", c_.model.cracks[test_.crack.index()].name),
             "in space tests are of cracks with A and C");
     }
   }
 
   template <class Lacks> void look_at_the_growth(Lacks&& lacks) {
-    const std::optional<model::Growth>& growth = c_.model.growth;
+    const std::optional<model::CrackGrowthSettings>& growth = c_.model.growth;
     if (!growth || !growth->kmax.valid()) {
       lacks("K is compared over crack lengths, at the step KMAX of $GROW",
             "$GROW LAW=INCREMENT KMAX=.. KMIN=.. with the lengths of the test");
@@ -218,7 +218,7 @@ private:
     if (!growth->kmin.valid() && !test_.ratio) {
       lacks("K_min/K_max is not known", "KMIN in $GROW, or RATIO here");
     }
-    if (test_.delta_k.empty() && growth->law == model::GrowthLaw::increment) {
+    if (test_.delta_k.empty() && growth->law == model::CrackGrowthLaw::increment) {
       lacks("$GROW has no law that could be the reference",
             "lines RATE delta_K da/dN, or REFERENCE");
     }
@@ -231,7 +231,7 @@ private:
 
   Context& c_;
   const BoundCard& card_;
-  model::GrowthTest test_;
+  model::GrowthTestReadings test_;
   bool good_ = true;
 };
 

@@ -22,8 +22,8 @@ struct Factors {
 
 bool mounts(const model::Step& step) {
   return std::ranges::any_of(step.actions, [](const model::Action& action) {
-    return std::holds_alternative<model::Mount>(action) ||
-           std::holds_alternative<model::Dismount>(action);
+    return std::holds_alternative<model::MountContact>(action) ||
+           std::holds_alternative<model::DismountContact>(action);
   });
 }
 
@@ -103,13 +103,13 @@ void idle_steps(Context& c, const std::vector<Factors>& factors) {
   }
 }
 
-base::Span span_of(const BoundCard& card, std::string_view key) {
+base::SourceSpan span_of(const BoundCard& card, std::string_view key) {
   return card.has(key) ? card.find(key)->span : card.span;
 }
 
 // Where K has no other cause than the loads, more of them at KMIN is KMIN and KMAX exchanged.
 void exchanged_steps(Context& c, const BoundCard& card, const std::vector<Factors>& factors) {
-  const model::Growth& growth = *c.model.growth;
+  const model::CrackGrowthSettings& growth = *c.model.growth;
   if (!growth.kmax.valid() || !growth.kmin.valid() || !c.model.contacts.empty() ||
       !c.model.mpcs.empty()) {
     return;
@@ -135,28 +135,28 @@ void exchanged_steps(Context& c, const BoundCard& card, const std::vector<Factor
 }
 
 void odd_constants(Context& c, const BoundCard& card) {
-  const model::Growth& growth = *c.model.growth;
-  const model::LawConstants& law = growth.constants;
+  const model::CrackGrowthSettings& growth = *c.model.growth;
+  const model::GrowthLawConstants& law = growth.constants;
   if (law.k_c && *law.k_c <= law.threshold) {
     c.error(span_of(card, "KC"), "E454",
             fmt::format("KC = {:.4g} is not above DKTH = {:.4g} (in KUNIT): nothing could grow",
                         *law.k_c / law.k_unit, law.threshold / law.k_unit),
             "numbers without a unit are in KUNIT");
   }
-  if (growth.law == model::GrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
+  if (growth.law == model::CrackGrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
     c.diagnostics.warning(
         span_of(card, "P"), "W455",
         fmt::format("P = {:.4g} is not within 0 and 1: da/dN = C (delta K / (1-R)^(1-P))^M", law.p),
         "P = 1 is Paris' law, P = 0 knows K_max alone, metals have 0.3 to 0.8; other books write "
         "(1-R)^P or M*(1-P) as the exponent");
   }
-  if (growth.law == model::GrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
+  if (growth.law == model::CrackGrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
     c.diagnostics.warning(span_of(card, law.p < 0.0 ? "P" : "Q"), "W455",
                           "a negative P or Q makes the law slower towards KC, or faster towards "
                           "DKTH",
                           "P and Q of NASGRO are 0 to 1");
   }
-  const bool has_M = growth.law != model::GrowthLaw::table;
+  const bool has_M = growth.law != model::CrackGrowthLaw::table;
   if (has_M && (law.m < 1.0 || law.m > 15.0)) {
     c.diagnostics.warning(span_of(card, "M"), "W455",
                           fmt::format("M = {:.4g}: exponents of growth laws are 2 to 5", law.m),
@@ -166,9 +166,9 @@ void odd_constants(Context& c, const BoundCard& card) {
 
 // Lengths of $GROW count, not A0; those that are all shorter were hardly meant.
 void shorter_lengths(Context& c, const BoundCard& card) {
-  const model::Growth& growth = *c.model.growth;
+  const model::CrackGrowthSettings& growth = *c.model.growth;
   for (std::size_t i = 0; i < c.model.cracks.size() && !growth.lengths.empty(); ++i) {
-    const model::Crack& crack = c.model.cracks[i];
+    const model::CrackDefinition& crack = c.model.cracks[i];
     const bool grows = growth.cracks.empty() ||
                        std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
     if (grows && crack.a0 && growth.lengths.front() < *crack.a0 * (1.0 - 1e-9)) {
@@ -192,7 +192,7 @@ void growing_cracks(Context& c, const std::vector<Factors>& factors) {
             "$CRACK gives a crack its place and first length");
     return;
   }
-  if (c.model.growth->law == model::GrowthLaw::increment) {
+  if (c.model.growth->law == model::CrackGrowthLaw::increment) {
     shorter_lengths(c, *card);
     return;
   }

@@ -20,7 +20,7 @@ const ElementOrigin& element_origin(const Context& c, std::size_t element) {
   return *(after - 1);
 }
 
-base::Span element_place(const Context& c, std::size_t element) {
+base::SourceSpan element_place(const Context& c, std::size_t element) {
   const ElementOrigin& origin = element_origin(c, element);
   return origin.data.valid() ? grammar::table_label(c.sources, origin.data, element - origin.first)
                              : origin.card;
@@ -96,7 +96,7 @@ void one_space(Context& c) {
   if (mesh.dim != 2) {
     std::vector<std::size_t> plane;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      if (base::info(mesh.type[e]).dim == 2) {
+      if (base::element_info(mesh.type[e]).dim == 2) {
         plane.push_back(e);
       }
     }

@@ -14,24 +14,25 @@ namespace spricka::deck {
 
 namespace {
 
-using model::State;
+using model::StressState;
 
 // A plane mesh is a section through bodies about an axis as a whole, or not at all.
 void one_symmetry(Context& c) {
-  const auto first = std::find_if(c.model.properties.begin(), c.model.properties.end(),
-                                  [](const auto& p) { return p.state == State::axisymmetric; });
+  const auto first =
+      std::find_if(c.model.properties.begin(), c.model.properties.end(),
+                   [](const auto& p) { return p.state == StressState::axisymmetric; });
   if (first == c.model.properties.end()) {
     return;
   }
-  for (const model::Property& property : c.model.properties) {
-    if (property.state != State::axisymmetric) {
+  for (const model::ElementProperty& property : c.model.properties) {
+    if (property.state != StressState::axisymmetric) {
       c.error(property.span, "E313", "STATE=AXI and other states in one model",
               "a mesh about an axis has STATE=AXI everywhere");
       return;
     }
   }
   const model::Mesh& mesh = c.model.mesh;
-  const double reach = model::axis_reach(mesh);
+  const double reach = model::axis_tolerance(mesh);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     if (mesh.x[n].x() < -reach) {
       c.error(
@@ -45,23 +46,23 @@ void one_symmetry(Context& c) {
 
 // What growth in space does not have in this version.
 void solid_growth_in_reach(Context& c) {
-  const model::Growth& growth = *c.model.growth;
+  const model::CrackGrowthSettings& growth = *c.model.growth;
   const auto no = [&](const char* what) {
     c.unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
   };
   for (std::size_t i = 0; i < c.model.cracks.size(); ++i) {
     const bool grows = growth.cracks.empty() ||
                        std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
-    if (growth.law == model::GrowthLaw::increment && grows &&
-        c.model.cracks[i].kind != model::CrackKind::ellipse) {
+    if (growth.law == model::CrackGrowthLaw::increment && grows &&
+        c.model.cracks[i].kind != model::CrackDefinitionKind::ellipse) {
       c.unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse", growth.span);
     }
   }
   const bool turns = growth.direction != model::GrowthDirection::path;
-  if (turns && growth.shape == model::FrontShape::ellipse) {
+  if (turns && growth.shape == model::FrontShapeRule::ellipse) {
     no("SHAPE=ELLIPSE and DIRECTION other than PATH");
   }
-  if (turns && growth.law == model::GrowthLaw::increment) {
+  if (turns && growth.law == model::CrackGrowthLaw::increment) {
     no("LAW=INCREMENT and DIRECTION other than PATH");
   }
   if (turns && growth.flow_stress) {
@@ -74,20 +75,20 @@ void solid_cracks_in_reach(Context& c) {
   if (c.model.growth && !c.model.cracks.empty()) {
     solid_growth_in_reach(c);
   }
-  for (const model::TipNet& tip : c.model.tip_nets) {
-    const bool found = c.model.cracks[tip.crack.index()].kind == model::CrackKind::front;
-    if ((!tip.patch && !found) || tip.join == model::Join::transition) {
+  for (const model::TipMeshSettings& tip : c.model.tip_nets) {
+    const bool found = c.model.cracks[tip.crack.index()].kind == model::CrackDefinitionKind::front;
+    if ((!tip.patch && !found) || tip.join == model::PatchCoupling::transition) {
       c.unavailable(fmt::format("$TIPNET {} in space", !tip.patch ? "PATCH=NO" : "JOIN=TRANSITION"),
                     tip.span);
     }
   }
-  for (const model::Vce& vce : c.model.vces) {
+  for (const model::CrackExtensionSettings& vce : c.model.vces) {
     if (vce.shift) {
       c.unavailable("$VCE SHIFT in space", vce.span);
     }
   }
-  for (const model::Crack& crack : c.model.cracks) {
-    if (crack.state == model::CrackState::stress) {
+  for (const model::CrackDefinition& crack : c.model.cracks) {
+    if (crack.state == model::TipConstraint::stress) {
       c.unavailable("$CRACK STATE=STRESS in space, where a front is in plane strain,", crack.span);
     }
   }
@@ -96,8 +97,8 @@ void solid_cracks_in_reach(Context& c) {
 void cracks_in_reach(Context& c) {
   const bool space = c.model.mesh.dim == 3;
   const bool axial = model::axisymmetric(c.model);
-  for (const model::Crack& crack : c.model.cracks) {
-    if (axial && crack.state == model::CrackState::stress) {
+  for (const model::CrackDefinition& crack : c.model.cracks) {
+    if (axial && crack.state == model::TipConstraint::stress) {
       c.unavailable("$CRACK STATE=STRESS about an axis, where a front is in plane strain,",
                     crack.span);
     }
@@ -113,12 +114,12 @@ void cracks_in_reach(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId id(e);
-    const model::Material& material = c.model.material_of(mesh, id);
-    const model::Property& property = c.model.property_of(mesh, id);
+    const model::ElasticMaterial& material = c.model.element_material(mesh, id);
+    const model::ElementProperty& property = c.model.element_property(mesh, id);
     if (model::nearly_incompressible(material, property.state,
-                                     base::info(mesh.type[e]).quadratic)) {
+                                     base::element_info(mesh.type[e]).quadratic)) {
       c.unavailable(fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
-                                base::info(mesh.type[e]).name, material.nu),
+                                base::element_info(mesh.type[e]).name, material.nu),
                     c.model.cracks.front().span);
       return;
     }
@@ -146,9 +147,9 @@ void heated_materials_expand(Context& c) {
       if (load.type != model::LoadType::temperature) {
         continue;
       }
-      for (const base::ElementId e : c.model.mesh.set(load.elements).elements) {
-        const std::size_t m = c.model.property_of(c.model.mesh, e).material.index();
-        const model::Material& material = c.model.materials[m];
+      for (const base::ElementId e : c.model.mesh.set_with_id(load.elements).elements) {
+        const std::size_t m = c.model.element_property(c.model.mesh, e).material.index();
+        const model::ElasticMaterial& material = c.model.materials[m];
         if (material.alpha == 0.0 && !told[m]) {
           told[m] = true;
           c.diagnostics.warning(material.span, "W313",

@@ -18,7 +18,7 @@ namespace {
 
 /// Where a name stands in the deck: first where it is defined.
 struct Places {
-  base::Span first;
+  base::SourceSpan first;
   std::size_t count = 0;
 };
 
@@ -28,7 +28,7 @@ bool in_word(char c) {
 
 // The words of all files of the deck, upper case, without comments, texts in quotes and the names
 // that $SWEEP varies.
-std::map<std::string, Places> words_of(const base::Sources& sources) {
+std::map<std::string, Places> words_of(const base::SourceTexts& sources) {
   std::map<std::string, Places> words;
   for (std::size_t f = 0; f < sources.count(); ++f) {
     const auto file = static_cast<std::int32_t>(f);
@@ -72,7 +72,7 @@ bool belongs_to_the_report(const std::string& name) {
 }
 
 // The number stands in the deck for nothing: it was meant for a script.
-void unused(Context& c, const std::string& name, const base::Span& span) {
+void unused(Context& c, const std::string& name, const base::SourceSpan& span) {
   std::vector<std::string> unset;
   for (const ScriptTable& script : c.scripts) {
     for (const mesh::ScriptConstant& constant : script.constants) {
@@ -83,7 +83,7 @@ void unused(Context& c, const std::string& name, const base::Span& span) {
   }
   const std::string scripts =
       c.scripts.size() == 1 ? name_of(c.scripts.front()) : std::string("the imported scripts");
-  const std::string hint = base::suggest(name, unset);
+  const std::string hint = base::suggest_spelling(name, unset);
   if (hint.starts_with("did you mean")) {
     c.error(span, "E486",
             fmt::format("{} has no constant {}, and nothing else uses it", scripts, name), hint);

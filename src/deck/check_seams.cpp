@@ -46,14 +46,14 @@ std::vector<bool> looked_after(const Context& c) {
   std::vector<bool> found(mesh.node_count(), false);
   const auto faces = [&](base::FaceSetId set) {
     if (set.valid()) {
-      for (const NodeId n : mesh::nodes_of_faces(mesh, mesh.set(set).faces)) {
+      for (const NodeId n : mesh::nodes_of_faces(mesh, mesh.set_with_id(set).faces)) {
         found[n.index()] = true;
       }
     }
   };
   const auto nodes = [&](base::NodeSetId set) {
     if (set.valid()) {
-      for (const NodeId n : mesh.set(set).nodes) {
+      for (const NodeId n : mesh.set_with_id(set).nodes) {
         found[n.index()] = true;
       }
     }
@@ -63,11 +63,11 @@ std::vector<bool> looked_after(const Context& c) {
     faces(contact.master);
   }
   for (const model::Mpc& mpc : c.model.mpcs) {
-    if (const auto* equation = std::get_if<model::Equation>(&mpc)) {
-      for (const model::Equation::Term& term : equation->terms) {
+    if (const auto* equation = std::get_if<model::ConstraintEquation>(&mpc)) {
+      for (const model::ConstraintEquation::ConstraintTerm& term : equation->terms) {
         found[term.node.index()] = true;
       }
-    } else if (const auto* tie = std::get_if<model::Transition>(&mpc)) {
+    } else if (const auto* tie = std::get_if<model::TransitionTie>(&mpc)) {
       nodes(tie->slave);
       faces(tie->master);
     } else if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
@@ -85,13 +85,13 @@ void take_out_cracks(const model::Model& model, std::vector<mesh::Seam>& seams) 
   for (const mesh::Seam& seam : seams) {
     const std::vector<NodeId> nodes = mesh::nodes_of_faces(mesh, {seam.first, seam.second});
     for (const NodeId node : nodes) {
-      joined.join(nodes.front().index(), node.index());
+      joined.join_sets(nodes.front().index(), node.index());
     }
   }
   std::set<std::size_t> cracks;
-  for (const model::Crack& crack : model.cracks) {
-    if (crack.kind == model::CrackKind::front && crack.path.valid()) {
-      for (const NodeId node : mesh.set(crack.path).nodes) {
+  for (const model::CrackDefinition& crack : model.cracks) {
+    if (crack.kind == model::CrackDefinitionKind::front && crack.path.valid()) {
+      for (const NodeId node : mesh.set_with_id(crack.path).nodes) {
         cracks.insert(joined.root(node.index()));
       }
     }
@@ -145,7 +145,7 @@ void open_seams(Context& c) {
 // two part between the corners.
 void hanging_nodes(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
-  const auto is_linear = [](base::ElementType type) { return !base::info(type).quadratic; };
+  const auto is_linear = [](base::ElementType type) { return !base::element_info(type).quadratic; };
   const auto linear = std::ranges::count_if(mesh.type, is_linear);
   if (linear == 0 || static_cast<std::size_t>(linear) == mesh.element_count()) {
     return;
@@ -156,8 +156,8 @@ void hanging_nodes(Context& c) {
   std::size_t count = 0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementType type = mesh.type[e];
-    for (int side = 0; is_linear(type) && side < base::info(type).sides; ++side) {
-      const auto all = mesh.nodes_of(base::ElementId(e));
+    for (int side = 0; is_linear(type) && side < base::element_info(type).sides; ++side) {
+      const auto all = mesh.element_nodes(base::ElementId(e));
       std::vector<NodeId> corners;
       for (const int k : shape::side_nodes(type, side)) {
         corners.push_back(all[static_cast<std::size_t>(k)]);
@@ -173,7 +173,9 @@ void hanging_nodes(Context& c) {
   }
   if (first) {
     const auto label = [&](base::ElementId e) { return mesh.element_label[e.index()]; };
-    const auto name = [&](base::ElementId e) { return base::info(mesh.type[e.index()]).name; };
+    const auto name = [&](base::ElementId e) {
+      return base::element_info(mesh.type[e.index()]).name;
+    };
     c.diagnostics.warning(
         element_place(c, first->first.index()), "W370",
         fmt::format("element {} ({}) has a side in common with element {} ({}), whose middle nodes "

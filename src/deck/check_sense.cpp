@@ -30,7 +30,7 @@ bool is_power_of_ten(double value) {
 }
 
 // Whether the deck works a modulus out, as 1000 times that of another body.
-bool is_worked_out(const Context& c, const model::Material& material) {
+bool is_worked_out(const Context& c, const model::ElasticMaterial& material) {
   return std::ranges::any_of(c.cards, [&](const BoundCard& card) {
     return card.spec->name == "MATERIAL" && !card.bad && card.word("NAME") == material.name &&
            c.sources.text(card.find("E")->span).find('*') != std::string_view::npos;
@@ -46,9 +46,11 @@ void moduli(Context& c) {
   constexpr double softest = 3e5;
   const base::UnitSystem& units = c.model.units;
   const double pascal = units.newton_per_force / std::pow(units.metre_per_length, 2);
-  const bool all_stiff = std::ranges::all_of(
-      c.model.materials, [&](const model::Material& other) { return other.E * pascal > stiffest; });
-  for (const model::Material& material : c.model.materials) {
+  const bool all_stiff =
+      std::ranges::all_of(c.model.materials, [&](const model::ElasticMaterial& other) {
+        return other.E * pascal > stiffest;
+      });
+  for (const model::ElasticMaterial& material : c.model.materials) {
     const double E = material.E * pascal;
     const bool stiff = E > rigid || (E > stiffest && !is_power_of_ten(material.E) &&
                                      (all_stiff || !is_worked_out(c, material)));
@@ -65,27 +67,28 @@ void moduli(Context& c) {
   }
 }
 
-std::string_view word_of(model::State state) {
-  return state == model::State::plane_stress ? "STRESS" : "STRAIN";
+std::string_view word_of(model::StressState state) {
+  return state == model::StressState::plane_stress ? "STRESS" : "STRAIN";
 }
 
 // K belongs to G by E or by E/(1 - nu^2): that of another state than the elements' is off by
 // 1 - nu^2 under a root.
 void crack_states(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
-  for (const model::Crack& crack : c.model.cracks) {
-    if (crack.state == model::CrackState::automatic || mesh.dim != 2) {
+  for (const model::CrackDefinition& crack : c.model.cracks) {
+    if (crack.state == model::TipConstraint::automatic || mesh.dim != 2) {
       continue;
     }
-    const base::NetId net = crack.kind == model::CrackKind::free ? crack.net
-                            : crack.path.valid() && !mesh.set(crack.path).nodes.empty()
-                                ? mesh.node_net[mesh.set(crack.path).nodes.front().index()]
+    const base::NetId net = crack.kind == model::CrackDefinitionKind::free ? crack.net
+                            : crack.path.valid() && !mesh.set_with_id(crack.path).nodes.empty()
+                                ? mesh.node_net[mesh.set_with_id(crack.path).nodes.front().index()]
                                 : base::NetId();
-    const model::State own = crack.state == model::CrackState::stress ? model::State::plane_stress
-                                                                      : model::State::plane_strain;
+    const model::StressState own = crack.state == model::TipConstraint::stress
+                                       ? model::StressState::plane_stress
+                                       : model::StressState::plane_strain;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      const model::State state = c.model.property_of(mesh, base::ElementId(e)).state;
-      if (mesh.element_net[e] != net || state == own || state == model::State::axisymmetric) {
+      const model::StressState state = c.model.element_property(mesh, base::ElementId(e)).state;
+      if (mesh.element_net[e] != net || state == own || state == model::StressState::axisymmetric) {
         continue;
       }
       c.diagnostics.warning(
@@ -99,7 +102,7 @@ void crack_states(Context& c) {
   }
 }
 
-double length_of(const model::Crack& crack) {
+double length_of(const model::CrackDefinition& crack) {
   if (crack.a0) {
     return *crack.a0;
   }
@@ -113,14 +116,14 @@ double length_of(const model::Crack& crack) {
 // A start inside, but by a small part of the length: of an edge crack whose mouth missed the edge.
 void crack_starts(Context& c) {
   constexpr double missed = 0.1;
-  const auto drawn = [](const model::Crack& crack) {
-    return crack.kind == model::CrackKind::free && !crack.points.empty();
+  const auto drawn = [](const model::CrackDefinition& crack) {
+    return crack.kind == model::CrackDefinitionKind::free && !crack.points.empty();
   };
   if (c.model.mesh.dim != 2 || std::ranges::none_of(c.model.cracks, drawn)) {
     return;
   }
   const mesh::Host host(c.model.mesh);
-  for (const model::Crack& crack : c.model.cracks) {
+  for (const model::CrackDefinition& crack : c.model.cracks) {
     if (!drawn(crack) ||
         mesh::crack_start(host, crack.points.front(), crack.net) != mesh::CrackStart::inside) {
       continue;
@@ -155,7 +158,7 @@ void cut_sets(Context& c) {
           load.span, "W372",
           fmt::format("load case {}: the border of {} runs through faces: the load acts on whole "
                       "ones, {:.4g} {} in all, and its condition holds on {:.4g} {}",
-                      load_case.name, c.model.mesh.set(load.faces).name, area.taken, unit,
+                      load_case.name, c.model.mesh.set_with_id(load.faces).name, area.taken, unit,
                       area.meant, unit),
           "divide the mesh at the border, or load the whole side by an expression that has the "
           "condition as a factor, as in (10*(x > 0.5))");

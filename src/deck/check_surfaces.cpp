@@ -24,7 +24,7 @@ namespace {
 using Faces = std::vector<model::Face>;
 
 Faces sorted_faces(const model::Mesh& mesh, base::FaceSetId set) {
-  Faces faces = mesh.set(set).faces;
+  Faces faces = mesh.set_with_id(set).faces;
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
@@ -66,7 +66,7 @@ public:
       }
     }
     for (const model::Mpc& mpc : model_.mpcs) {
-      if (const auto* tie = std::get_if<model::Transition>(&mpc)) {
+      if (const auto* tie = std::get_if<model::TransitionTie>(&mpc)) {
         look_at_tie(*tie);
       } else if (const auto* body = std::get_if<model::RigidTie>(&mpc)) {
         look_at_rigid_tie(*body);
@@ -84,16 +84,16 @@ private:
     std::vector<double> load(model_.cases.size(), 0.0);
     for (const model::Step& step : model_.steps) {
       for (const model::Action& action : step.actions) {
-        if (const auto* on = std::get_if<model::Mount>(&action)) {
+        if (const auto* on = std::get_if<model::MountContact>(&action)) {
           in[on->contact.index()] = false;
         }
       }
     }
     for (const model::Step& step : model_.steps) {
       for (const model::Action& action : step.actions) {
-        if (const auto* on = std::get_if<model::Mount>(&action)) {
+        if (const auto* on = std::get_if<model::MountContact>(&action)) {
           in[on->contact.index()] = true;
-        } else if (const auto* off = std::get_if<model::Dismount>(&action)) {
+        } else if (const auto* off = std::get_if<model::DismountContact>(&action)) {
           in[off->contact.index()] = false;
         } else if (const auto* apply = std::get_if<model::ApplyLoad>(&action)) {
           load[apply->load_case.index()] = apply->factor;
@@ -123,7 +123,7 @@ private:
 
   // The corners of a side.
   [[nodiscard]] std::vector<base::NodeId> nodes_of(const model::Face& face) const {
-    const auto all = mesh_.nodes_of(face.element);
+    const auto all = mesh_.element_nodes(face.element);
     const base::ElementType type = mesh_.type[face.element.index()];
     std::vector<base::NodeId> corners;
     for (const int local :
@@ -211,14 +211,14 @@ private:
     return (x - at - n.dot(x - at) * n).norm() < reach;
   }
 
-  [[nodiscard]] std::size_t line_of(base::Span span) const {
+  [[nodiscard]] std::size_t line_of(base::SourceSpan span) const {
     return c_.sources.locate(span.file, span.begin).line;
   }
 
   [[nodiscard]] std::string surfaces_of(const model::Contact& contact) const {
-    return fmt::format("{} and {}", mesh_.set(contact.slave).name,
+    return fmt::format("{} and {}", mesh_.set_with_id(contact.slave).name,
                        contact.rigid.valid() ? model_.rigids[contact.rigid.index()].name
-                                             : mesh_.set(contact.master).name);
+                                             : mesh_.set_with_id(contact.master).name);
   }
 
   // Whether both demand the same of surfaces that both pair.
@@ -269,18 +269,18 @@ private:
     return within;
   }
 
-  void say_tied(const model::Contact& contact, base::Span tie, std::size_t faces) {
+  void say_tied(const model::Contact& contact, base::SourceSpan tie, std::size_t faces) {
     c_.error(contact.span, "E352",
              fmt::format("contact {} pairs {} that the $MPC in line {} ties already ({})",
                          contact.name, count_of(faces), line_of(tie), surfaces_of(contact)),
              "tied surfaces cannot press or part: take the $CONTACT away, or the $MPC");
   }
 
-  void look_at_tie(const model::Transition& tie) {
+  void look_at_tie(const model::TransitionTie& tie) {
     if (!tie.slave.valid() || !tie.master.valid()) {
       return;
     }
-    const std::vector<base::NodeId>& list = mesh_.set(tie.slave).nodes;
+    const std::vector<base::NodeId>& list = mesh_.set_with_id(tie.slave).nodes;
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     const Faces master = sorted_faces(mesh_, tie.master);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -300,7 +300,7 @@ private:
     if (!tie.slave.valid()) {
       return;
     }
-    const std::vector<base::NodeId>& list = mesh_.set(tie.slave).nodes;
+    const std::vector<base::NodeId>& list = mesh_.set_with_id(tie.slave).nodes;
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const Pair& pair = pairs_[i];
@@ -315,9 +315,9 @@ private:
   // Matching nodes that equations tie one by one, in all directions.
   void look_at_equations() {
     std::map<std::pair<base::NodeId, base::NodeId>, std::set<int>> ties;
-    std::map<base::NodeId, base::Span> spans;
+    std::map<base::NodeId, base::SourceSpan> spans;
     for (const model::Mpc& mpc : model_.mpcs) {
-      const auto* tie = std::get_if<model::Equation>(&mpc);
+      const auto* tie = std::get_if<model::ConstraintEquation>(&mpc);
       if (tie == nullptr || tie->terms.size() != 2 || tie->terms[0].dof != tie->terms[1].dof ||
           tie->terms[0].coefficient != -tie->terms[1].coefficient) {
         continue;
@@ -384,8 +384,8 @@ private:
             load.span, "W351",
             fmt::format("case {} loads {} of {} that contact {} presses on as well: both "
                         "act there",
-                        model_.cases[load_case].name, count_of(shared), mesh_.set(load.faces).name,
-                        model_.contacts[i].name),
+                        model_.cases[load_case].name, count_of(shared),
+                        mesh_.set_with_id(load.faces).name, model_.contacts[i].name),
             "a pin that is modelled is loaded itself; BEARING and PRESSURE stand for one that "
             "is not");
         return;

@@ -13,8 +13,8 @@ namespace spricka::deck {
 
 namespace {
 
-bool is_plane(const model::Property& p) {
-  return p.state == model::State::plane_stress || p.state == model::State::plane_strain;
+bool is_plane(const model::ElementProperty& p) {
+  return p.state == model::StressState::plane_stress || p.state == model::StressState::plane_strain;
 }
 
 bool is_total(const model::Load& load) {
@@ -26,7 +26,7 @@ bool is_total(const model::Load& load) {
 // where whole forces are given.
 void thickness_is_given(Context& c) {
   const auto has = [&](std::size_t p) { return !c.default_thickness.contains(p); };
-  const std::vector<model::Property>& properties = c.model.properties;
+  const std::vector<model::ElementProperty>& properties = c.model.properties;
   std::optional<double> given;
   for (std::size_t p = 0; p < properties.size(); ++p) {
     if (is_plane(properties[p]) && has(p) && !given) {
@@ -60,7 +60,7 @@ void thickness_is_given(Context& c) {
 /// Properties on both sides of a contact, a tie or a seam.
 struct Meeting {
   std::string what; ///< "contact PIN"
-  base::Span span;
+  base::SourceSpan span;
   std::set<std::size_t> one, other;
 };
 
@@ -79,20 +79,20 @@ std::vector<Meeting> meetings_of(const Context& c) {
   for (const model::Contact& contact : c.model.contacts) {
     if (contact.master.valid()) {
       result.push_back({"contact " + contact.name, contact.span,
-                        properties_of(mesh, mesh.set(contact.slave).faces),
-                        properties_of(mesh, mesh.set(contact.master).faces)});
+                        properties_of(mesh, mesh.set_with_id(contact.slave).faces),
+                        properties_of(mesh, mesh.set_with_id(contact.master).faces)});
     }
   }
   std::vector<std::set<std::size_t>> at_node(mesh.node_count());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       at_node[n.index()].insert(mesh.property[e].index());
     }
   }
   for (const model::Mpc& mpc : c.model.mpcs) {
-    if (const auto* tie = std::get_if<model::Transition>(&mpc)) {
-      Meeting m{"a tie", tie->span, {}, properties_of(mesh, mesh.set(tie->master).faces)};
-      for (const base::NodeId n : mesh.set(tie->slave).nodes) {
+    if (const auto* tie = std::get_if<model::TransitionTie>(&mpc)) {
+      Meeting m{"a tie", tie->span, {}, properties_of(mesh, mesh.set_with_id(tie->master).faces)};
+      for (const base::NodeId n : mesh.set_with_id(tie->slave).nodes) {
         m.one.insert(at_node[n.index()].begin(), at_node[n.index()].end());
       }
       result.push_back(std::move(m));
@@ -108,7 +108,7 @@ std::vector<Meeting> meetings_of(const Context& c) {
 }
 
 void bodies_that_meet_are_alike(Context& c) {
-  const std::vector<model::Property>& properties = c.model.properties;
+  const std::vector<model::ElementProperty>& properties = c.model.properties;
   std::set<std::array<double, 2>> thicknesses; // each said once
   bool states = false;
   for (const Meeting& m : meetings_of(c)) {
@@ -144,7 +144,7 @@ void bodies_that_meet_are_alike(Context& c) {
 } // namespace
 
 void check_thickness(Context& context) {
-  const std::vector<model::Property>& properties = context.model.properties;
+  const std::vector<model::ElementProperty>& properties = context.model.properties;
   if (context.model.mesh.dim != 2 || properties.empty() ||
       !std::ranges::all_of(properties, is_plane)) {
     return;

@@ -37,7 +37,7 @@ void unused_rigids(Context& c) {
   }
 }
 
-bool same_value(const base::Expression& a, const base::Expression& b) {
+bool same_value(const base::CompiledExpression& a, const base::CompiledExpression& b) {
   return std::ranges::equal(a.code, b.code, [](const auto& one, const auto& two) {
     return one.op == two.op && one.value == two.value;
   });
@@ -49,7 +49,7 @@ bool same_load(const model::Load& a, const model::Load& b) {
 }
 
 // Without blanks: values that are alike by chance are written in different words.
-std::string words_of(const Context& c, base::Span span) {
+std::string words_of(const Context& c, base::SourceSpan span) {
   std::string words(c.sources.text(span));
   std::erase_if(words, [](char letter) { return letter == ' ' || letter == '\t'; });
   return words;
@@ -60,9 +60,10 @@ void doubled_loads(Context& c) {
   for (const model::LoadCase& load_case : c.model.cases) {
     const std::vector<model::Load>& loads = load_case.loads;
     for (std::size_t i = 1; i < loads.size(); ++i) {
-      const bool none = std::ranges::all_of(loads[i].value, [](const base::Expression& value) {
-        return value.is_constant() && value(base::Vec3::Zero()) == 0.0;
-      });
+      const bool none =
+          std::ranges::all_of(loads[i].value, [](const base::CompiledExpression& value) {
+            return value.is_constant() && value(base::Vec3::Zero()) == 0.0;
+          });
       const auto last = loads.begin() + static_cast<std::ptrdiff_t>(i);
       const auto first = std::find_if(loads.begin(), last, [&](const model::Load& load) {
         return same_load(load, loads[i]) && words_of(c, load.span) == words_of(c, loads[i].span);
@@ -80,7 +81,7 @@ void doubled_loads(Context& c) {
 }
 
 void doubled_points(Context& c) {
-  for (const model::Sweep& sweep : c.model.sweeps) {
+  for (const model::ParameterSweep& sweep : c.model.sweeps) {
     for (std::size_t i = 1; i < sweep.values.size(); ++i) {
       const auto last = sweep.values.begin() + static_cast<std::ptrdiff_t>(i);
       if (std::find(sweep.values.begin(), last, sweep.values[i]) != last) {
@@ -103,27 +104,27 @@ void unmoved_freedoms(Context& c) {
   for (const model::LoadCase& load_case : c.model.cases) {
     for (const model::Load& load : load_case.loads) {
       for (const base::NodeId n : load.type == model::LoadType::displacement
-                                      ? mesh.set(load.nodes).nodes
+                                      ? mesh.set_with_id(load.nodes).nodes
                                       : std::vector<base::NodeId>()) {
         moved[n.index()] = true;
       }
     }
   }
-  const auto bits = [](const model::Freedom& freedom) {
+  const auto bits = [](const model::FreedomAssignment& freedom) {
     return (freedom.dof[0] ? 1U : 0U) | (freedom.dof[1] ? 2U : 0U) | (freedom.dof[2] ? 4U : 0U);
   };
-  for (const model::Freedom& freedom : c.model.freedoms) {
+  for (const model::FreedomAssignment& freedom : c.model.freedoms) {
     for (const base::NodeId n : freedom.cls == model::FreedomClass::suppressed
-                                    ? mesh.set(freedom.nodes).nodes
+                                    ? mesh.set_with_id(freedom.nodes).nodes
                                     : std::vector<base::NodeId>()) {
       held[n.index()] |= bits(freedom);
     }
   }
-  for (const model::Freedom& freedom : c.model.freedoms) {
+  for (const model::FreedomAssignment& freedom : c.model.freedoms) {
     if (freedom.cls != model::FreedomClass::prescribed) {
       continue;
     }
-    const std::vector<base::NodeId>& nodes = mesh.set(freedom.nodes).nodes;
+    const std::vector<base::NodeId>& nodes = mesh.set_with_id(freedom.nodes).nodes;
     const auto still = std::ranges::count_if(nodes, [&](base::NodeId n) {
       return !moved[n.index()] && (bits(freedom) & ~held[n.index()]) != 0;
     });

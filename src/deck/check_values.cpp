@@ -14,8 +14,8 @@ namespace spricka::deck {
 namespace {
 
 // Of a key of the card that made something; of that thing where there is no such card or key.
-base::Span key_span(const Context& c, std::string_view card_name, std::string_view name,
-                    std::string_view key, base::Span otherwise) {
+base::SourceSpan key_span(const Context& c, std::string_view card_name, std::string_view name,
+                          std::string_view key, base::SourceSpan otherwise) {
   const auto card = std::ranges::find_if(c.cards, [&](const BoundCard& one) {
     return one.spec->name == card_name && !one.bad && one.word("NAME") == name;
   });
@@ -25,7 +25,7 @@ base::Span key_span(const Context& c, std::string_view card_name, std::string_vi
 // Metals have 1e-5 to 3e-5 per degree, plastics and rubber 2e-4.
 void odd_materials(Context& c) {
   constexpr double most_expansion = 1e-3;
-  for (const model::Material& material : c.model.materials) {
+  for (const model::ElasticMaterial& material : c.model.materials) {
     if (std::abs(material.alpha) > most_expansion) {
       c.diagnostics.warning(
           key_span(c, "MATERIAL", material.name, "ALPHA", material.span), "W359",
@@ -47,7 +47,7 @@ void odd_materials(Context& c) {
 void odd_flow_stress(Context& c, const BoundCard& card) {
   constexpr double most = 0.1;
   double stiffest = 0.0;
-  for (const model::Material& material : c.model.materials) {
+  for (const model::ElasticMaterial& material : c.model.materials) {
     stiffest = std::max(stiffest, material.E);
   }
   const std::optional<double>& flow = c.model.growth->flow_stress;
@@ -68,7 +68,7 @@ void odd_toughness(Context& c, const BoundCard& card) {
   constexpr double most = 1e-5; // [m] steel 650 MPa m^0.5, aluminium 220
   const std::optional<double>& k_c = c.model.growth->constants.k_c;
   double stiffest = 0.0;
-  for (const model::Material& material : c.model.materials) {
+  for (const model::ElasticMaterial& material : c.model.materials) {
     stiffest = std::max(stiffest, material.E);
   }
   if (!k_c || std::pow(10.0, std::round(std::log10(stiffest))) == stiffest) {
@@ -87,7 +87,7 @@ void odd_toughness(Context& c, const BoundCard& card) {
 
 // A measured table scatters; it does not turn round.
 void falling_table(Context& c, const BoundCard& card) {
-  const model::LawConstants& law = c.model.growth->constants;
+  const model::GrowthLawConstants& law = c.model.growth->constants;
   for (std::size_t i = 1; i < law.growth.size(); ++i) {
     if (law.growth[i] < law.growth[i - 1]) {
       c.diagnostics.warning(
@@ -102,7 +102,7 @@ void falling_table(Context& c, const BoundCard& card) {
 
 // Within REL 1 of a value lies 0 as well.
 void wide_checks(Context& c) {
-  for (const model::Check& check : c.model.checks) {
+  for (const model::ResultCheck& check : c.model.checks) {
     if (check.relative && check.tolerance >= 1.0) {
       c.diagnostics.warning(
           check.span, "W353",
@@ -117,7 +117,7 @@ void wide_checks(Context& c) {
 
 void odd_ratios(Context& c) {
   constexpr double least = -5.0;
-  for (const model::GrowthTest& test : c.model.tests) {
+  for (const model::GrowthTestReadings& test : c.model.tests) {
     if (test.ratio && *test.ratio < least) {
       c.diagnostics.warning(
           key_span(c, "TEST", test.name, "RATIO", test.span), "W363",
@@ -161,7 +161,7 @@ void fit_of_absent(Context& c) {
   std::vector<bool> mounted(c.model.contacts.size(), false);
   for (const model::Step& step : c.model.steps) {
     for (const model::Action& action : step.actions) {
-      if (const auto* on = std::get_if<model::Mount>(&action)) {
+      if (const auto* on = std::get_if<model::MountContact>(&action)) {
         mounted[on->contact.index()] = true;
       }
     }
@@ -190,15 +190,15 @@ void odd_steps(Context& c) {
   std::vector<bool> in(c.model.contacts.size(), true);
   for (const model::Step& step : c.model.steps) {
     for (const model::Action& action : step.actions) {
-      if (const auto* on = std::get_if<model::Mount>(&action)) {
+      if (const auto* on = std::get_if<model::MountContact>(&action)) {
         in[on->contact.index()] = false; // absent before its first MOUNT
       }
     }
   }
   for (const model::Step& step : c.model.steps) {
     for (const model::Action& action : step.actions) {
-      const auto* on = std::get_if<model::Mount>(&action);
-      const auto* off = std::get_if<model::Dismount>(&action);
+      const auto* on = std::get_if<model::MountContact>(&action);
+      const auto* off = std::get_if<model::DismountContact>(&action);
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
         odd_fit(c, step, *fit);
       } else if (on != nullptr || off != nullptr) {

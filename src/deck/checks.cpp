@@ -90,7 +90,7 @@ private:
     return true;
   }
 
-  bool wrong(base::Span span, std::string text) {
+  bool wrong(base::SourceSpan span, std::string text) {
     c_.error(span, "E115", std::move(text), std::string(card_.spec->data_form));
     return false;
   }
@@ -185,7 +185,7 @@ private:
     const bool bad = std::any_of(c_.cards.begin(), c_.cards.end(), [](const BoundCard& card) {
       return card.spec->name == "GROW" && card.bad;
     });
-    return bad || (c_.model.growth && c_.model.growth->law != model::GrowthLaw::increment);
+    return bad || (c_.model.growth && c_.model.growth->law != model::CrackGrowthLaw::increment);
   }
 
   // Names that go on where this one stops come first: S.XX is S.XX.MIN, S.XX.MAX or S.XX.AT.
@@ -198,9 +198,9 @@ private:
         longer.emplace_back(q.name);
       }
     }
-    base::Span name = quantity.span;
+    base::SourceSpan name = quantity.span;
     name.end = name.begin + static_cast<std::uint32_t>(quantity.text.size());
-    std::string hint = longer.empty() ? base::suggest(quantity.text, valid)
+    std::string hint = longer.empty() ? base::suggest_spelling(quantity.text, valid)
                                       : fmt::format("one of: {}", fmt::join(longer, ", "));
     c_.error(name, "E314", fmt::format("'{}' is not a result", quantity.text),
              hint.empty()
@@ -279,7 +279,7 @@ private:
   }
 
   // Names of sets become qualified.
-  bool known(char letter, std::string& name, base::Span span) {
+  bool known(char letter, std::string& name, base::SourceSpan span) {
     const Reference reference{name, span, card_.net};
     switch (letter) {
     case 'c': {
@@ -322,7 +322,7 @@ private:
   Context& c_;
   const BoundCard& card_;
   const grammar::Row& row_;
-  model::Check check_;
+  model::ResultCheck check_;
 };
 
 } // namespace

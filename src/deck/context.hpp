@@ -23,13 +23,13 @@ namespace spricka::deck {
 struct ElementOrigin {
   std::size_t first = 0; ///< element index
   std::size_t count = 0;
-  base::Span card;
-  base::Span data; ///< of an $ELEMENT table, an element in each row; invalid for a mesh
+  base::SourceSpan card;
+  base::SourceSpan data; ///< of an $ELEMENT table, an element in each row; invalid for a mesh
 };
 
 /// Everything the stages of reading share: what is being built and what is known about names.
 struct Context {
-  base::Sources& sources;
+  base::SourceTexts& sources;
   base::Diagnostics& diagnostics;
   grammar::Scope scope{};
   std::vector<std::pair<std::string, double>> parameters{}; ///< as written
@@ -57,7 +57,7 @@ struct Context {
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 
-  void error(base::Span span, std::string code, std::string text, std::string hint = {}) {
+  void error(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
     diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
   }
   /// The first card of a name; null: the deck has none.
@@ -72,7 +72,7 @@ struct Context {
   [[nodiscard]] bool known_plane() const {
     return mesh_sound && model.mesh.element_count() > 0 && model.mesh.dim == 2;
   }
-  void unavailable(std::string what, base::Span span) {
+  void unavailable(std::string what, base::SourceSpan span) {
     model.unavailable.push_back({std::move(what), span});
   }
 };

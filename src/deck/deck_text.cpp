@@ -58,7 +58,7 @@ void make_relative(DeckCard& card, const fs::path& folder) {
   }
 }
 
-DeckCard text_of(const grammar::Card& card, const base::Sources& sources) {
+DeckCard text_of(const grammar::Card& card, const base::SourceTexts& sources) {
   DeckCard text;
   text.name = card.name;
   text.card = card;
@@ -116,7 +116,7 @@ void DeckCard::erase(std::string_view key) {
   std::erase_if(keys, [&](const auto& entry) { return entry.first == key; });
 }
 
-std::optional<DeckText> read_deck_text(const fs::path& deck, base::Sources& sources,
+std::optional<DeckText> read_deck_text(const fs::path& deck, base::SourceTexts& sources,
                                        base::Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
   const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
@@ -137,7 +137,7 @@ std::optional<DeckText> read_deck_text(const fs::path& deck, base::Sources& sour
     if (card.name == "NET") {
       net = next.word("NAME");
     }
-    make_absolute(next, fs::path(sources.name(card.header.file)).parent_path());
+    make_absolute(next, fs::path(sources.file_name(card.header.file)).parent_path());
     text.push_back(std::move(next));
   }
   return text;
@@ -153,9 +153,9 @@ std::string write_deck(DeckText text, const fs::path& folder,
     make_relative(card, folder);
     out += header_of(card) + card.data;
   }
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const std::int32_t file = sources.add("deck", out);
+  const std::int32_t file = sources.add_text("deck", out);
   return grammar::format_deck(sources, file, diagnostics).value_or(out);
 }
 

@@ -37,8 +37,8 @@ using DeckText = std::vector<DeckCard>;
 /// The cards of a deck with those of its includes in their places; $INCLUDE itself is left out.
 /// Names of files are made absolute. Mistakes of syntax go to `diagnostics`; with them, or where
 /// an include is missing, the result is empty. Throws std::system_error as load_deck does.
-std::optional<DeckText> read_deck_text(const std::filesystem::path& deck, base::Sources& sources,
-                                       base::Diagnostics& diagnostics);
+std::optional<DeckText> read_deck_text(const std::filesystem::path& deck,
+                                       base::SourceTexts& sources, base::Diagnostics& diagnostics);
 
 /// The deck in canonical layout, to stand in `folder`: names of files that cards read count from
 /// there. `head` are comment lines without their !, in front of the first card.

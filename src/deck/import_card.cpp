@@ -24,7 +24,7 @@ void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics phys
   for (const mesh::ImportedPhysics& before : c.imported) {
     next += before.materials.size();
   }
-  for (const model::Material& material : physics.materials) {
+  for (const model::ElasticMaterial& material : physics.materials) {
     Definition definition;
     definition.kind = Kind::material;
     definition.index = next++;
@@ -43,7 +43,7 @@ void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics phys
 }
 
 bool took_too_long(const Context& c) {
-  const std::vector<base::Diagnostic>& all = c.diagnostics.all();
+  const std::vector<base::Diagnostic>& all = c.diagnostics.messages();
   return std::any_of(all.begin(), all.end(), [](const base::Diagnostic& d) {
     return d.code == "E481" || d.code == "E482";
   });
@@ -54,7 +54,7 @@ bool took_too_long(const Context& c) {
 void import_card(Context& c, const BoundCard& card) {
   mesh::ImportRequest request;
   // Relative to the file that the card stands in, as $INCLUDE is.
-  request.file = std::filesystem::path(c.sources.name(card.span.file)).parent_path() /
+  request.file = std::filesystem::path(c.sources.file_name(card.span.file)).parent_path() /
                  std::string(card.word("FILE"));
   request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
   request.scale = card.number("SCALE");

@@ -12,7 +12,7 @@ namespace spricka::deck {
 struct ScriptTable {
   std::string file;
   std::string net;
-  base::Span card;
+  base::SourceSpan card;
   std::vector<mesh::ScriptConstant> constants;
 };
 

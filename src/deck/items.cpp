@@ -164,13 +164,13 @@ private:
     const auto put = [&](std::size_t i) { minus ? collection.remove(i) : collection.add(i); };
     if (kind_ == Kind::node_set) {
       if (const auto id = sets_.nodes(reference)) {
-        for (const base::NodeId n : c_.model.mesh.set(*id).nodes) {
+        for (const base::NodeId n : c_.model.mesh.set_with_id(*id).nodes) {
           put(n.index());
         }
         return;
       }
     } else if (const auto id = sets_.elements(reference)) {
-      for (const base::ElementId e : c_.model.mesh.set(*id).elements) {
+      for (const base::ElementId e : c_.model.mesh.set_with_id(*id).elements) {
         put(e.index());
       }
       return;

@@ -60,13 +60,13 @@ const grammar::Field* value_of(const grammar::Card& card, std::string_view key) 
 
 class Loader {
 public:
-  Loader(base::Sources& sources, base::Diagnostics& diagnostics)
+  Loader(base::SourceTexts& sources, base::Diagnostics& diagnostics)
       : sources_(sources), diagnostics_(diagnostics) {}
 
   void file(const fs::path& path, std::string shown) {
     std::string text = with_line_feeds(base::read_file(path, base::largest_deck - bytes_));
     bytes_ += text.size();
-    const std::int32_t number = sources_.add(std::move(shown), std::move(text));
+    const std::int32_t number = sources_.add_text(std::move(shown), std::move(text));
     if (!is_text(number)) {
       deck.incomplete = true;
       return;
@@ -144,7 +144,7 @@ private:
     deck.incomplete = true;
   }
 
-  base::Sources& sources_;
+  base::SourceTexts& sources_;
   base::Diagnostics& diagnostics_;
   std::vector<fs::path> open_;
   std::size_t bytes_ = 0;    ///< of all texts so far
@@ -152,7 +152,7 @@ private:
   bool too_many_ = false;
 };
 
-base::Span end_of_text(const base::Sources& sources, std::int32_t file) {
+base::SourceSpan end_of_text(const base::SourceTexts& sources, std::int32_t file) {
   const std::string_view text = sources.text(file);
   std::size_t end = text.size();
   while (end > 0 && (text[end - 1] == '\n' || text[end - 1] == '\r' || text[end - 1] == ' ')) {
@@ -163,10 +163,11 @@ base::Span end_of_text(const base::Sources& sources, std::int32_t file) {
 }
 
 // $DECK is the first card and $END the last one of the deck's own file.
-void check_frame(std::vector<grammar::Card>& cards, std::int32_t file, const base::Sources& sources,
-                 base::Diagnostics& diagnostics) {
+void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
+                 const base::SourceTexts& sources, base::Diagnostics& diagnostics) {
   if (cards.empty() || cards.front().name != "DECK") {
-    const base::Span at = cards.empty() ? base::Span{file, 0, 0} : cards.front().name_span;
+    const base::SourceSpan at =
+        cards.empty() ? base::SourceSpan{file, 0, 0} : cards.front().name_span;
     diagnostics.error(at, "E111", "the first card is $DECK", "$DECK VERSION=1 LENGTH=mm FORCE=N");
   }
   const auto end = std::find_if(cards.begin(), cards.end(),
@@ -183,7 +184,7 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file, const bas
 
 } // namespace
 
-LoadedDeck load_deck(const std::filesystem::path& deck, base::Sources& sources,
+LoadedDeck load_deck(const std::filesystem::path& deck, base::SourceTexts& sources,
                      base::Diagnostics& diagnostics) {
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());

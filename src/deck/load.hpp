@@ -18,7 +18,7 @@ struct LoadedDeck {
 
 /// Reads the deck and its includes and checks the frame: $DECK first, $END last. Trouble with the
 /// deck's own file throws std::system_error; with an include it is a deck error.
-LoadedDeck load_deck(const std::filesystem::path& deck, base::Sources& sources,
+LoadedDeck load_deck(const std::filesystem::path& deck, base::SourceTexts& sources,
                      base::Diagnostics& diagnostics);
 
 } // namespace spricka::deck

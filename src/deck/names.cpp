@@ -122,7 +122,7 @@ std::string Names::hint(const std::vector<Kind>& kinds, const std::string& name)
   if (same_word.empty()) {
     const std::string other = other_meaning(kinds, name);
     return valid.empty() && other.empty() ? "the deck defines none"
-           : other.empty()                ? base::suggest(name, valid)
+           : other.empty()                ? base::suggest_spelling(name, valid)
                                           : other;
   }
   return same_word.size() == 1 ? fmt::format("did you mean '{}'?", same_word.front())

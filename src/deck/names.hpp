@@ -22,7 +22,7 @@ struct Definition {
   Kind kind = Kind::none;
   std::size_t index = 0;
   std::optional<std::size_t> card;
-  base::Span span;
+  base::SourceSpan span;
   bool poisoned = false;
 };
 

@@ -36,9 +36,9 @@ NumberLine numbers_in(std::string_view text) {
 
 std::optional<std::vector<NumberLine>> number_file(Context& context, const BoundCard& card,
                                                    std::string_view key) {
-  const base::Span span = card.find(key)->span;
+  const base::SourceSpan span = card.find(key)->span;
   const std::filesystem::path path =
-      std::filesystem::path(context.sources.name(card.span.file)).parent_path() /
+      std::filesystem::path(context.sources.file_name(card.span.file)).parent_path() /
       std::string(card.word(key));
   std::string all;
   try {

@@ -11,7 +11,7 @@ namespace spricka::deck {
 /// Numbers of one line of a file, or of a card, and the place for messages about it.
 struct NumberLine {
   std::vector<double> numbers;
-  base::Span span;
+  base::SourceSpan span;
   std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
   bool sound = true; ///< nothing but numbers stood there
 };

@@ -17,15 +17,15 @@ void Overrides::warn_of_lost_unit(Context& context, const grammar::Assignment& d
   if (!entry.expression || grammar::has_unit(*entry.expression, context.scope)) {
     return;
   }
-  const base::Span unit = foreign_unit(deck.value, context.scope);
+  const base::SourceSpan unit = foreign_unit(deck.value, context.scope);
   if (unit.valid() && entry.value) {
     deck::warn_of_lost_unit(context, entry.span, entry.written, *entry.value, unit);
   }
 }
 
 void Overrides::define(Context& context, const std::string& name, const std::string& text) {
-  const std::int32_t file = context.sources.add(fmt::format("-D {}", name), text);
-  const base::Span all{file, 0, static_cast<std::uint32_t>(text.size())};
+  const std::int32_t file = context.sources.add_text(fmt::format("-D {}", name), text);
+  const base::SourceSpan all{file, 0, static_cast<std::uint32_t>(text.size())};
   const std::string upper = grammar::to_upper(name);
   const char* const last = name.data() + name.size();
   const bool is_name = !name.empty() && grammar::scan_name(name.data(), last) == last;
@@ -91,9 +91,9 @@ std::optional<double> Overrides::value(Context& context, const std::string& name
   return entry.value;
 }
 
-base::Span Overrides::unit(const std::string& name) const {
+base::SourceSpan Overrides::unit(const std::string& name) const {
   const std::optional<grammar::Expression>& expression = table_.at(name).expression;
-  return expression ? grammar::outer_unit(*expression) : base::Span();
+  return expression ? grammar::outer_unit(*expression) : base::SourceSpan();
 }
 
 bool Overrides::has_unit(const Context& context, const grammar::Assignment& own) const {
@@ -108,7 +108,7 @@ void Overrides::report_unknown(Context& context, const std::set<std::string>& de
     if (!defined.contains(name) && !syntax_error && entry.span.valid()) {
       context.error(entry.span, "E201",
                     fmt::format("-D: the deck has no parameter '{}'", entry.written),
-                    base::suggest(name, valid));
+                    base::suggest_spelling(name, valid));
     }
   }
 }

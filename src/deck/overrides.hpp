@@ -24,7 +24,7 @@ public:
   std::optional<double> value(Context& context, const std::string& name);
 
   /// Where its unit stands; invalid for a bare number.
-  [[nodiscard]] base::Span unit(const std::string& name) const;
+  [[nodiscard]] base::SourceSpan unit(const std::string& name) const;
 
   /// Warns when a bare number takes the place of a value that the deck gives with a unit: the
   /// number counts in the deck's own units.
@@ -39,7 +39,7 @@ public:
 private:
   struct Entry {
     std::string written;
-    base::Span span;
+    base::SourceSpan span;
     std::optional<grammar::Expression> expression; ///< empty: a number, or a syntax error
     std::optional<double> value;
     bool evaluated = false;

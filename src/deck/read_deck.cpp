@@ -32,7 +32,7 @@ void divide_elements(Context& context) {
 } // namespace
 
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
-                                      base::Sources& sources, base::Diagnostics& diagnostics,
+                                      base::SourceTexts& sources, base::Diagnostics& diagnostics,
                                       std::vector<ScriptTable>* scripts) {
   const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
   Context context{sources, diagnostics};

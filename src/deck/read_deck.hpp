@@ -17,7 +17,7 @@ namespace spricka::deck {
 /// the deck itself throws std::system_error. Constants of geometry scripts go to `scripts`, if
 /// given.
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
-                                      base::Sources& sources, base::Diagnostics& diagnostics,
+                                      base::SourceTexts& sources, base::Diagnostics& diagnostics,
                                       std::vector<ScriptTable>* scripts = nullptr);
 
 } // namespace spricka::deck

@@ -16,7 +16,7 @@ namespace {
 using base::Vec3;
 
 std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
-  const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> all = mesh.element_nodes(face.element);
   std::vector<base::NodeId> nodes;
   for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
     nodes.push_back(all[static_cast<std::size_t>(i)]);
@@ -34,7 +34,7 @@ void for_midpoints(const model::Mesh& mesh, const model::Face& face, Visit&& vis
     X.col(static_cast<Eigen::Index>(i)) = mesh.x[nodes[i].index()];
   }
   const base::ElementType type = mesh.type[face.element.index()];
-  if (base::info(type).dim == 2) {
+  if (base::element_info(type).dim == 2) {
     constexpr int many = 64;
     const auto& line = shape::reference_line(static_cast<int>(nodes.size()));
     for (int i = 0; i < many; ++i) {
@@ -45,12 +45,12 @@ void for_midpoints(const model::Mesh& mesh, const model::Face& face, Visit&& vis
     return;
   }
   constexpr int many = 16;
-  const auto& side = shape::reference_element<2>(shape::solid_side(type, face.side));
+  const auto& side = shape::reference_element<2>(shape::solid_side_type(type, face.side));
   for (int i = 0; i < many; ++i) {
     for (int j = 0; j < many; ++j) {
       const double s = (i + 0.5) / many;
       const double t = (j + 0.5) / many;
-      const bool triangle = side.domain == shape::Domain::triangle;
+      const bool triangle = side.domain == shape::ReferenceDomain::triangle;
       const shape::Point<2> r = triangle ? shape::Point<2>(s, t * (1.0 - s))
                                          : shape::Point<2>(2.0 * s - 1.0, 2.0 * t - 1.0);
       const double weight = (triangle ? 1.0 - s : 4.0) / (many * many);

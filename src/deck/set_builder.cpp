@@ -20,8 +20,8 @@ namespace {
 using grammar::Field;
 
 base::Vec3 centroid(const model::Mesh& mesh, base::ElementId e) {
-  const auto nodes = mesh.nodes_of(e);
-  const int corners = base::info(mesh.type[e.index()]).corners;
+  const auto nodes = mesh.element_nodes(e);
+  const int corners = base::element_info(mesh.type[e.index()]).corners;
   base::Vec3 sum = base::Vec3::Zero();
   for (int i = 0; i < corners; ++i) {
     sum += mesh.x[nodes[static_cast<std::size_t>(i)].index()];
@@ -92,8 +92,8 @@ std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCa
   if (card.has("FROM")) {
     const auto from = sets.nodes(card.reference("FROM"));
     ok = from.has_value();
-    for (std::size_t i = 0; ok && i < mesh.set(*from).nodes.size(); ++i) {
-      collection.add(mesh.set(*from).nodes[i].index());
+    for (std::size_t i = 0; ok && i < mesh.set_with_id(*from).nodes.size(); ++i) {
+      collection.add(mesh.set_with_id(*from).nodes[i].index());
     }
   }
   ok = read_items(c, card, Kind::node_set, sets, collection) && ok;
@@ -123,8 +123,8 @@ std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const B
   if (card.has("FROM")) {
     const auto from = sets.elements(card.reference("FROM"));
     ok = from.has_value();
-    for (std::size_t i = 0; ok && i < mesh.set(*from).elements.size(); ++i) {
-      collection.add(mesh.set(*from).elements[i].index());
+    for (std::size_t i = 0; ok && i < mesh.set_with_id(*from).elements.size(); ++i) {
+      collection.add(mesh.set_with_id(*from).elements[i].index());
     }
   }
   ok = read_items(c, card, Kind::element_set, sets, collection) && ok;
@@ -168,7 +168,7 @@ bool face_items(Context& c, const BoundCard& card, const SetFinder& sets,
         continue;
       }
       const bool minus = field.kind == Field::Kind::minus_name;
-      for (const model::Face& face : c.model.mesh.set(*id).faces) {
+      for (const model::Face& face : c.model.mesh.set_with_id(*id).faces) {
         if (minus) {
           present.erase(number_of_face(face));
         } else if (present.insert(number_of_face(face)).second) {
@@ -203,7 +203,7 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
     const auto from = sets.faces(card.reference("FROM"));
     ok = from.has_value();
     if (ok) {
-      faces = mesh.set(*from).faces;
+      faces = mesh.set_with_id(*from).faces;
     }
   }
   ok = face_items(c, card, sets, faces) && ok;

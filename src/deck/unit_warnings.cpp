@@ -13,10 +13,10 @@ namespace spricka::deck {
 namespace {
 
 template <class Wanted>
-base::Span find_unit(const grammar::Expression& expression, const grammar::Scope& scope,
-                     const Wanted& wanted) {
+base::SourceSpan find_unit(const grammar::Expression& expression, const grammar::Scope& scope,
+                           const Wanted& wanted) {
   for (const grammar::Term& term : expression.terms) {
-    base::Span unit = term.unit;
+    base::SourceSpan unit = term.unit;
     if (term.kind == grammar::Term::Kind::name) {
       const auto known = scope.units_of.find(grammar::to_upper(scope.sources->text(term.span)));
       unit = known == scope.units_of.end() ? unit : known->second;
@@ -28,24 +28,25 @@ base::Span find_unit(const grammar::Expression& expression, const grammar::Scope
   return {};
 }
 
-double factor_of(base::Span unit, const grammar::Scope& scope) {
-  const std::optional<base::Unit> known = base::parse_unit(scope.sources->text(unit));
-  return known ? base::to_deck(*known, scope.units) : 1.0;
+double factor_of(base::SourceSpan unit, const grammar::Scope& scope) {
+  const std::optional<base::PhysicalUnit> known = base::parse_unit(scope.sources->text(unit));
+  return known ? base::to_deck_factor(*known, scope.units) : 1.0;
 }
 
 } // namespace
 
-bool is_foreign(const Context& context, base::Span unit) {
+bool is_foreign(const Context& context, base::SourceSpan unit) {
   return std::abs(factor_of(unit, context.scope) - 1.0) > 1e-12;
 }
 
-base::Span foreign_unit(const grammar::Expression& expression, const grammar::Scope& scope) {
-  return find_unit(expression, scope,
-                   [&](base::Span unit) { return std::abs(factor_of(unit, scope) - 1.0) > 1e-12; });
+base::SourceSpan foreign_unit(const grammar::Expression& expression, const grammar::Scope& scope) {
+  return find_unit(expression, scope, [&](base::SourceSpan unit) {
+    return std::abs(factor_of(unit, scope) - 1.0) > 1e-12;
+  });
 }
 
-void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, double value,
-                       base::Span unit) {
+void warn_of_lost_unit(Context& context, base::SourceSpan at, std::string_view name, double value,
+                       base::SourceSpan unit) {
   if (value == 0.0) {
     return;
   }
@@ -59,7 +60,8 @@ void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, d
       fmt::format("write {}[{}], or the unit that is meant", written, word));
 }
 
-void warn_of_whole_radians(Context& context, base::Span at, std::string_view name, double value) {
+void warn_of_whole_radians(Context& context, base::SourceSpan at, std::string_view name,
+                           double value) {
   if (value == 0.0 || value != std::floor(value) ||
       context.sources.text(at).find('[') != std::string_view::npos) {
     return;
@@ -72,7 +74,7 @@ void warn_of_whole_radians(Context& context, base::Span at, std::string_view nam
                   value));
 }
 
-void warn_of_mixed_units(Context& context, base::Span at, const base::UnitSystem& units) {
+void warn_of_mixed_units(Context& context, base::SourceSpan at, const base::UnitSystem& units) {
   const bool inches = units.length_name == "in";
   const bool pounds = units.force_name == "lbf";
   if (inches != pounds) {

@@ -92,7 +92,7 @@ private:
     const EdgeTable& edges = request_.enrichment.edges();
     std::map<std::size_t, int> sides;
     for (const base::ElementId e : corner_.around) {
-      for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
         ++sides[edges.edge(e, s)];
       }
     }
@@ -106,7 +106,7 @@ private:
     std::ranges::sort(rim);
     std::vector<base::NodeId> inside;
     for (const base::ElementId e : corner_.around) {
-      for (const base::NodeId n : mesh.nodes_of(e)) {
+      for (const base::NodeId n : mesh.element_nodes(e)) {
         if (!std::ranges::binary_search(rim, n)) {
           inside.push_back(n);
         }
@@ -143,7 +143,7 @@ private:
   }
 
   void add_element(base::ElementId e, base::Matrix& K) const {
-    const std::span<const base::NodeId> nodes = request_.enrichment.mesh().nodes_of(e);
+    const std::span<const base::NodeId> nodes = request_.enrichment.mesh().element_nodes(e);
     const std::span<const std::int32_t> freedom = request_.enrichment.of_element(e);
     const base::Matrix Ke = stiffness(e);
     const std::size_t m = freedom.size();

@@ -149,7 +149,7 @@ private:
     for (const model::LoadCase& load_case : set_.model.cases) {
       for (const model::Load& load : load_case.loads) {
         if (load.type == model::LoadType::force) {
-          for (const base::NodeId n : set_.mesh.set(load.nodes).nodes) {
+          for (const base::NodeId n : set_.mesh.set_with_id(load.nodes).nodes) {
             points.try_emplace(n);
           }
         }
@@ -163,7 +163,7 @@ private:
     }
     std::map<base::NodeId, std::vector<base::ElementId>> elements;
     for (std::size_t e = 0; e < set_.mesh.element_count() && !points.empty(); ++e) {
-      for (const base::NodeId n : set_.mesh.nodes_of(base::ElementId(e))) {
+      for (const base::NodeId n : set_.mesh.element_nodes(base::ElementId(e))) {
         if (points.contains(n)) {
           elements[n].emplace_back(e);
         }
@@ -189,7 +189,7 @@ private:
     }
     std::vector<base::PropertyId> property(mesh.node_count());
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
         base::PropertyId& own = property[n.index()];
         wanted[n.index()] = wanted[n.index()] || (own.valid() && own != mesh.property[e]);
         own = mesh.property[e];
@@ -200,8 +200,8 @@ private:
 
   void add_slices(base::ElementId e, const std::vector<bool>& wanted) {
     const model::Mesh& mesh = set_.mesh;
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
     for (std::size_t i = 0; i < corners; ++i) {
       if (!wanted[nodes[i].index()]) {
         continue;
@@ -293,14 +293,15 @@ private:
     const model::Mesh& mesh = set_.mesh;
     std::vector<base::NodeId> nodes;
     for (const base::ElementId e : elements) {
-      nodes.insert(nodes.end(), mesh.nodes_of(e).begin(), mesh.nodes_of(e).end());
+      nodes.insert(nodes.end(), mesh.element_nodes(e).begin(), mesh.element_nodes(e).end());
     }
     std::ranges::sort(nodes);
     std::vector<base::ElementId> all = elements;
     for (std::size_t i = 0; i < mesh.element_count(); ++i) {
       const base::ElementId e(i);
-      const bool touches = std::ranges::any_of(
-          mesh.nodes_of(e), [&](base::NodeId n) { return std::ranges::binary_search(nodes, n); });
+      const bool touches = std::ranges::any_of(mesh.element_nodes(e), [&](base::NodeId n) {
+        return std::ranges::binary_search(nodes, n);
+      });
       if (touches && std::ranges::find(elements, e) == elements.end()) {
         all.push_back(e);
       }

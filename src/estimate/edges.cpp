@@ -18,8 +18,8 @@ EdgeTable find_edges(const model::Mesh& mesh) {
   std::vector<Side> sides;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementType type = mesh.type[e];
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       const std::span<const int> local = shape::side_nodes(type, s);
       const auto node = [&](std::size_t i) { return nodes[static_cast<std::size_t>(local[i])]; };
       // Two faces of a crack may share both corners: the middle tells them apart.

@@ -22,7 +22,7 @@ template <class F> void for_elements(const model::Mesh& mesh, F&& f) {
 /// ee, then ep.
 std::size_t matrix_numbers(base::ElementType type) {
   const int m = PlaneModes::of(type).freedoms();
-  return static_cast<std::size_t>(m * (m + 2 * base::info(type).nodes));
+  return static_cast<std::size_t>(m * (m + 2 * base::element_info(type).nodes));
 }
 
 // What the matrices of an element depend on, beside its type.
@@ -134,9 +134,9 @@ void Enrichment::add_matrix(base::ElementId e, const KeptModes& kept, double*& n
 
 SideState Enrichment::sides(base::ElementId e) const {
   const base::ElementType type = mesh_.type[e.index()];
-  const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
   SideState state;
-  const int corners = base::info(type).corners;
+  const int corners = base::element_info(type).corners;
   for (int s = 0; s < corners; ++s) {
     const auto at = static_cast<std::size_t>(s);
     state.sign[at] = side_sign(nodes[at], nodes[static_cast<std::size_t>((s + 1) % corners)]);
@@ -195,7 +195,7 @@ void Enrichment::take_columns(base::ElementId e, Eigen::Index first, const base:
   constexpr int p = 2 * S::nodes;
   const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + std::ptrdiff_t{m} * m);
   const std::span<const std::int32_t> freedom = of_element(e);
-  const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
   Eigen::Matrix<double, p, columns> local;
   for (int n = 0; n < S::nodes; ++n) {
     local.template middleRows<2>(2 * n) = u.template block<2, columns>(

@@ -23,7 +23,7 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
   for (const base::ElementId e : corner.elements) {
     const fe::Law law = fe::law_of(setting.model, mesh, e);
     const fe::AnyElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     // On an axis a ring as wide as the elements stands for the point.
     const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh, e);
     const double x = std::max(mesh.x[corner.node.index()].x(), X.row(0).mean());

@@ -16,8 +16,8 @@ using base::Vec3;
 std::string not_enriched_in_space(const model::Model& model, const model::Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     if (!SpaceModes::has(mesh.type[e])) {
-      return base::info(mesh.type[e]).quadratic ? "some elements are HEXEC27"
-                                                : "some elements are linear";
+      return base::element_info(mesh.type[e]).quadratic ? "some elements are HEXEC27"
+                                                        : "some elements are linear";
     }
     if (fe::law_of(model, mesh, base::ElementId(e)).projected) {
       return "a material is nearly incompressible";
@@ -82,7 +82,7 @@ void SpaceEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& f
 void SpaceEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, const Vec3& force,
                                   base::Vector& f) const {
   const base::ElementType type = mesh_.type[face.element.index()];
-  add_inside(face.element, shape::place_on_solid(type, face.side, r), force, f);
+  add_inside(face.element, shape::side_to_solid_point(type, face.side, r), force, f);
 }
 
 // A temperature presses on the volume change of the modes.

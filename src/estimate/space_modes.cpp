@@ -178,7 +178,7 @@ SpaceModes::SpaceModes(ElementType type) : type_(type) {
   for (int m = 0; m < shape::edge_count(type); ++m) {
     modes_.push_back({SpaceMode::On::edge, m, 0});
   }
-  for (int s = 0; s < base::info(type).sides; ++s) {
+  for (int s = 0; s < base::element_info(type).sides; ++s) {
     if (shape::side_corners(type, s) == 3) {
       modes_.push_back({SpaceMode::On::triangle, s, 0});
     } else {

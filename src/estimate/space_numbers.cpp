@@ -57,7 +57,7 @@ private:
 
   void add(base::ElementId e, const SpaceMode& mode) {
     const base::ElementType type = mesh_.type[e.index()];
-    const std::span<const NodeId> nodes = mesh_.nodes_of(e);
+    const std::span<const NodeId> nodes = mesh_.element_nodes(e);
     const auto node = [&](int k) { return nodes[static_cast<std::size_t>(k)]; };
     if (mode.on == SpaceMode::On::inside) {
       put(next_++, 1.0);
@@ -65,7 +65,7 @@ private:
     }
     if (mode.on == SpaceMode::On::edge) {
       const auto [i, j] = shape::edge_corners(type, mode.which);
-      const NodeId middle = node(base::info(type).corners + mode.which);
+      const NodeId middle = node(base::element_info(type).corners + mode.which);
       const ModePlace& at =
           place_at({std::min(node(i), node(j)), std::max(node(i), node(j)), middle, NodeId()}, 1,
                    {node(i), node(j), middle});

@@ -92,7 +92,7 @@ void add_geometry(const model::Model& model, const model::Mesh& mesh, ElementBlo
     const fe::Law law = fe::law_of(model, mesh, e);
     block.lambda[b] = law.lambda;
     block.mu[b] = law.mu;
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     Eigen::Matrix3Xd X(3, table.nodes);
     for (Eigen::Index n = 0; n < table.nodes; ++n) {
       X.col(n) = mesh.x[nodes[static_cast<std::size_t>(n)].index()];
@@ -187,7 +187,7 @@ private:
     for (std::size_t b = 0; b < block_.elements.size(); ++b) {
       const base::ElementId e = block_.elements[b];
       const auto lane = static_cast<Eigen::Index>(b);
-      const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+      const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
       for (Eigen::Index n = run.first; n < std::min(table_.nodes, run.first + run.count); ++n) {
         const auto node = static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index());
         f(lane, n - run.first, Place{false, 3 * node, 1.0});

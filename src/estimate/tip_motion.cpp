@@ -18,8 +18,8 @@ double shortest_side(const model::Mesh& mesh, const std::vector<base::ElementId>
   double shortest = std::numeric_limits<double>::infinity();
   for (const base::ElementId e : elements) {
     const base::ElementType type = mesh.type[e.index()];
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       const std::span<const int> side = shape::side_nodes(type, s);
       const base::Vec3 chord = mesh.x[nodes[static_cast<std::size_t>(side[1])].index()] -
                                mesh.x[nodes[static_cast<std::size_t>(side[0])].index()];
@@ -56,7 +56,7 @@ bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,
   bool none = true;
   for (const crack::ExtensionField& field : fields) {
     for (const base::ElementId e : field.elements) {
-      for (const base::NodeId n : mesh.nodes_of(e)) {
+      for (const base::NodeId n : mesh.element_nodes(e)) {
         const auto at = q.find(n);
         all = all && at != q.end() && at->second == 1.0;
         none = none && at == q.end();

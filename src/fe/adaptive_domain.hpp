@@ -37,8 +37,8 @@ using UnitPoint = std::array<double, 3>;
 /// A point of the unit cube as a point of a reference domain, and the factor of the volumes:
 /// triangles and tetrahedra are collapsed (Stroud 1971).
 template <int dim>
-shape::QuadraturePoint<dim> unit_cube_point(shape::Domain domain, const UnitPoint& t) {
-  using shape::Domain;
+shape::QuadraturePoint<dim> unit_cube_point(shape::ReferenceDomain domain, const UnitPoint& t) {
+  using shape::ReferenceDomain;
   shape::QuadraturePoint<dim> p;
   p.weight = 1.0;
   for (int k = 0; k < dim; ++k) {
@@ -47,12 +47,12 @@ shape::QuadraturePoint<dim> unit_cube_point(shape::Domain domain, const UnitPoin
   }
   if constexpr (dim > 1) {
     const double left = 1.0 - t[0];
-    if (domain == Domain::triangle || domain == Domain::prism) {
+    if (domain == ReferenceDomain::triangle || domain == ReferenceDomain::prism) {
       p.r.template head<2>() << t[0], t[1] * left;
-      p.weight = domain == Domain::prism ? 2.0 * left : left;
+      p.weight = domain == ReferenceDomain::prism ? 2.0 * left : left;
     }
     if constexpr (dim == 3) {
-      if (domain == Domain::tetrahedron) {
+      if (domain == ReferenceDomain::tetrahedron) {
         p.r << t[0], t[1] * left, t[2] * left * (1.0 - t[1]);
         p.weight = left * left * (1.0 - t[1]);
       }
@@ -70,7 +70,8 @@ template <int dim> struct AdaptiveDomain {
 };
 
 /// All of a reference element; `usual_degree`: of its usual rule.
-template <int dim> AdaptiveDomain<dim> whole_domain(shape::Domain domain, int usual_degree) {
+template <int dim>
+AdaptiveDomain<dim> whole_domain(shape::ReferenceDomain domain, int usual_degree) {
   constexpr int finer_degree = 15;
   return {[domain](const UnitPoint& t) { return unit_cube_point<dim>(domain, t); },
           shape::quadrature<dim>(domain, usual_degree),

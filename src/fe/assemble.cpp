@@ -17,7 +17,7 @@ std::span<const std::int32_t>
 element_freedoms(const model::Mesh& mesh, base::ElementId e,
                  std::array<std::int32_t, max_element_freedoms>& freedoms) {
   std::size_t count = 0;
-  for (const base::NodeId n : mesh.nodes_of(e)) {
+  for (const base::NodeId n : mesh.element_nodes(e)) {
     for (int c = 0; c < mesh.dim; ++c) {
       freedoms[count++] = static_cast<std::int32_t>(n.index()) * mesh.dim + c;
     }

@@ -135,7 +135,7 @@ std::array<bool, 3> cuts_by_mirrors(const model::Model& model, const model::Mesh
                                     const model::Load& load) {
   constexpr double in_plane = 1e-6; // of the faces' extent
   std::vector<base::NodeId> nodes;
-  for (const model::Face& face : mesh.set(load.faces).faces) {
+  for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
     std::ranges::copy(nodes_of_face(mesh, face), std::back_inserter(nodes));
   }
   std::array<bool, 3> cuts{};
@@ -158,7 +158,7 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
                         const BearingVisit& visit) {
   assert(mesh.dim == 2);
   assert(load.value.size() >= 2);
-  const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
+  const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
   const Vec2 F(load.value[0](Vec3::Zero()), load.value[1](Vec3::Zero()));
   if (F.isZero(0.0)) {
     return true;
@@ -167,7 +167,7 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
   const auto for_points = [&](auto&& point) {
     for (const model::Face& face : faces) {
       for_edge(
-          pin, ElementSide<1>(mesh, face), model.property_of(mesh, face.element).thickness,
+          pin, ElementSide<1>(mesh, face), model.element_property(mesh, face.element).thickness,
           [&](double t, const Vec2& main, const Vec2& across) { point(face, t, main, across); });
     }
   };

@@ -82,7 +82,7 @@ void for_pin_points(const model::Mesh& mesh, const std::vector<model::Face>& fac
 bool for_solid_bearing_points(const model::Model& model, const model::Mesh& mesh,
                               const model::Load& load, const SolidBearingVisit& visit) {
   assert(mesh.dim == 3 && load.value.size() == 3);
-  const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
+  const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
   const Vec3 F(load.value[0](Vec3::Zero()), load.value[1](Vec3::Zero()),
                load.value[2](Vec3::Zero()));
   if (F.isZero(0.0)) {

@@ -13,14 +13,14 @@ namespace {
 // Sides of elements all of whose nodes a load is given at.
 std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load& load) {
   std::vector<bool> given(mesh.node_count(), false);
-  for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+  for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
     given[n.index()] = true;
   }
   std::vector<model::Face> sides;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    const auto nodes = mesh.nodes_of(e);
-    for (int s = 0; s < base::info(mesh.type[i]).sides; ++s) {
+    const auto nodes = mesh.element_nodes(e);
+    for (int s = 0; s < base::element_info(mesh.type[i]).sides; ++s) {
       if (std::ranges::all_of(shape::side_nodes(mesh.type[i], s), [&](int n) {
             return given[nodes[static_cast<std::size_t>(n)].index()];
           })) {

@@ -10,9 +10,9 @@ namespace spricka::fe {
 std::vector<Body> find_bodies(const model::Mesh& mesh) {
   base::DisjointSets groups(mesh.node_count());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
     for (const base::NodeId n : nodes) {
-      groups.join(nodes.front().index(), n.index());
+      groups.join_sets(nodes.front().index(), n.index());
     }
   }
 
@@ -20,7 +20,7 @@ std::vector<Body> find_bodies(const model::Mesh& mesh) {
   std::vector<std::int32_t> body_of_root(mesh.node_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId id(e);
-    std::int32_t& body = body_of_root[groups.root(mesh.nodes_of(id).front().index())];
+    std::int32_t& body = body_of_root[groups.root(mesh.element_nodes(id).front().index())];
     if (body < 0) {
       body = static_cast<std::int32_t>(bodies.size());
       bodies.push_back({mesh.element_net[e], {}, {}});
@@ -70,7 +70,7 @@ std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<
   }
   base::DisjointSets groups(bodies.size());
   for (const auto& [a, b] : links) {
-    groups.join(a, b);
+    groups.join_sets(a, b);
   }
   std::vector<std::vector<Body>> joined(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -27,8 +27,8 @@ struct Chart {
 /// The corner of an element that is one of some nodes; -1: none.
 inline int corner_at(const model::Mesh& mesh, base::ElementId e,
                      std::span<const base::NodeId> tips) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  for (int c = 0; c < base::info(mesh.type[e.index()]).corners; ++c) {
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+  for (int c = 0; c < base::element_info(mesh.type[e.index()]).corners; ++c) {
     if (std::ranges::find(tips, nodes[static_cast<std::size_t>(c)]) != tips.end()) {
       return c;
     }
@@ -39,7 +39,7 @@ inline int corner_at(const model::Mesh& mesh, base::ElementId e,
 /// Charts of an element, collapsed into the corner `tip`; -1: nothing is singular.
 inline std::vector<Chart> charts(const AnyElement<2>& element, int tip) {
   const int corners = element.corners;
-  const auto at = [&](int i) { return element.node(i % corners); };
+  const auto at = [&](int i) { return element.node_coordinates(i % corners); };
   if (corners == 4 && tip < 0) {
     return {{at(0), at(1) - at(0), at(3) - at(0), false}};
   }

@@ -18,13 +18,13 @@ template <shape::Element S> struct Dilatation {
   /// Number of functions phi, or Eigen::Dynamic.
   static constexpr int modes = [] {
     if constexpr (shape::ElementShape<S>) {
-      return modes_for(base::info(S::type).corners, base::info(S::type).quadratic);
+      return modes_for(base::element_info(S::type).corners, base::element_info(S::type).quadratic);
     } else {
       return Eigen::Dynamic;
     }
   }();
   static constexpr int most_modes = modes == Eigen::Dynamic ? 1 + S::dim : modes;
-  static constexpr int most_freedoms = S::dim * shape::Counts<S>::most_nodes;
+  static constexpr int most_freedoms = S::dim * shape::NodeCounts<S>::most_nodes;
   using Modes = Eigen::Matrix<double, modes, 1, 0, most_modes, 1>;
   using Volume =
       Eigen::Matrix<double, modes, modes == Eigen::Dynamic ? Eigen::Dynamic : most_freedoms,

@@ -30,7 +30,7 @@ int rank(FreedomClass cls) {
 
 // A point on the axis has no way to leave it.
 void hold_axis(const model::Mesh& mesh, std::vector<FreedomClass>& cls) {
-  const double reach = model::axis_reach(mesh);
+  const double reach = model::axis_tolerance(mesh);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     if (mesh.x[n].x() <= reach) {
       cls[2 * n] = FreedomClass::suppressed;
@@ -43,8 +43,8 @@ void hold_axis(const model::Mesh& mesh, std::vector<FreedomClass>& cls) {
 std::vector<FreedomClass> classify_freedoms(const model::Model& model, const model::Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim);
   std::vector<FreedomClass> cls(dim * mesh.node_count(), FreedomClass::local);
-  for (const model::Freedom& freedom : model.freedoms) {
-    for (const base::NodeId n : mesh.set(freedom.nodes).nodes) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
+    for (const base::NodeId n : mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t c = 0; c < dim; ++c) {
         FreedomClass& now = cls[dim * n.index() + c];
         if (freedom.dof[c] && rank(freedom.cls) > rank(now)) {

@@ -3,19 +3,19 @@
 
 namespace spricka::fe {
 
-Lame lame(const model::Material& material, model::State state) {
+Lame lame(const model::ElasticMaterial& material, model::StressState state) {
   const double E = material.E;
   const double nu = material.nu;
   const double mu = E / (2.0 * (1.0 + nu));
-  if (state == model::State::plane_stress) {
+  if (state == model::StressState::plane_stress) {
     return {E * nu / (1.0 - nu * nu), mu};
   }
   return {E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), mu};
 }
 
-double effective_modulus(const model::Material& material, model::State state) {
-  return state == model::State::plane_stress ? material.E
-                                             : material.E / (1.0 - material.nu * material.nu);
+double effective_modulus(const model::ElasticMaterial& material, model::StressState state) {
+  return state == model::StressState::plane_stress ? material.E
+                                                   : material.E / (1.0 - material.nu * material.nu);
 }
 
 } // namespace spricka::fe

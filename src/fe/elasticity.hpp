@@ -22,11 +22,13 @@ struct Lame {
   double lambda = 0.0;
   double mu = 0.0;
 };
-Lame lame(const model::Material& material, model::State state);
+Lame lame(const model::ElasticMaterial& material, model::StressState state);
 
 /// D of sigma = D eps [stress]; dim 2 for plane stress and plane strain, 3 for a solid.
-template <int dim> Elasticity<dim> elasticity(const model::Material& material, model::State state) {
-  assert((dim == 3) == (state == model::State::solid) && state != model::State::axisymmetric);
+template <int dim>
+Elasticity<dim> elasticity(const model::ElasticMaterial& material, model::StressState state) {
+  assert((dim == 3) == (state == model::StressState::solid) &&
+         state != model::StressState::axisymmetric);
   const Lame k = lame(material, state);
   Elasticity<dim> D = Elasticity<dim>::Zero();
   D.template topLeftCorner<dim, dim>().setConstant(k.lambda);
@@ -36,6 +38,6 @@ template <int dim> Elasticity<dim> elasticity(const model::Material& material, m
 }
 
 /// E' of Irwin's G = K^2 / E' [stress]: E in plane stress, E / (1 - nu^2) else.
-double effective_modulus(const model::Material& material, model::State state);
+double effective_modulus(const model::ElasticMaterial& material, model::StressState state);
 
 } // namespace spricka::fe

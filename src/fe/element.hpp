@@ -123,8 +123,8 @@ void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elemen
 template <class F>
 decltype(auto) with_any_element(const model::Mesh& mesh, base::ElementId e, F&& f) {
   const base::ElementType type = mesh.type[e.index()];
-  return base::info(type).dim == 2 ? f(shape::reference_element<2>(type))
-                                   : f(shape::reference_element<3>(type));
+  return base::element_info(type).dim == 2 ? f(shape::reference_element<2>(type))
+                                           : f(shape::reference_element<3>(type));
 }
 
 } // namespace spricka::fe

@@ -29,7 +29,7 @@ struct Lists {
 };
 
 std::size_t corner_count(const model::Mesh& mesh, std::size_t e) {
-  return static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+  return static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
 }
 
 /// What the patches are made from.
@@ -68,14 +68,14 @@ struct Recovery {
 
 // Superconvergent points: the middle of linear elements, the reduced rule of quadratic ones.
 template <shape::ElementShape S> std::span<const shape::QuadraturePoint<S::dim>> sample_rule() {
-  return shape::quadrature<S>(base::info(S::type).quadratic ? 2 : 1);
+  return shape::quadrature<S>(base::element_info(S::type).quadratic ? 2 : 1);
 }
 
 // Lengths of the reference element along its coordinates.
 template <shape::ElementShape S> shape::Point<S::dim> reference_lengths() {
-  constexpr bool box = base::info(S::type).corners == 1 << S::dim;
+  constexpr bool box = base::element_info(S::type).corners == 1 << S::dim;
   shape::Point<S::dim> lengths = shape::Point<S::dim>::Constant(box ? 2.0 : 1.0);
-  if (S::domain == shape::Domain::prism) {
+  if (S::domain == shape::ReferenceDomain::prism) {
     lengths[S::dim - 1] = 2.0;
   }
   return lengths;
@@ -114,7 +114,7 @@ public:
     add(point, point);
     bool quadratic = true;
     for (const std::size_t e : elements_) {
-      quadratic = quadratic && base::info(r_.mesh.type[e]).quadratic;
+      quadratic = quadratic && base::element_info(r_.mesh.type[e]).quadratic;
     }
     // Linear elements have one sample each, too few for terms of degree 2.
     const int degree = quadratic ? 2 : 1;
@@ -186,14 +186,14 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       const StressElement<S> element(model, mesh, ElementId(e), field);
-      const AnyElement<S::dim>& corners = shape::reference<S>();
+      const AnyElement<S::dim>& corners = shape::as_reference_element<S>();
       double volume = 0.0;
       for (const auto& point : shape::quadrature<S>(std::max(S::degree, 2))) {
         const Jacobian<S> at = jacobian<S>(element.X, point.r);
         Vec3 x = Vec3::Zero();
         x.template head<S::dim>() = element.X * S::N(point.r);
         const double w = point.weight * at.det * element.law.depth(x.x());
-        const CornerValues<S::dim> L = corners.linear().N(point.r);
+        const CornerValues<S::dim> L = corners.linear_element().N(point.r);
         // s* - s, with s* blended from the polynomials of the corners (fe.37).
         Stress off = -element.from(at, point.r);
         for (int c = 0; c < corners.corners; ++c) {

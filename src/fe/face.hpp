@@ -17,7 +17,7 @@ inline constexpr int load_degree = 9;
 
 /// Mesh nodes of a side, corners first.
 inline std::vector<base::NodeId> nodes_of_face(const model::Mesh& mesh, const model::Face& face) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
   std::vector<base::NodeId> result;
   for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
     result.push_back(nodes[static_cast<std::size_t>(i)]);
@@ -46,7 +46,7 @@ private:
     if constexpr (dim == 1) {
       return shape::reference_line(static_cast<int>(count));
     } else {
-      return shape::reference_element<2>(shape::solid_side(type, side));
+      return shape::reference_element<2>(shape::solid_side_type(type, side));
     }
   }
 };
@@ -69,7 +69,7 @@ base::Vec3 area_vector(const AnyElement<dim>& side, const SpaceNodes<dim>& X,
 /// Calls f(side, X) with the reference element of a side and the coordinates of its nodes; f is a
 /// generic lambda `[&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X)`.
 template <class F> void with_any_side(const model::Mesh& mesh, const model::Face& face, F&& f) {
-  if (base::info(mesh.type[face.element.index()]).dim == 2) {
+  if (base::element_info(mesh.type[face.element.index()]).dim == 2) {
     const ElementSide<1> side(mesh, face);
     f(side.shape, side.X);
   } else {

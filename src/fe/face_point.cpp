@@ -7,7 +7,7 @@ namespace spricka::fe {
 
 template <int dim>
 shape::Point<dim> into_side(const AnyElement<dim>& side, const shape::Point<dim>& r) {
-  if (side.domain != shape::Domain::triangle) {
+  if (side.domain != shape::ReferenceDomain::triangle) {
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
   shape::Point<dim> in = r.cwiseMax(0.0);
@@ -67,7 +67,8 @@ shape::Point<dim> nearest_on_side(const AnyElement<dim>& side, const SpaceNodes<
         E.col(2) = X.col(side.corners + s);
       }
       const double t = foot_on_side<1>(edge, E, x)[0];
-      const shape::Point<2> r = 0.5 * (1.0 - t) * side.node(s) + 0.5 * (1.0 + t) * side.node(next);
+      const shape::Point<2> r = 0.5 * (1.0 - t) * side.node_coordinates(s) +
+                                0.5 * (1.0 + t) * side.node_coordinates(next);
       const double distance = (x - X * side.N(r)).norm();
       if (distance < (1.0 - 1e-9) * least) {
         least = distance;

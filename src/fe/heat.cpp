@@ -32,7 +32,7 @@ CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>
     if (in_x) {
       f = Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]);
     } else {
-      f = element.linear().N(r);
+      f = element.linear_element().N(r);
     }
     return f;
   };
@@ -47,7 +47,7 @@ CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>
   const base::Vector c = base::solve_symmetric(G, right);
   CornerValues<2> T(element.corners);
   for (int n = 0; n < element.corners; ++n) {
-    T[n] = c.dot(functions(X.col(n), element.node(n)));
+    T[n] = c.dot(functions(X.col(n), element.node_coordinates(n)));
   }
   return T;
 }
@@ -82,7 +82,8 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
     const Law law = law_of(model, mesh, e);
-    if (takes_rest(law, mesh.dim, base::info(mesh.type[i]).quadratic) && heat.field.varies(e)) {
+    if (takes_rest(law, mesh.dim, base::element_info(mesh.type[i]).quadratic) &&
+        heat.field.varies(e)) {
       const AnyElement<2>& element = shape::reference_element<2>(mesh.type[i]);
       const AnyNodeVectors<2> X = coordinates(element, mesh, e);
       SampledHeat sampled =
@@ -122,7 +123,7 @@ double taken_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& 
   if (FreeExpansion::wanted(element, X, law)) {
     return FreeExpansion(element, X, law, T).temperature(X * element.N(r));
   }
-  return T.dot(element.linear().N(r));
+  return T.dot(element.linear_element().N(r));
 }
 
 double unresolved_heat(const model::Model& model, const model::Mesh& mesh,
@@ -154,7 +155,7 @@ CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
   for (const model::Load& load : load_case.loads) {
     if (load.type == model::LoadType::temperature) {
       const FieldScale own =
-          load_scale(patched.mesh, load, patched.mesh.set(load.elements).elements);
+          load_scale(patched.mesh, load, patched.mesh.set_with_id(load.elements).elements);
       scale.largest += own.largest;
       scale.mean += own.mean;
     }
@@ -168,7 +169,7 @@ CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
 void add_rest_load(const model::Model& model, const model::Mesh& mesh, const ActingHeat& acting,
                    base::MaterialId only, base::Vector& f) {
   for_rest(model, mesh, *acting.heat, [&](const RestElement& own) {
-    if (only.valid() && model.property_of(mesh, own.e).material != only) {
+    if (only.valid() && model.element_property(mesh, own.e).material != only) {
       return;
     }
     AnyNodeVectors<2> F = AnyNodeVectors<2>::Zero(2, own.shape.nodes);
@@ -178,7 +179,7 @@ void add_rest_load(const model::Model& model, const model::Mesh& mesh, const Act
       F += (beta * p.area * p.T) * jacobian(own.shape, own.X, p.r).dNdx.transpose();
     }
     Eigen::Index i = 0;
-    for (const base::NodeId n : mesh.nodes_of(own.e)) {
+    for (const base::NodeId n : mesh.element_nodes(own.e)) {
       f.segment<2>(2 * static_cast<Eigen::Index>(n.index())) += F.col(i++);
     }
   });

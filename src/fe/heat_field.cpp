@@ -30,12 +30,12 @@ HeatField::HeatField(const PatchedMesh& patched, const model::LoadCase& load_cas
       }
     }
     Part part{load.value.front(), std::vector<bool>(mesh.element_count(), false), false};
-    for (const ElementId e : mesh.set(load.elements).elements) {
+    for (const ElementId e : mesh.set_with_id(load.elements).elements) {
       part.member[e.index()] = true;
     }
     std::vector<bool> host(patched.host_mesh.element_count(), false);
     if (places_ != nullptr && !places_->taken().empty()) {
-      for (const ElementId e : patched.host_mesh.set(load.elements).elements) {
+      for (const ElementId e : patched.host_mesh.set_with_id(load.elements).elements) {
         host[e.index()] = true;
       }
       const auto in = [&](ElementId e) { return host[e.index()]; };

@@ -28,7 +28,7 @@ public:
 
 private:
   struct Part {
-    base::Expression value;
+    base::CompiledExpression value;
     std::vector<bool> member; ///< [element]
     bool by_place = false;    ///< of new elements the place decides, not the element
   };

@@ -22,12 +22,12 @@ double cross(const Vec2& a, const Vec2& b) {
 // Outline of an element of the plane, anticlockwise.
 std::vector<Vec2> outline_of(const model::Mesh& mesh, base::ElementId e) {
   const base::ElementType type = mesh.type[e.index()];
-  const auto nodes = mesh.nodes_of(e);
+  const auto nodes = mesh.element_nodes(e);
   const auto at = [&](int i) -> Vec2 {
     return mesh.x[nodes[static_cast<std::size_t>(i)].index()].head<2>();
   };
   std::vector<Vec2> points;
-  for (int s = 0; s < base::info(type).sides; ++s) {
+  for (int s = 0; s < base::element_info(type).sides; ++s) {
     const auto side = shape::side_nodes(type, s);
     const Vec2 a = at(side[0]);
     const Vec2 b = at(side[1]);

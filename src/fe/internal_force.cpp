@@ -31,7 +31,7 @@ void add_internal_force(const model::Model& model, const model::Mesh& mesh,
           (*energy)[e.index()] = 0.5 * U.cwiseProduct(F).sum();
         }
         Eigen::Index i = 0;
-        for (const base::NodeId n : mesh.nodes_of(e)) {
+        for (const base::NodeId n : mesh.element_nodes(e)) {
           r.segment(mesh.dim * static_cast<Eigen::Index>(n.index()), mesh.dim) += F.col(i++);
         }
       });

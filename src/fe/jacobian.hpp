@@ -19,16 +19,16 @@ namespace spricka::fe {
 
 /// Values of a vector field (coordinates, displacements, forces) at the nodes of an element.
 template <class S>
-using NodeVectors =
-    Eigen::Matrix<double, S::dim, shape::Counts<S>::nodes, 0, S::dim, shape::Counts<S>::most_nodes>;
+using NodeVectors = Eigen::Matrix<double, S::dim, shape::NodeCounts<S>::nodes, 0, S::dim,
+                                  shape::NodeCounts<S>::most_nodes>;
 /// Values of a function at the nodes of an element.
 template <class S>
 using NodeValues =
-    Eigen::Matrix<double, shape::Counts<S>::nodes, 1, 0, shape::Counts<S>::most_nodes, 1>;
+    Eigen::Matrix<double, shape::NodeCounts<S>::nodes, 1, 0, shape::NodeCounts<S>::most_nodes, 1>;
 /// Derivatives of the shape functions with respect to x.
 template <class S>
-using Gradients =
-    Eigen::Matrix<double, shape::Counts<S>::nodes, S::dim, 0, shape::Counts<S>::most_nodes, S::dim>;
+using Gradients = Eigen::Matrix<double, shape::NodeCounts<S>::nodes, S::dim, 0,
+                                shape::NodeCounts<S>::most_nodes, S::dim>;
 /// An element or a side known when run, and vectors at its nodes in its own space and in space.
 template <int dim> using AnyElement = shape::ReferenceElement<dim>;
 template <int dim> using AnyNodeVectors = NodeVectors<AnyElement<dim>>;
@@ -46,7 +46,7 @@ using ElementMatrix = Eigen::Matrix<double, S::dim * S::nodes, S::dim * S::nodes
 /// Coordinates of the nodes of an element [dim, nodes].
 template <shape::Element S>
 NodeVectors<S> coordinates(const S& element, const model::Mesh& mesh, base::ElementId e) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   assert(nodes.size() == static_cast<std::size_t>(element.nodes));
   NodeVectors<S> X(S::dim, element.nodes);
   for (int i = 0; i < element.nodes; ++i) {
@@ -63,7 +63,7 @@ NodeVectors<S> coordinates(const model::Mesh& mesh, base::ElementId e) {
 template <shape::Element S>
 NodeVectors<S> gather(const S& element, const model::Mesh& mesh, base::ElementId e,
                       const base::Vector& u) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   NodeVectors<S> U(S::dim, element.nodes);
   for (int i = 0; i < element.nodes; ++i) {
     const auto n = static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index());

@@ -33,7 +33,7 @@ struct Law {
 };
 
 /// Law of a property's elements of one type.
-Law law_of(const model::Material& material, const model::Property& property,
+Law law_of(const model::ElasticMaterial& material, const model::ElementProperty& property,
            base::ElementType type);
 
 /// Law of the element `e`.

@@ -23,7 +23,7 @@ void add_at_node(const model::Mesh& mesh, base::NodeId n, const Vec3& force, Vec
 }
 
 void add_nodal_forces(const model::Mesh& mesh, const model::Load& load, Vector& f) {
-  for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+  for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
     add_at_node(mesh, n, load_value(load, mesh.x[n.index()]), f);
   }
 }
@@ -54,7 +54,7 @@ void add_body_total(const model::Model& model, const model::Mesh& mesh, const mo
         own += dV * N;
         total += dV;
       }
-      const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+      const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         weight[static_cast<Eigen::Index>(nodes[i].index())] += own[static_cast<Eigen::Index>(i)];
       }
@@ -81,7 +81,8 @@ Vector displacement_of_set(const model::Mesh& mesh, const model::LoadCase& load_
                            const model::NodeSet& set) {
   Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for (const model::Load& load : load_case.loads) {
-    if (load.type == model::LoadType::displacement && mesh.set(load.nodes).nodes == set.nodes) {
+    if (load.type == model::LoadType::displacement &&
+        mesh.set_with_id(load.nodes).nodes == set.nodes) {
       // A node that the set names twice is displaced once.
       for (const base::NodeId n : std::set(set.nodes.begin(), set.nodes.end())) {
         add_at_node(mesh, n, load_value(load, mesh.x[n.index()]), u);
@@ -108,7 +109,7 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
   LoadVisit visit;
   // (fe.16); on bodies (fe.17).
   visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
     const std::span<const int> local =
         shape::side_nodes(mesh.type[face.element.index()], face.side);
     with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>&) {
@@ -122,7 +123,7 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
     });
   };
   visit.on_body = [&](base::ElementId e, std::span<const LoadPoint> points) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       for (const LoadPoint& p : points) {
         const auto N = element.N(p.r.template head<dim>());
@@ -167,11 +168,11 @@ Vector prescribed_displacement(const model::Model& /*model*/, const model::Mesh&
   for (const model::Load& load : load_case.loads) {
     if (load.type != model::LoadType::displacement ||
         std::ranges::any_of(told, [&](const model::NodeSet* set) {
-          return set->nodes == mesh.set(load.nodes).nodes;
+          return set->nodes == mesh.set_with_id(load.nodes).nodes;
         })) {
       continue;
     }
-    told.push_back(&mesh.set(load.nodes));
+    told.push_back(&mesh.set_with_id(load.nodes));
     const Vector own = displacement_of_set(mesh, load_case, *told.back());
     for (Eigen::Index i = 0; i < u.size(); ++i) {
       if (!same_displacement(u[i], own[i])) {

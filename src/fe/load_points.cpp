@@ -38,7 +38,7 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
   Unresolved* const missed = spread.missed;
   const FieldScale scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
-  for (const model::Face& face : mesh.set(load.faces).faces) {
+  for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
     with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
       const Law law = law_of(model, mesh, face.element);
       const AdaptedRule<dim> rule = load_rule<dim>(side, X, load, scale);

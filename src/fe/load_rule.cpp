@@ -17,7 +17,7 @@ template <class F>
 void with_part(const model::Mesh& mesh, const model::Load& load,
                const std::vector<base::ElementId>& elements, std::size_t part, F&& f) {
   if (load.faces.valid()) {
-    with_any_side(mesh, mesh.set(load.faces).faces[part], f);
+    with_any_side(mesh, mesh.set_with_id(load.faces).faces[part], f);
   } else {
     with_any_element(mesh, elements[part], [&]<int dim>(const AnyElement<dim>& element) {
       f(element, in_space<dim>(coordinates(element, mesh, elements[part])));
@@ -34,7 +34,7 @@ FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
     return {value, value};
   }
   const std::size_t parts =
-      load.faces.valid() ? mesh.set(load.faces).faces.size() : elements.size();
+      load.faces.valid() ? mesh.set_with_id(load.faces).faces.size() : elements.size();
   FieldScale scale;
   for (std::size_t i = 0; i < parts; ++i) {
     with_part(mesh, load, elements, i,
@@ -82,16 +82,16 @@ std::vector<LoadPlace> load_places(const model::Mesh& mesh, const model::Load& l
     return {{base::Vec3::Zero(), 1.0}};
   }
   if (load.nodes.valid()) {
-    for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+    for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
       places.push_back({mesh.x[n.index()], 1.0});
     }
     return places;
   }
   static const std::vector<base::ElementId> none;
   const std::vector<base::ElementId>& elements =
-      load.faces.valid() ? none : mesh.set(load.elements).elements;
+      load.faces.valid() ? none : mesh.set_with_id(load.elements).elements;
   const std::size_t parts =
-      load.faces.valid() ? mesh.set(load.faces).faces.size() : elements.size();
+      load.faces.valid() ? mesh.set_with_id(load.faces).faces.size() : elements.size();
   for (std::size_t i = 0; i < parts; ++i) {
     with_part(mesh, load, elements, i,
               [&]<int dim>(const AnyElement<dim>& element, const SpaceNodes<dim>& X) {

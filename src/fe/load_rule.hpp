@@ -19,16 +19,18 @@ inline base::Vec3 load_value(const model::Load& load, const base::Vec3& x) {
 }
 
 inline bool is_constant(const model::Load& load) {
-  return std::ranges::all_of(load.value, [](const base::Expression& v) { return v.is_constant(); });
+  return std::ranges::all_of(load.value,
+                             [](const base::CompiledExpression& v) { return v.is_constant(); });
 }
 
 /// Whether nothing in a load's expressions can jump or kink: no comparison, abs, min or max.
 inline bool is_smooth(const model::Load& load) {
-  using base::Op;
-  return std::ranges::all_of(load.value, [](const base::Expression& v) {
-    return std::ranges::none_of(v.code, [](const base::Instruction& i) {
-      return (i.op >= Op::less && i.op <= Op::logical_or) || i.op == Op::abs || i.op == Op::min ||
-             i.op == Op::max || i.op == Op::atan2 || i.op == Op::sqrt || i.op == Op::theta;
+  using base::OpCode;
+  return std::ranges::all_of(load.value, [](const base::CompiledExpression& v) {
+    return std::ranges::none_of(v.code, [](const base::ExpressionInstruction& i) {
+      return (i.op >= OpCode::less && i.op <= OpCode::logical_or) || i.op == OpCode::abs ||
+             i.op == OpCode::min || i.op == OpCode::max || i.op == OpCode::atan2 ||
+             i.op == OpCode::sqrt || i.op == OpCode::theta;
     });
   });
 }

@@ -21,9 +21,9 @@ constexpr double boundary_tolerance = 0.05;
 constexpr double on_side = 1e-7;
 
 bool in_box(const model::Mesh& mesh, ElementId e, const Vec3& point) {
-  Vec3 low = mesh.x[mesh.nodes_of(e).front().index()];
+  Vec3 low = mesh.x[mesh.element_nodes(e).front().index()];
   Vec3 high = low;
-  for (const base::NodeId n : mesh.nodes_of(e)) {
+  for (const base::NodeId n : mesh.element_nodes(e)) {
     low = low.cwiseMin(mesh.x[n.index()]);
     high = high.cwiseMax(mesh.x[n.index()]);
   }
@@ -38,7 +38,7 @@ shape::Point<dim> into_domain(const AnyElement<dim>& element, shape::Point<dim> 
   if (element.corners == 1 << dim) {
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
-  const bool prism = element.domain == shape::Domain::prism;
+  const bool prism = element.domain == shape::ReferenceDomain::prism;
   const int flat = prism ? 2 : dim; // coordinates that share a simplex
   r.head(flat) = r.head(flat).cwiseMax(0.0).eval();
   const double sum = r.head(flat).sum();
@@ -57,7 +57,7 @@ std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3&
   with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
     const shape::Point<dim> x = point.head<dim>();
     if (const auto r = inverse_map<dim>(element, coordinates(element, mesh, e), x)) {
-      const double outside = element.outside(*r);
+      const double outside = element.distance_outside(*r);
       if (outside <= boundary_tolerance) {
         found = PointHit{e, Vec3::Zero(), outside};
         found->r.head<dim>() = into_domain<dim>(element, *r);
@@ -70,9 +70,10 @@ std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3&
 } // namespace
 
 bool share_node(const model::Mesh& mesh, ElementId a, ElementId b) {
-  const auto nodes = mesh.nodes_of(b);
-  return std::ranges::any_of(
-      mesh.nodes_of(a), [&](base::NodeId n) { return std::ranges::find(nodes, n) != nodes.end(); });
+  const auto nodes = mesh.element_nodes(b);
+  return std::ranges::any_of(mesh.element_nodes(a), [&](base::NodeId n) {
+    return std::ranges::find(nodes, n) != nodes.end();
+  });
 }
 
 std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point) {

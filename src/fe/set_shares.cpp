@@ -33,8 +33,8 @@ double cross2(const Vec2& u, const Vec2& v) {
 
 Polygon outline(const model::Mesh& mesh, ElementId e) {
   Polygon result;
-  const auto nodes = mesh.nodes_of(e);
-  for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
+  const auto nodes = mesh.element_nodes(e);
+  for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
     const auto side = shape::side_nodes(mesh.type[e.index()], s); // ends, then the middle
     const auto x = [&](std::size_t k) -> Vec2 {
       return mesh.x[nodes[static_cast<std::size_t>(side[k])].index()].head<2>();
@@ -285,14 +285,14 @@ const ElementShare* SetShares::of(ElementId e) const {
 }
 
 SetShares set_shares(const model::Model& model, const model::Mesh& mesh, base::ElementSetId set) {
-  SetShares result{mesh.set(set).elements, {}};
+  SetShares result{mesh.set_with_id(set).elements, {}};
   const model::Mesh& host = model.mesh;
   if (&host == &mesh || mesh.dim != 2 || set.index() >= host.element_sets.size()) {
     return result;
   }
   const Replaced replaced = replaced_elements(host, mesh);
   std::vector<bool> member(host.element_count(), false);
-  for (const ElementId e : host.set(set).elements) {
+  for (const ElementId e : host.set_with_id(set).elements) {
     member[e.index()] = true;
   }
   const auto in =

@@ -30,7 +30,8 @@ std::vector<Stress> element_node_stress(const model::Model& model, const model::
                  const StressElement<S> element(model, mesh, e, field);
                  const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
                  for (int i = 0; i < S::nodes; ++i) {
-                   stress[first + static_cast<std::size_t>(i)] = element.at(shape::node<S>(i));
+                   stress[first + static_cast<std::size_t>(i)] =
+                       element.at(shape::node_coordinates<S>(i));
                  }
                }
              });

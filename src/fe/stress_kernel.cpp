@@ -8,7 +8,7 @@ StressElement<S>::StressElement(const model::Model& model, const model::Mesh& me
                                 base::ElementId e, const StateField& field)
     : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), law(law_of(model, mesh, e)),
       change(S{}, X, law, U),
-      thermal(shape::reference<S>(), X, law, held_temperature(mesh, e, field)) {}
+      thermal(shape::as_reference_element<S>(), X, law, held_temperature(mesh, e, field)) {}
 
 // In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
 // strain make of it.
@@ -40,7 +40,7 @@ template <shape::ElementShape S> Stress StressElement<S>::at(const shape::Point<
 template <shape::ElementShape S>
 CornerValues<S::dim> StressElement<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
                                                         const StateField& field) {
-  const AnyElement<S::dim>& element = shape::reference<S>();
+  const AnyElement<S::dim>& element = shape::as_reference_element<S>();
   const CornerValues<S::dim> none = CornerValues<S::dim>::Zero(element.corners);
   if (field.temperature == nullptr) {
     return none;

@@ -99,7 +99,7 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
     if (temperature.size() == 0) {
       temperature = base::Vector::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
     }
-    const std::vector<base::ElementId>& elements = mesh.set(load.elements).elements;
+    const std::vector<base::ElementId>& elements = mesh.set_with_id(load.elements).elements;
     const FieldScale scale = load_scale(mesh, load, elements);
     for (const base::ElementId e : elements) {
       with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
@@ -128,7 +128,7 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
         const AnyNodeVectors<dim> F =
             thermal_forces<dim>(element, coordinates(element, mesh, e), law_of(model, mesh, e), T);
         Eigen::Index i = 0;
-        for (const base::NodeId n : mesh.nodes_of(e)) {
+        for (const base::NodeId n : mesh.element_nodes(e)) {
           f.segment<dim>(dim * static_cast<Eigen::Index>(n.index())) += F.col(i++);
         }
       });

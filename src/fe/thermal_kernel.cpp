@@ -18,7 +18,7 @@ bool holds_quadratics(const AnyElement<2>& element, const AnyNodeVectors<2>& X) 
     return false;
   }
   for (int n = element.corners; n < element.nodes; ++n) {
-    if ((X.col(n) - C * element.linear().N(element.node(n))).norm() > least) {
+    if ((X.col(n) - C * element.linear_element().N(element.node_coordinates(n))).norm() > least) {
       return false;
     }
   }
@@ -87,7 +87,7 @@ HeatFunctions<dim>::HeatFunctions(const AnyElement<dim>& element, const AnyNodeV
 }
 
 template <int dim> CornerValues<dim> HeatFunctions<dim>::at(const shape::Point<dim>& r) const {
-  CornerValues<dim> L = element_->linear().N(r);
+  CornerValues<dim> L = element_->linear_element().N(r);
   if (bent()) {
     // How far a point is from where the corners put it.
     const Eigen::Matrix<double, dim, 1> off =
@@ -102,7 +102,7 @@ CornerGradients<dim> HeatFunctions<dim>::gradients(const Eigen::Matrix<double, d
                                                    const shape::Point<dim>& r) const {
   using Square = Eigen::Matrix<double, dim, dim>;
   const Square inverse = J.inverse();
-  CornerGradients<dim> G = element_->linear().dN(r).lazyProduct(inverse);
+  CornerGradients<dim> G = element_->linear_element().dN(r).lazyProduct(inverse);
   if (bent()) {
     const Square off = Square::Identity() - Square(X_.leftCols(element_->corners).lazyProduct(G));
     G += slope_.lazyProduct(off);
@@ -182,7 +182,7 @@ CornerValues<dim> nearest_temperature(const AnyElement<dim>& element, const AnyN
   const base::Vector c = base::solve_symmetric(G, right);
   CornerValues<dim> T(element.corners);
   for (int n = 0; n < element.corners; ++n) {
-    T[n] = c.dot(functions(X.col(n), heat.at(element.node(n))));
+    T[n] = c.dot(functions(X.col(n), heat.at(element.node_coordinates(n))));
   }
   return T;
 }

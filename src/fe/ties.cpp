@@ -20,11 +20,11 @@ using base::Vec3;
 // Nodes closer together than this share of the body count as one point or one line.
 constexpr double together = 1e-9;
 
-Tie equation(const model::Mesh& mesh, const model::Equation& given, std::size_t mpc) {
+Tie equation(const model::Mesh& mesh, const model::ConstraintEquation& given, std::size_t mpc) {
   Tie tie;
   tie.mpc = mpc;
   tie.rhs = given.rhs;
-  for (const model::Equation::Term& t : given.terms) {
+  for (const model::ConstraintEquation::ConstraintTerm& t : given.terms) {
     tie.terms.push_back(
         {static_cast<std::int32_t>(t.node.index()) * mesh.dim + t.dof, t.coefficient});
   }
@@ -160,14 +160,14 @@ std::vector<Tie> make_ties(const model::Model& model, const model::Mesh& mesh,
                            std::vector<TieTrouble>& troubles) {
   std::vector<Tie> ties;
   for (std::size_t m = 0; m < model.mpcs.size(); ++m) {
-    if (const auto* given = std::get_if<model::Equation>(&model.mpcs[m])) {
+    if (const auto* given = std::get_if<model::ConstraintEquation>(&model.mpcs[m])) {
       ties.push_back(equation(mesh, *given, m));
     } else if (const auto* rigid = std::get_if<model::RigidTie>(&model.mpcs[m])) {
-      const std::vector<NodeId>& nodes = mesh.set(rigid->slave).nodes;
+      const std::vector<NodeId>& nodes = mesh.set_with_id(rigid->slave).nodes;
       if (nodes.size() > 1) {
         RigidBody(mesh, nodes, m).add_ties(ties);
       }
-    } else if (const auto* transition = std::get_if<model::Transition>(&model.mpcs[m])) {
+    } else if (const auto* transition = std::get_if<model::TransitionTie>(&model.mpcs[m])) {
       add_transition(mesh, *transition, m, ties, troubles);
     }
   }

@@ -43,7 +43,7 @@ struct Ball {
 };
 
 Ball ball_of(const model::Mesh& mesh, const model::Face& face) {
-  const auto nodes = mesh.nodes_of(face.element);
+  const auto nodes = mesh.element_nodes(face.element);
   const auto side = shape::side_nodes(mesh.type[face.element.index()], face.side);
   Ball ball;
   for (const int i : side) {
@@ -117,7 +117,7 @@ Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
 }
 
 bool has_node(const model::Mesh& mesh, const model::Face& face, base::NodeId node) {
-  const auto nodes = mesh.nodes_of(face.element);
+  const auto nodes = mesh.element_nodes(face.element);
   for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
     if (nodes[static_cast<std::size_t>(i)] == node) {
       return true;
@@ -174,8 +174,8 @@ std::vector<model::Face> slave_sides(const model::Mesh& mesh,
   }
   std::vector<model::Face> sides;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const auto local = shape::side_nodes(mesh.type[e], s);
       if (std::all_of(local.begin(), local.end(),
                       [&](int i) { return slave[nodes[static_cast<std::size_t>(i)].index()]; })) {
@@ -228,15 +228,15 @@ Along goes_along(const model::Mesh& mesh, const std::vector<model::Face>& sides,
 
 // Ties at points hand a constant stress over exactly only where meshes nest: a fine side on two
 // coarse faces sends its forces to the wrong nodes of both.
-void warn_of_straddling(const model::Mesh& mesh, const model::Transition& transition,
+void warn_of_straddling(const model::Mesh& mesh, const model::TransitionTie& transition,
                         std::size_t mpc, const std::vector<Ball>& balls,
                         const std::vector<model::Face>& sides, std::vector<TieTrouble>& troubles) {
-  const std::vector<model::Face>& faces = mesh.set(transition.master).faces;
+  const std::vector<model::Face>& faces = mesh.set_with_id(transition.master).faces;
   int count = 0;
   base::ElementId first;
   for (const model::Face& side : sides) {
     const Hit middle = nearest(mesh, faces, balls, ball_of(mesh, side).centre);
-    const auto nodes = mesh.nodes_of(side.element);
+    const auto nodes = mesh.element_nodes(side.element);
     for (const int i : shape::side_nodes(mesh.type[side.element.index()], side.side)) {
       const Vec3& x = mesh.x[nodes[static_cast<std::size_t>(i)].index()];
       const double off = hit_of(mesh, middle.face, x).distance;
@@ -259,18 +259,19 @@ void warn_of_straddling(const model::Mesh& mesh, const model::Transition& transi
 
 } // namespace
 
-void add_transition(const model::Mesh& mesh, const model::Transition& transition, std::size_t mpc,
-                    std::vector<Tie>& ties, std::vector<TieTrouble>& troubles) {
-  const std::vector<model::Face>& faces = mesh.set(transition.master).faces;
+void add_transition(const model::Mesh& mesh, const model::TransitionTie& transition,
+                    std::size_t mpc, std::vector<Tie>& ties, std::vector<TieTrouble>& troubles) {
+  const std::vector<model::Face>& faces = mesh.set_with_id(transition.master).faces;
   std::vector<Ball> balls;
   balls.reserve(faces.size());
   for (const model::Face& face : faces) {
     balls.push_back(ball_of(mesh, face));
   }
-  const std::vector<model::Face> sides = slave_sides(mesh, mesh.set(transition.slave).nodes);
+  const std::vector<model::Face> sides =
+      slave_sides(mesh, mesh.set_with_id(transition.slave).nodes);
   double worst = 0.0;
   base::NodeId worst_node;
-  for (const base::NodeId slave : mesh.set(transition.slave).nodes) {
+  for (const base::NodeId slave : mesh.set_with_id(transition.slave).nodes) {
     const Vec3& x = mesh.x[slave.index()];
     const bool own = std::any_of(faces.begin(), faces.end(), [&](const model::Face& face) {
       return has_node(mesh, face, slave);

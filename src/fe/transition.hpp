@@ -7,7 +7,7 @@
 namespace spricka::fe {
 
 /// Ties of one $MPC TYPE=TRANSITION, see make_ties.
-void add_transition(const model::Mesh& mesh, const model::Transition& transition, std::size_t mpc,
-                    std::vector<Tie>& ties, std::vector<TieTrouble>& troubles);
+void add_transition(const model::Mesh& mesh, const model::TransitionTie& transition,
+                    std::size_t mpc, std::vector<Tie>& ties, std::vector<TieTrouble>& troubles);
 
 } // namespace spricka::fe

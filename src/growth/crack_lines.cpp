@@ -101,8 +101,9 @@ struct Builder {
   base::Diagnostics& diagnostics;
   std::vector<model::FreedomClass> cls;
 
-  std::optional<mesh::CrackLine> path_line(const model::Crack& crack, mesh::CrackLine line) {
-    line.path = model.mesh.set(crack.path).nodes;
+  std::optional<mesh::CrackLine> path_line(const model::CrackDefinition& crack,
+                                           mesh::CrackLine line) {
+    line.path = model.mesh.set_with_id(crack.path).nodes;
     if (line.path.size() < 2) {
       diagnostics.error(crack.span, "E401",
                         fmt::format("crack {}: PATH needs at least two nodes", crack.name));
@@ -117,8 +118,8 @@ struct Builder {
     return line;
   }
 
-  std::optional<mesh::CrackLine> free_line(const model::Crack& crack, mesh::CrackLine line,
-                                           const Arms& arms) {
+  std::optional<mesh::CrackLine> free_line(const model::CrackDefinition& crack,
+                                           mesh::CrackLine line, const Arms& arms) {
     const double a = arms.last;
     line.net = crack.net;
     line.points = crack.points;
@@ -163,7 +164,7 @@ struct Builder {
   }
 
   // Length of the crack that the points draw; of an embedded one, half of it.
-  [[nodiscard]] double own_length(const model::Crack& crack) const {
+  [[nodiscard]] double own_length(const model::CrackDefinition& crack) const {
     const bool inside =
         mesh::crack_start(model.mesh, crack.points.front(), crack.net) == mesh::CrackStart::inside;
     const bool curved = crack.smooth && crack.points.size() > 2;
@@ -171,13 +172,15 @@ struct Builder {
            (curved ? SmoothCurve(crack.points).length() : polyline_length(crack.points));
   }
 
-  [[nodiscard]] double first_length(const model::Crack& crack) const {
-    return crack.a0.value_or(
-        crack.kind == model::CrackKind::free && crack.points.size() > 1 ? own_length(crack) : 0.0);
+  [[nodiscard]] double first_length(const model::CrackDefinition& crack) const {
+    return crack.a0.value_or(crack.kind == model::CrackDefinitionKind::free &&
+                                     crack.points.size() > 1
+                                 ? own_length(crack)
+                                 : 0.0);
   }
 
   std::optional<mesh::CrackLine> line(std::size_t number, Arms arms) {
-    const model::Crack& crack = model.cracks[number];
+    const model::CrackDefinition& crack = model.cracks[number];
     // A crack that does not grow, and one without a length of its own here, has its first length.
     if (!crack_grows(model, number) || arms.last <= 0.0) {
       arms.first = arms.last = first_length(crack);
@@ -192,7 +195,7 @@ struct Builder {
     mesh::CrackLine start;
     start.crack = base::CrackId(number);
     start.name = crack.name;
-    std::optional<mesh::CrackLine> line = crack.kind == model::CrackKind::path
+    std::optional<mesh::CrackLine> line = crack.kind == model::CrackDefinitionKind::path
                                               ? path_line(crack, start)
                                               : free_line(crack, start, arms);
     if (!line) {
@@ -222,11 +225,11 @@ std::vector<double> crack_lengths(const model::Model& model) {
   return {0.0};
 }
 
-std::vector<model::Crack> cracks_of_size(const model::Model& model, double a) {
-  std::vector<model::Crack> cracks = model.cracks;
+std::vector<model::CrackDefinition> cracks_of_size(const model::Model& model, double a) {
+  std::vector<model::CrackDefinition> cracks = model.cracks;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
-    model::CrackPlane& plane = cracks[i].plane;
-    if (a > 0.0 && crack_grows(model, i) && cracks[i].kind == model::CrackKind::ellipse) {
+    model::PlanarCrack& plane = cracks[i].plane;
+    if (a > 0.0 && crack_grows(model, i) && cracks[i].kind == model::CrackDefinitionKind::ellipse) {
       plane.c *= a / plane.a;
       plane.a = a;
     }

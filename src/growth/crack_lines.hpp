@@ -36,7 +36,7 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
 
 /// The cracks in space where sizes are given: ellipses that grow have the semi-axis A = a, and C in
 /// its ratio to it; all as they are first when a = 0.
-std::vector<model::Crack> cracks_of_size(const model::Model& model, double a);
+std::vector<model::CrackDefinition> cracks_of_size(const model::Model& model, double a);
 
 /// Whether $GROW names a crack, or all.
 bool crack_grows(const model::Model& model, std::size_t crack);

@@ -13,7 +13,7 @@ namespace spricka::growth {
 namespace {
 
 using base::Vec3;
-using model::CrackPlane;
+using model::PlanarCrack;
 using Arm = EllipseWays::Arm;
 
 /// Axes that are parallel (cosine), and places on one wall (part of the longer axis).
@@ -39,17 +39,17 @@ std::size_t side(double sign) {
 }
 
 // The arm as one of an ellipse with parallel axes.
-Arm seen_from(const CrackPlane& plane, const Arm& arm, const CrackPlane& own) {
-  const Vec3 way = arm.sign * (arm.on_a ? own.across() : own.along);
+Arm seen_from(const PlanarCrack& plane, const Arm& arm, const PlanarCrack& own) {
+  const Vec3 way = arm.sign * (arm.on_a ? own.transverse_axis() : own.along);
   const double along = way.dot(plane.along);
-  const double across = way.dot(plane.across());
+  const double across = way.dot(plane.transverse_axis());
   Arm seen = arm;
   seen.on_a = std::abs(across) > std::abs(along);
   seen.sign = (seen.on_a ? across : along) > 0.0 ? 1.0 : -1.0;
   return seen;
 }
 
-bool are_parallel(const CrackPlane& one, const CrackPlane& other) {
+bool are_parallel(const PlanarCrack& one, const PlanarCrack& other) {
   const double cosine = std::abs(one.along.dot(other.along));
   return cosine < same || cosine > 1.0 - same;
 }
@@ -60,14 +60,14 @@ public:
   Meeting(const EllipseWays::Ellipses& all, std::size_t one, std::size_t other)
       : all_(all), one_(one), other_(other), first_(all.cracks[one].plane) {}
 
-  [[nodiscard]] std::optional<CrackPlane> plane() const {
+  [[nodiscard]] std::optional<PlanarCrack> plane() const {
     const std::optional<Span> a = span_of_both(true);
     const std::optional<Span> c = span_of_both(false);
     if (!a || !c) {
       return std::nullopt;
     }
-    CrackPlane both = first_;
-    both.place += c->place * first_.along + a->place * first_.across();
+    PlanarCrack both = first_;
+    both.place += c->place * first_.along + a->place * first_.transverse_axis();
     both.a = a->half;
     both.c = c->half;
     return both;
@@ -91,16 +91,18 @@ private:
   [[nodiscard]] bool is_ours(const Arm& arm) const {
     return arm.crack == one_ || arm.crack == other_;
   }
-  [[nodiscard]] const CrackPlane& plane_of(const Arm& arm) const {
+  [[nodiscard]] const PlanarCrack& plane_of(const Arm& arm) const {
     return all_.cracks[arm.crack].plane;
   }
   [[nodiscard]] Arm seen(std::size_t tip) const {
     return seen_from(first_, all_.arms[tip], plane_of(all_.arms[tip]));
   }
-  [[nodiscard]] Vec3 axis(bool on_a) const { return on_a ? first_.across() : first_.along; }
+  [[nodiscard]] Vec3 axis(bool on_a) const {
+    return on_a ? first_.transverse_axis() : first_.along;
+  }
 
   [[nodiscard]] Span span_of(std::size_t crack, bool on_a) const {
-    const CrackPlane& plane = all_.cracks[crack].plane;
+    const PlanarCrack& plane = all_.cracks[crack].plane;
     const double cosine = std::abs(plane.along.dot(axis(on_a)));
     Span span{.place = (plane.place - first_.place).dot(axis(on_a)),
               .half = cosine > 0.5 ? plane.c : plane.a,
@@ -137,7 +139,7 @@ private:
 
   // How far a tip lies out along its arm, from the first one's centre.
   [[nodiscard]] double reach(std::size_t tip) const {
-    const CrackPlane& own = plane_of(all_.arms[tip]);
+    const PlanarCrack& own = plane_of(all_.arms[tip]);
     const Arm arm = seen(tip);
     return arm.sign * (own.place - first_.place).dot(axis(arm.on_a)) +
            (all_.arms[tip].on_a ? own.a : own.c);
@@ -184,7 +186,7 @@ private:
   const EllipseWays::Ellipses& all_;
   std::size_t one_;
   std::size_t other_;
-  CrackPlane first_;
+  PlanarCrack first_;
 };
 
 } // namespace
@@ -206,7 +208,7 @@ std::optional<EllipseWays::Ellipses> EllipseWays::joined(Ellipses from, std::siz
     return std::nullopt;
   }
   const Meeting meeting(from, one, other);
-  const std::optional<CrackPlane> plane = meeting.plane();
+  const std::optional<PlanarCrack> plane = meeting.plane();
   if (!plane) {
     return std::nullopt;
   }
@@ -227,7 +229,7 @@ void EllipseWays::settle(State& state) {
   now_ = trial_;
   stands_anew();
   state.lines.clear();
-  for (const model::Crack& crack : now_.cracks) {
+  for (const model::CrackDefinition& crack : now_.cracks) {
     std::vector<Vec3>& kept = state.lines.emplace_back();
     kept.push_back(crack.plane.place);
     if (!is_gone(crack)) {
@@ -251,7 +253,7 @@ void EllipseWays::settle(State& state) {
 void EllipseWays::go_on(const State& state) {
   for (std::size_t c = 0; c < state.lines.size() && c < now_.cracks.size(); ++c) {
     const std::vector<Vec3>& kept = state.lines[c];
-    CrackPlane& plane = now_.cracks[c].plane;
+    PlanarCrack& plane = now_.cracks[c].plane;
     plane.place = kept.at(0);
     if (kept.size() == 1) {
       let_go(now_.cracks[c]);

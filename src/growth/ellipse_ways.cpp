@@ -41,20 +41,20 @@ constexpr double same_rate = 1e-9;
 /// Points of an ellipse that are looked at.
 constexpr int looks_round = 72;
 
-Vec3 on_ellipse(const model::Crack& crack, double phi) {
-  const model::CrackPlane& p = crack.plane;
-  return p.place + p.c * std::cos(phi) * p.along + p.a * std::sin(phi) * p.across();
+Vec3 on_ellipse(const model::CrackDefinition& crack, double phi) {
+  const model::PlanarCrack& p = crack.plane;
+  return p.place + p.c * std::cos(phi) * p.along + p.a * std::sin(phi) * p.transverse_axis();
 }
 
-Vec3 outwards(const model::Crack& crack, double phi) {
-  const model::CrackPlane& p = crack.plane;
-  return (std::cos(phi) / p.c * p.along + std::sin(phi) / p.a * p.across()).normalized();
+Vec3 outwards(const model::CrackDefinition& crack, double phi) {
+  const model::PlanarCrack& p = crack.plane;
+  return (std::cos(phi) / p.c * p.along + std::sin(phi) / p.a * p.transverse_axis()).normalized();
 }
 
-double angle_at(const model::Crack& crack, const Vec3& x) {
-  const model::CrackPlane& p = crack.plane;
+double angle_at(const model::CrackDefinition& crack, const Vec3& x) {
+  const model::PlanarCrack& p = crack.plane;
   const Vec3 off = x - p.place;
-  return std::atan2(off.dot(p.across()) / p.a, off.dot(p.along) / p.c);
+  return std::atan2(off.dot(p.transverse_axis()) / p.a, off.dot(p.along) / p.c);
 }
 
 double end_angle(bool on_a, double sign) {
@@ -70,8 +70,8 @@ EllipseWays::EllipseWays(const model::Model& model) : FrontWays(model) {
 
 void EllipseWays::find_tips() {
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
-    const model::Crack& crack = now_.cracks[c];
-    if (!crack_grows(model_, c) || crack.kind != model::CrackKind::ellipse) {
+    const model::CrackDefinition& crack = now_.cracks[c];
+    if (!crack_grows(model_, c) || crack.kind != model::CrackDefinitionKind::ellipse) {
       continue;
     }
     for (const bool on_a : {true, false}) {
@@ -103,7 +103,8 @@ void EllipseWays::find_tips() {
 
 // The angle along the ellipse from an end on a surface to where it leaves the body, up to a
 // quarter.
-double EllipseWays::angle_inside(const model::Crack& crack, double end, double sign) const {
+double EllipseWays::angle_inside(const model::CrackDefinition& crack, double end,
+                                 double sign) const {
   const auto inside = [&](double angle) {
     return around_.inside(on_ellipse(crack, end + sign * angle), crack.net);
   };
@@ -136,7 +137,7 @@ double EllipseWays::aim_of(const Ellipses& ellipses, const Arm& arm) const {
 }
 
 CrackState EllipseWays::state_of(const Ellipses& ellipses) const {
-  const std::vector<model::Crack>& cracks = ellipses.cracks;
+  const std::vector<model::CrackDefinition>& cracks = ellipses.cracks;
   CrackState state{.lines = {}, .solids = cracks};
   for (const Arm& arm : ellipses.arms) {
     state.aims.push_back(on_ellipse(cracks[arm.crack], aim_of(ellipses, arm)));
@@ -151,7 +152,7 @@ CrackState EllipseWays::here() {
 }
 
 double EllipseWays::behind(std::size_t tip) const {
-  const model::CrackPlane& plane = now_.cracks[now_.arms[tip].crack].plane;
+  const model::PlanarCrack& plane = now_.cracks[now_.arms[tip].crack].plane;
   return now_.arms[tip].on_a ? plane.a : plane.c;
 }
 
@@ -161,7 +162,7 @@ double EllipseWays::longest_advance(std::size_t /*tip*/) const {
 
 std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const {
   const Arm& arm = now_.arms[tip];
-  const model::Crack& crack = now_.cracks[arm.crack];
+  const model::CrackDefinition& crack = now_.cracks[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
   const auto in_body = [&](double phi) {
     return around_.inside(on_ellipse(crack, phi), crack.net);
@@ -189,8 +190,8 @@ namespace {
 // Whether the body is on the straight way from the middle of an ellipse to each place of it. What
 // lies behind a hole that the middle is at is no part of the crack; from a middle outside of the
 // body all places count that lie in it. [place]
-std::vector<bool> places_reached(const model::Crack& crack, const SolidSurroundings& around,
-                                 int places) {
+std::vector<bool> places_reached(const model::CrackDefinition& crack,
+                                 const SolidSurroundings& around, int places) {
   constexpr int looks_along = 20;
   const Vec3& middle = crack.plane.place;
   const auto inside = [&](int k, int i) {
@@ -222,7 +223,7 @@ std::optional<FrontWays::Ligament> EllipseWays::left_in_corner(std::size_t tip) 
       return std::nullopt;
     }
   }
-  const model::Crack& crack = now_.cracks[number];
+  const model::CrackDefinition& crack = now_.cracks[number];
   const std::vector<bool> reached = places_reached(crack, around_, places);
   Ligament longest{.behind = behind(tip), .left = 0.0};
   for (int k = 0; k < places; ++k) {
@@ -240,7 +241,7 @@ std::optional<FrontWays::Ligament> EllipseWays::left_in_corner(std::size_t tip) 
 
 bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const {
   const Arm& arm = now_.arms[tip];
-  model::Crack crack = now_.cracks[arm.crack];
+  model::CrackDefinition crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.behind + before.left);
   const std::vector<bool> reached = places_reached(crack, around_, looks_round);
   return std::ranges::find(reached, true) != reached.end();
@@ -248,13 +249,13 @@ bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const 
 
 std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) const {
   const Arm& arm = now_.arms[tip];
-  const model::Crack& own = now_.cracks[arm.crack];
+  const model::CrackDefinition& own = now_.cracks[arm.crack];
   const Vec3 end = on_ellipse(own, end_angle(arm.on_a, arm.sign));
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t other = arm.crack;
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
-    const model::Crack& crack = now_.cracks[c];
-    if (c == arm.crack || crack.kind == model::CrackKind::front) {
+    const model::CrackDefinition& crack = now_.cracks[c];
+    if (c == arm.crack || crack.kind == model::CrackDefinitionKind::front) {
       continue;
     }
     const auto look = [&](const Vec3& x) {
@@ -263,7 +264,7 @@ std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) cons
         other = c;
       }
     };
-    if (crack.kind != model::CrackKind::ellipse) {
+    if (crack.kind != model::CrackDefinitionKind::ellipse) {
       std::ranges::for_each(crack.points, look);
       continue;
     }
@@ -285,7 +286,7 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
     if (arm.shared) {
       continue;
     }
-    model::CrackPlane& plane = trial_.cracks[arm.crack].plane;
+    model::PlanarCrack& plane = trial_.cracks[arm.crack].plane;
     double by = advance.by[tip];
     if (advance.leap > 0.0) {
       const std::optional<Ligament> before = ligament(tip);
@@ -296,7 +297,7 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
     double& axis = arm.on_a ? plane.a : plane.c;
     if (arm.paired) {
       axis += 0.5 * by;
-      plane.place += 0.5 * by * arm.sign * (arm.on_a ? plane.across() : plane.along);
+      plane.place += 0.5 * by * arm.sign * (arm.on_a ? plane.transverse_axis() : plane.along);
     } else {
       axis += by;
     }
@@ -304,7 +305,7 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
   if (advance.meets > 0) {
     auto both = joined(trial_, trial_.arms[advance.tip].crack, advance.meets - 1);
     if (!both) {
-      const model::Crack& met = now_.cracks[advance.meets - 1];
+      const model::CrackDefinition& met = now_.cracks[advance.meets - 1];
       diagnostics.error(
           met.span, "E425",
           fmt::format("crack {}: no ellipse is about it and the one it meets", met.name));
@@ -316,9 +317,10 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
 }
 
 // How far the front moves outwards at x for a unit of an arm.
-double EllipseWays::moved_by(const Arm& arm, const model::Crack& crack, const Vec3& x) const {
+double EllipseWays::moved_by(const Arm& arm, const model::CrackDefinition& crack,
+                             const Vec3& x) const {
   const double phi = angle_at(crack, x);
-  const Vec3 along = arm.on_a ? crack.plane.across() : crack.plane.along;
+  const Vec3 along = arm.on_a ? crack.plane.transverse_axis() : crack.plane.along;
   const double by_axis = arm.on_a ? std::sin(phi) : std::cos(phi);
   const double way = arm.paired ? 0.5 * (by_axis + arm.sign) : by_axis;
   return way * along.dot(outwards(crack, phi));

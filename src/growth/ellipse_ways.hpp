@@ -35,7 +35,7 @@ public:
     bool shared = false; ///< another tip moves it, behind a meeting
   };
   struct Ellipses {
-    std::vector<model::Crack> cracks;
+    std::vector<model::CrackDefinition> cracks;
     std::vector<Arm> arms; ///< [tip]
   };
 
@@ -52,14 +52,15 @@ private:
   [[nodiscard]] CrackState state_of(const Ellipses& ellipses) const;
   /// The parametric angle at which K of an arm is taken.
   [[nodiscard]] double aim_of(const Ellipses& ellipses, const Arm& arm) const;
-  [[nodiscard]] double angle_inside(const model::Crack& crack, double end, double sign) const;
+  [[nodiscard]] double angle_inside(const model::CrackDefinition& crack, double end,
+                                    double sign) const;
   /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
   /// which the two have become.
   static std::size_t mover_of(const std::vector<Arm>& arms, std::size_t tip);
   /// One ellipse in the place of two, under the name of the first; empty: there is none.
   [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
                                                std::size_t other) const;
-  [[nodiscard]] double moved_by(const Arm& arm, const model::Crack& crack,
+  [[nodiscard]] double moved_by(const Arm& arm, const model::CrackDefinition& crack,
                                 const base::Vec3& x) const;
 
   std::vector<double> first_arm_; ///< [tip] of the deck's crack, whatever it has become

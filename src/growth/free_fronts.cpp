@@ -155,8 +155,8 @@ std::vector<FreeWays::NextFront> FreeWays::next_fronts(std::size_t growing,
 }
 
 bool FreeWays::draw(const NextPoints& next, Growing& of) {
-  model::Crack& crack = trial_.cracks[of.crack];
-  std::optional<model::Crack> drawn;
+  model::CrackDefinition& crack = trial_.cracks[of.crack];
+  std::optional<model::CrackDefinition> drawn;
   if (next.points.size() >= fewest_points) {
     drawn = crack_through(crack, next.points, next.closed, around_);
   }
@@ -199,7 +199,7 @@ bool FreeWays::draw_together(std::size_t crack) {
   if (parts.size() == 1) {
     return true;
   }
-  model::Crack& drawn = trial_.cracks[crack];
+  model::CrackDefinition& drawn = trial_.cracks[crack];
   std::vector<Vec3> points = parts.front()->line;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Vec3 from = points.back();

@@ -34,7 +34,7 @@ std::optional<JoinedFront> FreeWays::joined(std::size_t tip, const Neighbour& ot
                                             const Advance& advance) const {
   const Growing& one = place_of(tip).of;
   const auto two = std::ranges::find(now_.growing, other.crack, &Growing::crack);
-  const model::Crack& crack = now_.cracks[one.crack];
+  const model::CrackDefinition& crack = now_.cracks[one.crack];
   const auto fronts_of = [&](std::size_t number) {
     return std::ranges::count(now_.growing, number, &Growing::crack);
   };

@@ -62,7 +62,7 @@ void FreeWays::look_ahead(std::size_t growing) {
 std::optional<FrontWays::Ligament>
 FreeWays::ligament_at(const Growing& of, double number, const std::vector<std::size_t>& own) const {
   const FrontArc& arc = of.arc;
-  const model::Crack& crack = now_.cracks[of.crack];
+  const model::CrackDefinition& crack = now_.cracks[of.crack];
   const double edge = arc.closed() ? 0.0 : further_in * arc.curve.length();
   const double s = std::clamp(arc.place(number, of.tips.size()), edge, arc.curve.length() - edge);
   const mesh::FrontFrame at = arc.curve.at(s);
@@ -83,7 +83,7 @@ std::optional<FrontWays::Ligament> FreeWays::left_in_corner(std::size_t tip) con
       })) {
     return std::nullopt;
   }
-  const model::Crack& crack = now_.cracks[of.crack];
+  const model::CrackDefinition& crack = now_.cracks[of.crack];
   std::optional<Ligament> longest;
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     const mesh::FrontFrame at = of.frame(i);
@@ -97,7 +97,7 @@ std::optional<FrontWays::Ligament> FreeWays::left_in_corner(std::size_t tip) con
 
 // Towards a far face a wide crack reaches back by its depth, not by the way from its place.
 double FreeWays::reach_back(const Growing& of, const Vec3& x, const Vec3& way) const {
-  const model::Crack& crack = now_.cracks[of.crack];
+  const model::CrackDefinition& crack = now_.cracks[of.crack];
   const Vec3 whole = x - crack.plane.place;
   if (of.arc.closed()) {
     return std::max(whole.dot(way), least_reach * whole.norm());

@@ -88,10 +88,11 @@ void FreeWays::place_turns(const Growing& of, std::vector<TipStation>& found) co
 }
 
 // Behind what its front has left since the last station that counts.
-void FreeWays::leave_wake(std::size_t crack, const NextPoints& next, model::Crack& drawn) const {
+void FreeWays::leave_wake(std::size_t crack, const NextPoints& next,
+                          model::CrackDefinition& drawn) const {
   const auto from = std::ranges::find(now_.growing, crack, &Growing::crack);
-  const model::Crack& before = now_.cracks[crack];
-  drawn.wake =
+  const model::CrackDefinition& before = now_.cracks[crack];
+  drawn.front_history =
       wake_with(before, from->arc.curve,
                 mesh::FrontCurve(next.points, normals_of(before, next.points), next.closed));
 }

@@ -38,7 +38,7 @@ FrontKind FreeWays::kind_of(const FrontArc& arc) {
 FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
   now_.cracks = model.cracks;
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
-    const model::Crack& crack = now_.cracks[c];
+    const model::CrackDefinition& crack = now_.cracks[c];
     if (!crack_grows(model_, c)) {
       continue;
     }
@@ -97,7 +97,7 @@ void FreeWays::go_on(const State& state) {
   const std::vector<Growing> first = std::move(now_.growing);
   now_.growing.clear();
   for (std::size_t c = 0; c < state.lines.size(); ++c) {
-    model::Crack& crack = now_.cracks[c];
+    model::CrackDefinition& crack = now_.cracks[c];
     const std::vector<Vec3>& kept = state.lines[c];
     std::vector<std::vector<std::size_t>> tips; // [front]
     if (kept.empty()) {
@@ -105,7 +105,7 @@ void FreeWays::go_on(const State& state) {
                            [&](const Growing& of) { return of.crack == c; });
     } else {
       const std::size_t count = index_below(kept[0].y(), kept.size());
-      crack.kind = model::CrackKind::drawn;
+      crack.kind = model::CrackDefinitionKind::drawn;
       crack.points.clear();
       if (count > 0) {
         crack.plane.closed = kept[0].x() != 0.0;
@@ -123,13 +123,13 @@ void FreeWays::go_on(const State& state) {
           at += static_cast<std::ptrdiff_t>(many);
           return std::vector<Vec3>(from, at);
         };
-        crack.wake = {};
+        crack.front_history = {};
         for (std::size_t left = index_below(kept[0].z(), kept.size()); left > 0; --left) {
           const std::size_t many = index_below(take(1).front().x(), kept.size());
-          crack.wake.fronts.push_back(take(many));
-          crack.wake.normals.resize(many);
+          crack.front_history.fronts.push_back(take(many));
+          crack.front_history.normals.resize(many);
         }
-        crack.wake.normals = take(crack.wake.normals.size());
+        crack.front_history.normals = take(crack.front_history.normals.size());
         crack.points.assign(at, kept.end());
       }
     }
@@ -318,8 +318,8 @@ void FreeWays::settle(State& state) {
 
 // As go_on reads it.
 void FreeWays::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
-  const model::Crack& crack = now_.cracks[number];
-  if (crack.kind != model::CrackKind::drawn) {
+  const model::CrackDefinition& crack = now_.cracks[number];
+  if (crack.kind != model::CrackDefinitionKind::drawn) {
     return;
   }
   double front = 0.0;
@@ -333,14 +333,14 @@ void FreeWays::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
     front += of.crack == number ? 1.0 : 0.0;
   }
   kept.emplace_back(crack.plane.closed ? 1.0 : 0.0, static_cast<double>(tips.size()),
-                    static_cast<double>(crack.wake.fronts.size()));
+                    static_cast<double>(crack.front_history.fronts.size()));
   kept.push_back(crack.plane.place);
   kept.insert(kept.end(), tips.begin(), tips.end());
-  for (const std::vector<Vec3>& wake : crack.wake.fronts) {
+  for (const std::vector<Vec3>& wake : crack.front_history.fronts) {
     kept.emplace_back(static_cast<double>(wake.size()), 0.0, 0.0);
     kept.insert(kept.end(), wake.begin(), wake.end());
   }
-  kept.insert(kept.end(), crack.wake.normals.begin(), crack.wake.normals.end());
+  kept.insert(kept.end(), crack.front_history.normals.begin(), crack.front_history.normals.end());
   kept.insert(kept.end(), crack.points.begin(), crack.points.end());
 }
 

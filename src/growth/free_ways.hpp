@@ -62,7 +62,7 @@ private:
     }
   };
   struct Fronts {
-    std::vector<model::Crack> cracks;
+    std::vector<model::CrackDefinition> cracks;
     std::vector<Growing> growing;
   };
   /// Points of the next front, those in front of which next to nothing is left out.
@@ -128,7 +128,7 @@ private:
   bool draw_together(std::size_t crack);
   /// A front on trial; false: it would be none, or several.
   bool draw(const NextPoints& next, Growing& of);
-  void leave_wake(std::size_t crack, const NextPoints& next, model::Crack& drawn) const;
+  void leave_wake(std::size_t crack, const NextPoints& next, model::CrackDefinition& drawn) const;
   void keep_crack(std::size_t number, std::vector<base::Vec3>& kept) const;
   [[nodiscard]] static FrontKind kind_of(const FrontArc& arc);
   void place_turns(const Growing& of, std::vector<TipStation>& found) const;

@@ -25,16 +25,16 @@ constexpr double still_apart = 0.25; // of two points before they went on
 constexpr std::size_t fewest_kept = 4;
 
 // All of the front as the deck or an advance drew it, m out of the crack.
-mesh::FrontCurve whole_front(const model::Crack& crack) {
+mesh::FrontCurve whole_front(const model::CrackDefinition& crack) {
   std::vector<Vec3> points = crack.points;
-  const model::CrackPlane& plane = crack.plane;
-  const bool ellipse = crack.kind == model::CrackKind::ellipse;
+  const model::PlanarCrack& plane = crack.plane;
+  const bool ellipse = crack.kind == model::CrackDefinitionKind::ellipse;
   if (ellipse) {
     points.clear();
     for (int i = 0; i < looks_along; ++i) {
       const double phi = -2.0 * std::numbers::pi * i / looks_along;
       points.emplace_back(plane.place + plane.c * std::cos(phi) * plane.along +
-                          plane.a * std::sin(phi) * plane.across());
+                          plane.a * std::sin(phi) * plane.transverse_axis());
     }
   }
   const bool closed = ellipse || plane.closed;
@@ -88,7 +88,8 @@ double FrontArc::place(double number, std::size_t count) const {
   return curve.length() * number / static_cast<double>(parts);
 }
 
-std::vector<FrontArc> arcs_in_body(const model::Crack& crack, const SolidSurroundings& around) {
+std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
+                                   const SolidSurroundings& around) {
   const mesh::FrontCurve whole = whole_front(crack);
   const bool closed = whole.closed();
   const int n = closed ? looks_along : looks_along + 1;
@@ -127,17 +128,18 @@ std::vector<FrontArc> arcs_in_body(const model::Crack& crack, const SolidSurroun
   return arcs;
 }
 
-std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around) {
+std::optional<FrontArc> arc_in_body(const model::CrackDefinition& crack,
+                                    const SolidSurroundings& around) {
   std::vector<FrontArc> arcs = arcs_in_body(crack, around);
   return arcs.size() == 1 ? std::optional(std::move(arcs.front())) : std::nullopt;
 }
 
-std::optional<model::Crack> crack_through(const model::Crack& before,
-                                          const std::vector<Vec3>& points, bool closed,
-                                          const SolidSurroundings& around) {
+std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition& before,
+                                                    const std::vector<Vec3>& points, bool closed,
+                                                    const SolidSurroundings& around) {
   const mesh::FrontCurve curve(points, normals_of(before, points), closed);
-  model::Crack crack = before;
-  crack.kind = model::CrackKind::drawn;
+  model::CrackDefinition crack = before;
+  crack.kind = model::CrackDefinitionKind::drawn;
   crack.plane.closed = closed;
   crack.points.clear();
   for (int i = 0; i < points_of_front + (closed ? 0 : 1); ++i) {

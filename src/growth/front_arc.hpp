@@ -23,16 +23,18 @@ struct FrontArc {
 };
 
 /// The parts of a front that are in the body, in the order along it.
-std::vector<FrontArc> arcs_in_body(const model::Crack& crack, const SolidSurroundings& around);
+std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
+                                   const SolidSurroundings& around);
 
 /// The only part; empty: there is none, or more than one.
-std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around);
+std::optional<FrontArc> arc_in_body(const model::CrackDefinition& crack,
+                                    const SolidSurroundings& around);
 
 /// A crack whose front goes through these points, in the order of an arc's, and straight on out of
 /// the body at the ends of an open one. Empty: it does not come out.
-std::optional<model::Crack> crack_through(const model::Crack& before,
-                                          const std::vector<base::Vec3>& points, bool closed,
-                                          const SolidSurroundings& around);
+std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition& before,
+                                                    const std::vector<base::Vec3>& points,
+                                                    bool closed, const SolidSurroundings& around);
 
 /// Where places of a front (`from`) go to, without those that would pass one another, where a notch
 /// closes: the ends of an open front stay.

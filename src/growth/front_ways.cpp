@@ -77,9 +77,10 @@ void FrontWays::limit_by_front(std::size_t tip, double share, WayLimit& limit) c
 }
 
 // What may differ between two cracks that join is nothing that counts behind that.
-bool FrontWays::may_join(const model::Crack& one, const model::Crack& other) const {
-  const model::CrackPlane& a = one.plane;
-  const model::CrackPlane& b = other.plane;
+bool FrontWays::may_join(const model::CrackDefinition& one,
+                         const model::CrackDefinition& other) const {
+  const model::PlanarCrack& a = one.plane;
+  const model::PlanarCrack& b = other.plane;
   const Vec3 way = b.place - a.place;
   const bool coplanar = a.normal.cross(b.normal).norm() < one_plane &&
                         std::abs(a.normal.dot(way)) < one_plane * way.norm();

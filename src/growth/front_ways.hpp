@@ -13,13 +13,13 @@
 namespace spricka::growth {
 
 /// Whether a crack has become a part of another one: it is drawn, by no points.
-inline bool is_gone(const model::Crack& crack) {
-  return crack.kind == model::CrackKind::drawn && crack.points.empty();
+inline bool is_gone(const model::CrackDefinition& crack) {
+  return crack.kind == model::CrackDefinitionKind::drawn && crack.points.empty();
 }
 
 /// Makes it one.
-inline void let_go(model::Crack& crack) {
-  crack.kind = model::CrackKind::drawn;
+inline void let_go(model::CrackDefinition& crack) {
+  crack.kind = model::CrackDefinitionKind::drawn;
   crack.points.clear();
 }
 
@@ -72,7 +72,8 @@ protected:
   [[nodiscard]] virtual double longest_advance(std::size_t tip) const = 0;
 
   /// Whether two cracks lie in one plane and differ in nothing that counts behind their meeting.
-  [[nodiscard]] bool may_join(const model::Crack& one, const model::Crack& other) const;
+  [[nodiscard]] bool may_join(const model::CrackDefinition& one,
+                              const model::CrackDefinition& other) const;
 
   /// A state counts: what could not be meshed at the last one says nothing any more.
   void stands_anew() { leap_early_ = false; }

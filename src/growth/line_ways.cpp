@@ -78,7 +78,7 @@ LineWays::LineWays(const model::Model& model, std::vector<mesh::CrackLine> lines
     : model_(model), lines_(std::move(lines)), tips_(growing_tips(model, lines_)),
       around_(model.mesh) {}
 
-const model::Growth& LineWays::rules() const {
+const model::CrackGrowthSettings& LineWays::rules() const {
   return *model_.growth;
 }
 

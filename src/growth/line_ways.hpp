@@ -35,7 +35,7 @@ public:
   [[nodiscard]] CrackState straight_on(const State& state, double advance) const override;
 
 private:
-  [[nodiscard]] const model::Growth& rules() const;
+  [[nodiscard]] const model::CrackGrowthSettings& rules() const;
   [[nodiscard]] Heading heading_of(const State& state, std::size_t tip) const;
   void limit_by_obstacles(const State& state, std::size_t tip, double share, WayLimit& limit) const;
   void extend(const State& state, std::size_t tip, double by, mesh::CrackLine& line) const;

@@ -42,7 +42,7 @@ March::March(const model::Model& model, Law law, std::vector<mesh::CrackLine> li
     : March(model, std::move(law), std::make_unique<LineWays>(model, std::move(lines)),
             std::move(state)) {}
 
-const model::Growth& March::rules() const {
+const model::CrackGrowthSettings& March::rules() const {
   return *model_.growth;
 }
 

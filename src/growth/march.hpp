@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  [[nodiscard]] const model::Growth& rules() const;
+  [[nodiscard]] const model::CrackGrowthSettings& rules() const;
   [[nodiscard]] std::vector<double> shares() const;
   bool plan();
   void stop_at_last_length(bool planned);

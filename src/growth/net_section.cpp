@@ -37,7 +37,7 @@ Cut cut_along(const model::Mesh& mesh, const Ligament& ligament) {
   std::vector<bool> right(mesh.element_count(), false);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     base::Vec3 middle = base::Vec3::Zero();
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
     for (const base::NodeId n : nodes) {
       middle += mesh.x[n.index()] / static_cast<double>(nodes.size());
     }
@@ -62,7 +62,7 @@ Cut cut_along(const model::Mesh& mesh, const Ligament& ligament) {
   };
   const bool half = !mark(false) && mark(true);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
     if ((half || right[e]) &&
         std::ranges::any_of(nodes, [&](base::NodeId n) { return cut.on[n.index()]; })) {
       cut.elements.emplace_back(e);
@@ -94,7 +94,7 @@ double plastic_part(const model::Model& model, const model::Mesh& mesh, const Li
     }
   }
   const double c = ligament.length;
-  const double thickness = model.property_of(mesh, cut.elements.front()).thickness;
+  const double thickness = model.element_property(mesh, cut.elements.front()).thickness;
   const double across = mesh::cross(ligament.direction.head<2>(), force);
   const double normal = std::abs(across) / (flow_stress * thickness * c);
   const double bending = 4.0 * std::abs(moment) / (flow_stress * thickness * c * c);

@@ -164,8 +164,8 @@ private:
 
   // The plane itself counts as above: what lies in it is the upper side of elements below.
   void cut(ElementId e) {
-    const std::span<const NodeId> nodes = mesh_.nodes_of(e);
-    const int corners = base::info(mesh_.type[e.index()]).corners;
+    const std::span<const NodeId> nodes = mesh_.element_nodes(e);
+    const int corners = base::element_info(mesh_.type[e.index()]).corners;
     double middle = 0.0;
     for (int i = 0; i < corners; ++i) {
       middle += height_[nodes[static_cast<std::size_t>(i)].index()];
@@ -183,7 +183,7 @@ private:
     }
     if (cuts_.size() > before) {
       for (const NodeId n : nodes) {
-        groups_.join(n.index(), nodes[0].index());
+        groups_.join_sets(n.index(), nodes[0].index());
       }
     }
   }
@@ -240,7 +240,7 @@ private:
         const auto master = static_cast<std::size_t>(term.freedom / 3);
         side_[master] = static_cast<char>(side_[master] | side_[slave]);
         if (joins) {
-          groups_.join(master, slave);
+          groups_.join_sets(master, slave);
         }
       }
     }

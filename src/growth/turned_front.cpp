@@ -44,20 +44,20 @@ std::vector<Vec3> line_of(const mesh::FrontCurve& front) {
 
 } // namespace
 
-std::vector<Vec3> normals_of(const model::Crack& crack, const std::vector<Vec3>& points) {
+std::vector<Vec3> normals_of(const model::CrackDefinition& crack, const std::vector<Vec3>& points) {
   std::vector<Vec3> normals(points.size(), crack.plane.normal);
-  if (!crack.wake.fronts.empty()) {
+  if (!crack.front_history.fronts.empty()) {
     std::ranges::transform(points, normals.begin(), [&](const Vec3& x) {
-      const mesh::OnLine on = mesh::nearest_on(crack.wake.fronts.back(), x);
-      return Vec3(on.of(crack.wake.normals).normalized());
+      const mesh::OnLine on = mesh::nearest_on(crack.front_history.fronts.back(), x);
+      return Vec3(on.of(crack.front_history.normals).normalized());
     });
   }
   return normals;
 }
 
-model::CrackWake wake_with(const model::Crack& before, const mesh::FrontCurve& front,
-                           const mesh::FrontCurve& made) {
-  model::CrackWake wake = before.wake;
+model::FrontHistory wake_with(const model::CrackDefinition& before, const mesh::FrontCurve& front,
+                              const mesh::FrontCurve& made) {
+  model::FrontHistory wake = before.front_history;
   if (wake.fronts.empty()) {
     wake.fronts.push_back(line_of(front));
   }

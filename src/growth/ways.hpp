@@ -22,8 +22,8 @@ struct GrowingTip {
 
 /// All cracks as they are at one moment.
 struct CrackState {
-  std::vector<mesh::CrackLine> lines; ///< [crack] in the plane
-  std::vector<model::Crack> solids{}; ///< [crack] in space
+  std::vector<mesh::CrackLine> lines;           ///< [crack] in the plane
+  std::vector<model::CrackDefinition> solids{}; ///< [crack] in space
   /// [tip] in space: K is taken where the front is nearest to this place.
   std::vector<base::Vec3> aims{};
   /// [tip] in space: the crack whose front that is; not its first one where two have become one.

@@ -14,7 +14,7 @@ namespace {
 
 std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model::Face& face) {
   const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
   return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])]};
 }
 
@@ -59,7 +59,7 @@ private:
     const auto count = static_cast<std::size_t>(shape::side_corners(type, face.side));
     std::vector<base::NodeId> corners;
     for (const int local : shape::side_nodes(type, face.side).first(count)) {
-      corners.push_back(mesh_.nodes_of(face.element)[static_cast<std::size_t>(local)]);
+      corners.push_back(mesh_.element_nodes(face.element)[static_cast<std::size_t>(local)]);
     }
     return corners;
   }
@@ -121,7 +121,7 @@ std::vector<model::Face> faces_within(const model::Mesh& mesh,
 
 bool lies_within(const model::Mesh& mesh, const model::Face& face,
                  const std::vector<bool>& inside) {
-  const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> all = mesh.element_nodes(face.element);
   const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
   return std::all_of(local.begin(), local.end(),
                      [&](int i) { return inside[all[static_cast<std::size_t>(i)].index()]; });
@@ -131,7 +131,7 @@ std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
                                          const std::vector<model::Face>& faces) {
   std::vector<base::NodeId> result;
   for (const model::Face& face : faces) {
-    const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
+    const std::span<const base::NodeId> all = mesh.element_nodes(face.element);
     for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
       result.push_back(all[static_cast<std::size_t>(i)]);
     }

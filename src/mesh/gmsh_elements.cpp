@@ -43,7 +43,7 @@ std::optional<GmshElement> from_gmsh(int number) {
 }
 
 std::span<const int> turned_over(ElementType type) {
-  const base::ElementInfo& info = base::info(type);
+  const base::ElementInfo& info = base::element_info(type);
   const auto nodes = static_cast<std::size_t>(info.nodes);
   return info.corners == 3 ? std::span<const int>(over_triangle).first(nodes)
                            : std::span<const int>(over_quadrilateral).first(nodes);

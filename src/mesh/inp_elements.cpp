@@ -10,16 +10,16 @@ namespace spricka::mesh {
 namespace {
 
 using base::ElementType;
-using model::State;
+using model::StressState;
 
 struct Family {
   std::string_view prefix;
-  State state;
+  StressState state;
 };
-constexpr std::array<Family, 4> families{{{"CPS", State::plane_stress},
-                                          {"CPE", State::plane_strain},
-                                          {"CAX", State::axisymmetric},
-                                          {"C3D", State::solid}}};
+constexpr std::array<Family, 4> families{{{"CPS", StressState::plane_stress},
+                                          {"CPE", StressState::plane_strain},
+                                          {"CAX", StressState::axisymmetric},
+                                          {"C3D", StressState::solid}}};
 
 using Count = std::pair<std::string_view, ElementType>;
 constexpr std::array<Count, 4> plane{{{"3", ElementType::trim3},
@@ -36,8 +36,9 @@ constexpr std::array<Count, 6> solid{{{"4", ElementType::tet4},
 /// Forms with the same nodes: reduced integration, incompatible modes, hybrid, modified.
 constexpr std::array<std::string_view, 7> special{"R", "I", "H", "RH", "IH", "M", "MH"};
 
-std::span<const Count> counts(State state) {
-  return state == State::solid ? std::span<const Count>(solid) : std::span<const Count>(plane);
+std::span<const Count> counts(StressState state) {
+  return state == StressState::solid ? std::span<const Count>(solid)
+                                     : std::span<const Count>(plane);
 }
 
 } // namespace
@@ -60,7 +61,7 @@ std::optional<InpElement> from_inp(std::string_view name) {
   return std::nullopt;
 }
 
-std::string to_inp(ElementType type, State state) {
+std::string to_inp(ElementType type, StressState state) {
   const auto* const family = std::find_if(families.begin(), families.end(),
                                           [&](const Family& f) { return f.state == state; });
   for (const auto& [count, counted] : counts(state)) {

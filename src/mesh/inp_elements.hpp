@@ -13,7 +13,7 @@ namespace spricka::mesh {
 /// 0) are the same for all of them.
 struct InpElement {
   base::ElementType type = base::ElementType::trim3;
-  model::State state = model::State::solid;
+  model::StressState state = model::StressState::solid;
   bool special = false; ///< reduced integration, incompatible modes, hybrid or modified form
 };
 
@@ -21,6 +21,6 @@ struct InpElement {
 std::optional<InpElement> from_inp(std::string_view name);
 
 /// CPS8, CPE8, CAX8 or C3D20 for a type; empty for those that have no name there (9 and 27 nodes).
-std::string to_inp(base::ElementType type, model::State state);
+std::string to_inp(base::ElementType type, model::StressState state);
 
 } // namespace spricka::mesh

@@ -41,8 +41,8 @@ double scaled_jacobian(const shape::ReferenceElement<2>& element,
 }
 
 Measures measure(const model::Mesh& mesh, base::ElementId e) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   Measures m;
   double longest = 0.0;
   double shortest = 0.0;
@@ -71,7 +71,7 @@ std::optional<MeshQuality> measure_quality(const model::Mesh& mesh,
                                            std::span<const base::ElementId> elements) {
   std::optional<MeshQuality> worst;
   for (const base::ElementId e : elements) {
-    if (base::info(mesh.type[e.index()]).dim != 2) {
+    if (base::element_info(mesh.type[e.index()]).dim != 2) {
       continue;
     }
     const Measures m = measure(mesh, e);

@@ -13,7 +13,7 @@ NodeElements::NodeElements(const model::Mesh& mesh)
   }
   std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       elements_[next[n.index()]++] = base::ElementId(e);
     }
   }

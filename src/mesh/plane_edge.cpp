@@ -11,7 +11,7 @@ namespace spricka::mesh {
 using base::Vec2;
 
 PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
   const std::span<const int> side = shape::side_nodes(mesh.type[face.element.index()], face.side);
   PlaneEdge edge;
   edge.count = static_cast<int>(side.size());

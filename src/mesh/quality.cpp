@@ -47,7 +47,7 @@ template <int dim> struct Samples {
     }
     inner = at.size();
     for (int i = 0; i < element->nodes; ++i) {
-      add(element->node(i));
+      add(element->node_coordinates(i));
     }
     outer = at.size();
     if (dim == 3 && element->quadratic) {
@@ -81,14 +81,14 @@ private:
   void add_between_nodes(base::ElementType type) {
     for (int m = 0; m < shape::edge_count(type); ++m) {
       const auto [a, b] = shape::edge_corners(type, m);
-      add(0.75 * element->node(a) + 0.25 * element->node(b));
-      add(0.25 * element->node(a) + 0.75 * element->node(b));
+      add(0.75 * element->node_coordinates(a) + 0.25 * element->node_coordinates(b));
+      add(0.25 * element->node_coordinates(a) + 0.75 * element->node_coordinates(b));
     }
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       const auto corners = static_cast<int>(shape::side_corners(type, s));
       shape::Point<dim> middle = shape::Point<dim>::Zero();
       for (const int i : shape::side_nodes(type, s).first(static_cast<std::size_t>(corners))) {
-        middle += element->node(i) / corners;
+        middle += element->node_coordinates(i) / corners;
       }
       add(middle);
     }
@@ -189,9 +189,10 @@ MeshFaults mesh_faults(const model::Mesh& mesh) {
     BadElement worst{base::ElementId(e)};
     FoldedCorner corner{base::ElementId(e), {}, 0.0};
     const base::ElementType type = mesh.type[e];
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-    const Fault fault = base::info(type).dim == 2 ? check<2>(type, nodes, mesh.x, worst, corner)
-                                                  : check<3>(type, nodes, mesh.x, worst, corner);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
+    const Fault fault = base::element_info(type).dim == 2
+                            ? check<2>(type, nodes, mesh.x, worst, corner)
+                            : check<3>(type, nodes, mesh.x, worst, corner);
     if (fault == Fault::bad) {
       faults.bad.push_back(worst);
     } else if (fault == Fault::corner) {

@@ -28,8 +28,8 @@ Key key_of(std::span<const NodeId> corners) {
 
 template <class F> void for_sides(const model::Mesh& mesh, std::size_t first, F&& f) {
   for (std::size_t e = first; e < mesh.element_count(); ++e) {
-    const std::span<const NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    const std::span<const NodeId> nodes = mesh.element_nodes(base::ElementId(e));
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const std::span<const int> local = shape::side_nodes(mesh.type[e], s);
       const std::size_t count = shape::side_corners(mesh.type[e], s);
       std::array<NodeId, 4> corners{};

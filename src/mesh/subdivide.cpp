@@ -89,10 +89,10 @@ OnEdge edge_of(const Pattern& pattern, const Place& p) {
 
 // By the parent's own map.
 base::Vec3 position(const model::Mesh& mesh, ElementId e, const Place& p) {
-  const std::span<const NodeId> nodes = mesh.nodes_of(e);
+  const std::span<const NodeId> nodes = mesh.element_nodes(e);
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
   shape::Point<2> r(p[0] / 4.0, p[1] / 4.0);
-  if (element.domain == shape::Domain::quadrilateral) {
+  if (element.domain == shape::ReferenceDomain::quadrilateral) {
     r = 2.0 * r - shape::Point<2>::Ones();
   }
   const shape::ReferenceElement<2>::Values N = element.N(r);
@@ -135,12 +135,13 @@ private:
   using EdgeNodes = std::array<NodeId, 3>;
 
   [[nodiscard]] bool marked(const model::Mesh& old, ElementId e) const {
-    return base::info(old.type[e.index()]).dim == 2 && nets_[old.element_net[e.index()].index()];
+    return base::element_info(old.type[e.index()]).dim == 2 &&
+           nets_[old.element_net[e.index()].index()];
   }
 
   void divide(const model::Mesh& old, ElementId e) {
     const ElementType type = old.type[e.index()];
-    const base::ElementInfo& info = base::info(type);
+    const base::ElementInfo& info = base::element_info(type);
     const Pattern& pattern = info.corners == 3 ? triangle_pattern : square_pattern;
     std::map<Place, NodeId> inside;
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
@@ -159,7 +160,7 @@ private:
 
   NodeId node_at(const model::Mesh& old, ElementId e, const Pattern& pattern, const Place& p,
                  std::map<Place, NodeId>& inside) {
-    const std::span<const NodeId> nodes = old.nodes_of(e);
+    const std::span<const NodeId> nodes = old.element_nodes(e);
     const OnEdge on = edge_of(pattern, p);
     const auto corners = static_cast<std::size_t>(pattern.count);
     if (on.edge < 0) {
@@ -204,7 +205,7 @@ private:
       const bool parted = !children_[e].empty();
       append(old, ElementId(e), old.element_label[e],
              parted ? std::span<const NodeId>(children_[e].front().nodes)
-                    : old.nodes_of(ElementId(e)));
+                    : old.element_nodes(ElementId(e)));
     }
     later_.resize(old.element_count());
     for (std::size_t e = 0; e < old.element_count(); ++e) {
@@ -241,7 +242,7 @@ private:
           set.faces.push_back(face);
           continue;
         }
-        const int corners = base::info(old.type[face.element.index()]).corners;
+        const int corners = base::element_info(old.type[face.element.index()]).corners;
         for (const int corner : {face.side, (face.side + 1) % corners}) {
           const ElementId child =
               corner == 0 ? face.element
@@ -255,8 +256,8 @@ private:
   void renew_node_sets(const model::Mesh& old) {
     std::map<std::pair<NodeId, NodeId>, NodeId> mids; // mid node of each edge, as the mesh was
     for (std::size_t e = 0; e < old.element_count(); ++e) {
-      const base::ElementInfo& info = base::info(old.type[e]);
-      const std::span<const NodeId> nodes = old.nodes_of(ElementId(e));
+      const base::ElementInfo& info = base::element_info(old.type[e]);
+      const std::span<const NodeId> nodes = old.element_nodes(ElementId(e));
       for (int m = 0; marked(old, ElementId(e)) && info.quadratic && m < info.corners; ++m) {
         const std::array<int, 2> ends = shape::edge_corners(old.type[e], m);
         const NodeId a = nodes[static_cast<std::size_t>(ends[0])];
@@ -303,7 +304,7 @@ private:
       }
     }
     for (const auto& [node, parent] : centre_) {
-      const std::span<const NodeId> nodes = old.nodes_of(parent);
+      const std::span<const NodeId> nodes = old.element_nodes(parent);
       if (std::all_of(nodes.begin(), nodes.end(), in)) {
         grown.push_back(node);
       }

@@ -63,7 +63,7 @@ int make_mesh(const mesh::MesherImport& import) {
   }
   const bool linear = std::any_of(types.begin(), types.end(), [](int number) {
     const auto known = mesh::from_gmsh(number);
-    return known && !base::info(known->type).quadratic;
+    return known && !base::element_info(known->type).quadratic;
   });
   if (import.quadratic && linear) {
     gmsh::model::mesh::setOrder(2);

@@ -11,12 +11,12 @@
 namespace spricka::model {
 
 /// A line and an arc are of the plane, the others of space.
-enum class RigidShape { line, arc, plane, cylinder, cone, sphere };
+enum class RigidTargetShape { line, arc, plane, cylinder, cone, sphere };
 
 /// A rigid target. Shapes of space have no ends.
-struct Rigid {
+struct RigidTarget {
   std::string name;
-  RigidShape shape = RigidShape::line;
+  RigidTargetShape shape = RigidTargetShape::line;
   /// First point of a line, centre of an arc or a sphere, point of a plane or an axis.
   base::Vec3 first = base::Vec3::Zero();
   /// Second point of a line, the body is on the left, or of an axis; a plane's normal runs from the
@@ -24,14 +24,14 @@ struct Rigid {
   base::Vec3 second = base::Vec3::Zero();
   double radius = 0.0;        ///< negative for a bore; of a cone at the first point [length]
   double second_radius = 0.0; ///< of a cone at the second point, with the sign of the other
-  base::Span span;
+  base::SourceSpan span;
 };
 
 enum class ContactType { unilateral, bonded };
-enum class Pairing { node, segment };
-enum class Recovery { lumped, consistent };
+enum class PairingMethod { node, segment };
+enum class PressureRecovery { lumped, consistent };
 /// Where solids have a pressure of their own: at all nodes of faces, or at their corners.
-enum class Multiplier { nodes, corners };
+enum class MultiplierNodes { nodes, corners };
 
 struct Contact {
   std::string name;
@@ -43,10 +43,10 @@ struct Contact {
   /// INTERFERENCE = -d, DIAMETRAL = -d/2. Empty: measured from the geometry.
   std::optional<double> gap;
   double mu = 0.0;
-  Pairing pairing = Pairing::segment;
-  Recovery recovery = Recovery::lumped;
-  Multiplier multiplier = Multiplier::nodes;
-  base::Span span;
+  PairingMethod pairing = PairingMethod::segment;
+  PressureRecovery recovery = PressureRecovery::lumped;
+  MultiplierNodes multiplier = MultiplierNodes::nodes;
+  base::SourceSpan span;
 };
 
 } // namespace spricka::model

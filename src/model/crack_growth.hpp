@@ -10,15 +10,15 @@
 /// How cracks grow: the law, the direction and what stops them.
 namespace spricka::model {
 
-enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
+enum class CrackGrowthLaw { increment, paris, walker, forman, nasgro, table };
 enum class GrowthDirection { path, hoop, k2_zero };
 /// In space: fronts as K shapes them, or held to ellipses.
-enum class FrontShape { ellipse, free };
-enum class History { restart, carry_on };
-enum class Mounted { each, first };
+enum class FrontShapeRule { ellipse, free };
+enum class GrowthHistoryMode { restart, carry_on };
+enum class ContactMounting { each, first };
 
 /// Constants of a growth law as the deck gives them: K in `k_unit`, lengths in `a_unit`.
-struct LawConstants {
+struct GrowthLawConstants {
   double C = 0.0;
   double m = 0.0;
   double p = 0.0;
@@ -33,25 +33,25 @@ struct LawConstants {
   std::vector<double> growth;  ///< [delta_k] da/dN, in AUNIT per cycle
 };
 
-struct Growth {
-  GrowthLaw law = GrowthLaw::increment;
+struct CrackGrowthSettings {
+  CrackGrowthLaw law = CrackGrowthLaw::increment;
   GrowthDirection direction = GrowthDirection::path;
-  FrontShape shape = FrontShape::free;
+  FrontShapeRule shape = FrontShapeRule::free;
   std::vector<base::CrackId> cracks; ///< empty: all
   base::StepId kmax;
   base::StepId kmin;
   std::optional<std::size_t> spectrum; ///< of Model::spectra, in place of the two steps
-  History history = History::restart;
-  Mounted mounted = Mounted::each;
+  GrowthHistoryMode history = GrowthHistoryMode::restart;
+  ContactMounting mounted = ContactMounting::each;
   std::vector<double> lengths; ///< law increment [length]
-  LawConstants constants;
+  GrowthLawConstants constants;
   std::optional<double> largest_advance; ///< of an increment [length]
   std::optional<double> last_length;     ///< stops the growth [length]
   std::optional<double> cycles;          ///< stops the growth; passes of a spectrum
   double tolerance = 1e-3;               ///< of the cycles, as a part of them
   std::optional<double> flow_stress;     ///< of the ligament, whose plastic limit stops the growth
   bool corrected = false;                ///< K with the error bar's bias taken out
-  base::Span span;
+  base::SourceSpan span;
 };
 
 } // namespace spricka::model

@@ -5,7 +5,7 @@
 
 namespace spricka::model {
 
-base::Vec3 CrackPlane::across() const {
+base::Vec3 PlanarCrack::transverse_axis() const {
   return normal.cross(along);
 }
 

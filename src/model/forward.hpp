@@ -4,23 +4,24 @@
 /// Names of the model, for headers that hand it on without looking into it.
 namespace spricka::model {
 
-enum class CrackState;
+enum class TipConstraint;
 enum class FreedomClass;
-enum class State;
-struct Check;
+enum class StressState;
+struct ResultCheck;
 struct Contact;
-struct Equation;
-struct Growth; // NOLINT(bugprone-forward-declaration-namespace): results has one of its own
+struct ConstraintEquation;
+struct CrackGrowthSettings; // NOLINT(bugprone-forward-declaration-namespace): results has one of
+                            // its own
 struct Load;
 struct LoadCase;
-struct Material;
+struct ElasticMaterial;
 struct Mesh;
 struct Model;
 struct Output;
-struct Property;
-struct Rigid;
-struct Spectrum;
+struct ElementProperty;
+struct RigidTarget;
+struct SpectrumDefinition;
 struct Step;
-struct TipNet;
+struct TipMeshSettings;
 
 } // namespace spricka::model

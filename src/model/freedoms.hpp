@@ -13,35 +13,35 @@ namespace spricka::model {
 /// Dependent freedoms follow others by an MPC; no card says so, the ties do.
 enum class FreedomClass { local, external, suppressed, prescribed, dependent };
 
-struct Freedom {
+struct FreedomAssignment {
   FreedomClass cls = FreedomClass::suppressed;
   std::array<bool, 3> dof{}; ///< x y z
   base::NodeSetId nodes;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// A tie between freedoms: sum of coefficient * displacement = rhs.
-struct Equation {
-  struct Term {
+struct ConstraintEquation {
+  struct ConstraintTerm {
     double coefficient = 0.0;
     base::NodeId node;
     int dof = 0; ///< 0 x, 1 y, 2 z
   };
-  std::vector<Term> terms; ///< each freedom once, coefficients not zero
+  std::vector<ConstraintTerm> terms; ///< each freedom once, coefficients not zero
   double rhs = 0.0;
-  base::Span span;
+  base::SourceSpan span;
 };
 /// Slave nodes tied to the master faces by their shape functions.
-struct Transition {
+struct TransitionTie {
   base::NodeSetId slave;
   base::FaceSetId master;
-  base::Span span;
+  base::SourceSpan span;
 };
 /// Slave nodes that move as one rigid body.
 struct RigidTie {
   base::NodeSetId slave;
-  base::Span span;
+  base::SourceSpan span;
 };
-using Mpc = std::variant<Equation, Transition, RigidTie>;
+using Mpc = std::variant<ConstraintEquation, TransitionTie, RigidTie>;
 
 } // namespace spricka::model

@@ -10,13 +10,13 @@
 
 namespace spricka::model {
 
-enum class RateMethod { secant, polynomial, e647, spline };
+enum class TestRateMethod { secant, polynomial, e647, spline };
 
 /// Readings of a crack growth test, and the reference that says at what K a crack grows so.
-struct GrowthTest {
+struct GrowthTestReadings {
   std::string name;
   base::CrackId crack;
-  RateMethod method = RateMethod::polynomial;
+  TestRateMethod method = TestRateMethod::polynomial;
   int window = 7;                              ///< readings of a parabola, odd
   std::vector<std::array<double, 2>> readings; ///< N ascending, a > 0 [length]
   /// In space the half axis that is read: C, else A; and the other where it was read too.
@@ -28,7 +28,7 @@ struct GrowthTest {
   /// Rates of the reference, ascending, in those units; empty: the law of $GROW.
   std::vector<double> delta_k;
   std::vector<double> growth; ///< [delta_k]
-  base::Span span;
+  base::SourceSpan span;
 };
 
 } // namespace spricka::model

@@ -28,8 +28,8 @@ struct Load {
   base::NodeSetId nodes; ///< exactly one of the three sets is valid
   base::ElementSetId elements;
   base::FaceSetId faces;
-  std::vector<base::Expression> value; ///< 1 to 3 components, fields of x y z
-  base::Span span;
+  std::vector<base::CompiledExpression> value; ///< 1 to 3 components, fields of x y z
+  base::SourceSpan span;
 };
 /// Whether it acts by forces, not by given displacements or a temperature.
 inline bool is_force(const Load& load) {

@@ -9,30 +9,31 @@
 namespace spricka::model {
 
 /// Isotropic, linear elastic.
-struct Material {
+struct ElasticMaterial {
   std::string name;
   double E = 0.0;     ///< Young's modulus [stress]
   double nu = 0.0;    ///< Poisson's ratio
   double rho = 0.0;   ///< density
   double alpha = 0.0; ///< thermal expansion [1/K]
-  base::Span span;
+  base::SourceSpan span;
 };
 
-enum class State { plane_stress, plane_strain, axisymmetric, solid };
+enum class StressState { plane_stress, plane_strain, axisymmetric, solid };
 
-struct Property {
+struct ElementProperty {
   base::ElementSetId elements;
   base::MaterialId material;
-  State state = State::plane_stress;
+  StressState state = StressState::plane_stress;
   double thickness = 1.0; ///< [length]
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// Whether elements hardly change their volume, so that plain displacement elements lock: at
 /// nu = 0.49 quadratic ones are still right to some 0.02 %, linear ones 6 % stiff (thick cylinder
 /// of MacNeal and Harder, 12 elements through the wall).
-inline bool nearly_incompressible(const Material& material, State state, bool quadratic) {
-  return state != State::plane_stress && material.nu > (quadratic ? 0.49 : 0.4);
+inline bool nearly_incompressible(const ElasticMaterial& material, StressState state,
+                                  bool quadratic) {
+  return state != StressState::plane_stress && material.nu > (quadratic ? 0.49 : 0.4);
 }
 
 } // namespace spricka::model

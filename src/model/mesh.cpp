@@ -27,7 +27,7 @@ std::vector<bool> nodes_in_use(const Mesh& mesh) {
   return used;
 }
 
-double axis_reach(const Mesh& mesh) {
+double axis_tolerance(const Mesh& mesh) {
   double largest = 0.0;
   for (const base::Vec3& x : mesh.x) {
     largest = std::max(largest, std::abs(x.x()));
@@ -44,7 +44,7 @@ base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::
 
 base::ElementId add_element(Mesh& mesh, base::ElementType type, std::span<const base::NodeId> nodes,
                             base::Label label, base::NetId net) {
-  assert(static_cast<int>(nodes.size()) == base::info(type).nodes);
+  assert(static_cast<int>(nodes.size()) == base::element_info(type).nodes);
   if (mesh.first.empty()) {
     mesh.first.push_back(0);
   }

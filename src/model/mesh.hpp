@@ -24,17 +24,17 @@ struct Face {
 struct NodeSet {
   std::string name;
   std::vector<base::NodeId> nodes;
-  base::Span span;
+  base::SourceSpan span;
 };
 struct ElementSet {
   std::string name;
   std::vector<base::ElementId> elements;
-  base::Span span;
+  base::SourceSpan span;
 };
 struct FaceSet {
   std::string name;
   std::vector<Face> faces;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// Nodes and elements of all nets together. A net is a label on nodes and elements; bodies that
@@ -59,15 +59,19 @@ struct Mesh {
 
   [[nodiscard]] std::size_t node_count() const { return x.size(); }
   [[nodiscard]] std::size_t element_count() const { return type.size(); }
-  [[nodiscard]] std::span<const base::NodeId> nodes_of(base::ElementId e) const {
+  [[nodiscard]] std::span<const base::NodeId> element_nodes(base::ElementId e) const {
     const auto begin = static_cast<std::size_t>(first[e.index()]);
     return {nodes.data() + begin, static_cast<std::size_t>(first[e.index() + 1]) - begin};
   }
-  [[nodiscard]] const NodeSet& set(base::NodeSetId id) const { return node_sets[id.index()]; }
-  [[nodiscard]] const ElementSet& set(base::ElementSetId id) const {
+  [[nodiscard]] const NodeSet& set_with_id(base::NodeSetId id) const {
+    return node_sets[id.index()];
+  }
+  [[nodiscard]] const ElementSet& set_with_id(base::ElementSetId id) const {
     return element_sets[id.index()];
   }
-  [[nodiscard]] const FaceSet& set(base::FaceSetId id) const { return face_sets[id.index()]; }
+  [[nodiscard]] const FaceSet& set_with_id(base::FaceSetId id) const {
+    return face_sets[id.index()];
+  }
 };
 
 /// Which nodes belong to an element [node]: nodes of references and what a crack patch replaced do
@@ -75,7 +79,7 @@ struct Mesh {
 std::vector<bool> nodes_in_use(const Mesh& mesh);
 
 /// Radius below which a node lies on the axis x = 0 of a mesh about it: 1e-9 of the largest.
-double axis_reach(const Mesh& mesh);
+double axis_tolerance(const Mesh& mesh);
 
 /// Makes room for so many nodes, elements and entries of the connectivity in all.
 void reserve(Mesh& mesh, std::size_t nodes, std::size_t elements, std::size_t entries);

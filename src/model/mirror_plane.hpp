@@ -13,7 +13,7 @@ struct MirrorPlane {
   bool above = true; ///< the side with the larger coordinates is kept, else the other
   /// Where it lies, once the other side has been left away [length].
   std::optional<double> at;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 } // namespace spricka::model

@@ -25,15 +25,15 @@
 /// entity keeps the place in the deck that made it. Nothing here knows a card.
 namespace spricka::model {
 
-struct Net {
+struct MeshNet {
   std::string name; ///< empty: what stands outside every $NET
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// A card that is understood but whose analysis this version does not have.
-struct Unavailable {
+struct UnavailableAnalysis {
   std::string what;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 struct Model {
@@ -43,42 +43,42 @@ struct Model {
 
   Mesh mesh;                        ///< the host: without cracks
   std::vector<MirrorPlane> mirrors; ///< of which one side is modelled
-  std::vector<Net> nets;
-  std::vector<Material> materials;
-  std::vector<Property> properties;
-  std::vector<Freedom> freedoms;
+  std::vector<MeshNet> nets;
+  std::vector<ElasticMaterial> materials;
+  std::vector<ElementProperty> properties;
+  std::vector<FreedomAssignment> freedoms;
   std::vector<Mpc> mpcs;
   std::vector<LoadCase> cases;
-  std::vector<Rigid> rigids;
+  std::vector<RigidTarget> rigids;
   std::vector<Contact> contacts;
-  std::vector<Crack> cracks;
-  std::vector<TipNet> tip_nets; ///< at most one for each crack
-  std::vector<Vce> vces;        ///< at most one for each crack
+  std::vector<CrackDefinition> cracks;
+  std::vector<TipMeshSettings> tip_nets;    ///< at most one for each crack
+  std::vector<CrackExtensionSettings> vces; ///< at most one for each crack
   std::vector<Step> steps;
-  std::optional<Growth> growth;
+  std::optional<CrackGrowthSettings> growth;
   std::vector<Output> outputs;
-  std::vector<Check> checks;
-  std::optional<Restart> restart;
-  std::vector<Sweep> sweeps; ///< several multiply, the last varies fastest
-  Control control;
+  std::vector<ResultCheck> checks;
+  std::optional<RestartFiles> restart;
+  std::vector<ParameterSweep> sweeps; ///< several multiply, the last varies fastest
+  SolverControl control;
   std::vector<std::string> tasks; ///< empty: the default chain
-  std::vector<Unavailable> unavailable;
+  std::vector<UnavailableAnalysis> unavailable;
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
-  std::vector<LoadPath> load_paths;
-  std::vector<Spectrum> spectra;
-  std::vector<GrowthTest> tests;
+  std::vector<LoadPathDefinition> load_paths;
+  std::vector<SpectrumDefinition> spectra;
+  std::vector<GrowthTestReadings> tests;
 
-  [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
+  [[nodiscard]] const ElementProperty& element_property(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];
   }
-  [[nodiscard]] const Material& material_of(const Mesh& m, base::ElementId e) const {
-    return materials[property_of(m, e).material.index()];
+  [[nodiscard]] const ElasticMaterial& element_material(const Mesh& m, base::ElementId e) const {
+    return materials[element_property(m, e).material.index()];
   }
 };
 
 /// Whether the mesh is a section through bodies about the axis x = 0; then all of it is.
 inline bool axisymmetric(const Model& model) {
-  return !model.properties.empty() && model.properties.front().state == State::axisymmetric;
+  return !model.properties.empty() && model.properties.front().state == StressState::axisymmetric;
 }
 
 } // namespace spricka::model

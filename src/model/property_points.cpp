@@ -18,7 +18,7 @@ PropertyPoints property_points(const Mesh& mesh) {
   std::map<std::pair<base::NodeId, base::PropertyId>, std::int32_t> further;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::PropertyId property = mesh.property[e];
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       if (!met[n.index()]) {
         met[n.index()] = true;
         first[n.index()] = property;

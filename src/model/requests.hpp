@@ -16,44 +16,44 @@ enum class OutputEvery { step, increment, end };
 struct OutputRequest {
   std::string quantity; ///< U, S, CPRESS, K, REACTION
   std::string name;     ///< set, contact or crack
-  base::Span span;
+  base::SourceSpan span;
 };
 struct Output {
   std::string file;
   OutputFormat format = OutputFormat::csv;
   OutputEvery every = OutputEvery::step;
   std::vector<OutputRequest> requests;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// One line of $CHECK: `quantity(arguments) = value REL|ABS tolerance SOURCE 'text'`.
-struct Check {
+struct ResultCheck {
   std::string quantity;                                     ///< upper case, "S.XX.MIN"
   std::vector<std::variant<std::string, double>> arguments; ///< names upper case, or numbers
   double value = 0.0;
   double tolerance = 0.0;
   bool relative = true;
   std::string source;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// Files of the state of a run; each may be empty.
-struct Restart {
+struct RestartFiles {
   std::string read;
   std::optional<int> at; ///< increment to continue from; empty: the last one
   std::string write;
   int every = 1; ///< increments between states
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// One $SWEEP card: the parameters that vary together and the values they take, row by row.
-struct Sweep {
+struct ParameterSweep {
   std::vector<std::string> parameters;     ///< one, or two with WITH; as the deck writes them
   std::vector<std::vector<double>> values; ///< [row][parameter]
-  base::Span span;
+  base::SourceSpan span;
 };
 
-struct Control {
+struct SolverControl {
   int max_iterations = 100;
   double tolerance = 1e-8;
   int threads = 0; ///< 0: as many as there are cores

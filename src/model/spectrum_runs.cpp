@@ -6,8 +6,8 @@
 
 namespace spricka::model {
 
-std::vector<SpectrumRun> spectrum_runs(const Spectrum& spectrum) {
-  std::vector<SpectrumRun> runs;
+std::vector<SpectrumBlock> divide_spectrum(const SpectrumDefinition& spectrum) {
+  std::vector<SpectrumBlock> runs;
   if (!spectrum.sequence) {
     for (const auto& [low, high, count] : spectrum.cycles) {
       runs.push_back({{high, low}, count, true});
@@ -31,9 +31,9 @@ std::vector<SpectrumRun> spectrum_runs(const Spectrum& spectrum) {
   return runs;
 }
 
-std::size_t followed_places(const std::vector<SpectrumRun>& runs) {
+std::size_t followed_places(const std::vector<SpectrumBlock>& runs) {
   std::size_t places = 0;
-  for (const SpectrumRun& run : runs) {
+  for (const SpectrumBlock& run : runs) {
     places += run.t.size();
   }
   return places;

@@ -8,7 +8,7 @@
 namespace spricka::model {
 
 /// A stretch of a history of loads: a place t, or two between which it goes several times.
-struct SpectrumRun {
+struct SpectrumBlock {
   std::vector<double> t; ///< one place, or two: the first and the second of each cycle
   double count = 1.0;    ///< cycles of two places
   bool alone = false;    ///< of TYPE=BLOCKS: its cycles are counted by themselves
@@ -16,10 +16,10 @@ struct SpectrumRun {
 
 /// One pass of a spectrum as stretches, in order. Places of a sequence where it does not turn are
 /// left out; two places that follow one another again and again are one stretch.
-std::vector<SpectrumRun> spectrum_runs(const Spectrum& spectrum);
+std::vector<SpectrumBlock> divide_spectrum(const SpectrumDefinition& spectrum);
 
 /// Places of all stretches: what a solution that has to follow the history comes to.
-std::size_t followed_places(const std::vector<SpectrumRun>& runs);
+std::size_t followed_places(const std::vector<SpectrumBlock>& runs);
 
 /// More are refused.
 inline constexpr std::size_t most_followed_places = 2000;

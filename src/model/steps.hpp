@@ -20,39 +20,39 @@ struct ApplyFit {
   base::ContactId contact;
   double factor = 1.0;
 };
-struct Mount {
+struct MountContact {
   base::ContactId contact;
 };
-struct Dismount {
+struct DismountContact {
   base::ContactId contact;
 };
-using Action = std::variant<ApplyLoad, ApplyFit, Mount, Dismount>;
+using Action = std::variant<ApplyLoad, ApplyFit, MountContact, DismountContact>;
 
 struct Step {
   std::string name;
   int substeps = 1; ///< 0: as many as the shear of contacts that rub needs
   std::vector<Action> actions;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// A straight path through loads and fits: (1 - t) times those at the end of step `from` and t
 /// times those of step `to`, t from 0 to `beyond`. Nothing is mounted or dismounted in between.
-struct LoadPath {
+struct LoadPathDefinition {
   std::string name;
   base::StepId from;
   base::StepId to;
   double beyond = 1.0;
-  base::Span span;
+  base::SourceSpan span;
 };
 
 /// A history of places t on a load path; one pass through it is the unit of life.
-struct Spectrum {
+struct SpectrumDefinition {
   std::string name;
   std::size_t path = 0;                      ///< of Model::load_paths
   bool sequence = false;                     ///< turning points; else cycles
   std::vector<std::array<double, 3>> cycles; ///< low t, high t, count
   std::vector<double> turning_points;        ///< t, in their order
-  base::Span span;
+  base::SourceSpan span;
 };
 
 } // namespace spricka::model

@@ -7,7 +7,7 @@
 
 namespace spricka::model {
 
-std::vector<std::size_t> wanted_steps(const Model& model, const Output& output,
+std::vector<std::size_t> output_steps(const Model& model, const Output& output,
                                       bool last_increment) {
   std::vector<std::size_t> steps;
   if (output.every == OutputEvery::step) {

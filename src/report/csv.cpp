@@ -21,8 +21,9 @@ constexpr double degree = 180.0 / std::numbers::pi;
 
 // The columns of tips: those by opening where the deck asks for them.
 std::vector<const results::TipQuantity*> k_columns(const model::Model& model) {
-  const bool opening = std::any_of(model.vces.begin(), model.vces.end(),
-                                   [](const model::Vce& vce) { return vce.opening; });
+  const bool opening =
+      std::any_of(model.vces.begin(), model.vces.end(),
+                  [](const model::CrackExtensionSettings& vce) { return vce.opening; });
   std::vector<const results::TipQuantity*> columns;
   for (const results::TipQuantity& q : results::tip_quantities) {
     if (q.is(results::in_k_csv) && (opening || q.given != results::TipGiven::with_opening)) {
@@ -126,7 +127,7 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
       std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return c.mu > 0.0; }) ||
       std::any_of(model.cracks.begin(), model.cracks.end(),
-                  [](const model::Crack& c) { return c.faces_in_contact && c.mu > 0.0; });
+                  [](const model::CrackDefinition& c) { return c.faces_in_contact && c.mu > 0.0; });
   const std::vector<const results::PointQuantity*> columns =
       pressure_columns(rubs, model.mesh.dim == 3);
   UnitsLine units;

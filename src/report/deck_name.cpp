@@ -7,17 +7,17 @@
 
 namespace spricka::report {
 
-std::string deck_name(const base::Sources& sources, std::int32_t file) {
+std::string deck_name(const base::SourceTexts& sources, std::int32_t file) {
   if (file < 0 || static_cast<std::size_t>(file) >= sources.count()) {
     return {};
   }
-  const std::string& name = sources.name(file);
+  const std::string& name = sources.file_name(file);
   if (name.starts_with("-D ") || name.starts_with('<')) { // no file
     return base::printable(name);
   }
   namespace fs = std::filesystem;
   const fs::path path = fs::path(name).lexically_normal();
-  const fs::path folder = fs::path(sources.name(0)).lexically_normal().parent_path();
+  const fs::path folder = fs::path(sources.file_name(0)).lexically_normal().parent_path();
   const fs::path seen = path.lexically_relative(folder.empty() ? "." : folder);
   return base::printable(seen.empty() ? path.filename().string() : seen.string());
 }

@@ -25,7 +25,7 @@
 namespace spricka::report {
 namespace {
 
-void add_head(Page& page, const std::string& title, const base::Sources& sources,
+void add_head(Page& page, const std::string& title, const base::SourceTexts& sources,
               const model::Model& model) {
   const base::UnitSystem& units = model.units;
   page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
@@ -61,8 +61,8 @@ std::string beginning(const std::string& text, std::size_t longest) {
 
 /// "W508, no answer: text".
 std::string warning_item(const std::string& code, const std::string& text) {
-  return fmt::format("<li><b>{}, {}:</b> {}</li>\n", code, base::word_of(base::doubt_of(code)),
-                     escape(text));
+  return fmt::format("<li><b>{}, {}:</b> {}</li>\n", code,
+                     base::display_word(base::warning_concern(code)), escape(text));
 }
 
 /// What puts the numbers below in doubt is said above them, the worst first.
@@ -233,7 +233,7 @@ std::string lengths_of(const model::Model& model, const results::Increment& incr
   return same ? fmt::format("a = {:.6g} {}", increment.a, model.units.length_name) : each;
 }
 
-void add_deck(Page& page, const base::Sources& sources) {
+void add_deck(Page& page, const base::SourceTexts& sources) {
   page.add("<section class=\"screen\">\n"); // folded, so of no use on paper
   page.heading("Deck");
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
@@ -245,7 +245,7 @@ void add_deck(Page& page, const base::Sources& sources) {
 
 } // namespace
 
-std::string html_report(const base::Sources& sources, const model::Model& model,
+std::string html_report(const base::SourceTexts& sources, const model::Model& model,
                         const results::Run& run, const std::vector<results::LoadTotal>& loads) {
   Page page;
   const std::string title = model.title.empty() ? "spricka report" : model.title;

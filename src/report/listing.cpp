@@ -25,7 +25,7 @@ std::string heading(std::string_view text) {
 }
 
 /// The deck and what it includes, each line with its number, as ASKA printed them.
-std::string echo(const base::Sources& sources) {
+std::string echo(const base::SourceTexts& sources) {
   std::string out;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     out += heading("Deck " + deck_name(sources, f));
@@ -161,7 +161,7 @@ std::string check_text(const results::Run& run) {
 
 } // namespace
 
-std::string listing(const base::Sources& sources, const model::Model& model,
+std::string listing(const base::SourceTexts& sources, const model::Model& model,
                     const results::Run& run, const std::vector<results::LoadTotal>& loads) {
   std::string out = "spricka " SPRICKA_VERSION "\n";
   out += echo(sources) + model_summary(model, loads) + log_text(run);

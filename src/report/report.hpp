@@ -61,11 +61,11 @@ void write_pvd(const std::filesystem::path& file, const std::vector<CollectedFil
 
 /// The listing: deck echo with line numbers, model summary with the totals of the load cases,
 /// processor log with times, tables.
-std::string listing(const base::Sources& sources, const model::Model& model,
+std::string listing(const base::SourceTexts& sources, const model::Model& model,
                     const results::Run& run, const std::vector<results::LoadTotal>& loads = {});
 
 /// report.html: one page, inline SVG, no script, no network.
-std::string html_report(const base::Sources& sources, const model::Model& model,
+std::string html_report(const base::SourceTexts& sources, const model::Model& model,
                         const results::Run& run, const std::vector<results::LoadTotal>& loads = {});
 
 } // namespace spricka::report

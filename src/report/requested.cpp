@@ -185,7 +185,7 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
                   units_of(solid).text(model.units), solid ? "z," : "");
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
-    for (const std::size_t s : model::wanted_steps(model, output, last)) {
+    for (const std::size_t s : model::output_steps(model, output, last)) {
       for (const model::OutputRequest& request : output.requests) {
         Rows(increment, increment.steps[s], request, text).write();
       }

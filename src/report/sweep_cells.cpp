@@ -156,7 +156,7 @@ std::vector<SweepCell> requested_cells(const model::Model& model, const model::O
     return cells;
   }
   const results::Increment& last = run.increments.back();
-  for (const std::size_t s : model::wanted_steps(model, output, true)) {
+  for (const std::size_t s : model::output_steps(model, output, true)) {
     Requested requested(last, last.steps[s], cells);
     for (const model::OutputRequest& request : output.requests) {
       requested.add(request);

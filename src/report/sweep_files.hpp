@@ -35,7 +35,7 @@ void write_sweep_request_csv(const std::filesystem::path& file, const model::Mod
                              const results::Sweep& sweep);
 
 /// sweep.html: K1 over the swept parameter, table of the points; inline SVG, no script.
-std::string sweep_page(const base::Sources& sources, const model::Model& model,
+std::string sweep_page(const base::SourceTexts& sources, const model::Model& model,
                        const results::Sweep& sweep);
 
 /// "done", "check failed" or "failed".

@@ -72,8 +72,8 @@ std::string others(const model::Model& model, const Sweep& sweep, const SweepPoi
                    std::size_t axis) {
   std::string text;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
-    const bool with_axis =
-        std::any_of(model.sweeps.begin(), model.sweeps.end(), [&](const model::Sweep& card) {
+    const bool with_axis = std::any_of(
+        model.sweeps.begin(), model.sweeps.end(), [&](const model::ParameterSweep& card) {
           const auto& names = card.parameters;
           const auto has = [&](std::size_t i) {
             return std::find(names.begin(), names.end(), sweep.parameters[i]) != names.end();
@@ -304,7 +304,7 @@ Table points_table(const model::Model& model, const Sweep& sweep, const Units& u
 
 } // namespace
 
-std::string sweep_page(const base::Sources& sources, const model::Model& model,
+std::string sweep_page(const base::SourceTexts& sources, const model::Model& model,
                        const Sweep& sweep) {
   Page page;
   const std::string title = model.title.empty() ? "spricka sweep" : model.title;

@@ -205,7 +205,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
   for (const results::FrontResult& front : step.fronts) {
     const auto first = static_cast<std::int64_t>(places.size());
     const auto count = static_cast<std::int64_t>(front.points.size());
-    const auto card = std::ranges::find_if(model.cracks, [&](const model::Crack& c) {
+    const auto card = std::ranges::find_if(model.cracks, [&](const model::CrackDefinition& c) {
       return front.name == c.name || front.name.starts_with(c.name + ".");
     });
     for (const results::FrontPlace& place : front.points) {

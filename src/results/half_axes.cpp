@@ -71,13 +71,13 @@ void move_inside(const std::vector<Vec3>& points, const Vec3& place, const Vec3&
 
 } // namespace
 
-std::vector<AxisEnd> axis_ends(const model::Crack& crack, const std::vector<Vec3>& points,
+std::vector<AxisEnd> axis_ends(const model::CrackDefinition& crack, const std::vector<Vec3>& points,
                                bool closed) {
-  const model::CrackPlane& plane = crack.plane;
+  const model::PlanarCrack& plane = crack.plane;
   std::vector<AxisEnd> ends;
   for (const bool on_a : {true, false}) {
-    const Vec3 way = on_a ? plane.across() : plane.along;
-    const Vec3 aside = on_a ? plane.along : plane.across();
+    const Vec3 way = on_a ? plane.transverse_axis() : plane.along;
+    const Vec3 aside = on_a ? plane.along : plane.transverse_axis();
     std::array<std::optional<AxisEnd>, 2> both{end_on(points, closed, plane.place, way, aside),
                                                end_on(points, closed, plane.place, -way, aside)};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -93,7 +93,7 @@ std::vector<AxisEnd> axis_ends(const model::Crack& crack, const std::vector<Vec3
   }
   const std::array<double, 2> half = half_axes(ends);
   for (AxisEnd& end : ends) {
-    const Vec3 aside = end.on_a ? half[1] * plane.along : half[0] * plane.across();
+    const Vec3 aside = end.on_a ? half[1] * plane.along : half[0] * plane.transverse_axis();
     if (!closed && aside.norm() > 0.0) {
       move_inside(points, plane.place, inside_end * aside, end);
     }
@@ -115,8 +115,8 @@ std::array<double, 2> half_axes(const std::vector<AxisEnd>& ends) {
   return half;
 }
 
-const model::Crack* crack_of_front(const model::Model& model, std::string_view front) {
-  const auto found = std::ranges::find_if(model.cracks, [&](const model::Crack& crack) {
+const model::CrackDefinition* crack_of_front(const model::Model& model, std::string_view front) {
+  const auto found = std::ranges::find_if(model.cracks, [&](const model::CrackDefinition& crack) {
     return front == crack.name || front.starts_with(crack.name + ".");
   });
   return found == model.cracks.end() ? nullptr : &*found;

@@ -29,13 +29,13 @@ struct AxisEnd {
 
 /// Ends of both axes of a crack, first A, as far as a front through `points` has them; where it has
 /// both of an axis they are numbered. An end of the front counts up to 27 degrees beside the axis.
-std::vector<AxisEnd> axis_ends(const model::Crack& crack, const std::vector<base::Vec3>& points,
-                               bool closed);
+std::vector<AxisEnd> axis_ends(const model::CrackDefinition& crack,
+                               const std::vector<base::Vec3>& points, bool closed);
 
 /// Half axes a and c [length]: half of what the ends span where both are there; 0: no end.
 std::array<double, 2> half_axes(const std::vector<AxisEnd>& ends);
 
 /// The crack of a front's name, "C1" or "C1.2"; null: none.
-const model::Crack* crack_of_front(const model::Model& model, std::string_view front);
+const model::CrackDefinition* crack_of_front(const model::Model& model, std::string_view front);
 
 } // namespace spricka::results

@@ -114,7 +114,8 @@ std::string flaw_of_mesh(const model::Mesh& mesh) {
   for (const model::FaceSet& set : mesh.face_sets) {
     for (const model::Face& face : set.faces) {
       if (reader.flaw().empty() &&
-          (face.side < 0 || face.side >= base::info(mesh.type[face.element.index()]).sides)) {
+          (face.side < 0 ||
+           face.side >= base::element_info(mesh.type[face.element.index()]).sides)) {
         return fmt::format("side {} of an element", face.side);
       }
     }

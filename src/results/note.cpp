@@ -11,9 +11,10 @@ namespace spricka::results {
 
 namespace {
 
-constexpr std::array doubts{base::Doubt::no_answer, base::Doubt::less_exact, base::Doubt::odd};
+constexpr std::array doubts{base::ResultConcern::no_answer, base::ResultConcern::less_exact,
+                            base::ResultConcern::odd};
 
-std::string mark_of(base::Doubt doubt) {
+std::string mark_of(base::ResultConcern doubt) {
   return fmt::format("warning {}: ", code_of(doubt));
 }
 
@@ -26,13 +27,13 @@ template <class Marked> std::vector<std::string> all_marked(const std::vector<Ma
 
 } // namespace
 
-std::string_view code_of(base::Doubt doubt) {
+std::string_view code_of(base::ResultConcern doubt) {
   switch (doubt) {
-  case base::Doubt::no_answer:
+  case base::ResultConcern::no_answer:
     return "W508";
-  case base::Doubt::less_exact:
+  case base::ResultConcern::less_exact:
     return "W507";
-  case base::Doubt::odd:
+  case base::ResultConcern::odd:
     break;
   }
   return "W502";
@@ -57,7 +58,7 @@ std::vector<Note> notes_from(const std::vector<std::string>& texts) {
   notes.reserve(texts.size());
   for (const std::string& text : texts) {
     Note found = note(text);
-    for (const base::Doubt doubt : doubts) {
+    for (const base::ResultConcern doubt : doubts) {
       if (const std::string mark = mark_of(doubt); text.starts_with(mark)) {
         found = {doubt, text.substr(mark.size())};
       }

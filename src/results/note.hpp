@@ -14,7 +14,7 @@ namespace spricka::results {
 /// What a reader of the results should know: a note, or a warning, which says what of them is in
 /// doubt.
 struct Note {
-  std::optional<base::Doubt> doubt;
+  std::optional<base::ResultConcern> doubt;
   std::string text;
 
   bool operator==(const Note&) const = default;
@@ -25,14 +25,14 @@ inline Note note(std::string text) {
 }
 /// As the deck asks for it: is it what is meant?
 inline Note odd(std::string text) {
-  return {base::Doubt::odd, std::move(text)};
+  return {base::ResultConcern::odd, std::move(text)};
 }
 /// The text says by how much.
 inline Note less_exact(std::string text) {
-  return {base::Doubt::less_exact, std::move(text)};
+  return {base::ResultConcern::less_exact, std::move(text)};
 }
 inline Note no_answer(std::string text) {
-  return {base::Doubt::no_answer, std::move(text)};
+  return {base::ResultConcern::no_answer, std::move(text)};
 }
 
 inline bool warns(const Note& note) {
@@ -40,7 +40,7 @@ inline bool warns(const Note& note) {
 }
 
 /// The code of warnings in notes: "W502" odd, "W507" less exact, "W508" no answer.
-std::string_view code_of(base::Doubt doubt);
+std::string_view code_of(base::ResultConcern doubt);
 
 /// Texts of which none is a warning.
 std::vector<Note> notes_of(const std::vector<std::string>& texts);

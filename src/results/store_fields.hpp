@@ -334,7 +334,7 @@ template <class V, Of<GrowthTest> T> void fields(V& v, T& r) {
   v("notes", r.notes);
 }
 
-template <class V, Of<base::Span> T> void fields(V& v, T& r) {
+template <class V, Of<base::SourceSpan> T> void fields(V& v, T& r) {
   v("file", r.file);
   v("begin", r.begin);
   v("end", r.end);

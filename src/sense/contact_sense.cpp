@@ -41,7 +41,7 @@ public:
     for (const model::Contact& contact : model.contacts) {
       for (const base::FaceSetId set : {contact.slave, contact.master}) {
         if (set.valid()) {
-          const std::vector<model::Face>& faces = mesh_.set(set).faces;
+          const std::vector<model::Face>& faces = mesh_.set_with_id(set).faces;
           in_contact_.insert(in_contact_.end(), faces.begin(), faces.end());
         }
       }
@@ -52,8 +52,9 @@ public:
   void look() {
     for (const model::Contact& contact : model_.contacts) {
       const bool whole = contact.slave.valid() && (contact.master.valid() || contact.rigid.valid());
-      const bool there = whole && !mesh_.set(contact.slave).faces.empty() &&
-                         (!contact.master.valid() || !mesh_.set(contact.master).faces.empty());
+      const bool there =
+          whole && !mesh_.set_with_id(contact.slave).faces.empty() &&
+          (!contact.master.valid() || !mesh_.set_with_id(contact.master).faces.empty());
       if (there) {
         look_at(contact);
       }
@@ -205,15 +206,15 @@ private:
           contact.span, "W443",
           fmt::format("contact {}: {:.0f} % of {} see nothing of {}, though its body lies "
                       "next to it there, from {} on",
-                      contact.name, 100.0 * sum / length, mesh_.set(own).name,
-                      mesh_.set(other).name, base::place_text(place, mesh_.dim)),
+                      contact.name, 100.0 * sum / length, mesh_.set_with_id(own).name,
+                      mesh_.set_with_id(other).name, base::place_text(place, mesh_.dim)),
           "faces are missing in the set: there the bodies do not hold each other off");
     }
   }
 
   [[nodiscard]] std::vector<bool> bodies_of(base::FaceSetId set) const {
     std::vector<bool> in(bodies_.size(), false);
-    for (const model::Face& face : mesh_.set(set).faces) {
+    for (const model::Face& face : mesh_.set_with_id(set).faces) {
       in[body_[face.element.index()]] = true;
     }
     return in;

@@ -49,7 +49,7 @@ Doings doings_of(const results::Run& run, const std::string& name, double no_loa
 void add_idle_contacts(const model::Model& model, const results::Run& run,
                        std::vector<EndWarning>& list) {
   double softest = 0.0;
-  for (const model::Material& material : model.materials) {
+  for (const model::ElasticMaterial& material : model.materials) {
     softest = softest > 0.0 ? std::min(softest, material.E) : material.E;
   }
   std::vector<Doings> all;
@@ -147,8 +147,8 @@ bool never_opens(const results::Run& run, const std::string& crack) {
 std::vector<std::string> partners_of(const model::Model& model, base::NetId net) {
   std::vector<std::string> names;
   const auto net_of = [&](base::FaceSetId set) {
-    return set.valid() && !model.mesh.set(set).faces.empty()
-               ? model.mesh.element_net[model.mesh.set(set).faces.front().element.index()]
+    return set.valid() && !model.mesh.set_with_id(set).faces.empty()
+               ? model.mesh.element_net[model.mesh.set_with_id(set).faces.front().element.index()]
                : base::NetId();
   };
   for (const model::Contact& contact : model.contacts) {
@@ -167,7 +167,7 @@ std::vector<std::string> partners_of(const model::Model& model, base::NetId net)
 // are pressed where lugs are pulled.
 void add_closed_cracks(const model::Model& model, const results::Run& run,
                        std::vector<EndWarning>& list) {
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     const std::vector<std::string> partners =
         crack.net.valid() ? partners_of(model, crack.net) : std::vector<std::string>();
     if (!partners.empty() && never_opens(run, crack.name)) {

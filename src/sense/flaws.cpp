@@ -51,7 +51,7 @@ public:
   std::vector<std::string> tell() {
     std::vector<std::string> lines;
     for (const mesh::SolidCrack& cut : mesh::solid_cracks(model_)) {
-      const model::Crack& crack = model_.cracks[cut.crack.index()];
+      const model::CrackDefinition& crack = model_.cracks[cut.crack.index()];
       look_for_kinks(crack);
       const std::optional<CrackExtent> extent = mesh::extent_of(host_, cut);
       if (!extent) {
@@ -72,7 +72,8 @@ private:
     return fmt::format("{:.4g} {}", value, model_.units.length_name);
   }
 
-  [[nodiscard]] std::string line_of(const model::Crack& crack, const CrackExtent& extent) const {
+  [[nodiscard]] std::string line_of(const model::CrackDefinition& crack,
+                                    const CrackExtent& extent) const {
     std::string text = fmt::format("crack {}: {} crack", crack.name, mesh::name_of(extent.kind));
     std::vector<std::string> along;
     for (const OpenFace& face : extent.open) {
@@ -87,7 +88,7 @@ private:
                           extent.nearest.empty() ? "the surface" : extent.nearest);
     }
     text += fmt::format(", area {:.4g} {}^2", extent.area, model_.units.length_name);
-    if (crack.kind == model::CrackKind::ellipse && extent.kind != CrackKind::embedded) {
+    if (crack.kind == model::CrackDefinitionKind::ellipse && extent.kind != CrackKind::embedded) {
       text += fmt::format(", {:.3g} % of the ellipse drawn", 100.0 * extent.drawn);
     }
     return text;
@@ -96,8 +97,8 @@ private:
   // A face that cuts the ellipse off beside its centre: the flaw is none of the quarters and halves
   // that A and C tell. A through crack whose ends on both faces are as far is one with a bowed
   // front, and the longer the ellipse, the straighter that is.
-  void compare_with_drawn(const model::Crack& crack, const CrackExtent& extent) {
-    if (crack.kind != model::CrackKind::ellipse) {
+  void compare_with_drawn(const model::CrackDefinition& crack, const CrackExtent& extent) {
+    if (crack.kind != model::CrackDefinitionKind::ellipse) {
       return;
     }
     constexpr double on_it = 0.05;           // of the ellipse: coarse facets lie off a round wall
@@ -144,9 +145,9 @@ private:
 
   // A surface crack beside an edge, nearer than half its own length and nowhere near another one:
   // as a corner crack whose centre has missed its edge.
-  void look_for_edge(const model::Crack& crack, const CrackExtent& extent) {
+  void look_for_edge(const model::CrackDefinition& crack, const CrackExtent& extent) {
     constexpr double eccentric = 2.0;
-    if (crack.kind != model::CrackKind::ellipse || extent.kind != CrackKind::surface) {
+    if (crack.kind != model::CrackDefinitionKind::ellipse || extent.kind != CrackKind::surface) {
       return;
     }
     const std::size_t end = extent.to_edge[0] < extent.to_edge[1] ? 0 : 1;
@@ -166,13 +167,13 @@ private:
     }
   }
 
-  void look_at_section(const model::Crack& crack, const CrackExtent& extent) {
+  void look_at_section(const model::CrackDefinition& crack, const CrackExtent& extent) {
     constexpr double most = 0.75;
     if (extent.of_section > most) { // false where it is not a number
       list_.warning(crack.span, "W461",
                     fmt::format("crack {}: it is {:.3g} % of the section that its front divides",
                                 crack.name, 100.0 * extent.of_section),
-                    crack.kind == model::CrackKind::drawn
+                    crack.kind == model::CrackDefinitionKind::drawn
                         ? "X0 Y0 Z0 is a point within the crack: it tells which side of the front "
                           "is cracked"
                         : "look at A and C, and at their unit");
@@ -181,7 +182,7 @@ private:
 
   // Of the two faces at a corner crack one is a plane of symmetry. $SYMMETRY has found out that the
   // crack is drawn for the whole body; by supports alone nobody knows.
-  void look_at_symmetry(const model::Crack& crack, const CrackExtent& extent) {
+  void look_at_symmetry(const model::CrackDefinition& crack, const CrackExtent& extent) {
     if (extent.kind != CrackKind::corner || extent.open.size() != 2 || !model_.mirrors.empty()) {
       return;
     }
@@ -201,8 +202,8 @@ private:
     }
   }
 
-  void look_at_elements(const model::Crack& crack, const CrackExtent& extent) {
-    const base::ElementInfo& info = base::info(model_.mesh.type[extent.seed.index()]);
+  void look_at_elements(const model::CrackDefinition& crack, const CrackExtent& extent) {
+    const base::ElementInfo& info = base::element_info(model_.mesh.type[extent.seed.index()]);
     if (!info.quadratic) {
       list_.warning(crack.span, "W426",
                     fmt::format("crack {}: the elements round it are linear ({}): they are too "
@@ -229,8 +230,8 @@ private:
     });
   }
 
-  void look_for_kinks(const model::Crack& crack) {
-    if (crack.kind != model::CrackKind::drawn) {
+  void look_for_kinks(const model::CrackDefinition& crack) {
+    if (crack.kind != model::CrackDefinitionKind::drawn) {
       return;
     }
     if (const std::optional<FrontKink> kink = find_kink(crack.points, crack.plane.closed)) {
@@ -253,8 +254,9 @@ private:
 } // namespace
 
 std::vector<std::string> tell_of_flaws(const model::Model& model, base::Diagnostics& list) {
-  const bool any = std::ranges::any_of(model.cracks, [](const model::Crack& crack) {
-    return crack.kind == model::CrackKind::ellipse || crack.kind == model::CrackKind::drawn;
+  const bool any = std::ranges::any_of(model.cracks, [](const model::CrackDefinition& crack) {
+    return crack.kind == model::CrackDefinitionKind::ellipse ||
+           crack.kind == model::CrackDefinitionKind::drawn;
   });
   return any && model.mesh.dim == 3 ? Flaws(model, list).tell() : std::vector<std::string>();
 }

@@ -32,11 +32,13 @@ struct Depths {
   }
 };
 
-Depths depths_of(const model::Model& model, const model::Crack& crack, const SidePlane& plane) {
+Depths depths_of(const model::Model& model, const model::CrackDefinition& crack,
+                 const SidePlane& plane) {
   Depths depths;
-  if (crack.kind == model::CrackKind::ellipse) {
-    const model::CrackPlane& e = crack.plane;
-    const double extent = std::hypot(e.a * e.across()[plane.axis], e.c * e.along[plane.axis]);
+  if (crack.kind == model::CrackDefinitionKind::ellipse) {
+    const model::PlanarCrack& e = crack.plane;
+    const double extent =
+        std::hypot(e.a * e.transverse_axis()[plane.axis], e.c * e.along[plane.axis]);
     depths.add(plane.depth(e.place) - extent);
     depths.add(plane.depth(e.place) + extent);
     return depths;
@@ -45,7 +47,7 @@ Depths depths_of(const model::Model& model, const model::Crack& crack, const Sid
     depths.add(plane.depth(x));
   }
   if (crack.path.valid()) {
-    for (const base::NodeId n : model.mesh.set(crack.path).nodes) {
+    for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
       depths.add(plane.depth(model.mesh.x[n.index()]));
     }
   }
@@ -67,7 +69,7 @@ struct Straight {
   double length = 0.0;
 };
 
-Straight straight_of(const model::Crack& crack) {
+Straight straight_of(const model::CrackDefinition& crack) {
   if (crack.angle) {
     return {crack.points.front(), Vec3(std::cos(*crack.angle), std::sin(*crack.angle), 0.0),
             crack.a0.value_or(0.0)};
@@ -78,8 +80,8 @@ Straight straight_of(const model::Crack& crack) {
 
 // Nodes in the plane from the mouth of a crack that is drawn in it to the end of their line; empty:
 // no line of the mesh begins there and goes beyond the tip.
-std::vector<base::NodeId> nodes_along(const model::Model& model, const model::Crack& crack,
-                                      const SidePlane& plane) {
+std::vector<base::NodeId> nodes_along(const model::Model& model,
+                                      const model::CrackDefinition& crack, const SidePlane& plane) {
   const model::Mesh& mesh = model.mesh;
   const Straight line = straight_of(crack);
   const std::vector<bool> used = model::nodes_in_use(mesh);
@@ -107,20 +109,22 @@ std::vector<base::NodeId> nodes_along(const model::Model& model, const model::Cr
   return inside || end <= line.length ? std::vector<base::NodeId>() : nodes;
 }
 
-std::string without_half(const model::Model& model, const model::Crack& crack,
+std::string without_half(const model::Model& model, const model::CrackDefinition& crack,
                          const SidePlane& plane) {
   const Depths depths = depths_of(model, crack, plane);
-  if (lies_in(depths, plane) && crack.kind != model::CrackKind::path) {
-    return crack.kind != model::CrackKind::free ? "lies in it"
+  if (lies_in(depths, plane) && crack.kind != model::CrackDefinitionKind::path) {
+    return crack.kind != model::CrackDefinitionKind::free ? "lies in it"
            : nodes_along(model, crack, plane).empty()
                ? "lies in it and does not begin at a surface, with a line of the mesh to go along"
                : "";
   }
   const bool across = depths.most > plane.reach && depths.least < -plane.reach;
-  if (across && crack.kind == model::CrackKind::free && crack.smooth && crack.points.size() > 2) {
+  if (across && crack.kind == model::CrackDefinitionKind::free && crack.smooth &&
+      crack.points.size() > 2) {
     return "is a smooth curve across it";
   }
-  if (across && (crack.kind == model::CrackKind::path || crack.kind == model::CrackKind::front)) {
+  if (across && (crack.kind == model::CrackDefinitionKind::path ||
+                 crack.kind == model::CrackDefinitionKind::front)) {
     return "is a line of nodes across it";
   }
   return {};
@@ -128,7 +132,7 @@ std::string without_half(const model::Model& model, const model::Crack& crack,
 
 // From its point in the plane to its end on the side that stays: both ends are tips. What was drawn
 // as its left face keeps that name.
-void cut_line(model::Crack& crack, const SidePlane& plane) {
+void cut_line(model::CrackDefinition& crack, const SidePlane& plane) {
   std::vector<Vec3>& points = crack.points;
   if (plane.depth(points.front()) > plane.depth(points.back())) {
     std::ranges::reverse(points);
@@ -170,7 +174,7 @@ SidePlane side_plane(const model::Mesh& mesh, const model::MirrorPlane& wish, do
 }
 
 std::string cracks_without_half(const model::Model& model, const SidePlane& plane) {
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     if (const std::string why = without_half(model, crack, plane); !why.empty()) {
       return fmt::format("crack {} {}", crack.name, why);
     }
@@ -178,14 +182,16 @@ std::string cracks_without_half(const model::Model& model, const SidePlane& plan
   return {};
 }
 
-bool lies_beyond(const model::Model& model, const model::Crack& crack, const SidePlane& plane) {
+bool lies_beyond(const model::Model& model, const model::CrackDefinition& crack,
+                 const SidePlane& plane) {
   return depths_of(model, crack, plane).most <= plane.reach &&
          depths_of(model, crack, plane).least < -plane.reach;
 }
 
-base::FaceSetId missing_face(const model::Model& model, const model::Crack& crack,
+base::FaceSetId missing_face(const model::Model& model, const model::CrackDefinition& crack,
                              const SidePlane& plane) {
-  if (crack.kind != model::CrackKind::free || !lies_in(depths_of(model, crack, plane), plane)) {
+  if (crack.kind != model::CrackDefinitionKind::free ||
+      !lies_in(depths_of(model, crack, plane), plane)) {
     return {};
   }
   const Vec3 way = straight_of(crack).way;
@@ -195,22 +201,22 @@ base::FaceSetId missing_face(const model::Model& model, const model::Crack& crac
 
 void keep_cracks(model::Model& model, const SidePlane& plane) {
   std::vector<base::CrackId> now(model.cracks.size());
-  std::vector<model::Crack> kept;
+  std::vector<model::CrackDefinition> kept;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
-    model::Crack& crack = model.cracks[i];
+    model::CrackDefinition& crack = model.cracks[i];
     if (lies_beyond(model, crack, plane)) {
       continue;
     }
     const Depths depths = depths_of(model, crack, plane);
     const bool across = depths.least < -plane.reach;
-    if (crack.kind == model::CrackKind::free && lies_in(depths, plane)) {
+    if (crack.kind == model::CrackDefinitionKind::free && lies_in(depths, plane)) {
       crack.a0 = straight_of(crack).length;
       crack.path = base::NodeSetId(model.mesh.node_sets.size());
       model.mesh.node_sets.push_back({{}, nodes_along(model, crack, plane), crack.span});
-      crack.kind = model::CrackKind::path;
+      crack.kind = model::CrackDefinitionKind::path;
       crack.points.clear();
       crack.angle.reset();
-    } else if (across && crack.kind == model::CrackKind::free) {
+    } else if (across && crack.kind == model::CrackDefinitionKind::free) {
       cut_line(crack, plane);
     } else if (across && plane.depth(crack.plane.place) < 0.0) {
       // a point within it, on the side that stays
@@ -220,9 +226,9 @@ void keep_cracks(model::Model& model, const SidePlane& plane) {
     kept.push_back(std::move(crack));
   }
   model.cracks = std::move(kept);
-  keep_about(model.tip_nets, now, &model::TipNet::crack);
-  keep_about(model.vces, now, &model::Vce::crack);
-  keep_about(model.tests, now, &model::GrowthTest::crack);
+  keep_about(model.tip_nets, now, &model::TipMeshSettings::crack);
+  keep_about(model.vces, now, &model::CrackExtensionSettings::crack);
+  keep_about(model.tests, now, &model::GrowthTestReadings::crack);
   if (model.growth) {
     for (base::CrackId& crack : model.growth->cracks) {
       crack = now[crack.index()];

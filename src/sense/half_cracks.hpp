@@ -16,7 +16,7 @@ struct SidePlane {
   double at = 0.0;    ///< [length]
   double sign = 1.0;  ///< of the axis, towards the side that stays
   double reach = 0.0; ///< what is nearer lies in the plane [length]
-  base::Span span;
+  base::SourceSpan span;
 
   /// Distance from the plane, positive on the side that stays [length].
   [[nodiscard]] double depth(const base::Vec3& x) const { return sign * (x[axis] - at); }
@@ -28,11 +28,12 @@ SidePlane side_plane(const model::Mesh& mesh, const model::MirrorPlane& wish, do
 std::string cracks_without_half(const model::Model& model, const SidePlane& plane);
 
 /// Whether all of a crack lies on the side that goes.
-bool lies_beyond(const model::Model& model, const model::Crack& crack, const SidePlane& plane);
+bool lies_beyond(const model::Model& model, const model::CrackDefinition& crack,
+                 const SidePlane& plane);
 
 /// The face of a drawn crack in the plane that the side which stays does not have; invalid: it has
 /// both, or none of its own.
-base::FaceSetId missing_face(const model::Model& model, const model::Crack& crack,
+base::FaceSetId missing_face(const model::Model& model, const model::CrackDefinition& crack,
                              const SidePlane& plane);
 
 /// Takes away cracks that lie beyond, with all that is about them. Those of a plane model that lie

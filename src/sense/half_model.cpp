@@ -33,7 +33,7 @@ public:
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       bool below = false;
       bool above = false;
-      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
         below = below || plane.depth(mesh.x[n.index()]) < -plane.reach;
         above = above || plane.depth(mesh.x[n.index()]) > plane.reach;
       }
@@ -57,11 +57,13 @@ public:
 
   [[nodiscard]] Part part(const model::Load& load) const {
     const model::Mesh& mesh = model_.mesh;
-    return load.nodes.valid()   ? part_of(mesh.set(load.nodes).nodes)
-           : load.faces.valid() ? part_of(mesh.set(load.faces).faces)
-                                : part_of(mesh.set(load.elements).elements);
+    return load.nodes.valid()   ? part_of(mesh.set_with_id(load.nodes).nodes)
+           : load.faces.valid() ? part_of(mesh.set_with_id(load.faces).faces)
+                                : part_of(mesh.set_with_id(load.elements).elements);
   }
-  [[nodiscard]] Part part(base::FaceSetId set) const { return part_of(model_.mesh.set(set).faces); }
+  [[nodiscard]] Part part(base::FaceSetId set) const {
+    return part_of(model_.mesh.set_with_id(set).faces);
+  }
 
 private:
   template <class T> [[nodiscard]] Part part_of(const std::vector<T>& members) const {
@@ -95,7 +97,7 @@ std::string without_half(const model::Model& model, const Side& side,
   }
   for (const model::Mpc& mpc : model.mpcs) {
     if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
-      const auto& nodes = model.mesh.set(rigid->slave).nodes;
+      const auto& nodes = model.mesh.set_with_id(rigid->slave).nodes;
       const auto stay = std::ranges::count_if(nodes, [&](auto n) { return side.stays(n); });
       if (stay > 0 && stay < std::ssize(nodes)) {
         return "an $MPC TYPE=RIGID lies across it";
@@ -183,7 +185,7 @@ private:
       Vec3 force = own_part(load);
       force[side_.plane().axis] = 0.0; // what is across is balanced by the image
       for (std::size_t i = 0; i < load.value.size(); ++i) {
-        load.value[i] = base::Expression::constant(force[static_cast<Eigen::Index>(i)]);
+        load.value[i] = base::CompiledExpression::constant(force[static_cast<Eigen::Index>(i)]);
       }
     }
     if (load.type == model::LoadType::force) {
@@ -194,7 +196,7 @@ private:
 
   // Faces of a crack are made with its mesh.
   [[nodiscard]] Part load_part(const model::Load& load) const {
-    const model::Crack* const crack = crack_of_faces(model_, load);
+    const model::CrackDefinition* const crack = crack_of_faces(model_, load);
     if (crack == nullptr) {
       return side_.part(load);
     }
@@ -215,9 +217,9 @@ private:
       return;
     }
     model::Load half = load;
-    for (base::Expression& value : half.value) {
-      value.code.push_back({base::Op::number, 0.5});
-      value.code.push_back({base::Op::multiply, 0.0});
+    for (base::CompiledExpression& value : half.value) {
+      value.code.push_back({base::OpCode::number, 0.5});
+      value.code.push_back({base::OpCode::multiply, 0.0});
     }
     half.nodes = base::NodeSetId(sets.size());
     sets.push_back(std::move(in_plane));
@@ -254,12 +256,12 @@ private:
 
   void drop_empty_ties() {
     std::erase_if(model_.mpcs, [&](const model::Mpc& mpc) {
-      const auto* tie = std::get_if<model::Transition>(&mpc);
+      const auto* tie = std::get_if<model::TransitionTie>(&mpc);
       const auto* rigid = std::get_if<model::RigidTie>(&mpc);
       const base::NodeSetId slave = tie != nullptr     ? tie->slave
                                     : rigid != nullptr ? rigid->slave
                                                        : base::NodeSetId();
-      return slave.valid() && std::ranges::none_of(model_.mesh.set(slave).nodes,
+      return slave.valid() && std::ranges::none_of(model_.mesh.set_with_id(slave).nodes,
                                                    [&](base::NodeId n) { return side_.stays(n); });
     });
   }
@@ -277,7 +279,7 @@ private:
     for (std::size_t i = 0; i < old.element_count(); ++i) {
       const base::ElementId e(i);
       if (side_.stays(e)) {
-        now[i] = model::add_element(mesh, old.type[i], old.nodes_of(e), old.element_label[i],
+        now[i] = model::add_element(mesh, old.type[i], old.element_nodes(e), old.element_label[i],
                                     old.element_net[i]);
         mesh.property.back() = old.property[i];
       }
@@ -311,7 +313,7 @@ private:
         held.nodes.emplace_back(n);
       }
     }
-    model::Freedom freedom;
+    model::FreedomAssignment freedom;
     freedom.cls = model::FreedomClass::suppressed;
     freedom.dof[static_cast<std::size_t>(side_.plane().axis)] = true;
     freedom.nodes = base::NodeSetId(mesh.node_sets.size());

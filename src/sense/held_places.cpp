@@ -49,12 +49,12 @@ public:
     }
     for (const model::Contact& contact : model_.contacts) {
       for (const base::FaceSetId set : {contact.slave, contact.master}) {
-        if (set.valid() && wholly_held(mesh::nodes_of_faces(mesh_, mesh_.set(set).faces))) {
+        if (set.valid() && wholly_held(mesh::nodes_of_faces(mesh_, mesh_.set_with_id(set).faces))) {
           list_.warning(contact.span, "W458",
                         fmt::format("contact {}: every node of {} is held in all directions, the "
                                     "body behind it is not: the contact presses on the supports "
                                     "alone",
-                                    contact.name, mesh_.set(set).name),
+                                    contact.name, mesh_.set_with_id(set).name),
                         "hold the body elsewhere; for a partner that does not yield there is "
                         "$RIGID");
         }
@@ -67,8 +67,8 @@ public:
       return;
     }
     const mesh::Host host(mesh_);
-    for (const model::Crack& crack : model_.cracks) {
-      if (crack.kind == model::CrackKind::free && !crack.points.empty()) {
+    for (const model::CrackDefinition& crack : model_.cracks) {
+      if (crack.kind == model::CrackDefinitionKind::free && !crack.points.empty()) {
         look_at_mouth(crack, host);
       }
     }
@@ -76,18 +76,19 @@ public:
 
 private:
   [[nodiscard]] bool on_a_crack(const model::Load& load) const {
-    return std::ranges::any_of(model_.cracks, [&](const model::Crack& crack) {
+    return std::ranges::any_of(model_.cracks, [&](const model::CrackDefinition& crack) {
       return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right ||
-                                    lies_on_path(mesh_.set(load.faces), crack));
+                                    lies_on_path(mesh_.set_with_id(load.faces), crack));
     });
   }
 
   // On a line of symmetry, which is held until the crack runs along it.
-  [[nodiscard]] bool lies_on_path(const model::FaceSet& set, const model::Crack& crack) const {
+  [[nodiscard]] bool lies_on_path(const model::FaceSet& set,
+                                  const model::CrackDefinition& crack) const {
     if (!crack.path.valid()) {
       return false;
     }
-    const std::vector<base::NodeId>& path = mesh_.set(crack.path).nodes;
+    const std::vector<base::NodeId>& path = mesh_.set_with_id(crack.path).nodes;
     return std::ranges::any_of(set.faces, [&](const model::Face& face) {
       return std::ranges::all_of(mesh::nodes_of_faces(mesh_, {face}), [&](base::NodeId n) {
         return std::ranges::find(path, n) != path.end();
@@ -129,13 +130,14 @@ private:
 
   // A crack or a load that makes more of a body than a base for others to stand on.
   [[nodiscard]] bool matters(const fe::Body& body) const {
-    const auto cracked = [&](const model::Crack& crack) {
-      return crack.kind == model::CrackKind::free
+    const auto cracked = [&](const model::CrackDefinition& crack) {
+      return crack.kind == model::CrackDefinitionKind::free
                  ? crack.net == body.net || !crack.net.valid()
                  : crack.path.valid() &&
-                       std::ranges::any_of(mesh_.set(crack.path).nodes, [&](base::NodeId n) {
-                         return std::ranges::binary_search(body.nodes, n);
-                       });
+                       std::ranges::any_of(mesh_.set_with_id(crack.path).nodes,
+                                           [&](base::NodeId n) {
+                                             return std::ranges::binary_search(body.nodes, n);
+                                           });
     };
     return std::ranges::any_of(model_.cracks, cracked) ||
            std::ranges::any_of(body.nodes,
@@ -168,7 +170,7 @@ private:
   }
 
   // The boundary side that the mouth opens in, with both its ends held.
-  void look_at_mouth(const model::Crack& crack, const mesh::Host& host) {
+  void look_at_mouth(const model::CrackDefinition& crack, const mesh::Host& host) {
     const base::Vec3& start = crack.points.front();
     double near = 0.0;
     const mesh::BoundaryPoint at = mesh::nearest_boundary(host, start, crack.net);
@@ -215,7 +217,7 @@ std::vector<SideAt> sides_at(const mesh::Host& host, base::NodeId node) {
   std::vector<SideAt> sides;
   const std::vector<base::Vec3>& x = host.mesh().x;
   for (const base::ElementId e : host.around(node)) {
-    for (int s = 0; s < base::info(host.mesh().type[e.index()]).sides; ++s) {
+    for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
       const mesh::Edge edge = mesh::edge_of(host.mesh(), {e, s});
       if ((edge.a == node || edge.b == node) && !host.beyond({e, s})) {
         const base::NodeId other = edge.a == node ? edge.b : edge.a;
@@ -228,14 +230,15 @@ std::vector<SideAt> sides_at(const mesh::Host& host, base::NodeId node) {
 
 bool is_corner(const mesh::Host& host, base::NodeId node) {
   return std::ranges::any_of(host.around(node), [&](base::ElementId e) {
-    const auto corners = static_cast<std::size_t>(base::info(host.mesh().type[e.index()]).corners);
-    const auto nodes = host.mesh().nodes_of(e).first(corners);
+    const auto corners =
+        static_cast<std::size_t>(base::element_info(host.mesh().type[e.index()]).corners);
+    const auto nodes = host.mesh().element_nodes(e).first(corners);
     return std::ranges::find(nodes, node) != nodes.end();
   });
 }
 
 bool without_patch(const model::Model& model, std::size_t crack) {
-  return std::ranges::any_of(model.tip_nets, [&](const model::TipNet& tip) {
+  return std::ranges::any_of(model.tip_nets, [&](const model::TipMeshSettings& tip) {
     return tip.crack == base::CrackId(crack) && !tip.patch;
   });
 }
@@ -253,20 +256,21 @@ void warn_of_held_places(const model::Model& model, base::Diagnostics& list) {
 }
 
 void warn_of_path_mouths(const model::Model& model, base::Diagnostics& list) {
-  const bool some = std::ranges::any_of(
-      model.cracks, [](const model::Crack& crack) { return crack.kind == model::CrackKind::path; });
+  const bool some = std::ranges::any_of(model.cracks, [](const model::CrackDefinition& crack) {
+    return crack.kind == model::CrackDefinitionKind::path;
+  });
   if (list.has_errors() || model.mesh.dim != 2 || !some) {
     return;
   }
   const mesh::Host host(model.mesh);
   const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model, model.mesh);
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
-    const model::Crack& crack = model.cracks[c];
-    if (crack.kind != model::CrackKind::path || !crack.path.valid() ||
-        model.mesh.set(crack.path).nodes.size() < 2) {
+    const model::CrackDefinition& crack = model.cracks[c];
+    if (crack.kind != model::CrackDefinitionKind::path || !crack.path.valid() ||
+        model.mesh.set_with_id(crack.path).nodes.size() < 2) {
       continue; // E401
     }
-    std::vector<base::NodeId> path = model.mesh.set(crack.path).nodes;
+    std::vector<base::NodeId> path = model.mesh.set_with_id(crack.path).nodes;
     // Middle nodes may be named or not.
     std::erase_if(path, [&](base::NodeId n) { return !is_corner(host, n); });
     if (path.size() < 2) {

@@ -52,7 +52,7 @@ void tidy(results::LoadTotal& total, const model::Mesh& mesh) {
 
 // Whether a load stands on sets of the deck: faces of a crack are there once it is cut only.
 bool on_the_deck(const model::Model& model, const model::Load& load) {
-  return std::ranges::none_of(model.cracks, [&](const model::Crack& crack) {
+  return std::ranges::none_of(model.cracks, [&](const model::CrackDefinition& crack) {
     return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
   });
 }
@@ -96,7 +96,7 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
   const auto told = [&](const base::Diagnostic& d) {
     return d.code == "W435" && d.span.file == load.span.file && d.span.begin == load.span.begin;
   };
-  if (fe::is_constant(load) || std::ranges::any_of(diagnostics.all(), told)) {
+  if (fe::is_constant(load) || std::ranges::any_of(diagnostics.messages(), told)) {
     return;
   }
   const double missed = load.type == model::LoadType::temperature

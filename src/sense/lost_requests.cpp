@@ -15,7 +15,7 @@ std::set<std::string> named_things(const model::Model& model) {
   for (const model::Contact& contact : model.contacts) {
     names.insert(contact.name);
   }
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     names.insert(crack.name);
   }
   const auto add_sets = [&](const auto& sets, auto members) {
@@ -37,7 +37,7 @@ void warn_of_lost_requests(model::Model& model, const std::set<std::string>& bef
   const auto is_gone = [&](const std::string& name) {
     return before.contains(name) && !now.contains(name);
   };
-  const auto warn = [&](base::Span span, const std::string& name) {
+  const auto warn = [&](base::SourceSpan span, const std::string& name) {
     list.warning(span, "W366", fmt::format("{} lies on the side that $SYMMETRY leaves away", name),
                  "ask for its mirror image");
   };
@@ -49,7 +49,7 @@ void warn_of_lost_requests(model::Model& model, const std::set<std::string>& bef
     }
     std::erase_if(output.requests, [&](const auto& request) { return is_gone(request.name); });
   }
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     for (const auto& argument : check.arguments) {
       const auto* const name = std::get_if<std::string>(&argument);
       if (name != nullptr && is_gone(*name)) {

@@ -19,10 +19,10 @@ namespace {
 constexpr double same_spot = 1e-6; // of the model's size
 constexpr double same_axis = 1e-9;
 
-std::vector<base::Vec3> points_of(const model::Model& model, const model::Crack& crack) {
+std::vector<base::Vec3> points_of(const model::Model& model, const model::CrackDefinition& crack) {
   std::vector<base::Vec3> points = crack.points;
   if (crack.path.valid()) {
-    for (const base::NodeId n : model.mesh.set(crack.path).nodes) {
+    for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
       points.push_back(model.mesh.x[n.index()]);
     }
   }
@@ -61,8 +61,8 @@ bool mirrored_line(const Mirror& mirror, const std::vector<base::Vec3>& one,
                      one, [&](const base::Vec3& x) { return off_line(mirror(x), other) <= reach; });
 }
 
-bool mirrored_plane(const Mirror& mirror, const model::CrackPlane& one,
-                    const model::CrackPlane& other) {
+bool mirrored_plane(const Mirror& mirror, const model::PlanarCrack& one,
+                    const model::PlanarCrack& other) {
   const double reach = same_spot * mirror.size;
   const auto turned = [&](base::Vec3 v) {
     v[mirror.axis] = -v[mirror.axis];
@@ -82,21 +82,21 @@ bool grows(const model::Model& model, std::size_t crack) {
                               model.growth->cracks.end());
 }
 
-bool mirrored_shape(const model::Model& model, const Mirror& mirror, const model::Crack& one,
-                    const model::Crack& other) {
+bool mirrored_shape(const model::Model& model, const Mirror& mirror,
+                    const model::CrackDefinition& one, const model::CrackDefinition& other) {
   if (one.kind != other.kind || one.mu != other.mu || one.a0 != other.a0 ||
       one.faces_in_contact != other.faces_in_contact) {
     return false;
   }
-  return one.kind == model::CrackKind::ellipse
+  return one.kind == model::CrackDefinitionKind::ellipse
              ? mirrored_plane(mirror, one.plane, other.plane)
              : mirrored_line(mirror, points_of(model, one), points_of(model, other));
 }
 
 // From the right face to the left one, in space from the lower to the upper; zero: not known.
-base::Vec3 normal_of(const model::Model& model, const model::Crack& crack) {
+base::Vec3 normal_of(const model::Model& model, const model::CrackDefinition& crack) {
   if (model.mesh.dim == 3) {
-    const bool drawn = crack.kind != model::CrackKind::front;
+    const bool drawn = crack.kind != model::CrackDefinitionKind::front;
     return drawn ? crack.plane.normal : base::Vec3(base::Vec3::Zero());
   }
   const std::vector<base::Vec3> points = points_of(model, crack);
@@ -105,16 +105,17 @@ base::Vec3 normal_of(const model::Model& model, const model::Crack& crack) {
 }
 
 // Points of a load on a crack's faces: along its line, or over its ellipse.
-std::vector<fe::LoadPlace> face_places(const model::Model& model, const model::Crack& crack,
+std::vector<fe::LoadPlace> face_places(const model::Model& model,
+                                       const model::CrackDefinition& crack,
                                        const model::Load& load) {
   std::vector<fe::LoadPlace> places;
-  if (crack.kind == model::CrackKind::ellipse) {
+  if (crack.kind == model::CrackDefinitionKind::ellipse) {
     constexpr int sectors = 8;
     const auto at = [&](double r, double sector) {
       const double phi = sector * 2.0 * std::numbers::pi / sectors;
       return base::Vec3(crack.plane.place +
                         r * (crack.plane.c * std::cos(phi) * crack.plane.along +
-                             crack.plane.a * std::sin(phi) * crack.plane.across()));
+                             crack.plane.a * std::sin(phi) * crack.plane.transverse_axis()));
     };
     fe::SpaceNodes<2> X(3, 6);
     for (int i = 0; i < sectors; ++i) {
@@ -136,8 +137,8 @@ std::vector<fe::LoadPlace> face_places(const model::Model& model, const model::C
 
 } // namespace
 
-const model::Crack* crack_of_faces(const model::Model& model, const model::Load& load) {
-  const auto found = std::ranges::find_if(model.cracks, [&](const model::Crack& crack) {
+const model::CrackDefinition* crack_of_faces(const model::Model& model, const model::Load& load) {
+  const auto found = std::ranges::find_if(model.cracks, [&](const model::CrackDefinition& crack) {
     return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
   });
   return found == model.cracks.end() ? nullptr : &*found;
@@ -145,8 +146,8 @@ const model::Crack* crack_of_faces(const model::Model& model, const model::Load&
 
 bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const model::Load& one,
                         const model::Load& other) {
-  const model::Crack* const crack = crack_of_faces(model, one);
-  const model::Crack* const image = crack_of_faces(model, other);
+  const model::CrackDefinition* const crack = crack_of_faces(model, one);
+  const model::CrackDefinition* const image = crack_of_faces(model, other);
   if (crack == nullptr || image == nullptr || one.type != model::LoadType::pressure ||
       other.type != model::LoadType::pressure || !mirrored_shape(model, mirror, *crack, *image)) {
     return false;

@@ -14,7 +14,7 @@ bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const m
                         const model::Load& other);
 
 /// The crack that a load acts on the faces of; null: none.
-const model::Crack* crack_of_faces(const model::Model& model, const model::Load& load);
+const model::CrackDefinition* crack_of_faces(const model::Model& model, const model::Load& load);
 
 /// Whether each crack has a crack that is its mirror image, itself or another, and both grow or
 /// neither; else what stands against it.

@@ -36,8 +36,8 @@ std::vector<model::Face> skin_of(const model::Mesh& mesh,
   part.node_label = mesh.node_label;
   part.node_net = mesh.node_net;
   for (const base::ElementId e : elements) {
-    model::add_element(part, mesh.type[e.index()], mesh.nodes_of(e), mesh.element_label[e.index()],
-                       mesh.element_net[e.index()]);
+    model::add_element(part, mesh.type[e.index()], mesh.element_nodes(e),
+                       mesh.element_label[e.index()], mesh.element_net[e.index()]);
   }
   std::vector<model::Face> faces = mesh::outer_faces(part);
   for (model::Face& face : faces) {
@@ -58,10 +58,10 @@ std::vector<base::ElementId> all_elements(const model::Mesh& mesh) {
 class Looks {
 public:
   explicit Looks(const model::Model& model) : model_(model), mesh_(model.mesh) {
-    using Kind = std::tuple<std::size_t, model::State, double>;
+    using Kind = std::tuple<std::size_t, model::StressState, double>;
     std::map<Kind, std::vector<base::ElementId>> groups;
     for (const base::ElementId e : all_elements(mesh_)) {
-      const model::Property& p = model.property_of(mesh_, e);
+      const model::ElementProperty& p = model.element_property(mesh_, e);
       groups[{p.material.index(), p.state, p.thickness}].push_back(e);
     }
     for (const auto& [kind, elements] : groups) {
@@ -119,12 +119,12 @@ private:
   }
   [[nodiscard]] Places places_of(const model::Load& load) const {
     if (load.nodes.valid()) {
-      return places_of_nodes(mesh_.set(load.nodes).nodes);
+      return places_of_nodes(mesh_.set_with_id(load.nodes).nodes);
     }
     if (load.faces.valid()) {
-      return {mesh_, mesh_.set(load.faces).faces};
+      return {mesh_, mesh_.set_with_id(load.faces).faces};
     }
-    return {mesh_, skin_of(mesh_, mesh_.set(load.elements).elements)};
+    return {mesh_, skin_of(mesh_, mesh_.set_with_id(load.elements).elements)};
   }
 
   [[nodiscard]] std::string against_supports(const Mirror& mirror) const {
@@ -162,12 +162,12 @@ private:
       places.push_back({0.7 * centre + 0.3 * mesh_.x[nodes[0].index()], 1.0});
     };
     if (load.faces.valid()) {
-      for (const model::Face& face : mesh_.set(load.faces).faces) {
+      for (const model::Face& face : mesh_.set_with_id(load.faces).faces) {
         add(mesh::nodes_of_faces(mesh_, {face}));
       }
     } else {
-      for (const base::ElementId e : mesh_.set(load.elements).elements) {
-        add(mesh_.nodes_of(e));
+      for (const base::ElementId e : mesh_.set_with_id(load.elements).elements) {
+        add(mesh_.element_nodes(e));
       }
     }
     return places;
@@ -203,10 +203,10 @@ private:
         if (const auto* fit = std::get_if<model::ApplyFit>(&action);
             fit != nullptr && fit->contact == contact) {
           all.emplace_back(s, 0, fit->factor);
-        } else if (const auto* mount = std::get_if<model::Mount>(&action);
+        } else if (const auto* mount = std::get_if<model::MountContact>(&action);
                    mount != nullptr && mount->contact == contact) {
           all.emplace_back(s, 1, 0.0);
-        } else if (const auto* off = std::get_if<model::Dismount>(&action);
+        } else if (const auto* off = std::get_if<model::DismountContact>(&action);
                    off != nullptr && off->contact == contact) {
           all.emplace_back(s, 2, 0.0);
         }
@@ -217,13 +217,14 @@ private:
 
   [[nodiscard]] bool mirrored_faces(const Mirror& mirror, base::FaceSetId one,
                                     base::FaceSetId other) const {
-    return mirrored_places(mirror, {mesh_, mesh_.set(one).faces}, {mesh_, mesh_.set(other).faces});
+    return mirrored_places(mirror, {mesh_, mesh_.set_with_id(one).faces},
+                           {mesh_, mesh_.set_with_id(other).faces});
   }
 
   // A rigid target that is its own image; of two targets that are images of each other it is not
   // asked.
   [[nodiscard]] bool mirrored_target(const Mirror& mirror, base::RigidId id) const {
-    const model::Rigid& r = model_.rigids[id.index()];
+    const model::RigidTarget& r = model_.rigids[id.index()];
     const double size = (r.second - r.first).norm() + std::abs(r.radius);
     const auto same = [&](const base::Vec3& a, const base::Vec3& b) {
       return (a - b).norm() <= same_value * size;
@@ -231,16 +232,16 @@ private:
     const base::Vec3 axis = r.second - r.first;
     const bool across = axis.cross(base::Vec3::Unit(mirror.axis)).norm() <= same_value * size;
     switch (r.shape) {
-    case model::RigidShape::arc:
-    case model::RigidShape::sphere:
+    case model::RigidTargetShape::arc:
+    case model::RigidTargetShape::sphere:
       return same(mirror(r.first), r.first);
-    case model::RigidShape::line:
+    case model::RigidTargetShape::line:
       return same(mirror(r.first), r.second);
-    case model::RigidShape::plane: // its normal lies in the mirror
+    case model::RigidTargetShape::plane: // its normal lies in the mirror
       return std::abs(axis[mirror.axis]) <= same_value * size;
-    case model::RigidShape::cylinder:
+    case model::RigidTargetShape::cylinder:
       return across || (same(mirror(r.first), r.first) && same(mirror(r.second), r.second));
-    case model::RigidShape::cone:
+    case model::RigidTargetShape::cone:
       return same(mirror(r.first), r.first) && same(mirror(r.second), r.second);
     }
     return false;
@@ -272,16 +273,16 @@ private:
     if (one.index() != other.index()) {
       return false;
     }
-    if (const auto* tie = std::get_if<model::Transition>(&one)) {
-      const auto& image = std::get<model::Transition>(other);
-      return mirrored_places(mirror, places_of_nodes(mesh_.set(tie->slave).nodes),
-                             places_of_nodes(mesh_.set(image.slave).nodes)) &&
+    if (const auto* tie = std::get_if<model::TransitionTie>(&one)) {
+      const auto& image = std::get<model::TransitionTie>(other);
+      return mirrored_places(mirror, places_of_nodes(mesh_.set_with_id(tie->slave).nodes),
+                             places_of_nodes(mesh_.set_with_id(image.slave).nodes)) &&
              mirrored_faces(mirror, tie->master, image.master);
     }
     if (const auto* rigid = std::get_if<model::RigidTie>(&one)) {
       return mirrored_places(
-          mirror, places_of_nodes(mesh_.set(rigid->slave).nodes),
-          places_of_nodes(mesh_.set(std::get<model::RigidTie>(other).slave).nodes));
+          mirror, places_of_nodes(mesh_.set_with_id(rigid->slave).nodes),
+          places_of_nodes(mesh_.set_with_id(std::get<model::RigidTie>(other).slave).nodes));
     }
     return false;
   }

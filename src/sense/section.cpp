@@ -108,7 +108,7 @@ private:
     volume_.assign(mesh_.element_count(), 0.0);
     swept_.assign(mesh_.element_count(), 0.0);
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      for (int s = 0; s < base::info(mesh_.type[e]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e]).sides; ++s) {
         over_side(mesh_, {base::ElementId(e), s},
                   [&](const Vec3& x, const Vec3& area) { volume_[e] += x.dot(area) / 3.0; });
       }
@@ -166,7 +166,7 @@ private:
       }
       turn_left(nodes, shape::side_corners(mesh_.type[e], face.side));
       new_element_[face.element] =
-          model::add_element(made_, shape::solid_side(mesh_.type[e], face.side), nodes,
+          model::add_element(made_, shape::solid_side_type(mesh_.type[e], face.side), nodes,
                              mesh_.element_label[e], mesh_.element_net[e]);
       made_.property.back() = mesh_.property[e];
     }

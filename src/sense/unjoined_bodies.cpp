@@ -93,8 +93,8 @@ private:
       const std::size_t b = of_element_[seam.second.element.index()];
       const base::Vec3 at = middle(mesh::nodes_of_faces(mesh_, {seam.first}));
       // Ways from the common side into both elements: they must not lie on the same side of it.
-      const base::Vec3 one = middle(mesh_.nodes_of(seam.first.element)) - at;
-      const base::Vec3 two = middle(mesh_.nodes_of(seam.second.element)) - at;
+      const base::Vec3 one = middle(mesh_.element_nodes(seam.first.element)) - at;
+      const base::Vec3 two = middle(mesh_.element_nodes(seam.second.element)) - at;
       if (bodies_[a].net == bodies_[b].net || joined_.contains(std::minmax(a, b)) ||
           one.dot(two) >= 0.0 || mesh::lies_within(mesh_, seam.first, cared_for_) ||
           mesh::lies_within(mesh_, seam.second, cared_for_)) {
@@ -136,11 +136,11 @@ private:
     // Bodies that share a tie of any kind are meant to be together.
     for (const model::Mpc& mpc : model_.mpcs) {
       std::set<std::size_t> tied;
-      if (const auto* equation = std::get_if<model::Equation>(&mpc)) {
-        for (const model::Equation::Term& term : equation->terms) {
+      if (const auto* equation = std::get_if<model::ConstraintEquation>(&mpc)) {
+        for (const model::ConstraintEquation::ConstraintTerm& term : equation->terms) {
           see_node(term.node, tied);
         }
-      } else if (const auto* tie = std::get_if<model::Transition>(&mpc)) {
+      } else if (const auto* tie = std::get_if<model::TransitionTie>(&mpc)) {
         see_nodes(tie->slave, tied);
         tied.merge(see_faces(tie->master));
       } else if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
@@ -162,7 +162,7 @@ private:
   }
   void see_nodes(base::NodeSetId set, std::set<std::size_t>& seen) {
     if (set.valid()) {
-      for (const base::NodeId n : mesh_.set(set).nodes) {
+      for (const base::NodeId n : mesh_.set_with_id(set).nodes) {
         see_node(n, seen);
       }
     }
@@ -170,7 +170,7 @@ private:
   std::set<std::size_t> see_faces(base::FaceSetId set) {
     std::set<std::size_t> seen;
     if (set.valid()) {
-      for (const base::NodeId n : mesh::nodes_of_faces(mesh_, mesh_.set(set).faces)) {
+      for (const base::NodeId n : mesh::nodes_of_faces(mesh_, mesh_.set_with_id(set).faces)) {
         see_node(n, seen);
       }
     }
@@ -248,8 +248,9 @@ private:
 
   void look_at(std::size_t a, std::size_t b) {
     const bool told = bodies_[a].net == bodies_[b].net && // side on side: W341
-                      std::ranges::any_of(
-                          list_.all(), [](const base::Diagnostic& d) { return d.code == "W341"; });
+                      std::ranges::any_of(list_.messages(), [](const base::Diagnostic& d) {
+                        return d.code == "W341";
+                      });
     if (told || joined_.contains({a, b})) {
       return;
     }
@@ -272,8 +273,8 @@ private:
         "other or part without a force");
   }
 
-  [[nodiscard]] base::Span place_of(const fe::Body& body) const {
-    const model::Property& property =
+  [[nodiscard]] base::SourceSpan place_of(const fe::Body& body) const {
+    const model::ElementProperty& property =
         model_.properties[mesh_.property[body.elements.front().index()].index()];
     return property.span;
   }

@@ -131,12 +131,12 @@ Rule2 make_quadrilateral_rule(int points) {
 }
 
 // All rules are made at the first call; initialisation of a local static is safe between threads.
-struct Rules {
+struct PlaneRules {
   std::vector<Rule1> line;          // [points - 1]
   std::vector<Rule2> quadrilateral; // [points - 1]
   std::vector<Rule2> triangle;      // [degree]
 
-  Rules() {
+  PlaneRules() {
     for (int n = 1; n <= max_points; ++n) {
       line.push_back(gauss_jacobi(n, 0.0));
       quadrilateral.push_back(make_quadrilateral_rule(n));
@@ -147,8 +147,8 @@ struct Rules {
   }
 };
 
-const Rules& rules() {
-  static const Rules all;
+const PlaneRules& rules() {
+  static const PlaneRules all;
   return all;
 }
 

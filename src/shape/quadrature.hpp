@@ -36,15 +36,16 @@ std::span<const QuadraturePoint<3>> prism_rule(int degree);
 std::span<const QuadraturePoint<3>> tetrahedron_rule(int degree);
 
 /// The rule of a domain.
-template <int dim> std::span<const QuadraturePoint<dim>> quadrature(Domain domain, int degree) {
+template <int dim>
+std::span<const QuadraturePoint<dim>> quadrature(ReferenceDomain domain, int degree) {
   if constexpr (dim == 1) {
     return line_rule(degree);
   } else if constexpr (dim == 2) {
-    return domain == Domain::triangle ? triangle_rule(degree) : quadrilateral_rule(degree);
+    return domain == ReferenceDomain::triangle ? triangle_rule(degree) : quadrilateral_rule(degree);
   } else {
-    return domain == Domain::tetrahedron ? tetrahedron_rule(degree)
-           : domain == Domain::prism     ? prism_rule(degree)
-                                         : hexahedron_rule(degree);
+    return domain == ReferenceDomain::tetrahedron ? tetrahedron_rule(degree)
+           : domain == ReferenceDomain::prism     ? prism_rule(degree)
+                                                  : hexahedron_rule(degree);
   }
 }
 template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {

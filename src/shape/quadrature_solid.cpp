@@ -101,12 +101,12 @@ Rule3 product(std::span<const QuadraturePoint<2>> plane, std::span<const Quadrat
 }
 
 // All rules are made at the first call; initialisation of a local static is safe between threads.
-struct Rules {
+struct SolidRules {
   std::vector<Rule3> tetrahedron; // [degree]
   std::vector<Rule3> prism;       // [degree]
   std::vector<Rule3> hexahedron;  // [degree]
 
-  Rules() {
+  SolidRules() {
     for (int degree = 0; degree <= max_solid_degree; ++degree) {
       tetrahedron.push_back(make_tetrahedron_rule(degree));
       prism.push_back(product(triangle_rule(degree), line_rule(degree)));
@@ -115,8 +115,8 @@ struct Rules {
   }
 };
 
-const Rules& rules() {
-  static const Rules all;
+const SolidRules& rules() {
+  static const SolidRules all;
   return all;
 }
 

@@ -23,7 +23,7 @@ template <Shape S> ReferenceElement<S::dim> describe() {
 
 // The linear element with the same corners.
 template <ElementShape S> const ReferenceElement<S::dim>& linear_relative() {
-  constexpr int corners = base::info(S::type).corners;
+  constexpr int corners = base::element_info(S::type).corners;
   using Linear = std::conditional_t<
       S::dim == 2, std::conditional_t<corners == 3, Trim3, Quam4>,
       std::conditional_t<corners == 4, Tet4, std::conditional_t<corners == 6, Penta6, Hexe8>>>;
@@ -33,9 +33,9 @@ template <ElementShape S> const ReferenceElement<S::dim>& linear_relative() {
 template <ElementShape S> const ReferenceElement<S::dim>& element_of() {
   static const ReferenceElement<S::dim> element = [] {
     ReferenceElement<S::dim> described = describe<S>();
-    described.corners = base::info(S::type).corners;
+    described.corners = base::element_info(S::type).corners;
     described.degree = S::degree;
-    described.quadratic = base::info(S::type).quadratic;
+    described.quadratic = base::element_info(S::type).quadratic;
     described.relative = described.quadratic ? &linear_relative<S>() : nullptr;
     return described;
   }();

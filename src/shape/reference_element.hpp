@@ -22,7 +22,7 @@ template <int d> struct ReferenceElement {
   /// [nodes, dim]
   using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, d, 0, most_nodes<d>, d>;
 
-  Domain domain{};
+  ReferenceDomain domain{};
   int nodes = 0;
   int corners = 0;
   int degree = 0; ///< of the rule of its stiffness; lines have none
@@ -33,17 +33,19 @@ template <int d> struct ReferenceElement {
   const ReferenceElement* relative = nullptr;         ///< of a quadratic element, see linear()
 
   /// Reference coordinates of node i.
-  [[nodiscard]] Point<d> node(int i) const {
+  [[nodiscard]] Point<d> node_coordinates(int i) const {
     return Eigen::Map<const Point<d>>(coordinates[static_cast<std::size_t>(i)].data());
   }
   /// The linear element with the same corners.
-  [[nodiscard]] const ReferenceElement& linear() const {
+  [[nodiscard]] const ReferenceElement& linear_element() const {
     return relative == nullptr ? *this : *relative;
   }
   /// The middle of the reference domain.
   [[nodiscard]] Point<d> centre() const { return shape::centre<d>(domain); }
   /// How far a point lies outside it (shape.hpp).
-  [[nodiscard]] double outside(const Point<d>& r) const { return shape::outside<d>(domain, r); }
+  [[nodiscard]] double distance_outside(const Point<d>& r) const {
+    return shape::distance_outside<d>(domain, r);
+  }
 };
 
 /// A shape known when compiled, or one known when run.
@@ -52,11 +54,11 @@ concept Element = known_when_run<S> || ElementShape<S>;
 
 /// The nodes of a shape as the size of matrices: a constant, or not known when compiled but
 /// bounded.
-template <class S> struct Counts {
+template <class S> struct NodeCounts {
   static constexpr int nodes = S::nodes;
   static constexpr int most_nodes = S::nodes;
 };
-template <int dim> struct Counts<ReferenceElement<dim>> {
+template <int dim> struct NodeCounts<ReferenceElement<dim>> {
   static constexpr int nodes = Eigen::Dynamic;
   static constexpr int most_nodes = shape::most_nodes<dim>;
 };
@@ -68,7 +70,7 @@ template <int dim> const ReferenceElement<dim>& reference_element(base::ElementT
 const ReferenceElement<1>& reference_line(int nodes);
 
 /// A shape struct as data.
-template <Shape S> const ReferenceElement<S::dim>& reference() {
+template <Shape S> const ReferenceElement<S::dim>& as_reference_element() {
   if constexpr (S::dim == 1) {
     return reference_line(S::nodes);
   } else {

@@ -21,7 +21,7 @@ namespace spricka::shape {
 template <int dim> using Point = Eigen::Matrix<double, dim, 1>;
 
 /// The body that the reference coordinates run over.
-enum class Domain { line, triangle, quadrilateral, tetrahedron, prism, hexahedron };
+enum class ReferenceDomain { line, triangle, quadrilateral, tetrahedron, prism, hexahedron };
 
 /// A shape known when run only (reference_element.hpp).
 template <int dim> struct ReferenceElement;
@@ -33,7 +33,7 @@ template <int dim> inline constexpr bool known_when_run<ReferenceElement<dim>> =
 template <class S>
 concept Shape = !known_when_run<S> && requires(const Point<S::dim>& r) {
   { S::nodes } -> std::convertible_to<int>;
-  { S::domain } -> std::convertible_to<Domain>;
+  { S::domain } -> std::convertible_to<ReferenceDomain>;
   { S::N(r) } -> std::same_as<Eigen::Matrix<double, S::nodes, 1>>;
   { S::dN(r) } -> std::same_as<Eigen::Matrix<double, S::nodes, S::dim>>;
   { S::coordinates[0][0] } -> std::convertible_to<double>;
@@ -54,7 +54,7 @@ concept PlaneShape = ElementShape<S> && S::dim == 2 && Shape<typename S::Side>;
 struct Line2 {
   static constexpr int nodes = 2;
   static constexpr int dim = 1;
-  static constexpr Domain domain = Domain::line;
+  static constexpr ReferenceDomain domain = ReferenceDomain::line;
   static constexpr std::array<std::array<double, 1>, 2> coordinates{{{-1.0}, {1.0}}};
 
   static Eigen::Matrix<double, 2, 1> N(const Point<1>& r);
@@ -65,7 +65,7 @@ struct Line2 {
 struct Line3 {
   static constexpr int nodes = 3;
   static constexpr int dim = 1;
-  static constexpr Domain domain = Domain::line;
+  static constexpr ReferenceDomain domain = ReferenceDomain::line;
   static constexpr std::array<std::array<double, 1>, 3> coordinates{{{-1.0}, {1.0}, {0.0}}};
 
   static Eigen::Matrix<double, 3, 1> N(const Point<1>& r);
@@ -77,7 +77,7 @@ struct Trim3 {
   static constexpr int nodes = 3;
   static constexpr int dim = 2;
   static constexpr int degree = 0; ///< constant strain
-  static constexpr Domain domain = Domain::triangle;
+  static constexpr ReferenceDomain domain = ReferenceDomain::triangle;
   using Side = Line2;
   static constexpr std::array<std::array<double, 2>, 3> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
@@ -94,7 +94,7 @@ struct Trimc6 {
   /// (degree 5) the energy of a sqrt(r) field in a tip element is off by 5e-4, with these 12 by
   /// 2e-4. Constant strain passes with degree 2, as dN times the adjugate of J is a polynomial.
   static constexpr int degree = 6;
-  static constexpr Domain domain = Domain::triangle;
+  static constexpr ReferenceDomain domain = ReferenceDomain::triangle;
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 6> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}}};
@@ -108,7 +108,7 @@ struct Quam4 {
   static constexpr int nodes = 4;
   static constexpr int dim = 2;
   static constexpr int degree = 3; ///< 2 x 2 points
-  static constexpr Domain domain = Domain::quadrilateral;
+  static constexpr ReferenceDomain domain = ReferenceDomain::quadrilateral;
   using Side = Line2;
   static constexpr std::array<std::array<double, 2>, 4> coordinates{
       {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
@@ -123,7 +123,7 @@ struct Quamc8 {
   static constexpr int nodes = 8;
   static constexpr int dim = 2;
   static constexpr int degree = 5; ///< 3 x 3 points
-  static constexpr Domain domain = Domain::quadrilateral;
+  static constexpr ReferenceDomain domain = ReferenceDomain::quadrilateral;
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 8> coordinates{{{-1.0, -1.0},
                                                                      {1.0, -1.0},
@@ -145,7 +145,7 @@ struct Quamc9 {
   static constexpr int nodes = 9;
   static constexpr int dim = 2;
   static constexpr int degree = 5; ///< 3 x 3 points
-  static constexpr Domain domain = Domain::quadrilateral;
+  static constexpr ReferenceDomain domain = ReferenceDomain::quadrilateral;
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 9> coordinates{{{-1.0, -1.0},
                                                                      {1.0, -1.0},
@@ -165,16 +165,16 @@ struct Quamc9 {
 };
 
 /// Reference coordinates of node i.
-template <Shape S> Point<S::dim> node(int i) {
+template <Shape S> Point<S::dim> node_coordinates(int i) {
   return Eigen::Map<const Point<S::dim>>(S::coordinates[static_cast<std::size_t>(i)].data());
 }
 
 /// The middle of a reference domain.
-template <int dim> Point<dim> centre(Domain domain) {
+template <int dim> Point<dim> centre(ReferenceDomain domain) {
   Point<dim> middle = Point<dim>::Zero();
-  if (domain == Domain::triangle || domain == Domain::tetrahedron) {
+  if (domain == ReferenceDomain::triangle || domain == ReferenceDomain::tetrahedron) {
     middle.setConstant(1.0 / (dim + 1.0));
-  } else if (domain == Domain::prism) {
+  } else if (domain == ReferenceDomain::prism) {
     middle[0] = middle[1 % dim] = 1.0 / 3.0;
   }
   return middle;
@@ -185,19 +185,19 @@ template <Shape S> Point<S::dim> centre() {
 
 /// How far a point lies outside a reference domain: the largest violation of a side, on domains
 /// of side 1 and 2 alike; negative inside.
-template <int dim> double outside(Domain domain, const Point<dim>& r) {
-  if (domain == Domain::triangle || domain == Domain::tetrahedron) {
+template <int dim> double distance_outside(ReferenceDomain domain, const Point<dim>& r) {
+  if (domain == ReferenceDomain::triangle || domain == ReferenceDomain::tetrahedron) {
     return std::max(-r.minCoeff(), r.sum() - 1.0);
   }
   if constexpr (dim == 3) {
-    if (domain == Domain::prism) {
+    if (domain == ReferenceDomain::prism) {
       return std::max({-r[0], -r[1], r[0] + r[1] - 1.0, std::abs(r[2]) - 1.0});
     }
   }
   return r.cwiseAbs().maxCoeff() - 1.0;
 }
-template <Shape S> double outside(const Point<S::dim>& r) {
-  return outside<S::dim>(S::domain, r);
+template <Shape S> double distance_outside(const Point<S::dim>& r) {
+  return distance_outside<S::dim>(S::domain, r);
 }
 
 /// ONE(S) for each plane element: what a source compiles for all of them, so that headers need not

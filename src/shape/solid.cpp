@@ -135,7 +135,7 @@ Eigen::Matrix<double, 20, 3> Hexec20::dN(const Point<3>& r) {
 }
 
 Eigen::Matrix<double, 27, 1> Hexec27::N(const Point<3>& r) {
-  const Lines line(r, Line3::N);
+  const LineFactors line(r, Line3::N);
   Eigen::Matrix<double, 27, 1> n;
   for (int i = 0; i < nodes; ++i) {
     n[i] = line(i, 0) * line(i, 1) * line(i, 2);
@@ -144,8 +144,8 @@ Eigen::Matrix<double, 27, 1> Hexec27::N(const Point<3>& r) {
 }
 
 Eigen::Matrix<double, 27, 3> Hexec27::dN(const Point<3>& r) {
-  const Lines line(r, Line3::N);
-  const Lines slope(r, Line3::dN);
+  const LineFactors line(r, Line3::N);
+  const LineFactors slope(r, Line3::dN);
   Eigen::Matrix<double, 27, 3> d;
   for (int i = 0; i < nodes; ++i) {
     d.row(i) << slope(i, 0) * line(i, 1) * line(i, 2), line(i, 0) * slope(i, 1) * line(i, 2),

@@ -18,7 +18,7 @@ struct Tet4 {
   static constexpr int nodes = 4;
   static constexpr int dim = 3;
   static constexpr int degree = 0; ///< constant strain
-  static constexpr Domain domain = Domain::tetrahedron;
+  static constexpr ReferenceDomain domain = ReferenceDomain::tetrahedron;
   static constexpr std::array<std::array<double, 3>, 4> coordinates{
       {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
@@ -32,7 +32,7 @@ struct Tet10 {
   static constexpr int dim = 3;
   /// 14 points. Straight sides need 2; on curved ones the integrand is rational.
   static constexpr int degree = 5;
-  static constexpr Domain domain = Domain::tetrahedron;
+  static constexpr ReferenceDomain domain = ReferenceDomain::tetrahedron;
   static constexpr std::array<std::array<double, 3>, 10> coordinates{{{0.0, 0.0, 0.0},
                                                                       {1.0, 0.0, 0.0},
                                                                       {0.0, 1.0, 0.0},
@@ -56,7 +56,7 @@ struct Penta6 {
   static constexpr int nodes = 6;
   static constexpr int dim = 3;
   static constexpr int degree = 2; ///< 3 x 2 points
-  static constexpr Domain domain = Domain::prism;
+  static constexpr ReferenceDomain domain = ReferenceDomain::prism;
   static constexpr std::array<std::array<double, 3>, 6> coordinates{{{0.0, 0.0, -1.0},
                                                                      {1.0, 0.0, -1.0},
                                                                      {0.0, 1.0, -1.0},
@@ -74,7 +74,7 @@ struct Pentac15 {
   static constexpr int nodes = 15;
   static constexpr int dim = 3;
   static constexpr int degree = 5; ///< 7 x 3 points; straight sides need 4
-  static constexpr Domain domain = Domain::prism;
+  static constexpr ReferenceDomain domain = ReferenceDomain::prism;
   static constexpr std::array<std::array<double, 3>, 15> coordinates{{{0.0, 0.0, -1.0},
                                                                       {1.0, 0.0, -1.0},
                                                                       {0.0, 1.0, -1.0},
@@ -121,7 +121,7 @@ struct Hexe8 {
   static constexpr int nodes = 8;
   static constexpr int dim = 3;
   static constexpr int degree = 3; ///< 2 x 2 x 2 points
-  static constexpr Domain domain = Domain::hexahedron;
+  static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 8> coordinates =
       detail::first_of_hexahedron<8>();
 
@@ -135,7 +135,7 @@ struct Hexec20 {
   static constexpr int nodes = 20;
   static constexpr int dim = 3;
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
-  static constexpr Domain domain = Domain::hexahedron;
+  static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 20> coordinates =
       detail::first_of_hexahedron<20>();
 
@@ -161,7 +161,7 @@ struct Hexec27 {
   static constexpr int nodes = 27;
   static constexpr int dim = 3;
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
-  static constexpr Domain domain = Domain::hexahedron;
+  static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 27> coordinates = detail::hexahedron;
 
   static Eigen::Matrix<double, 27, 1> N(const Point<3>& r);
@@ -169,10 +169,10 @@ struct Hexec27 {
 
 private:
   /// The functions of Line3, or their derivatives, in the three directions.
-  struct Lines {
+  struct LineFactors {
     Eigen::Matrix3d value; ///< [function, direction]
 
-    template <class F> Lines(const Point<3>& r, F&& f) {
+    template <class F> LineFactors(const Point<3>& r, F&& f) {
       for (int k = 0; k < 3; ++k) {
         value.col(k) = f(Point<1>(r[k]));
       }

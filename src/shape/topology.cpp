@@ -54,7 +54,7 @@ std::span<const int> wedge_side(std::size_t s, bool quadratic) {
 } // namespace
 
 std::span<const int> side_nodes(ElementType type, int s) {
-  assert(s >= 0 && s < base::info(type).sides);
+  assert(s >= 0 && s < base::element_info(type).sides);
   const auto i = static_cast<std::size_t>(s);
   switch (type) {
   case ElementType::trim3:
@@ -84,7 +84,7 @@ std::span<const int> side_nodes(ElementType type, int s) {
   return {};
 }
 
-ElementType solid_side(ElementType type, int s) {
+ElementType solid_side_type(ElementType type, int s) {
   switch (type) {
   case ElementType::tet4:
     return ElementType::trim3;
@@ -105,15 +105,15 @@ ElementType solid_side(ElementType type, int s) {
 }
 
 std::size_t side_corners(ElementType type, int s) {
-  return base::info(type).dim == 2
+  return base::element_info(type).dim == 2
              ? 2
-             : static_cast<std::size_t>(base::info(solid_side(type, s)).corners);
+             : static_cast<std::size_t>(base::element_info(solid_side_type(type, s)).corners);
 }
 
 std::array<int, 2> edge_corners(ElementType type, int m) {
   assert(m >= 0 && m < edge_count(type));
   const auto i = static_cast<std::size_t>(m);
-  const base::ElementInfo& info = base::info(type);
+  const base::ElementInfo& info = base::element_info(type);
   if (info.dim == 2) {
     return {m, (m + 1) % info.corners};
   }
@@ -123,7 +123,7 @@ std::array<int, 2> edge_corners(ElementType type, int m) {
 }
 
 int edge_count(ElementType type) {
-  const base::ElementInfo& info = base::info(type);
+  const base::ElementInfo& info = base::element_info(type);
   // a solid of plane sides: corners - edges + sides = 2 (Euler)
   return info.dim == 2 ? info.corners : info.corners + info.sides - 2;
 }

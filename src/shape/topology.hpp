@@ -15,7 +15,7 @@ std::span<const int> side_nodes(base::ElementType type, int s);
 
 /// The plane shape of side `s` of a solid: TRIM3, TRIMC6, QUAM4, QUAMC8 or QUAMC9. A pentahedron
 /// has triangles (sides 0, 1) and quadrilaterals.
-base::ElementType solid_side(base::ElementType type, int s);
+base::ElementType solid_side_type(base::ElementType type, int s);
 
 /// How many nodes of a side are corners: 2 in the plane, 3 or 4 in space.
 std::size_t side_corners(base::ElementType type, int s);

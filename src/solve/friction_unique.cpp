@@ -37,7 +37,7 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
     for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
       B_T.col(index(k)) = problem.B.row(problem.fixed[k]).transpose();
     }
-    free = base::directions_across(B_T, 1e-9); // motions that open no equality row
+    free = base::orthogonal_complement(B_T, 1e-9); // motions that open no equality row
   }
   base::Matrix moved(index(rows.size()), free.cols());
   for (std::size_t r = 0; r < rows.size(); ++r) {

@@ -24,7 +24,7 @@ base::Matrix free_directions(const HeldProblem& problem, const std::vector<int>&
   for (std::size_t k = 0; k < rows.size(); ++k) {
     B_T.col(index(k)) = problem.B.row(rows[k]).transpose();
   }
-  return base::directions_across(B_T, 1e-9);
+  return base::orthogonal_complement(B_T, 1e-9);
 }
 
 } // namespace

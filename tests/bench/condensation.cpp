@@ -39,19 +39,19 @@ void line(const char* what, double analysis, double numeric, double flops) {
 } // namespace
 
 int main(int argc, char** argv) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto model = argc > 1 ? deck::read_deck(argv[1], {}, sources, diagnostics) : std::nullopt;
   if (!model) {
     fmt::print(stderr, "usage: bench_condensation DECK [REPEATS]\n{}",
-               base::format(sources, diagnostics));
+               base::format_messages(sources, diagnostics));
     return 2;
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
   const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
   const auto scene = analysis::make_scene(*model, lengths.front(), plan, diagnostics);
   if (!scene) {
-    fmt::print(stderr, "{}", base::format(sources, diagnostics));
+    fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
   analysis::CondenseLog nets;

@@ -89,7 +89,7 @@ double time_rows(const contact::PairRows& pair, const model::Contact& card, int 
     again.tangent.clear();
     const base::Stopwatch watch;
     contact::space_rows(again, card.gap, !pair.tangent.empty());
-    best = std::min(best, watch.cpu());
+    best = std::min(best, watch.cpu_time());
   }
   return best;
 }
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int repeats = argc > 2 ? std::atoi(argv[2]) : 5;
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::optional<model::Model> model = deck::read_deck(argv[1], {}, sources, diagnostics);
   if (!model || diagnostics.has_errors()) {
@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "a net is singular\n");
     return 2;
   }
-  const double condensing = watch.cpu();
+  const double condensing = watch.cpu_time();
   fmt::print("condensing {:.1f} ms: the rows take {:.2f} % of it\n", 1e3 * condensing,
              100.0 * all / condensing);
   return 0;

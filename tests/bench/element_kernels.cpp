@@ -17,17 +17,17 @@ template <shape::ElementShape S> fe::NodeVectors<S> distorted() {
   fe::NodeVectors<S> X;
   for (int n = 0; n < S::nodes; ++n) {
     for (int c = 0; c < S::dim; ++c) {
-      X(c, n) = 3.0 + shape::node<S>(n)[c] + 0.02 * std::sin(1.0 + 3.0 * n + c);
+      X(c, n) = 3.0 + shape::node_coordinates<S>(n)[c] + 0.02 * std::sin(1.0 + 3.0 * n + c);
     }
   }
   return X;
 }
 
-template <shape::ElementShape S> void measure(model::State state) {
-  model::Material material;
+template <shape::ElementShape S> void measure(model::StressState state) {
+  model::ElasticMaterial material;
   material.E = 210e3;
   material.nu = 0.3;
-  model::Property property;
+  model::ElementProperty property;
   property.state = state;
   const fe::Law law = fe::law_of(material, property, S::type);
   fe::NodeVectors<S> X = distorted<S>();
@@ -40,13 +40,13 @@ template <shape::ElementShape S> void measure(model::State state) {
       X(0, 0) += 1e-12;
       kept += fe::element_stiffness<S>(X, law)(0, 0);
     }
-    best = std::min(best, watch.cpu() / rounds);
+    best = std::min(best, watch.cpu_time() / rounds);
   }
-  fmt::print("{:<10} {:>3} points {:8.2f} us   ({:.3g})\n", base::info(S::type).name,
+  fmt::print("{:<10} {:>3} points {:8.2f} us   ({:.3g})\n", base::element_info(S::type).name,
              fe::stiffness_rule<S>(law).size(), 1e6 * best, kept / rounds);
 }
 
-template <class... Shapes> void measure_all(model::State state) {
+template <class... Shapes> void measure_all(model::StressState state) {
   (measure<Shapes>(state), ...);
 }
 
@@ -54,7 +54,7 @@ template <class... Shapes> void measure_all(model::State state) {
 
 int main() {
   using namespace shape;
-  measure_all<Trim3, Trimc6, Quam4, Quamc8, Quamc9>(model::State::plane_strain);
-  measure_all<Tet4, Tet10, Penta6, Pentac15, Hexe8, Hexec20, Hexec27>(model::State::solid);
+  measure_all<Trim3, Trimc6, Quam4, Quamc8, Quamc9>(model::StressState::plane_strain);
+  measure_all<Tet4, Tet10, Penta6, Pentac15, Hexe8, Hexec20, Hexec27>(model::StressState::solid);
   return 0;
 }

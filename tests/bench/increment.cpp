@@ -60,7 +60,7 @@ Costs solve_all(const model::Model& model) {
     }
     Cost& cost = costs.lengths.emplace_back();
     cost.a = a;
-    cost.cpu = watch.cpu();
+    cost.cpu = watch.cpu_time();
     for (const results::LogLine& line : lines) {
       cost.of[line.processor] += line.cpu;
     }
@@ -77,13 +77,13 @@ int main(int argc, char** argv) {
   if (argc > 2) {
     options.defines.emplace_back("fine", argv[2]);
   }
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto model =
       argc > 1 ? deck::read_deck(argv[1], options, sources, diagnostics) : std::nullopt;
   if (!model) {
     fmt::print(stderr, "usage: bench_increment DECK [fine] [REPEATS]\n{}",
-               base::format(sources, diagnostics));
+               base::format_messages(sources, diagnostics));
     return 2;
   }
   std::vector<Cost> best;

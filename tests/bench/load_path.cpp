@@ -23,7 +23,7 @@ template <class Work> double best_of(int repeats, Work&& work) {
   for (int i = 0; i < repeats; ++i) {
     const base::Stopwatch watch;
     work();
-    best = std::min(best, watch.cpu());
+    best = std::min(best, watch.cpu_time());
   }
   return best;
 }
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int repeats = argc > 2 ? std::atoi(argv[2]) : 5;
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::optional<model::Model> model = deck::read_deck(argv[1], {}, sources, diagnostics);
   if (!model || diagnostics.has_errors() || model->load_paths.empty()) {
@@ -103,10 +103,10 @@ int main(int argc, char** argv) {
     }
     paths.keep(s, solver, length->recover(model->steps[s], *state));
   }
-  const model::LoadPath& card = model->load_paths.front();
+  const model::LoadPathDefinition& card = model->load_paths.front();
   const base::Stopwatch posing;
   const solve::ParametricProblem problem = paths.pose(card, solver);
-  fmt::print("functionals of K and the problem {:.1f} ms\n", 1e3 * posing.cpu());
+  fmt::print("functionals of K and the problem {:.1f} ms\n", 1e3 * posing.cpu_time());
   measure_path(problem, card.beyond, {}, repeats);
   std::vector<results::LoadPath> found;
   const double all = best_of(repeats, [&] { found = paths.follow(solver); });

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: bench_lug_spectrum DECK\n");
     return 2;
   }
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::optional<model::Model> model = deck::read_deck(argv[1], {}, sources, diagnostics);
   if (!model || diagnostics.has_errors() || model->load_paths.empty()) {
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   }
   const base::Stopwatch counting;
   const life::Spectrum spectrum = life::Spectrum::of_sequence(t);
-  const double counted = counting.cpu();
+  const double counted = counting.cpu_time();
   life::LawConstants constants;
   constants.C = 1e-13;
   constants.m = 3.0;
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   for (const results::Increment& increment : run->increments) {
     sum += spectrum.growth(law, increment.paths.front().tips.front().K1);
   }
-  const double grown = growing.cpu();
+  const double grown = growing.cpu_time();
   fmt::print("{} reversals: counted in {:.3f} s, growth of a pass at {} lengths {:.3f} s, in all "
              "{:.3f} s (sum {:.6g})\n",
              reversals, counted, run->increments.size(), grown, counted + grown, sum);

@@ -61,14 +61,14 @@ double once(const model::Model& model, const analysis::Scene& scene, Way& way) {
   } else {
     first = by_cholmod(std::move(K), way.metis);
   }
-  way.cpu += watch.cpu();
+  way.cpu += watch.cpu_time();
   return first;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<model::Model> model;
   if (argc == 4) {
@@ -76,13 +76,13 @@ int main(int argc, char** argv) {
   }
   if (!model) {
     fmt::print(stderr, "usage: bench_plain_lug DECK FINE COUNT\n{}",
-               base::format(sources, diagnostics));
+               base::format_messages(sources, diagnostics));
     return 2;
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
   const auto scene = analysis::make_scene(*model, lengths[lengths.size() / 2], {}, diagnostics);
   if (!scene) {
-    fmt::print(stderr, "{}", base::format(sources, diagnostics));
+    fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
   const std::int64_t equations = analysis::whole_stiffness(*model, *scene).n;

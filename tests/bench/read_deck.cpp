@@ -125,7 +125,7 @@ double best_of(int repeats, const std::function<void()>& work) {
   for (int i = 0; i < repeats; ++i) {
     const base::Stopwatch watch;
     work();
-    best = std::min(best, watch.cpu());
+    best = std::min(best, watch.cpu_time());
   }
   return best;
 }
@@ -133,12 +133,12 @@ double best_of(int repeats, const std::function<void()>& work) {
 struct Deck {
   std::size_t nodes;
   std::size_t elements;
-  base::Span node_data;
-  base::Span element_data;
+  base::SourceSpan node_data;
+  base::SourceSpan element_data;
 };
 
 // The tables alone into flat arrays, labels as they stand.
-void tables_alone(const base::Sources& sources, const Deck& deck) {
+void tables_alone(const base::SourceTexts& sources, const Deck& deck) {
   base::Diagnostics diagnostics;
   grammar::Scope scope;
   scope.sources = &sources;
@@ -165,19 +165,19 @@ void tables_alone(const base::Sources& sources, const Deck& deck) {
 // Cards to a mesh with labels resolved, as read_deck does it up to the mesh.
 double read_to_mesh(const std::filesystem::path& path, std::size_t& arrays) {
   const base::Stopwatch watch;
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const deck::LoadedDeck loaded = deck::load_deck(path, sources, diagnostics);
   deck::Context context{sources, diagnostics};
   deck::bind_all(context, loaded.cards, {});
   deck::build_mesh(context);
-  const double spent = watch.cpu();
+  const double spent = watch.cpu_time();
   const model::Mesh& mesh = context.model.mesh;
   arrays = mesh.node_count() * (sizeof(base::Vec3) + sizeof(base::Label) + sizeof(base::NetId)) +
            mesh.nodes.size() * sizeof(base::NodeId) +
            mesh.element_count() *
                (1 + 4 + sizeof(base::Label) + sizeof(base::NetId) + sizeof(base::PropertyId));
-  fmt::print("{}", base::format(sources, diagnostics));
+  fmt::print("{}", base::format_messages(sources, diagnostics));
   return spent;
 }
 
@@ -204,7 +204,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < repeats; ++i) {
     mesh = std::min(mesh, read_to_mesh(path, arrays));
   }
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const deck::LoadedDeck loaded = deck::load_deck(path, sources, diagnostics);
   const Deck deck{side * side * side, 6 * cubes * cubes * cubes, loaded.cards[1].data,

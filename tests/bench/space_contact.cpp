@@ -49,7 +49,7 @@ void line(const char* what, double seconds, double flops, double rate) {
 } // namespace
 
 int main(int argc, char** argv) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   deck::ReadOptions options;
   for (int i = 2; i < argc; ++i) {
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
       argc > 1 ? deck::read_deck(argv[1], options, sources, diagnostics) : std::nullopt;
   if (!model) {
     fmt::print(stderr, "usage: bench_space_contact DECK [NAME=VALUE ...]\n{}",
-               base::format(sources, diagnostics));
+               base::format_messages(sources, diagnostics));
     return 2;
   }
   analysis::CondensationCache cache;
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   const auto length = analysis::Length::make(
       {.model = *model, .cache = cache}, growth::crack_lengths(*model).front(), plan, diagnostics);
   if (!length) {
-    fmt::print(stderr, "{}", base::format(sources, diagnostics));
+    fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
   fmt::print("rows made {:.2f} s\n", base::cpu_seconds() - before);

@@ -21,7 +21,7 @@ template <class Work> double best_of(int repeats, Work&& work) {
   for (int i = 0; i < repeats; ++i) {
     const base::Stopwatch watch;
     work();
-    best = std::min(best, watch.cpu());
+    best = std::min(best, watch.cpu_time());
   }
   return best;
 }

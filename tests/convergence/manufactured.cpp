@@ -18,7 +18,7 @@ namespace {
 
 using base::ElementType;
 using base::NodeId;
-using model::State;
+using model::StressState;
 
 // Quarter ring 1 <= r <= 2 whose inner lines are bent: sides are curved, elements distorted.
 Vec2 bent_ring(const Vec2& p) {
@@ -50,7 +50,7 @@ const ExactField plane_exact{
 // q = ds/dx = (cos x - s) / x the volume change is (s - cos x) sin y and
 //     b_x = -((lambda - mu) sin x + (lambda + 2 mu) q) sin y
 //     b_y = ((lambda + 5 mu) cos x + (mu - lambda) s) cos y.
-std::vector<base::Expression> plane_force(const fe::Law& k) {
+std::vector<base::CompiledExpression> plane_force(const fe::Law& k) {
   Field x = Field(k.mu - k.lambda) * sin(x_field);
   Field y = Field(k.lambda + 5.0 * k.mu) * cos(x_field);
   if (k.axisymmetric) {
@@ -92,7 +92,7 @@ ExactField solid_exact(const Vec3& a) {
 }
 
 Field along(int i) {
-  const Field z_field{base::Op::z};
+  const Field z_field{base::OpCode::z};
   const std::array<Field, 3> x{x_field, y_field, z_field};
   Field e = sin(x[static_cast<std::size_t>(i)]);
   for (int j = 0; j < 3; ++j) {
@@ -102,7 +102,7 @@ Field along(int i) {
 }
 
 model::Model solid_model(ElementType type, double nu, int n) {
-  model::Model model = plane_model(1.0, nu, model::State::solid);
+  model::Model model = plane_model(1.0, nu, model::StressState::solid);
   model.mesh.dim = 3;
   mesh::BlockSpec spec;
   spec.type = type;
@@ -118,7 +118,7 @@ model::Model solid_model(ElementType type, double nu, int n) {
     x = shell(x);
   }
   model.mesh.node_sets.push_back(rim);
-  model::Freedom held;
+  model::FreedomAssignment held;
   held.cls = model::FreedomClass::prescribed;
   held.dof = {true, true, true};
   held.nodes = base::NodeSetId(model.mesh.node_sets.size() - 1);
@@ -157,7 +157,7 @@ base::Vector solve_by_gradients(const model::Model& model, const model::LoadCase
 
 } // namespace
 
-Manufactured manufactured_plane(ElementType type, State state, int n) {
+Manufactured manufactured_plane(ElementType type, StressState state, int n) {
   model::Model model = plane_model(1.0, 0.3, state);
   model.mesh = make_mesh(type, unit_grid(n, n), bent_ring);
   for (Vec3& x : model.mesh.x) { // cos(pi / 2) is not quite zero

@@ -16,7 +16,7 @@ struct Manufactured {
 
 /// u = (sin x sin y, 2 cos x cos y) on a quarter ring, n x n cells; plane stress or strain or, with
 /// x as radius, about the axis.
-Manufactured manufactured_plane(base::ElementType type, model::State state, int n);
+Manufactured manufactured_plane(base::ElementType type, model::StressState state, int n);
 
 /// u_i = a_i e_i with e = (sin x cos y cos z, cos x sin y cos z, cos x cos y sin z) on a sector of
 /// a thick spherical shell, n^3 cells.

@@ -14,7 +14,7 @@ namespace {
 
 using base::ElementType;
 using base::Vec3;
-using model::State;
+using model::StressState;
 
 double effectivity(const Manufactured& m) {
   const std::vector<double> e = fe::estimate_error(m.model, m.model.mesh, m.u).energy;
@@ -34,21 +34,21 @@ void expect_good(const std::vector<double>& found) {
   EXPECT_NEAR(found.back(), 1.0, 0.1);
 }
 
-class PlaneEstimate : public testing::TestWithParam<std::tuple<ElementType, State>> {};
+class PlaneEstimate : public testing::TestWithParam<std::tuple<ElementType, StressState>> {};
 
-INSTANTIATE_TEST_SUITE_P(convergence, PlaneEstimate,
-                         testing::Combine(testing::Values(ElementType::trim3, ElementType::trimc6,
-                                                          ElementType::quam4, ElementType::quamc8,
-                                                          ElementType::quamc9),
-                                          testing::Values(State::plane_stress, State::plane_strain,
-                                                          State::axisymmetric)),
-                         [](const auto& c) {
-                           const State state = std::get<1>(c.param);
-                           return std::string(base::info(std::get<0>(c.param)).name) +
-                                  (state == State::plane_stress   ? "_stress"
-                                   : state == State::plane_strain ? "_strain"
-                                                                  : "_ring");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    convergence, PlaneEstimate,
+    testing::Combine(testing::Values(ElementType::trim3, ElementType::trimc6, ElementType::quam4,
+                                     ElementType::quamc8, ElementType::quamc9),
+                     testing::Values(StressState::plane_stress, StressState::plane_strain,
+                                     StressState::axisymmetric)),
+    [](const auto& c) {
+      const StressState state = std::get<1>(c.param);
+      return std::string(base::element_info(std::get<0>(c.param)).name) +
+             (state == StressState::plane_stress   ? "_stress"
+              : state == StressState::plane_strain ? "_strain"
+                                                   : "_ring");
+    });
 
 TEST_P(PlaneEstimate, tends_to_the_error) {
   const auto [type, state] = GetParam();
@@ -66,10 +66,12 @@ INSTANTIATE_TEST_SUITE_P(convergence, SolidEstimate,
                          testing::Values(ElementType::tet4, ElementType::tet10, ElementType::penta6,
                                          ElementType::pentac15, ElementType::hexe8,
                                          ElementType::hexec20, ElementType::hexec27),
-                         [](const auto& c) { return std::string(base::info(c.param).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param).name);
+                         });
 
 TEST_P(SolidEstimate, tends_to_the_error) {
-  const bool quadratic = base::info(GetParam()).quadratic;
+  const bool quadratic = base::element_info(GetParam()).quadratic;
   std::vector<double> found;
   for (const int n : quadratic ? std::vector<int>{3, 5} : std::vector<int>{4, 8}) {
     found.push_back(effectivity(manufactured_solid(GetParam(), 0.3, Vec3(1.0, -2.0, 0.5), n)));

@@ -8,14 +8,14 @@ namespace spricka::test::test_rates {
 namespace {
 
 using base::ElementType;
-using model::State;
+using model::StressState;
 
 struct Result {
   ErrorNorms solution;
   ErrorNorms interpolation;
 };
 
-Result run(ElementType type, State state, int n) {
+Result run(ElementType type, StressState state, int n) {
   const Manufactured m = manufactured_plane(type, state, n);
   base::Vector interpolant(m.u.size());
   for (std::size_t i = 0; i < m.model.mesh.node_count(); ++i) {
@@ -25,21 +25,21 @@ Result run(ElementType type, State state, int n) {
   return {error_norms(m.model, m.u, m.exact), error_norms(m.model, interpolant, m.exact)};
 }
 
-class Rates : public testing::TestWithParam<std::tuple<ElementType, State>> {};
+class Rates : public testing::TestWithParam<std::tuple<ElementType, StressState>> {};
 
 INSTANTIATE_TEST_SUITE_P(
     convergence, Rates,
     testing::Combine(testing::Values(ElementType::trim3, ElementType::trimc6, ElementType::quam4,
                                      ElementType::quamc8, ElementType::quamc9),
-                     testing::Values(State::plane_stress, State::plane_strain)),
+                     testing::Values(StressState::plane_stress, StressState::plane_strain)),
     [](const auto& c) {
-      return std::string(base::info(std::get<0>(c.param)).name) +
-             (std::get<1>(c.param) == State::plane_stress ? "_stress" : "_strain");
+      return std::string(base::element_info(std::get<0>(c.param)).name) +
+             (std::get<1>(c.param) == StressState::plane_stress ? "_stress" : "_strain");
     });
 
 TEST_P(Rates, are_those_of_the_theory) {
   const auto [type, state] = GetParam();
-  const double p = base::info(type).quadratic ? 2.0 : 1.0;
+  const double p = base::element_info(type).quadratic ? 2.0 : 1.0;
   std::vector<double> L2;
   std::vector<double> energy;
   Result last;

@@ -15,16 +15,18 @@ INSTANTIATE_TEST_SUITE_P(convergence, RingRates,
                          testing::Values(ElementType::trim3, ElementType::trimc6,
                                          ElementType::quam4, ElementType::quamc8,
                                          ElementType::quamc9),
-                         [](const auto& c) { return std::string(base::info(c.param).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param).name);
+                         });
 
 TEST_P(RingRates, are_those_of_the_theory) {
   const ElementType type = GetParam();
-  const double p = base::info(type).quadratic ? 2.0 : 1.0;
+  const double p = base::element_info(type).quadratic ? 2.0 : 1.0;
   std::vector<double> L2;
   std::vector<double> energy;
   const int coarsest = type == ElementType::trim3 ? 20 : 8;
   for (const int n : {coarsest, 2 * coarsest, 4 * coarsest}) {
-    const Manufactured m = manufactured_plane(type, model::State::axisymmetric, n);
+    const Manufactured m = manufactured_plane(type, model::StressState::axisymmetric, n);
     const ErrorNorms error = error_norms(m.model, m.u, m.exact);
     L2.push_back(error.L2);
     energy.push_back(error.energy);

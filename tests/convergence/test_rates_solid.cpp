@@ -21,13 +21,15 @@ INSTANTIATE_TEST_SUITE_P(convergence, SolidRates,
                          testing::Values(ElementType::tet4, ElementType::tet10, ElementType::penta6,
                                          ElementType::pentac15, ElementType::hexe8,
                                          ElementType::hexec20, ElementType::hexec27),
-                         [](const auto& c) { return std::string(base::info(c.param).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param).name);
+                         });
 
 TEST_P(SolidRates, are_those_of_the_theory) {
   const ElementType type = GetParam();
-  const double p = base::info(type).quadratic ? 2.0 : 1.0;
+  const double p = base::element_info(type).quadratic ? 2.0 : 1.0;
   const std::vector<int> sizes =
-      base::info(type).quadratic ? std::vector<int>{3, 4, 6} : std::vector<int>{6, 9, 14};
+      base::element_info(type).quadratic ? std::vector<int>{3, 4, 6} : std::vector<int>{6, 9, 14};
   std::vector<double> L2;
   std::vector<double> energy;
   for (const int n : sizes) {
@@ -49,13 +51,15 @@ INSTANTIATE_TEST_SUITE_P(convergence, NearlyIncompressible,
                          testing::Values(ElementType::tet10, ElementType::pentac15,
                                          ElementType::hexe8, ElementType::hexec20,
                                          ElementType::hexec27),
-                         [](const auto& c) { return std::string(base::info(c.param).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param).name);
+                         });
 
 TEST_P(NearlyIncompressible, does_not_lock) {
   const ElementType type = GetParam();
-  const double p = base::info(type).quadratic ? 2.0 : 1.0;
+  const double p = base::element_info(type).quadratic ? 2.0 : 1.0;
   const std::vector<int> sizes =
-      base::info(type).quadratic ? std::vector<int>{3, 4, 6} : std::vector<int>{6, 9};
+      base::element_info(type).quadratic ? std::vector<int>{3, 4, 6} : std::vector<int>{6, 9};
   std::vector<double> L2;
   double soft = 0.0;
   for (const int n : sizes) {

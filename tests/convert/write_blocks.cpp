@@ -16,7 +16,7 @@ namespace spricka {
 namespace {
 
 std::string deck_of(const model::Mesh& mesh) {
-  const base::ElementInfo& info = base::info(mesh.type[0]);
+  const base::ElementInfo& info = base::element_info(mesh.type[0]);
   const bool solid = info.dim == 3;
   std::string text;
   const auto put = [&](auto form, const auto&... values) {
@@ -30,7 +30,7 @@ std::string deck_of(const model::Mesh& mesh) {
   put("$ELEMENT TYPE={} ESET=BODY\n", info.name);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     put(" {}", mesh.element_label[e]);
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       put(" {}", mesh.node_label[n.index()]);
     }
     put("\n");
@@ -62,9 +62,9 @@ int main(int argc, char** argv) {
   std::ofstream volumes(folder / "volumes.txt");
   for (const spricka::base::ElementType type : spricka::test::all_types) {
     const auto mesh = spricka::test::distorted_block(type);
-    const std::string name(spricka::base::info(type).name);
+    const std::string name(spricka::base::element_info(type).name);
     std::ofstream(folder / (name + ".deck")) << spricka::deck_of(mesh);
-    volumes << fmt::format("{} {} {}\n", name, spricka::base::info(type).dim,
+    volumes << fmt::format("{} {} {}\n", name, spricka::base::element_info(type).dim,
                            spricka::test::area(mesh));
   }
   return volumes ? 0 : 1;

@@ -42,7 +42,7 @@ class Corpus : public testing::TestWithParam<std::string> {};
 
 TEST_P(Corpus, MessagesAreAsExpected) {
   fs::current_path(folder()); // so that messages name the file alone
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto model = read_deck(GetParam() + ".deck", {}, sources, diagnostics);
   const std::string wanted = read_text(GetParam() + ".expect");
@@ -50,7 +50,7 @@ TEST_P(Corpus, MessagesAreAsExpected) {
   EXPECT_EQ(model.has_value(), !wrong);
   EXPECT_EQ(diagnostics.has_errors(), wrong);
   EXPECT_FALSE(wanted.empty());
-  EXPECT_EQ(base::format(sources, diagnostics), wanted);
+  EXPECT_EQ(base::format_messages(sources, diagnostics), wanted);
 }
 
 INSTANTIATE_TEST_SUITE_P(Diagnostics, Corpus, testing::ValuesIn(corpus()),

@@ -21,11 +21,11 @@ struct Deck {
 
 /// What reading a text gave.
 struct Outcome {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<model::Model> model;
 
-  [[nodiscard]] std::string messages() const { return base::format(sources, diagnostics); }
+  [[nodiscard]] std::string messages() const { return base::format_messages(sources, diagnostics); }
 };
 
 /// Reads texts as decks. A reading that takes more than five seconds of processor time ends the

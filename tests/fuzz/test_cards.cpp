@@ -54,7 +54,7 @@ TEST(Cards, ThePlaneDeckIsInTheModel) {
   ASSERT_TRUE(outcome.model) << outcome.messages();
   const model::Model& m = *outcome.model;
   ASSERT_EQ(m.mpcs.size(), 3U);
-  const auto& equation = std::get<model::Equation>(m.mpcs[0]);
+  const auto& equation = std::get<model::ConstraintEquation>(m.mpcs[0]);
   EXPECT_EQ(equation.rhs, 0.5);
   ASSERT_EQ(equation.terms.size(), 3U);
   EXPECT_EQ(equation.terms[1].coefficient, -1.0);
@@ -62,10 +62,10 @@ TEST(Cards, ThePlaneDeckIsInTheModel) {
   EXPECT_EQ(equation.terms[1].dof, 0);
   EXPECT_EQ(m.nets[m.mesh.node_net[equation.terms[2].node.index()].index()].name, "PLATE");
   EXPECT_EQ(equation.terms[2].dof, 1);
-  const auto& transition = std::get<model::Transition>(m.mpcs[1]);
-  EXPECT_EQ(m.mesh.set(transition.slave).name, "SOME");
-  EXPECT_EQ(m.mesh.set(transition.master).name, "PLATE.XMAX");
-  EXPECT_EQ(m.mesh.set(std::get<model::RigidTie>(m.mpcs[2]).slave).nodes.size(), 4U);
+  const auto& transition = std::get<model::TransitionTie>(m.mpcs[1]);
+  EXPECT_EQ(m.mesh.set_with_id(transition.slave).name, "SOME");
+  EXPECT_EQ(m.mesh.set_with_id(transition.master).name, "PLATE.XMAX");
+  EXPECT_EQ(m.mesh.set_with_id(std::get<model::RigidTie>(m.mpcs[2]).slave).nodes.size(), 4U);
   ASSERT_EQ(m.rigids.size(), 2U);
   EXPECT_EQ(m.rigids[0].second, base::Vec3(0.0, 1.0, 0.0));
   EXPECT_EQ(m.rigids[1].radius, 1.9);
@@ -79,7 +79,7 @@ TEST(Cards, GrowthAndRestartAreInTheModel) {
   const Outcome outcome = Reader().read(deck_of("cards_plane").text);
   ASSERT_TRUE(outcome.model) << outcome.messages();
   const model::Model& m = *outcome.model;
-  const model::LawConstants& law = m.growth->constants;
+  const model::GrowthLawConstants& law = m.growth->constants;
   EXPECT_EQ(law.C, 2e-11);
   EXPECT_EQ(law.m, 3.1);
   EXPECT_DOUBLE_EQ(law.k_unit, std::sqrt(1000.0)); // MPa*m^0.5 in MPa*mm^0.5
@@ -108,8 +108,8 @@ TEST(Cards, AGrowthTestIsInTheModel) {
   const Outcome outcome = Reader().read(deck_of("cards_plane").text);
   ASSERT_TRUE(outcome.model) << outcome.messages();
   ASSERT_EQ(outcome.model->tests.size(), 1U);
-  const model::GrowthTest& test = outcome.model->tests[0];
-  EXPECT_EQ(test.method, model::RateMethod::e647);
+  const model::GrowthTestReadings& test = outcome.model->tests[0];
+  EXPECT_EQ(test.method, model::TestRateMethod::e647);
   EXPECT_EQ(test.window, 5);
   ASSERT_EQ(test.readings.size(), 5U);
   EXPECT_EQ(test.readings[4][0], 400.0);
@@ -124,7 +124,7 @@ TEST(Cards, AGrowthTestIsInTheModel) {
 TEST(Cards, WhatHasNoAnalysisIsNamedWithItsLine) {
   const Outcome outcome = Reader().read(deck_of("cards_plane").text);
   ASSERT_TRUE(outcome.model) << outcome.messages();
-  for (const model::Unavailable& u : outcome.model->unavailable) {
+  for (const model::UnavailableAnalysis& u : outcome.model->unavailable) {
     ASSERT_TRUE(u.span.valid()) << u.what;
     const std::string line(outcome.sources.line_at(u.span.file, u.span.begin));
     const std::string card = u.what.substr(0, u.what.find(' '));

@@ -48,7 +48,7 @@ bool can_be_shown(const std::string& text) {
 
 void check(const Outcome& outcome) {
   EXPECT_EQ(outcome.model.has_value(), !outcome.diagnostics.has_errors());
-  for (const base::Diagnostic& d : outcome.diagnostics.all()) {
+  for (const base::Diagnostic& d : outcome.diagnostics.messages()) {
     ASSERT_TRUE(d.span.valid()) << d.text;
     ASSERT_LT(static_cast<std::size_t>(d.span.file), outcome.sources.count()) << d.text;
     ASSERT_LE(d.span.begin, d.span.end) << d.text;
@@ -62,9 +62,9 @@ void check(const Outcome& outcome) {
 }
 
 std::optional<std::string> formatted(const std::string& text) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  return grammar::format_deck(sources, sources.add("deck", text), diagnostics);
+  return grammar::format_deck(sources, sources.add_text("deck", text), diagnostics);
 }
 
 // The formatter takes any text, and a second time changes nothing.

@@ -36,7 +36,7 @@ TEST_P(Words, MisspeltAreRefusedWhereTheyStand) {
     text.replace(word.begin, word.length, wrong);
     const Outcome outcome = reader.read(text);
     EXPECT_FALSE(outcome.model) << "accepted: " << wrong;
-    const auto& all = outcome.diagnostics.all();
+    const auto& all = outcome.diagnostics.messages();
     const bool pointed = std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& d) {
       // the place of a card is that of its $
       const bool card = word.begin > 0 && text[word.begin - 1] == '$';

@@ -124,7 +124,7 @@ std::vector<bool> FrontAdvance::resting() const {
   std::vector<bool> rests = front_limits(model_, scene_).node;
   std::vector<std::int32_t> property(mesh.node_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       std::int32_t& own = property[n.index()];
       rests[n.index()] = rests[n.index()] || (own >= 0 && own != mesh.property[e].value);
       own = mesh.property[e].value;
@@ -134,7 +134,7 @@ std::vector<bool> FrontAdvance::resting() const {
   std::set<model::Face> own(faces.left_sides.begin(), faces.left_sides.end());
   own.insert(faces.right_sides.begin(), faces.right_sides.end());
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
     for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
       const std::size_t n = nodes[static_cast<std::size_t>(k)].index();
       rests[n] = rests[n] || !own.contains(face);
@@ -146,8 +146,8 @@ std::vector<bool> FrontAdvance::resting() const {
 // An ellipse whose axis grows is an affine picture of itself; sections of the tube go along with
 // the front as they are, on the surface as domains do (sensitivity.15).
 std::vector<Vec3> FrontAdvance::motion_of(const FrontScene& at) const {
-  const model::CrackPlane& plane = model_.cracks[crack_.index()].plane;
-  const Vec3 direction = axis_ == Axis::a ? plane.across() : plane.along;
+  const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
+  const Vec3 direction = axis_ == Axis::a ? plane.transverse_axis() : plane.along;
   const double size = axis_ == Axis::a ? plane.a : plane.c;
   const model::Mesh& mesh = scene_.cracked.mesh;
   std::vector<Vec3> velocity(mesh.node_count(), Vec3::Zero());
@@ -204,7 +204,7 @@ void FrontAdvance::stretch() {
   step_ = part_of_size * size;
   for (std::size_t e = 0; e < scene_.cracked.mesh.element_count(); ++e) {
     const base::ElementId element(e);
-    if (std::ranges::any_of(scene_.cracked.mesh.nodes_of(element),
+    if (std::ranges::any_of(scene_.cracked.mesh.element_nodes(element),
                             [&](base::NodeId n) { return !velocity_[n.index()].isZero(0.0); })) {
       strained_.push_back(element);
     }
@@ -212,8 +212,8 @@ void FrontAdvance::stretch() {
 }
 
 void FrontAdvance::move() {
-  const model::CrackPlane& plane = model_.cracks[crack_.index()].plane;
-  const Vec3 direction = axis_ == Axis::a ? plane.across() : plane.along;
+  const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
+  const Vec3 direction = axis_ == Axis::a ? plane.transverse_axis() : plane.along;
   const double rate = step_ / (axis_ == Axis::a ? plane.a : plane.c);
   moved_.cracked = scene_.cracked;
   for (std::size_t n = 0; n < velocity_.size(); ++n) {
@@ -348,7 +348,7 @@ base::Vector FrontAdvance::change(const FrozenStep& step, const FrontFunctionals
 }
 
 FrontCause FrontAdvance::cause(const FrozenStep& step, const FrontFunctionals& K) const {
-  const model::Crack& crack = model_.cracks[crack_.index()];
+  const model::CrackDefinition& crack = model_.cracks[crack_.index()];
   FrontCause out;
   out.is.cause = axis_ == Axis::a ? results::Cause::length : results::Cause::axis;
   out.is.name = crack.name;

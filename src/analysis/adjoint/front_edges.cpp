@@ -95,10 +95,10 @@ bool presses_on_a_crack(const Scene& scene, const model::Contact& contact) {
     }
   }
   return std::ranges::any_of(std::array{contact.slave, contact.master}, [&](base::FaceSetId id) {
-    return id.valid() &&
-           std::ranges::any_of(scene.cracked.mesh.set(id).faces, [&](const model::Face& face) {
-             return sides.contains({face.element, face.side});
-           });
+    return id.valid() && std::ranges::any_of(scene.cracked.mesh.set_with_id(id).faces,
+                                             [&](const model::Face& face) {
+                                               return sides.contains({face.element, face.side});
+                                             });
   });
 }
 

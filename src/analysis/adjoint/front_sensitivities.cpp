@@ -33,7 +33,7 @@ std::size_t front_material(const model::Model& model, const Scene& scene, const 
   const std::vector<base::ElementId> elements = at.fields.elements();
   return elements.empty()
              ? model.materials.size()
-             : model.property_of(scene.cracked.mesh, elements.front()).material.index();
+             : model.element_property(scene.cracked.mesh, elements.front()).material.index();
 }
 
 void note_all(results::StepResult& result, const std::string& text) {
@@ -67,7 +67,7 @@ void FrontSensitivities::prepare() {
     }
   }
   for (std::size_t c = 0; c < model_.cracks.size(); ++c) {
-    if (model_.cracks[c].kind == model::CrackKind::ellipse) {
+    if (model_.cracks[c].kind == model::CrackDefinitionKind::ellipse) {
       for (const Axis axis : {Axis::a, Axis::c}) {
         advances_.push_back(std::make_unique<FrontAdvance>(model_, scene_, base::CrackId(c), axis));
       }

@@ -96,12 +96,12 @@ Partners partners_of(const Scene& scene, const StepState& state, std::size_t c) 
   return found;
 }
 
-Partners partners_of(const PartnerSetting& set, const model::Transition& transition) {
+Partners partners_of(const PartnerSetting& set, const model::TransitionTie& transition) {
   const model::Mesh& mesh = set.scene.cracked.mesh;
   Partners found{"the TRANSITION", {}, {}, true};
   add_sides(contact::make_surface(set.model, mesh, transition.master), found.sides);
   std::vector<bool> slave(mesh.node_count(), false);
-  for (const base::NodeId n : mesh.set(transition.slave).nodes) {
+  for (const base::NodeId n : mesh.set_with_id(transition.slave).nodes) {
     slave[n.index()] = true;
   }
   for (const estimate::Edge& edge : set.edges.edges) {
@@ -243,7 +243,7 @@ CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::Front& front
     }
   }
   for (const model::Mpc& mpc : set.model.mpcs) {
-    if (const auto* transition = std::get_if<model::Transition>(&mpc)) {
+    if (const auto* transition = std::get_if<model::TransitionTie>(&mpc)) {
       add(partners_of(set, *transition));
     }
   }
@@ -265,7 +265,7 @@ std::vector<bool> tied_nodes(const PartnerSetting& set) {
   for (const fe::Dependence::Row& row : set.scene.ties->rows()) {
     // Rims of patches and equations of the deck tie no other body to a side.
     if (row.mpc >= set.model.mpcs.size() ||
-        std::holds_alternative<model::Equation>(set.model.mpcs[row.mpc])) {
+        std::holds_alternative<model::ConstraintEquation>(set.model.mpcs[row.mpc])) {
       continue;
     }
     tied[static_cast<std::size_t>(row.freedom) / 2] = true;

@@ -27,7 +27,7 @@ constexpr double same = 1e-10; ///< of the larger: two derivatives are one
 
 std::size_t tip_material(const model::Model& model, const Scene& scene, std::size_t t) {
   const base::ElementId near = scene.tips[t].fields.front().elements.front();
-  return model.property_of(scene.cracked.mesh, near).material.index();
+  return model.element_property(scene.cracked.mesh, near).material.index();
 }
 
 // dK1 and dK2 by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.

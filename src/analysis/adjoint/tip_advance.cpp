@@ -26,15 +26,16 @@ bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
              const std::vector<bool>& moves) {
   const auto node = [&](base::NodeId n) { return moves[n.index()]; };
   const auto element = [&](base::ElementId e) {
-    return std::ranges::any_of(mesh.nodes_of(e), node);
+    return std::ranges::any_of(mesh.element_nodes(e), node);
   };
   const auto face = [&](const model::Face& f) { return element(f.element); };
   return std::ranges::any_of(load_case.loads, [&](const model::Load& load) {
     if (load.nodes.valid()) {
-      return std::ranges::any_of(mesh.set(load.nodes).nodes, node);
+      return std::ranges::any_of(mesh.set_with_id(load.nodes).nodes, node);
     }
-    return load.elements.valid() ? std::ranges::any_of(mesh.set(load.elements).elements, element)
-                                 : std::ranges::any_of(mesh.set(load.faces).faces, face);
+    return load.elements.valid()
+               ? std::ranges::any_of(mesh.set_with_id(load.elements).elements, element)
+               : std::ranges::any_of(mesh.set_with_id(load.faces).faces, face);
   });
 }
 
@@ -148,9 +149,9 @@ void TipAdvance::move_loads(const std::vector<bool>& moves) {
     rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
     const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->rough;
     for (std::size_t e = 0; e < rough.size(); ++e) {
-      rough_ = rough_ ||
-               (rough[e] && std::ranges::any_of(scene_.cracked.mesh.nodes_of(base::ElementId(e)),
-                                                [&](base::NodeId n) { return moves[n.index()]; }));
+      rough_ = rough_ || (rough[e] &&
+                          std::ranges::any_of(scene_.cracked.mesh.element_nodes(base::ElementId(e)),
+                                              [&](base::NodeId n) { return moves[n.index()]; }));
     }
   }
   if ((rate.array() != 0.0).any()) {

@@ -58,7 +58,7 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     const base::Stopwatch watch;
     const double cpu = solve::thread_cpu();
     task.work.beside = std::this_thread::get_id() != main_thread;
-    task.work.begin = watch.begun();
+    task.work.begin = watch.start_time();
     const fe::DofMap& map = task.net->map;
     std::vector<solve::DenseBlock> blocks;
     for (const fe::Superelement& super : task.supers) {
@@ -68,16 +68,16 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     base::SymmetricCsc K =
         fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
-    task.stiffness_wall = watch.wall();
+    task.stiffness_wall = watch.wall_time();
     task.work.stiffness_cpu = solve::thread_cpu() - cpu;
-    task.work.assembled = base::moment();
+    task.work.assembled = base::steady_seconds();
     task.net->factor =
         stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
                                                         task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
                                                         solve::Ordering::automatic,
                                                         contact_bytes(request.rows));
-    task.work.end = base::moment();
+    task.work.end = base::steady_seconds();
   });
   for (const Task* task : missing) {
     const solve::FactorReport& report = task->net->factor->report();
@@ -99,7 +99,7 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
 base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body, const Net& net) {
   const solve::FactorReport& report = net.factor->report();
   const auto not_solvable = [](std::string why) {
-    return base::NoAnswer{.kind = base::Outcome::not_solvable, .why = std::move(why)};
+    return base::OperationFailure{.kind = base::Outcome::not_solvable, .why = std::move(why)};
   };
   switch (report.status) {
   case solve::FactorStatus::ok:
@@ -307,7 +307,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].condensed) {
       if (!bodies[b].condensed->ok() && !log.trouble) {
-        log.trouble = base::NoAnswer{
+        log.trouble = base::OperationFailure{
             .kind = base::Outcome::not_solvable,
             .why = fmt::format("{}: the condensed stiffness is singular (a mechanism?)",
                                bodies[b].name)};

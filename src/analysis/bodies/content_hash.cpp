@@ -27,17 +27,17 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
   std::vector<bool> has_node(mesh.node_count(), false);
   for (const base::ElementId e : net.elements) {
     hash.value(mesh.type[e.index()]);
-    const model::Property& property = model.property_of(mesh, e);
-    const model::Material& material = model.material_of(mesh, e);
+    const model::ElementProperty& property = model.element_property(mesh, e);
+    const model::ElasticMaterial& material = model.element_material(mesh, e);
     hash.value(property.state);
     hash.value(property.thickness);
     hash.value(material.E);
     hash.value(material.nu);
     hash.value(material.alpha);
-    for (const base::NodeId n : mesh.nodes_of(e)) {
+    for (const base::NodeId n : mesh.element_nodes(e)) {
       has_node[n.index()] = true;
       hash.value(n.value);
-      hash.add(mesh.x[n.index()].data(), 3 * sizeof(double));
+      hash.add_bytes(mesh.x[n.index()].data(), 3 * sizeof(double));
     }
   }
   if (net.map.ties) {
@@ -54,15 +54,15 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
     }
   }
   // Order and number of locals tell the classes, too: held freedoms have no row.
-  hash.add(net.map.freedom.data(), net.map.freedom.size() * sizeof(std::int32_t));
+  hash.add_bytes(net.map.freedom.data(), net.map.freedom.size() * sizeof(std::int32_t));
   hash.value(net.map.locals);
-  hash.add(net.weighed.data(), net.weighed.size() * sizeof(Eigen::Index));
+  hash.add_bytes(net.weighed.data(), net.weighed.size() * sizeof(Eigen::Index));
   for (const HashKey& part : parts) {
     // A region is another one where a part in it is.
     hash.value(part.first);
     hash.value(part.second);
   }
-  return hash.key();
+  return hash.digest();
 }
 
 } // namespace spricka::analysis

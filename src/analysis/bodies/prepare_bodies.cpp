@@ -23,7 +23,7 @@ std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
                                    const std::vector<base::ElementId>& elements) {
   std::vector<base::NodeId> nodes;
   for (const base::ElementId e : elements) {
-    const std::span<const base::NodeId> own = mesh.nodes_of(e);
+    const std::span<const base::NodeId> own = mesh.element_nodes(e);
     nodes.insert(nodes.end(), own.begin(), own.end());
   }
   std::sort(nodes.begin(), nodes.end());
@@ -179,7 +179,7 @@ std::vector<bool> shared_nodes(const CondenseRequest& request,
   std::vector<std::int32_t> owner(mesh.node_count(), -1);
   for (std::size_t l = 0; l < lists.size(); ++l) {
     for (const base::ElementId e : lists[l]) {
-      for (const base::NodeId n : mesh.nodes_of(e)) {
+      for (const base::NodeId n : mesh.element_nodes(e)) {
         std::int32_t& who = owner[n.index()];
         shared[n.index()] = shared[n.index()] || (who >= 0 && who != static_cast<int>(l));
         who = static_cast<std::int32_t>(l);

@@ -34,7 +34,7 @@ bool wants_bars(const model::Model& model) {
   return model.growth->corrected ||
          std::ranges::any_of(model.tip_nets,
                              [](const auto& tip) { return tip.tolerance.has_value(); }) ||
-         std::ranges::any_of(model.checks, [](const model::Check& check) {
+         std::ranges::any_of(model.checks, [](const model::ResultCheck& check) {
            return check.quantity.starts_with("K") && check.quantity.find('.') != std::string::npos;
          });
 }
@@ -221,7 +221,7 @@ private:
 
   // Of a state that counts.
   void hand_on_warnings() {
-    for (const base::Diagnostic& d : trial_.all()) {
+    for (const base::Diagnostic& d : trial_.messages()) {
       if (d.severity == base::Severity::warning) {
         measure_.warn_of_mesh(d.code, d.text, run_.increments.size());
       }
@@ -232,7 +232,7 @@ private:
     if (trial_trouble_) {
       return trial_trouble_->why;
     }
-    for (const base::Diagnostic& d : trial_.all()) {
+    for (const base::Diagnostic& d : trial_.messages()) {
       if (d.severity == base::Severity::error) {
         return d.text;
       }
@@ -281,7 +281,8 @@ private:
 } // namespace
 
 bool grows_by_law(const model::Model& model) {
-  return model.growth && model.growth->law != model::GrowthLaw::increment && !model.cracks.empty();
+  return model.growth && model.growth->law != model::CrackGrowthLaw::increment &&
+         !model.cracks.empty();
 }
 
 bool grow_by_law(const model::Model& model, const SolveOptions& options,

@@ -22,18 +22,18 @@ constexpr double much_K2 = 0.25;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
 
-life::Law kind_of(model::GrowthLaw law) {
+life::Law kind_of(model::CrackGrowthLaw law) {
   switch (law) {
-  case model::GrowthLaw::walker:
+  case model::CrackGrowthLaw::walker:
     return life::Law::walker;
-  case model::GrowthLaw::forman:
+  case model::CrackGrowthLaw::forman:
     return life::Law::forman;
-  case model::GrowthLaw::nasgro:
+  case model::CrackGrowthLaw::nasgro:
     return life::Law::nasgro;
-  case model::GrowthLaw::table:
+  case model::CrackGrowthLaw::table:
     return life::Law::table;
-  case model::GrowthLaw::increment:
-  case model::GrowthLaw::paris:
+  case model::CrackGrowthLaw::increment:
+  case model::CrackGrowthLaw::paris:
     break;
   }
   return life::Law::paris;
@@ -43,7 +43,7 @@ std::optional<life::Spectrum> spectrum_of(const model::Model& model) {
   if (!model.growth->spectrum) {
     return std::nullopt;
   }
-  const model::Spectrum& card = model.spectra[*model.growth->spectrum];
+  const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
   if (card.sequence) {
     return life::Spectrum::of_sequence(card.turning_points);
   }
@@ -79,8 +79,8 @@ double place_of_largest(const base::PiecewiseLinear& K1, double low, double high
   return best;
 }
 
-life::GrowthLaw law_of(const model::Growth& growth) {
-  const model::LawConstants& c = growth.constants;
+life::GrowthLaw law_of(const model::CrackGrowthSettings& growth) {
+  const model::GrowthLawConstants& c = growth.constants;
   return {kind_of(growth.law),
           {.C = c.C,
            .m = c.m,
@@ -110,7 +110,7 @@ void GrowthMeasure::warn_of_mesh(const std::string& code, const std::string& tex
 }
 
 bool GrowthMeasure::no_rate(std::string why) {
-  trouble_ = base::NoAnswer{
+  trouble_ = base::OperationFailure{
       .kind = base::Outcome::not_solvable, .why = std::move(why), .span = model_.growth->span};
   return false;
 }
@@ -128,7 +128,7 @@ std::optional<results::LoadPath> path_of_growth(const model::Model& model,
     return std::nullopt;
   }
   const std::size_t number = model.spectra[*model.growth->spectrum].path;
-  const model::LoadPath& card = model.load_paths[number];
+  const model::LoadPathDefinition& card = model.load_paths[number];
   const results::LoadPath& path = increment.paths[number];
   return model.growth->corrected ? corrected_path(path, increment.steps[card.from.index()],
                                                   increment.steps[card.to.index()])
@@ -307,7 +307,7 @@ base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const resul
 bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
                                 growth::TipStation& found) {
   const results::Increment& increment = at.increment;
-  const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
+  const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPath& path = *at.path;
   const results::TipResult* at_end = results::find_tip(increment.steps[largest_step(model_)], name);
   const results::PathTip* tip = results::find_tip(path, name);

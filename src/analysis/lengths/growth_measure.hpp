@@ -22,7 +22,7 @@
 namespace spricka::analysis {
 
 /// The law of $GROW; K and lengths in deck units.
-life::GrowthLaw law_of(const model::Growth& growth);
+life::GrowthLaw law_of(const model::CrackGrowthSettings& growth);
 
 /// A solved state of the cracks.
 struct SolvedLength {

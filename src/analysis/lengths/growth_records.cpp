@@ -22,7 +22,7 @@ results::LifePoint point_at(const growth::Trajectory& between, double s, double 
   results::LifePoint point;
   point.cycles = cycles;
   for (std::size_t tip = 0; tip < tips; ++tip) {
-    point.a.push_back(base::tidy(between.arm(tip, s)));
+    point.a.push_back(base::remove_round_off(between.arm(tip, s)));
   }
   return point;
 }
@@ -52,7 +52,7 @@ std::vector<std::array<double, 2>> ranges_of(const life::Spectrum& spectrum) {
 
 results::GrowingTip record_of(const std::string& name, const growth::TipStation& t) {
   return {.name = name,
-          .a = base::tidy(t.a),
+          .a = base::remove_round_off(t.a),
           .K_max = t.K_max,
           .K_min = t.K_min,
           .K2_max = t.K2_max,
@@ -130,12 +130,12 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
 void name_sizes(const model::Model& model, const growth::CrackState& cracks,
                 const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
                 results::Increment& increment) {
-  if (cracks.solids.empty() || model.growth->shape != model::FrontShape::free) {
+  if (cracks.solids.empty() || model.growth->shape != model::FrontShapeRule::free) {
     return;
   }
   // Backwards, so that the first tip of a front is the one that stays.
   for (std::size_t t = tips.size(); t-- > 0;) {
-    const double a = base::tidy(here.tips[t].a);
+    const double a = base::remove_round_off(here.tips[t].a);
     const std::string& crack = cracks.solids[cracks.fronts[t]].name;
     const auto name = [&](results::FrontResult& front) {
       if (front.name == crack || front.name.starts_with(crack + ".")) {

@@ -41,7 +41,7 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
   if (growth::growing_tips(model, lines).empty()) {
     return no("$GROW: no crack in the plane grows");
   }
-  for (const model::TipNet& tip : model.tip_nets) {
+  for (const model::TipMeshSettings& tip : model.tip_nets) {
     if (!tip.patch && growth::crack_grows(model, tip.crack.index())) {
       return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its tip can only "
                             "stand at nodes, so that no law can move it",
@@ -71,17 +71,17 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
     return false;
   };
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
-    const model::Crack& crack = model.cracks[c];
+    const model::CrackDefinition& crack = model.cracks[c];
     if (!growth::crack_grows(model, c)) {
       continue;
     }
-    if (crack.kind == model::CrackKind::front) {
+    if (crack.kind == model::CrackDefinitionKind::front) {
       return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its front can only "
                             "stand at nodes, so that no law can move it",
                             crack.name));
     }
-    if (model.growth->shape == model::FrontShape::ellipse &&
-        crack.kind != model::CrackKind::ellipse) {
+    if (model.growth->shape == model::FrontShapeRule::ellipse &&
+        crack.kind != model::CrackDefinitionKind::ellipse) {
       return no(fmt::format("SHAPE=ELLIPSE: crack {} is drawn by points", crack.name));
     }
     if (std::ranges::none_of(ways.tips(),
@@ -222,7 +222,7 @@ std::unique_ptr<growth::Ways> first_ways(const model::Model& model,
                                          base::Diagnostics& diagnostics) {
   if (model.mesh.dim == 3) {
     std::unique_ptr<growth::Ways> ways;
-    if (model.growth->shape == model::FrontShape::ellipse) {
+    if (model.growth->shape == model::FrontShapeRule::ellipse) {
       ways = std::make_unique<growth::EllipseWays>(model);
     } else {
       ways = std::make_unique<growth::FreeWays>(model);

@@ -65,7 +65,7 @@ void log_paths(const std::vector<results::LoadPath>& paths, LogWriter& log) {
 } // namespace
 
 LengthParts LengthSolver::parts() {
-  const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
+  const bool keep = model_.growth && model_.growth->mounted == model::ContactMounting::first;
   return {.model = grown_ ? *grown_ : model_,
           .cache = cache_,
           .threads = options_.threads,
@@ -110,7 +110,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     }
     tell("condensed");
     increment = {};
-    increment.a = a > 0.0 ? a : base::tidy(first);
+    increment.a = a > 0.0 ? a : base::remove_round_off(first);
     increment.notes = results::notes_of(cut.notes);
     touching.clear();
     if (!walk_steps(*length, request, log, increment, touching)) {
@@ -219,9 +219,9 @@ bool LengthSolver::follow(LoadHistory& history, StepSolver& solver, LogWriter& l
 bool LengthSolver::numbers_are_sound(const results::StepResult& result, const model::Step& step) {
   const std::string what = not_finite(result);
   if (!what.empty()) {
-    trouble_ = base::NoAnswer{.kind = base::Outcome::not_solvable,
-                              .why = fmt::format("step {}: {}", step.name, what),
-                              .span = step.span};
+    trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                      .why = fmt::format("step {}: {}", step.name, what),
+                                      .span = step.span};
   }
   return what.empty();
 }
@@ -351,8 +351,8 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
   increment.paths = paths.follow(solver);
   for (const results::LoadPath& path : increment.paths) {
     if (const std::string what = not_finite(path); !what.empty()) {
-      trouble_ = base::NoAnswer{.kind = base::Outcome::not_solvable,
-                                .why = fmt::format("load path {}: {}", path.name, what)};
+      trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                        .why = fmt::format("load path {}: {}", path.name, what)};
       return false;
     }
   }

@@ -158,8 +158,8 @@ bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, base::T
 
 // K by functionals against K of the displacements, where the last pass ends.
 bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trouble) {
-  const bool shifted =
-      std::ranges::any_of(model_.vces, [](const model::Vce& vce) { return vce.shift.has_value(); });
+  const bool shifted = std::ranges::any_of(
+      model_.vces, [](const model::CrackExtensionSettings& vce) { return vce.shift.has_value(); });
   const crack::KLayout layout = scene_.k_layout();
   const base::Vector K = here_;
   const std::optional<StepState> state = solver_->recover(solution_, trouble);
@@ -245,7 +245,7 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
     before = out.last.marks;
   }
   good = good && compare_with_recovered(out, trouble);
-  if (good && model_.growth->history == model::History::carry_on) {
+  if (good && model_.growth->history == model::GrowthHistoryMode::carry_on) {
     carried.take(scene_, at_growth_);
   }
   out.increments = increments_;

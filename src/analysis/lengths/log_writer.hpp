@@ -19,8 +19,10 @@ public:
       : lines_(lines), recorder_(recorder) {}
   void add(const std::string& processor, const std::string& text,
            std::optional<double> flops = {}) {
-    lines_.push_back(
-        {.processor = processor, .text = text, .cpu = watch_.cpu(), .wall = watch_.wall()});
+    lines_.push_back({.processor = processor,
+                      .text = text,
+                      .cpu = watch_.cpu_time(),
+                      .wall = watch_.wall_time()});
     record(processor, text, flops);
   }
   /// The same for the profile alone: what the listing does not tell.

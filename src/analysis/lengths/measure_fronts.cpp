@@ -284,7 +284,7 @@ std::set<results::Warning> GrowthMeasure::warnings() const {
 
 bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string& crack,
                                       const base::Vec3& aim, growth::TipStation& found) {
-  const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
+  const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPath& path = *at.path;
   if (model_.growth->corrected) {
     for (const results::FrontResult& front :

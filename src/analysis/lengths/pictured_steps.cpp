@@ -26,12 +26,12 @@ std::vector<bool> asked_steps(const model::Model& model, bool last_increment) {
     const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
                                     [](const auto& request) { return request.quantity == "S"; });
     if (output.format == model::OutputFormat::vtu || stress) {
-      for (const std::size_t s : model::wanted_steps(model, output, last_increment)) {
+      for (const std::size_t s : model::output_steps(model, output, last_increment)) {
         pictured[s] = true;
       }
     }
   }
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     for (std::size_t s = 0; check.quantity == "ERROR" && s < model.steps.size(); ++s) {
       const auto* step = std::get_if<std::string>(&check.arguments.at(1));
       pictured[s] = pictured[s] || (step != nullptr && *step == model.steps[s].name);

@@ -17,16 +17,16 @@ std::optional<std::size_t> known(std::size_t bytes) {
 } // namespace
 
 Recorder::Recorder(const base::Stopwatch& since, double cpu_before) : cpu_before_(cpu_before) {
-  profile_.begin = since.begun();
+  profile_.begin = since.start_time();
 }
 
 void Recorder::add(const std::string& processor, const std::string& text,
                    const base::Stopwatch& watch, std::optional<double> flops) {
   results::Stretch stretch{.processor = processor,
                            .text = text,
-                           .begin = watch.begun(),
-                           .end = base::moment(),
-                           .cpu = watch.cpu(),
+                           .begin = watch.start_time(),
+                           .end = base::steady_seconds(),
+                           .cpu = watch.cpu_time(),
                            .flops = flops,
                            .resident = known(base::resident_memory()),
                            .peak = known(base::peak_memory())};
@@ -74,16 +74,16 @@ void Recorder::end_length(std::optional<double> a, bool counts) {
     profile_.lengths.push_back({.a = a,
                                 .counts = counts,
                                 .round = std::max(round_, 1),
-                                .begin = length_->begun(),
-                                .end = base::moment(),
-                                .cpu = length_->cpu()});
+                                .begin = length_->start_time(),
+                                .end = base::steady_seconds(),
+                                .cpu = length_->cpu_time()});
     length_.reset();
   }
 }
 
 results::Profile Recorder::finish() {
   const std::scoped_lock lock(guard_);
-  profile_.end = base::moment();
+  profile_.end = base::steady_seconds();
   profile_.cpu = base::cpu_seconds() - cpu_before_;
   profile_.peak = known(base::peak_memory());
   return std::move(profile_);

@@ -71,7 +71,7 @@ bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
   if (checkpoint == nullptr || !checkpoint->out_of_time()) {
     return false;
   }
-  trouble = base::NoAnswer{.kind = base::Outcome::stopped, .why = checkpoint->limit()};
+  trouble = base::OperationFailure{.kind = base::Outcome::stopped, .why = checkpoint->limit()};
   return true;
 }
 
@@ -84,8 +84,8 @@ void IncrementMark::keep(archive::Checkpoint* checkpoint, double asked,
   // over.
   std::vector<results::LogLine> lines(log_.begin() + static_cast<std::ptrdiff_t>(lines_),
                                       log_.end());
-  checkpoint->keep(asked,
-                   {increment, std::move(state), std::move(lines), watch_.cpu(), watch_.wall()});
+  checkpoint->keep(asked, {increment, std::move(state), std::move(lines), watch_.cpu_time(),
+                           watch_.wall_time()});
 }
 
 } // namespace spricka::analysis

@@ -36,7 +36,7 @@ std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
     out.element = face.element;
     const std::size_t corners = shape::side_corners(type, face.side);
     const auto node = [&](std::size_t i) {
-      return mesh.nodes_of(face.element)[static_cast<std::size_t>(side[i])];
+      return mesh.element_nodes(face.element)[static_cast<std::size_t>(side[i])];
     };
     for (std::size_t i = 0; i < corners; ++i) {
       out.outline.push_back(node(i));

@@ -145,8 +145,8 @@ std::optional<results::Run> solve_run(const model::Model& model, const SolveOpti
   if (!done) {
     return std::nullopt;
   }
-  run.cpu += watch.cpu();
-  run.wall += watch.wall();
+  run.cpu += watch.cpu_time();
+  run.wall += watch.wall_time();
   run.peak_memory = base::peak_memory();
   return run;
 }

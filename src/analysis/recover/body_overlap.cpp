@@ -139,7 +139,7 @@ private:
   // Whether the body at this node of its boundary lies inside the other as drawn.
   [[nodiscard]] bool lies_upon(base::NodeId node, std::size_t a, std::size_t b) const {
     for (const base::ElementId e : bodies_[a].body.elements) {
-      const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+      const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
       if (std::ranges::find(nodes, node) == nodes.end()) {
         continue;
       }

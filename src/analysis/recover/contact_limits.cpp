@@ -43,7 +43,7 @@ double facets(const contact::PairRows& pair, double facet) {
   const contact::SpaceSurface& space = pair.contact.space;
   if (!space.faces.empty()) {
     const bool flat = static_cast<int>(space.faces.front().nodes.size()) ==
-                      base::info(space.faces.front().shape).corners;
+                      base::element_info(space.faces.front().shape).corners;
     const std::optional<contact::Round>& round = space.rounds.front();
     const bool curved = round && round->kind != contact::RoundKind::plane;
     return flat && curved ? facet * facet / (4.0 * round->radius) : 0.0;

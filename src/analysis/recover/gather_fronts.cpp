@@ -17,8 +17,8 @@ namespace spricka::analysis {
 
 namespace {
 
-const model::Vce* request_of(const model::Model& model, base::CrackId crack) {
-  const auto found = std::ranges::find(model.vces, crack, &model::Vce::crack);
+const model::CrackExtensionSettings* request_of(const model::Model& model, base::CrackId crack) {
+  const auto found = std::ranges::find(model.vces, crack, &model::CrackExtensionSettings::crack);
   return found == model.vces.end() ? nullptr : &*found;
 }
 
@@ -50,13 +50,14 @@ base::Vec3 without_round_off(const base::Vec3& x, double reach) {
   return (x.array().abs() > round_off * reach).select(x, base::Vec3::Zero());
 }
 
-results::FrontPlace place_of(const model::Crack& crack, const mesh::FrontPoint& point,
+results::FrontPlace place_of(const model::CrackDefinition& crack, const mesh::FrontPoint& point,
                              const crack::StressIntensity& K) {
   results::FrontPlace place;
   place.x = point.x;
   place.growth = point.growth;
   place.s = point.s;
-  place.phi = crack.kind == model::CrackKind::ellipse ? mesh::front_angle(crack, point.x) : 0.0;
+  place.phi =
+      crack.kind == model::CrackDefinitionKind::ellipse ? mesh::front_angle(crack, point.x) : 0.0;
   place.K1 = K.K1;
   place.K2 = K.K2;
   place.K3 = K.K3;
@@ -80,8 +81,8 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
                    results::StepResult& out) {
   for (const FrontScene& at : scene.fronts) {
     const mesh::Front& front = at.front;
-    const model::Crack& crack = model.cracks[front.crack.index()];
-    const model::Vce* vce = request_of(model, front.crack);
+    const model::CrackDefinition& crack = model.cracks[front.crack.index()];
+    const model::CrackExtensionSettings* vce = request_of(model, front.crack);
     crack::FrontRequest request;
     request.opening = vce != nullptr && vce->opening;
     crack::FrontLoads loads;
@@ -95,10 +96,10 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
         crack::front_intensity(model, scene.cracked, front, at.fields, request, state.u, loads);
     results::FrontResult result;
     result.name = front_name(model, scene, front);
-    result.a = base::tidy(front.a);
+    result.a = base::remove_round_off(front.a);
     result.closed = at.fields.closed;
     result.length = result.closed ? front.curve->length() : front.points.back().s;
-    result.angles = crack.kind == model::CrackKind::ellipse;
+    result.angles = crack.kind == model::CrackDefinitionKind::ellipse;
     double reach = 0.0;
     for (const mesh::FrontPoint& point : front.points) {
       reach = std::max(reach, point.x.cwiseAbs().maxCoeff());

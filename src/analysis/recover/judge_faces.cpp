@@ -27,15 +27,15 @@ constexpr double small_K1 = 1e-3;
 // Whether a law of $GROW is given this step's K, for which K1 < 0 has a meaning: as its K_min, or
 // as an end of the load path of its spectrum.
 bool is_smallest_of_law(const model::Model& model, const std::string& step) {
-  const std::optional<model::Growth>& growth = model.growth;
+  const std::optional<model::CrackGrowthSettings>& growth = model.growth;
   const auto is = [&](base::StepId id) {
     return id.valid() && model.steps[id.index()].name == step;
   };
-  if (!growth || growth->law == model::GrowthLaw::increment) {
+  if (!growth || growth->law == model::CrackGrowthLaw::increment) {
     return false;
   }
   if (growth->spectrum) {
-    const model::LoadPath& path = model.load_paths[model.spectra[*growth->spectrum].path];
+    const model::LoadPathDefinition& path = model.load_paths[model.spectra[*growth->spectrum].path];
     return is(path.from) || is(path.to);
   }
   return is(growth->kmin);

@@ -74,9 +74,10 @@ std::span<const std::array<std::size_t, 4>> tetrahedra(int corners) {
 }
 
 double volume_of_solid(const model::Mesh& mesh, base::ElementId e) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   double volume = 0.0;
-  for (const std::array<std::size_t, 4>& t : tetrahedra(base::info(mesh.type[e.index()]).corners)) {
+  for (const std::array<std::size_t, 4>& t :
+       tetrahedra(base::element_info(mesh.type[e.index()]).corners)) {
     const base::Vec3& o = mesh.x[nodes[t[0]].index()];
     const auto edge = [&](std::size_t i) { return base::Vec3(mesh.x[nodes[t[i]].index()] - o); };
     volume += edge(1).cross(edge(2)).dot(edge(3)) / 6.0;
@@ -90,8 +91,8 @@ double volume_of(const model::Model& model, const model::Mesh& mesh, base::Eleme
   if (mesh.dim == 3) {
     return volume_of_solid(mesh, e);
   }
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   double area = 0.0;
   double middle = 0.0;
   for (std::size_t i = 0; i < corners; ++i) {
@@ -101,7 +102,7 @@ double volume_of(const model::Model& model, const model::Mesh& mesh, base::Eleme
     middle += a.x() / static_cast<double>(corners);
   }
   return area * (model::axisymmetric(model) ? 2.0 * std::numbers::pi * middle
-                                            : model.property_of(mesh, e).thickness);
+                                            : model.element_property(mesh, e).thickness);
 }
 
 /// The uniaxial strain that would hold a body's energy: no corner or crack tip counts by itself.
@@ -111,7 +112,7 @@ double mean_strain(const model::Model& model, const model::Mesh& mesh, const Bod
   double stiff = 0.0;
   for (const base::ElementId e : body.body.elements) {
     held += energy[e.index()];
-    stiff += model.material_of(mesh, e).E * volume_of(model, mesh, e);
+    stiff += model.element_material(mesh, e).E * volume_of(model, mesh, e);
   }
   return stiff > 0.0 ? std::sqrt(std::max(0.0, 2.0 * held / stiff)) : 0.0;
 }

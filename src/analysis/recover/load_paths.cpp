@@ -35,7 +35,7 @@ crack::StressIntensity intensity(const model::Model& model, const Scene& scene, 
 
 // Whether K is scaled to a G by nodes that are moved, which makes it no linear functional of u.
 bool shifted(const model::Model& model, base::CrackId crack) {
-  return std::ranges::any_of(model.vces, [&](const model::Vce& vce) {
+  return std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
     return vce.crack == crack && vce.shift.has_value();
   });
 }
@@ -66,9 +66,10 @@ LoadPaths::LoadPaths(const model::Model& model, const Scene& scene,
 
 void LoadPaths::keep(std::size_t step, const StepSolver& solver,
                      const results::StepResult& result) {
-  const bool wanted = std::ranges::any_of(model_.load_paths, [&](const model::LoadPath& path) {
-    return path.from.index() == step || path.to.index() == step;
-  });
+  const bool wanted =
+      std::ranges::any_of(model_.load_paths, [&](const model::LoadPathDefinition& path) {
+        return path.from.index() == step || path.to.index() == step;
+      });
   if (!wanted) {
     return;
   }
@@ -222,7 +223,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
       path.notes.push_back(results::note(fmt::format(
           "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name)));
     }
-    const model::Crack& crack = model_.cracks[scene_.cracked.fronts[t].crack.index()];
+    const model::CrackDefinition& crack = model_.cracks[scene_.cracked.fronts[t].crack.index()];
     const bool of_law = model_.growth && model_.growth->spectrum && !crack.faces_in_contact;
     if (tip.K1.lowest() < -1e-9 * tip.K1.highest() && of_law) {
       path.notes.push_back(
@@ -327,14 +328,15 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
   std::ranges::stable_sort(path.changes, {}, &results::PathChange::t);
 }
 
-solve::ParametricProblem LoadPaths::pose(const model::LoadPath& card, const StepSolver& solver) {
+solve::ParametricProblem LoadPaths::pose(const model::LoadPathDefinition& card,
+                                         const StepSolver& solver) {
   if (!rows_) {
     rows_ = functionals(solver);
   }
   return problem(ends_.at(card.from.index()), ends_.at(card.to.index()), solver);
 }
 
-results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver& solver) {
+results::LoadPath LoadPaths::path(const model::LoadPathDefinition& card, const StepSolver& solver) {
   const End& from = ends_.at(card.from.index());
   const End& to = ends_.at(card.to.index());
   results::LoadPath out;
@@ -387,7 +389,7 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
 
 std::vector<results::LoadPath> LoadPaths::follow(const StepSolver& solver) {
   std::vector<results::LoadPath> out;
-  for (const model::LoadPath& card : model_.load_paths) {
+  for (const model::LoadPathDefinition& card : model_.load_paths) {
     out.push_back(path(card, solver));
   }
   return out;

@@ -35,7 +35,7 @@ public:
                                          const StepSolver& solver);
   /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
   /// its two nodes are apart and how far along the face.
-  [[nodiscard]] solve::ParametricProblem pose(const model::LoadPath& card,
+  [[nodiscard]] solve::ParametricProblem pose(const model::LoadPathDefinition& card,
                                               const StepSolver& solver);
 
 private:
@@ -86,7 +86,8 @@ private:
   [[nodiscard]] base::Vector free_values(const base::Vector& case_factor) const;
   [[nodiscard]] solve::ParametricProblem problem(const End& from, const End& to,
                                                  const StepSolver& solver) const;
-  [[nodiscard]] results::LoadPath path(const model::LoadPath& card, const StepSolver& solver);
+  [[nodiscard]] results::LoadPath path(const model::LoadPathDefinition& card,
+                                       const StepSolver& solver);
   void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
   void tips(const solve::SolutionPath& found, const End& from, const End& to,
             results::LoadPath& path) const;

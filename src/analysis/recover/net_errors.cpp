@@ -28,7 +28,7 @@ constexpr double round_off_energy = 1e-20;
 double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
                            const results::StepResult& step) {
   double stiff = 0.0;
-  for (const model::Property& property : model.properties) {
+  for (const model::ElementProperty& property : model.properties) {
     stiff = std::max(stiff, model.materials[property.material.index()].E *
                                 (mesh.dim == 2 ? property.thickness : 1.0));
   }
@@ -87,14 +87,14 @@ std::vector<bool> single_forces(const model::Model& model, const model::Mesh& me
     std::vector<bool> loaded(mesh.node_count(), false);
     for (const model::Load& load : load_case.loads) {
       if (load.type == model::LoadType::force && load.nodes.valid()) {
-        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+        for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
           loaded[n.index()] = true;
         }
       }
     }
     std::vector<bool> alone = loaded;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      const auto nodes = mesh.nodes_of(base::ElementId(e));
+      const auto nodes = mesh.element_nodes(base::ElementId(e));
       if (std::ranges::count_if(nodes, [&](base::NodeId n) { return loaded[n.index()]; }) > 1) {
         for (const base::NodeId n : nodes) {
           alone[n.index()] = false;
@@ -113,12 +113,12 @@ std::vector<bool> around(const model::Mesh& mesh, std::vector<bool> node) {
   std::vector<bool> near(mesh.element_count(), false);
   for (int ring = 0; ring < 2; ++ring) {
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      const auto nodes = mesh.nodes_of(base::ElementId(e));
+      const auto nodes = mesh.element_nodes(base::ElementId(e));
       near[e] =
           near[e] || std::ranges::any_of(nodes, [&](base::NodeId n) { return node[n.index()]; });
     }
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
         node[n.index()] = node[n.index()] || near[e];
       }
     }
@@ -138,7 +138,7 @@ std::vector<bool> singular_elements(const model::Model& model, const Scene& scen
   mark_point_supports(scene, point);
   std::vector<bool> singular = around(mesh, std::move(point));
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
     singular[e] =
         singular[e] || !scene.cracked.host[e].valid() ||
         std::any_of(nodes.begin(), nodes.end(), [&](base::NodeId n) { return tip[n.index()]; });

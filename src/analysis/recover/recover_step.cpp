@@ -26,8 +26,8 @@ namespace spricka::analysis {
 
 namespace {
 
-const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
-  for (const model::Vce& vce : model.vces) {
+const model::CrackExtensionSettings* vce_of(const model::Model& model, base::CrackId crack) {
+  for (const model::CrackExtensionSettings& vce : model.vces) {
     if (vce.crack == crack) {
       return &vce;
     }
@@ -39,10 +39,10 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
                  results::StepResult& out) {
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
     const mesh::Front& front = scene.cracked.fronts[t];
-    const model::Crack& crack = model.cracks[front.crack.index()];
+    const model::CrackDefinition& crack = model.cracks[front.crack.index()];
     crack::VceRequest request;
     request.state = crack.state;
-    if (const model::Vce* vce = vce_of(model, front.crack)) {
+    if (const model::CrackExtensionSettings* vce = vce_of(model, front.crack)) {
       request.shift = vce->shift;
       request.opening = vce->opening;
     }
@@ -55,7 +55,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
         crack::stress_intensity(model, scene.cracked, front, fields, request, state.u, loads);
     results::TipResult result;
     result.name = tip_name(model, scene.cracked, front);
-    result.a = base::tidy(front.a);
+    result.a = base::remove_round_off(front.a);
     result.x = front.tip().x;
     result.direction = front.tip().growth;
     result.K1 = K.K1;

@@ -52,17 +52,17 @@ base::CrackId crack_of_faces(const model::Model& model, const std::string& conta
 }
 
 base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e) {
-  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   base::Vec2 sum = base::Vec2::Zero();
-  for (const base::NodeId n : mesh.nodes_of(e).first(corners)) {
+  for (const base::NodeId n : mesh.element_nodes(e).first(corners)) {
     sum += mesh.x[n.index()].head<2>();
   }
   return sum / static_cast<double>(corners);
 }
 
 double size_of(const model::Mesh& mesh, base::ElementId e) {
-  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   double sum = 0.0;
   for (std::size_t i = 0; i < corners; ++i) {
     sum += (mesh.x[nodes[(i + 1) % corners].index()] - mesh.x[nodes[i].index()]).norm();

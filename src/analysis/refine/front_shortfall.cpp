@@ -50,7 +50,7 @@ void for_each_front(const model::Model& model, const results::Run& run,
     for (const results::StepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         const double K = largest_K(front);
-        for (const model::TipNet& tip : model.tip_nets) {
+        for (const model::TipMeshSettings& tip : model.tip_nets) {
           const std::string& name = model.cracks[tip.crack.index()].name;
           const bool own = front.name == name || front.name.starts_with(name + ".");
           // What is below is what round-off leaves of a step without loads.

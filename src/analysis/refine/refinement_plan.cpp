@@ -212,7 +212,7 @@ Demands demands_of(const model::Model& model, const results::Run& run) {
 } // namespace
 
 RefinementPlan::RefinementPlan(const model::Model& model) : finer_(model.cracks.size(), 1.0) {
-  for (const model::TipNet& tip : model.tip_nets) {
+  for (const model::TipMeshSettings& tip : model.tip_nets) {
     finer_[tip.crack.index()] = tip.finer;
   }
 }
@@ -277,7 +277,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
 }
 
 void RefinementPlan::apply(model::Model& model) const {
-  for (model::TipNet& tip : model.tip_nets) {
+  for (model::TipMeshSettings& tip : model.tip_nets) {
     tip.finer = finer_[tip.crack.index()];
   }
 }

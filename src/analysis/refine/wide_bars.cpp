@@ -26,7 +26,7 @@ base::CrackId crack_of(const model::Model& model, const std::string& tip) {
 }
 
 std::optional<double> tolerance_of(const model::Model& model, base::CrackId crack) {
-  for (const model::TipNet& tip : model.tip_nets) {
+  for (const model::TipMeshSettings& tip : model.tip_nets) {
     if (tip.crack == crack) {
       return tip.tolerance;
     }

@@ -26,7 +26,8 @@ namespace {
 bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) {
   constexpr double on_it = 1e-2; // of an edge: mouths are moved onto the boundary
   const auto has = [&](base::FaceSetId set) {
-    return set.valid() && std::ranges::any_of(model.mesh.set(set).faces, [&](const model::Face& f) {
+    return set.valid() &&
+           std::ranges::any_of(model.mesh.set_with_id(set).faces, [&](const model::Face& f) {
              const mesh::Edge edge = mesh::edge_of(model.mesh, f);
              const double length =
                  (model.mesh.x[edge.b.index()] - model.mesh.x[edge.a.index()]).norm();
@@ -56,7 +57,7 @@ std::vector<mesh::TubeMesh> tube_meshes(const model::Model& model) {
   std::vector<mesh::TubeMesh> tubes;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     mesh::TubeMesh tube;
-    if (const model::TipNet* tip = tip_net_of(model, base::CrackId(i))) {
+    if (const model::TipMeshSettings* tip = tip_net_of(model, base::CrackId(i))) {
       tube.radius = tip->radius.value_or(0.0);
       tube.size = tip->size.value_or(0.0);
       tube.rings = tip->rings;
@@ -85,11 +86,12 @@ bool find_cracks(const model::Model& model, mesh::CrackedMesh& cracked,
                  base::Diagnostics& diagnostics) {
   bool good = true;
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
-    const model::Crack& crack = model.cracks[c];
-    if (crack.kind != model::CrackKind::front || !crack.path.valid()) {
+    const model::CrackDefinition& crack = model.cracks[c];
+    if (crack.kind != model::CrackDefinitionKind::front || !crack.path.valid()) {
       continue;
     }
-    const mesh::FoundCrack found{base::CrackId(c), crack.name, model.mesh.set(crack.path).nodes};
+    const mesh::FoundCrack found{base::CrackId(c), crack.name,
+                                 model.mesh.set_with_id(crack.path).nodes};
     if (const std::string why = mesh::find_crack(found, cracked); !why.empty()) {
       diagnostics.error(crack.span, "E439", fmt::format("crack {}: {}", crack.name, why));
       good = false;
@@ -102,7 +104,7 @@ std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
                                                base::Diagnostics& diagnostics) {
   std::vector<mesh::SolidCrack> cut = mesh::solid_cracks(model);
   std::vector<mesh::TubeMesh> tubes;
-  std::vector<base::Span> cards;
+  std::vector<base::SourceSpan> cards;
   const std::vector<mesh::TubeMesh> all = tube_meshes(model);
   for (const mesh::SolidCrack& crack : cut) {
     tubes.push_back(all[crack.crack.index()]);
@@ -134,7 +136,7 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
   if (model.mesh.dim == 3) {
     return cracked_solid(model, diagnostics);
   }
-  std::vector<base::Span> spans;
+  std::vector<base::SourceSpan> spans;
   spans.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     spans.push_back(model.cracks[line.crack.index()].span);

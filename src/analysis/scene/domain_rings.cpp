@@ -8,13 +8,13 @@
 namespace spricka::analysis {
 
 std::vector<int> domain_rings(const model::Model& model, base::CrackId crack) {
-  for (const model::Vce& vce : model.vces) {
+  for (const model::CrackExtensionSettings& vce : model.vces) {
     if (vce.crack == crack && !vce.domains.empty()) {
       return vce.domains;
     }
   }
-  const model::TipNet* tip = tip_net_of(model, crack);
-  const int usual = model.mesh.dim == 3 ? mesh::TubeMesh{}.rings : model::TipNet{}.rings;
+  const model::TipMeshSettings* tip = tip_net_of(model, crack);
+  const int usual = model.mesh.dim == 3 ? mesh::TubeMesh{}.rings : model::TipMeshSettings{}.rings;
   const int rings = tip != nullptr ? tip->rings : usual;
   std::vector<int> domains;
   for (int ring = 2; ring <= rings; ++ring) {

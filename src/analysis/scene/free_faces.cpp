@@ -56,16 +56,16 @@ private:
 
 // Of one segment, which holds `inside`, extended to t.
 double on_segment(const base::PiecewiseLinear& f, double inside, double t) {
-  const std::size_t s = f.segment(inside);
+  const std::size_t s = f.find_segment(inside);
   return f.values()[s] + (t - f.knots()[s]) * f.slope(s);
 }
 
 } // namespace
 
 bool continues_below_closing(const model::Model& model) {
-  const bool knows_R = model.growth && (model.growth->law == model::GrowthLaw::nasgro ||
-                                        model.growth->law == model::GrowthLaw::walker);
-  return knows_R && std::ranges::any_of(model.cracks, &model::Crack::faces_in_contact);
+  const bool knows_R = model.growth && (model.growth->law == model::CrackGrowthLaw::nasgro ||
+                                        model.growth->law == model::CrackGrowthLaw::walker);
+  return knows_R && std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
 }
 
 const results::TipResult* free_tip(const std::optional<FreeFaces>& free, std::size_t step,

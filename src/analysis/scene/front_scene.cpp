@@ -41,7 +41,7 @@ bool lies_across(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes
 
 // Nodes of a side of an element.
 std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
-  const auto all = mesh.nodes_of(face.element);
+  const auto all = mesh.element_nodes(face.element);
   std::vector<base::NodeId> nodes;
   for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
     nodes.push_back(all[static_cast<std::size_t>(k)]);
@@ -95,8 +95,8 @@ std::string remedy_at(const model::Model& model, const Scene& scene,
                       const mesh::FrontPoint& point) {
   constexpr double near = 3.0; // radii of the tube
   std::set<std::string> names;
-  for (const model::Freedom& freedom : model.freedoms) {
-    const model::NodeSet& set = scene.cracked.mesh.set(freedom.nodes);
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
+    const model::NodeSet& set = scene.cracked.mesh.set_with_id(freedom.nodes);
     if (std::ranges::any_of(set.nodes, [&](base::NodeId n) {
           return (scene.cracked.mesh.x[n.index()] - point.x).norm() < near * point.radius;
         })) {
@@ -130,7 +130,7 @@ crack::FrontFields fields_of(const model::Model& model, const Scene& scene,
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = front_limits(model, scene);
   crack::FrontFields fields = crack::front_fields(scene.cracked, front, rings, limits);
-  const bool given = std::ranges::any_of(model.vces, [&](const model::Vce& vce) {
+  const bool given = std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
     return vce.crack == front.crack && !vce.domains.empty();
   });
   if (!points_without(front, fields).empty() && !given) {
@@ -138,7 +138,7 @@ crack::FrontFields fields_of(const model::Model& model, const Scene& scene,
     fields = crack::front_fields(scene.cracked, front, rings, limits);
   }
   const std::vector<std::size_t> without = points_without(front, fields);
-  const model::Crack& crack = model.cracks[front.crack.index()];
+  const model::CrackDefinition& crack = model.cracks[front.crack.index()];
   const std::string remedy =
       without.empty() ? "" : remedy_at(model, scene, front.points[without.front()]);
   if (fields.empty()) {
@@ -177,7 +177,7 @@ crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) 
     for (const model::Load& load : load_case.loads) {
       // A force on a node that moves has no derivative that the domains know (crack.18).
       if (load.type == model::LoadType::force) {
-        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+        for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
           limits.node[n.index()] = true;
         }
       }
@@ -214,7 +214,7 @@ double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
 bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   bool good = true;
   for (mesh::Front& front : scene.cracked.fronts) {
-    if (model.cracks[front.crack.index()].kind == model::CrackKind::ellipse) {
+    if (model.cracks[front.crack.index()].kind == model::CrackDefinitionKind::ellipse) {
       front.a = model.cracks[front.crack.index()].plane.a;
     } else if (front.points.front().at_surface && !model.cracks[front.crack.index()].plane.closed) {
       front.a = mean_depth(scene.cracked, front);

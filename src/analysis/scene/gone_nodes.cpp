@@ -38,7 +38,7 @@ std::vector<NodeId> gone_nodes(const model::Mesh& host, const model::Mesh& crack
 std::vector<base::ElementId> patch_elements(const model::Mesh& host, const model::Mesh& cracked) {
   std::vector<base::ElementId> elements;
   for (std::size_t e = 0; e < cracked.element_count(); ++e) {
-    const auto nodes = cracked.nodes_of(base::ElementId(e));
+    const auto nodes = cracked.element_nodes(base::ElementId(e));
     if (std::ranges::any_of(nodes, [&](NodeId n) { return n.index() >= host.node_count(); })) {
       elements.emplace_back(e);
     }
@@ -213,10 +213,10 @@ std::optional<NodeId> lost_reaction(const model::Model& model, const model::Mesh
   }
   const std::vector<bool> inside = marked(host.node_count(), asked->nodes);
   std::vector<bool> held(host.node_count(), false);
-  for (const model::Freedom& freedom : model.freedoms) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (freedom.cls == model::FreedomClass::suppressed ||
         freedom.cls == model::FreedomClass::prescribed) {
-      for (const NodeId n : host.set(freedom.nodes).nodes) {
+      for (const NodeId n : host.set_with_id(freedom.nodes).nodes) {
         held[n.index()] = true;
       }
     }

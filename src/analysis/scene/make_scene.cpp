@@ -110,7 +110,7 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
         ring.beyond = std::move(wider.front());
       }
     }
-    const model::Crack& crack = model.cracks[front.crack.index()];
+    const model::CrackDefinition& crack = model.cracks[front.crack.index()];
     if (ring.fields.empty()) {
       diagnostics.error(crack.span, "E412",
                         fmt::format("crack {}: no ring domain fits round the tip at a = {:.6g} (it "

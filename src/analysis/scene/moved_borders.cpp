@@ -66,8 +66,8 @@ void tell_moved_borders(const model::Model& model, const mesh::CrackedMesh& crac
     return; // elsewhere the boundary keeps its nodes
   }
   for (const base::FaceSetId id : sets_that_act(model)) {
-    const model::FaceSet& old = model.mesh.set(id);
-    const std::vector<Border> ends = borders_of(cracked.mesh, cracked.mesh.set(id));
+    const model::FaceSet& old = model.mesh.set_with_id(id);
+    const std::vector<Border> ends = borders_of(cracked.mesh, cracked.mesh.set_with_id(id));
     for (const Border& border : borders_of(model.mesh, old)) {
       double moved = std::numeric_limits<double>::infinity();
       for (const Border& end : ends) {

@@ -41,8 +41,9 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
     }
   }
   return f.lpNorm<1>() > 0.0 || load.value.empty() ||
-         std::all_of(load.value.begin(), load.value.end(),
-                     [](const base::Expression& v) { return v(base::Vec3::Zero()) == 0.0; });
+         std::all_of(load.value.begin(), load.value.end(), [](const base::CompiledExpression& v) {
+           return v(base::Vec3::Zero()) == 0.0;
+         });
 }
 
 } // namespace

@@ -23,8 +23,8 @@ public:
       : model_(model), scene_(scene), diagnostics_(diagnostics),
         membership_(scene.cracked.mesh, scene.cracked.faces) {}
 
-  void set(base::NodeSetId id, const base::Span& span, const char* what) {
-    for (const auto& choice : membership_.choices(scene_.cracked.mesh.set(id).nodes)) {
+  void set(base::NodeSetId id, const base::SourceSpan& span, const char* what) {
+    for (const auto& choice : membership_.choices(scene_.cracked.mesh.set_with_id(id).nodes)) {
       if (choice.alone) {
         report(choice.nodes, span, what);
         return;
@@ -32,7 +32,7 @@ public:
     }
   }
 
-  void node(base::NodeId n, const base::Span& span, const char* what) {
+  void node(base::NodeId n, const base::SourceSpan& span, const char* what) {
     if (const auto nodes = membership_.nodes_with(n); !nodes.empty()) {
       report(nodes, span, what);
     }
@@ -51,7 +51,7 @@ private:
     return {};
   }
 
-  void report(std::span<const base::NodeId> nodes, const base::Span& span, const char* what) {
+  void report(std::span<const base::NodeId> nodes, const base::SourceSpan& span, const char* what) {
     const base::Vec3& x = scene_.cracked.mesh.x[nodes.front().index()];
     diagnostics_.error(span, "E437",
                        fmt::format("crack {} opens at ({:.6g}, {:.6g}), in a node that is {} here: "
@@ -91,11 +91,11 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
   std::vector<mesh::Edge> sides;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId element(e);
-    if (std::ranges::none_of(mesh.nodes_of(element),
+    if (std::ranges::none_of(mesh.element_nodes(element),
                              [&](base::NodeId n) { return on_crack_face[n.index()]; })) {
       continue;
     }
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const mesh::Edge edge = mesh::edge_of(mesh, {element, s});
       // One end on the face, the other off the line: a side that a support may hold for reasons of
       // its own.
@@ -113,11 +113,11 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
                               const std::vector<base::NodeId>& crack_face, std::size_t across) {
   std::vector<bool> held(mesh.node_count(), false);
   const std::vector<mesh::Edge> sides = sides_off(mesh, crack_face, across);
-  for (const model::Freedom& freedom : model.freedoms) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (freedom.cls != FreedomClass::suppressed || !freedom.dof[across]) {
       continue;
     }
-    const std::vector<bool> in = marked(mesh, mesh.set(freedom.nodes).nodes);
+    const std::vector<bool> in = marked(mesh, mesh.set_with_id(freedom.nodes).nodes);
     for (const mesh::Edge& side : sides) {
       if (in[side.a.index()] && in[side.b.index()]) {
         held[side.a.index()] = held[side.b.index()] = true;
@@ -132,17 +132,17 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
 bool mouths_are_told(const model::Model& model, const Scene& scene,
                      base::Diagnostics& diagnostics) {
   Mouths mouths(model, scene, diagnostics);
-  for (const model::Freedom& freedom : model.freedoms) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (freedom.cls == FreedomClass::suppressed || freedom.cls == FreedomClass::prescribed) {
       mouths.set(freedom.nodes, freedom.span, "held");
     }
   }
   for (const model::Mpc& mpc : model.mpcs) {
-    if (const auto* equation = std::get_if<model::Equation>(&mpc)) {
-      for (const model::Equation::Term& term : equation->terms) {
+    if (const auto* equation = std::get_if<model::ConstraintEquation>(&mpc)) {
+      for (const model::ConstraintEquation::ConstraintTerm& term : equation->terms) {
         mouths.node(term.node, equation->span, "tied");
       }
-    } else if (const auto* transition = std::get_if<model::Transition>(&mpc)) {
+    } else if (const auto* transition = std::get_if<model::TransitionTie>(&mpc)) {
       mouths.set(transition->slave, transition->span, "tied");
     } else if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
       mouths.set(rigid->slave, rigid->span, "tied");
@@ -185,16 +185,16 @@ bool loaded_faces_are_there(const model::Model& model, const Scene& scene,
   bool good = true;
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
-      for (const model::Crack& crack : model.cracks) {
+      for (const model::CrackDefinition& crack : model.cracks) {
         const bool face =
             load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
-        if (!face || !mesh.set(load.faces).faces.empty()) {
+        if (!face || !mesh.set_with_id(load.faces).faces.empty()) {
           continue;
         }
         // TYPE=FACES, which names the crack, means all that there is
         const bool both = std::ranges::any_of(load_case.loads, [&](const model::Load& other) {
           return other.span.file == load.span.file && other.span.begin == load.span.begin &&
-                 other.faces.valid() && !mesh.set(other.faces).faces.empty();
+                 other.faces.valid() && !mesh.set_with_id(other.faces).faces.empty();
         });
         if (both) {
           continue;

@@ -17,7 +17,7 @@ constexpr const char* smaller_patch = "keep the crack's patch away from it: a sm
                                       "on a face set";
 
 bool is_nothing(const model::Load& load) {
-  return std::ranges::all_of(load.value, [](const base::Expression& v) {
+  return std::ranges::all_of(load.value, [](const base::CompiledExpression& v) {
     return v.is_constant() && v(base::Vec3::Zero()) == 0.0;
   });
 }
@@ -33,8 +33,8 @@ std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
 std::string changed(const model::Model& model, const Scene& scene, const model::Load& load) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const mesh::CrackFaceMembership crack_faces(mesh, scene.cracked.faces);
-  const std::vector<base::NodeId> before = sorted(model.mesh.set(load.nodes).nodes);
-  const std::vector<base::NodeId> now = sorted(mesh.set(load.nodes).nodes);
+  const std::vector<base::NodeId> before = sorted(model.mesh.set_with_id(load.nodes).nodes);
+  const std::vector<base::NodeId> now = sorted(mesh.set_with_id(load.nodes).nodes);
   for (const base::NodeId n : before) {
     const auto stays = [&](base::NodeId m) { return std::ranges::binary_search(now, m); };
     if (!stays(n) && std::ranges::none_of(crack_faces.nodes_with(n), stays)) {
@@ -70,7 +70,7 @@ bool forces_are_taken(const model::Model& model, const Scene& scene,
                           smaller_patch);
         return false;
       }
-      for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+      for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
         if (!taken[n.index()]) {
           diagnostics.error(load.span, "E418",
                             fmt::format("load case {}: no element has node {}, which it loads",
@@ -86,7 +86,7 @@ bool forces_are_taken(const model::Model& model, const Scene& scene,
 
 bool supports_are_kept(const model::Model& model, const Scene& scene,
                        base::Diagnostics& diagnostics) {
-  const auto keeps = [&](base::NodeSetId nodes, const base::Span& span, const char* what) {
+  const auto keeps = [&](base::NodeSetId nodes, const base::SourceSpan& span, const char* what) {
     const std::size_t set = nodes.index();
     if (set >= scene.cracked.lost.size() || scene.cracked.lost[set].empty()) {
       return true;
@@ -98,7 +98,7 @@ bool supports_are_kept(const model::Model& model, const Scene& scene,
                       "keep the crack's patch away from it: a smaller RADIUS on $TIPNET");
     return false;
   };
-  for (const model::Freedom& freedom : model.freedoms) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
     const bool holds = freedom.cls == model::FreedomClass::suppressed ||
                        freedom.cls == model::FreedomClass::prescribed;
     if (holds && !keeps(freedom.nodes, freedom.span, "held")) {

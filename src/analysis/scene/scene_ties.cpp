@@ -17,7 +17,7 @@ namespace {
 
 using model::FreedomClass;
 
-base::Span span_of(const model::Model& model, std::size_t mpc) {
+base::SourceSpan span_of(const model::Model& model, std::size_t mpc) {
   if (mpc >= model.mpcs.size()) { // the rim of a crack's patch
     return model.cracks[mpc - model.mpcs.size()].span;
   }
@@ -75,8 +75,9 @@ bool keep_their_nodes(const model::Model& model, const Scene& scene,
 }
 
 // Every crack length makes its ties anew.
-void warn_once(base::Diagnostics& diagnostics, const base::Span& span, const std::string& text) {
-  const auto& all = diagnostics.all();
+void warn_once(base::Diagnostics& diagnostics, const base::SourceSpan& span,
+               const std::string& text) {
+  const auto& all = diagnostics.messages();
   if (std::none_of(all.begin(), all.end(),
                    [&](const base::Diagnostic& d) { return d.text == text; })) {
     diagnostics.warning(span, "W503", text,

@@ -21,10 +21,10 @@ public:
   }
 
   mesh::SetUse all() {
-    for (const model::Property& property : model_.properties) {
+    for (const model::ElementProperty& property : model_.properties) {
       mark(property.elements);
     }
-    for (const model::Freedom& freedom : model_.freedoms) {
+    for (const model::FreedomAssignment& freedom : model_.freedoms) {
       mark(freedom.nodes);
       if (freedom.cls != model::FreedomClass::external) {
         hold(freedom.nodes);
@@ -74,7 +74,7 @@ private:
   }
 
   void add(const model::Mpc& mpc) {
-    if (const auto* transition = std::get_if<model::Transition>(&mpc)) {
+    if (const auto* transition = std::get_if<model::TransitionTie>(&mpc)) {
       mark(transition->slave);
       mark(transition->master);
     } else if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
@@ -85,7 +85,7 @@ private:
   /// Checks and outputs look for sets by their names.
   void add_names() {
     std::set<std::string> names;
-    for (const model::Check& check : model_.checks) {
+    for (const model::ResultCheck& check : model_.checks) {
       for (const auto& argument : check.arguments) {
         if (const auto* name = std::get_if<std::string>(&argument)) {
           names.insert(*name);

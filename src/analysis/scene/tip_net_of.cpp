@@ -7,8 +7,8 @@
 
 namespace spricka::analysis {
 
-const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) {
-  const auto found = std::ranges::find(model.tip_nets, crack, &model::TipNet::crack);
+const model::TipMeshSettings* tip_net_of(const model::Model& model, base::CrackId crack) {
+  const auto found = std::ranges::find(model.tip_nets, crack, &model::TipMeshSettings::crack);
   return found == model.tip_nets.end() ? nullptr : &*found;
 }
 

@@ -41,7 +41,7 @@ double weighted_volume(const model::Model& model, const model::Mesh& mesh,
   model::Load unit;
   unit.type = model::LoadType::body;
   unit.elements = elements;
-  unit.value = {base::Expression::constant(1.0)};
+  unit.value = {base::CompiledExpression::constant(1.0)};
   const base::Vector f = fe::nodal_load(model, mesh, {"", {unit}});
   double sum = 0.0;
   for (Eigen::Index i = 0; i < f.size(); i += mesh.dim) {
@@ -51,7 +51,7 @@ double weighted_volume(const model::Model& model, const model::Mesh& mesh,
 }
 
 std::vector<base::NodeId> nodes_of_side(const model::Mesh& mesh, const model::Face& face) {
-  const auto nodes = mesh.nodes_of(face.element);
+  const auto nodes = mesh.element_nodes(face.element);
   std::vector<base::NodeId> result;
   for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
     result.push_back(nodes[static_cast<std::size_t>(k)]);
@@ -62,7 +62,7 @@ std::vector<base::NodeId> nodes_of_side(const model::Mesh& mesh, const model::Fa
 // Where all elements are quadratic, terms of the domains take the rims of heated sets as they are.
 bool heat_is_known_inside(const model::Mesh& mesh) {
   return std::ranges::all_of(mesh.type,
-                             [](base::ElementType t) { return base::info(t).quadratic; });
+                             [](base::ElementType t) { return base::element_info(t).quadratic; });
 }
 
 bool is_per_area(const model::Load& load) {
@@ -79,7 +79,7 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
                               const model::Load& load, double factor, const Near& near) {
   crack::ActingLoad acting{&load, factor, {}, {}};
   if (is_per_area(load)) {
-    for (const model::Face& face : mesh.set(load.faces).faces) {
+    for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
       if (std::ranges::any_of(nodes_of_side(mesh, face),
                               [&](base::NodeId n) { return near.nodes.contains(n); })) {
         acting.faces.push_back(face);
@@ -87,7 +87,7 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
     }
   } else if (fills(load)) {
     const bool heats = load.type == model::LoadType::temperature;
-    for (const base::ElementId e : heats ? mesh.set(load.elements).elements
+    for (const base::ElementId e : heats ? mesh.set_with_id(load.elements).elements
                                          : fe::set_shares(model, mesh, load.elements).elements) {
       if (near.elements.contains(e)) {
         acting.elements.push_back(e);
@@ -108,8 +108,8 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
   for (std::size_t p = 0; p < of_property.size(); ++p) {
     of_property[p] = static_cast<std::int64_t>(p);
     for (std::size_t q = 0; q < p; ++q) {
-      const model::Property& one = model.properties[p];
-      const model::Property& other = model.properties[q];
+      const model::ElementProperty& one = model.properties[p];
+      const model::ElementProperty& other = model.properties[q];
       if (one.material == other.material && one.state == other.state &&
           one.thickness == other.thickness) {
         of_property[p] = of_property[q];
@@ -193,11 +193,11 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
     for (const model::Load& load : load_case.loads) {
       // A force on a node that moves has no derivative that the domains know (crack.18).
       if (load.type == model::LoadType::force) {
-        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+        for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
           limits.node[n.index()] = true;
         }
       } else if (load.type == model::LoadType::temperature && !heat_is_known_inside(mesh)) {
-        for (const base::ElementId e : mesh.set(load.elements).elements) {
+        for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
           // The step doubles with each heated set: elements of unlike properties, or in unlike sets
           // of those, never have the same number.
           limits.zone[e.index()] += zone;
@@ -211,7 +211,7 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
 
 void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked) {
   for (std::size_t i = 0; i < cracked.faces.size() && i < model.cracks.size(); ++i) {
-    const model::Crack& crack = model.cracks[i];
+    const model::CrackDefinition& crack = model.cracks[i];
     if (!crack.left.valid() || !crack.right.valid()) {
       continue;
     }
@@ -234,7 +234,7 @@ bool crack_faces_carry_no_totals(const model::Model& model, const Scene& scene,
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (load.faces.valid() && !is_per_area(load) &&
-          std::ranges::any_of(mesh.set(load.faces).faces, [&](const model::Face& face) {
+          std::ranges::any_of(mesh.set_with_id(load.faces).faces, [&](const model::Face& face) {
             return crack_faces.contains(face);
           })) {
         diagnostics.error(load.span, "E417",

@@ -29,7 +29,7 @@ std::vector<std::int64_t> key_of(const Scene& scene, std::size_t contact) {
       }
     }
   }
-  const auto [high, low] = hash.key();
+  const auto [high, low] = hash.digest();
   return {static_cast<std::int64_t>(high), static_cast<std::int64_t>(low)};
 }
 
@@ -86,7 +86,7 @@ std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const Ste
     const bool is_there = c < scene.contacts.size();
     if (!is_there || pair.key != key_of(scene, c) ||
         pair.offset.size() != scene.table.first[c + 1] - scene.table.first[c]) {
-      trouble = base::NoAnswer{
+      trouble = base::OperationFailure{
           .kind = base::Outcome::not_solvable,
           .why = fmt::format("HISTORY=CONTINUE: the surfaces of contact {} are meshed differently "
                              "at this length, so that what slipped at the last one cannot be "

@@ -14,7 +14,7 @@ std::vector<bool> lasting_nodes(const Scene& scene) {
   std::vector<bool> lasting(mesh.node_count(), true);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     if (!scene.rest_element[e]) {
-      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
         lasting[n.index()] = false;
       }
     }

@@ -83,14 +83,14 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
   const bool space = dim == 3;
   for (const std::size_t i : lines) {
     const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
-    const model::Crack& crack = model.cracks[i];
+    const model::CrackDefinition& crack = model.cracks[i];
     model::Contact contact;
     contact.name = crack.name + ".FACES";
     contact.mu = crack_faces.half() ? 0.0 : crack.mu; // mirrored: no slip
     contact.span = crack.span;
     scene.crack_face_pairs[i] = CrackFacePair{scene.pairs.size(), sides_of(mesh, crack_faces)};
     const bool friction = contact.mu > 0.0;
-    contact.pairing = space ? model::Pairing::segment : model::Pairing::node;
+    contact.pairing = space ? model::PairingMethod::segment : model::PairingMethod::node;
     scene.pairs.push_back(space ? solid_face_pair(model, scene, i, friction)
                                 : contact::crack_face_rows(model, mesh, crack_faces, friction));
     scene.contacts.push_back(std::move(contact));

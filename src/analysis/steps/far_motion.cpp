@@ -93,7 +93,7 @@ base::Trouble far_motion(const Scene& scene, const std::vector<BodyNet>& bodies,
     if (!slides && !(far > size + too_far * motions.sound)) {
       continue;
     }
-    return base::NoAnswer{
+    return base::OperationFailure{
         .kind = base::Outcome::not_solvable,
         .why = fmt::format(
             "body {} would move as a rigid body by {:.3g} ({}), {:.2g} times the gaps and the "

@@ -198,11 +198,11 @@ std::vector<results::BodyPreview> held_modes(const model::Model& model, const Sc
   return found;
 }
 
-std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene& scene,
-                                         const std::vector<BodyNet>& bodies) {
+std::vector<base::OperationFailure> unheld_loads(const model::Model& model, const Scene& scene,
+                                                 const std::vector<BodyNet>& bodies) {
   const AllModes modes(scene, bodies);
   const base::Matrix pull = loads_with_supports(model, scene);
-  std::vector<base::NoAnswer> unheld;
+  std::vector<base::OperationFailure> unheld;
   StepFactors factors = first_factors(model, scene.case_load.cols(), scene.contacts.size());
   for (const model::Step& step : model.steps) {
     apply_actions(step, factors);

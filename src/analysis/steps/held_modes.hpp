@@ -16,7 +16,7 @@ std::vector<results::BodyPreview> held_modes(const model::Model& model, const Sc
 
 /// Loads that no contact can take, step by step, as the solution would find: of each step the
 /// first, as not_solvable. Needs no stiffness.
-std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene& scene,
-                                         const std::vector<BodyNet>& bodies);
+std::vector<base::OperationFailure> unheld_loads(const model::Model& model, const Scene& scene,
+                                                 const std::vector<BodyNet>& bodies);
 
 } // namespace spricka::analysis

@@ -15,8 +15,8 @@ namespace {
 
 bool mounts(const model::Step& step) {
   return std::ranges::any_of(step.actions, [](const model::Action& action) {
-    return std::holds_alternative<model::Mount>(action) ||
-           std::holds_alternative<model::Dismount>(action);
+    return std::holds_alternative<model::MountContact>(action) ||
+           std::holds_alternative<model::DismountContact>(action);
   });
 }
 
@@ -32,14 +32,14 @@ StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
 
 HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step,
                            const std::vector<int>& increments) {
-  const model::Spectrum& card = model.spectra[*model.growth->spectrum];
-  const model::LoadPath& path = model.load_paths[card.path];
+  const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
+  const model::LoadPathDefinition& path = model.load_paths[card.path];
   HistoryProgram program;
   program.start = path.from.index();
   program.per_unit = increments[path.to.index()];
   double highest = -1.0;
   std::size_t mark = 0;
-  for (const model::SpectrumRun& run : model::spectrum_runs(card)) {
+  for (const model::SpectrumBlock& run : model::divide_spectrum(card)) {
     LoadLeg& leg = program.legs.emplace_back(LoadLeg{{}, run.count, run.alone});
     for (const double t : run.t) {
       leg.places.push_back(
@@ -84,7 +84,7 @@ HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors
 } // namespace
 
 bool follows_history(const model::Model& model) {
-  if (!model.growth || model.growth->law == model::GrowthLaw::increment) {
+  if (!model.growth || model.growth->law == model::CrackGrowthLaw::increment) {
     return false;
   }
   return std::ranges::any_of(model.contacts, [](const auto& c) { return c.mu > 0.0; }) ||

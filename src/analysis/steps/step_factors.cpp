@@ -29,7 +29,7 @@ bool fit_is_named(const model::Model& model, base::ContactId contact) {
 }
 
 bool mount_is_named(const model::Model& model, base::ContactId contact) {
-  return names<model::Mount>(model, contact);
+  return names<model::MountContact>(model, contact);
 }
 
 StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
@@ -39,7 +39,7 @@ StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::
   factors.case_factor.head(static_cast<Eigen::Index>(model.cases.size())).setZero();
   for (std::size_t c = 0; c < contacts; ++c) {
     factors.fit.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
-    factors.mounted.push_back(!names<model::Mount>(model, base::ContactId(c)));
+    factors.mounted.push_back(!names<model::MountContact>(model, base::ContactId(c)));
   }
   return factors;
 }
@@ -62,10 +62,10 @@ MountChanges apply_actions(const model::Step& step, StepFactors& factors) {
       factors.case_factor[static_cast<Eigen::Index>(load->load_case.index())] = load->factor;
     } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
       factors.fit[fit->contact.index()] = fit->factor;
-    } else if (const auto* on = std::get_if<model::Mount>(&action)) {
+    } else if (const auto* on = std::get_if<model::MountContact>(&action)) {
       factors.mounted[on->contact.index()] = true;
       changes.mounted.push_back(on->contact.index());
-    } else if (const auto* off = std::get_if<model::Dismount>(&action)) {
+    } else if (const auto* off = std::get_if<model::DismountContact>(&action)) {
       factors.mounted[off->contact.index()] = false;
       changes.dismounted.push_back(off->contact.index());
     }

@@ -41,7 +41,7 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
   }
   const double extent = (high - low).norm();
   double softest = std::numeric_limits<double>::infinity();
-  for (const model::Property& property : model.properties) {
+  for (const model::ElementProperty& property : model.properties) {
     const double depth = mesh.dim == 2 ? property.thickness : extent;
     softest = std::min(softest, model.materials[property.material.index()].E * depth * extent);
   }
@@ -97,7 +97,7 @@ bool StepSolver::act(const model::Step& step, base::Trouble& trouble) {
   const MountChanges changes = apply_actions(step, factors_);
   for (const std::size_t contact : changes.mounted) {
     if (!mount(contact)) {
-      trouble = base::NoAnswer{
+      trouble = base::OperationFailure{
           .kind = base::Outcome::not_solvable,
           .why = fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
                              "this length, so that what it took on at the first one cannot be kept",
@@ -201,14 +201,14 @@ base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Solution& sol
   case solve::ContactStatus::solved:
     break;
   case solve::ContactStatus::unheld_mode:
-    return base::NoAnswer{.kind = base::Outcome::not_solvable,
-                          .why = unheld(s.unheld, solution.slides)};
+    return base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                  .why = unheld(s.unheld, solution.slides)};
   case solve::ContactStatus::inconsistent:
-    return base::NoAnswer{
+    return base::OperationFailure{
         .kind = base::Outcome::not_solvable,
         .why = "bonded contacts, supports and prescribed displacements contradict each other"};
   case solve::ContactStatus::max_iterations:
-    return base::NoAnswer{
+    return base::OperationFailure{
         .kind = base::Outcome::not_converged,
         .why = fmt::format("the contact solution did not end ({} iterations, {} pivots)",
                            s.block_iterations, s.pivots)};
@@ -286,7 +286,7 @@ void StepSolver::balance(StepState& state) const {
   const bool cracked = !scene_.cracked.fronts.empty() || !scene_.fronts.empty();
   std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const base::MaterialId material = model_.property_of(mesh, base::ElementId(e)).material;
+    const base::MaterialId material = model_.element_property(mesh, base::ElementId(e)).material;
     elements[cracked ? material.index() : 0].emplace_back(e);
   }
   state.energy.assign(mesh.element_count(), 0.0);
@@ -383,7 +383,7 @@ bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
   if (state.imbalance <= worst_imbalance) {
     return true;
   }
-  trouble = base::NoAnswer{
+  trouble = base::OperationFailure{
       .kind = base::Outcome::not_converged,
       .why = fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over (the "
                          "stiffness is close to singular)",

@@ -41,7 +41,7 @@ std::vector<std::size_t> smooth_parts(const std::vector<SolidFace>& faces) {
   };
   std::map<Edge3, Side> met;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const int corners = base::info(faces[f].shape).corners;
+    const int corners = base::element_info(faces[f].shape).corners;
     for (int i = 0; i < corners; ++i) {
       const int next = (i + 1) % corners;
       const base::NodeId a = faces[f].nodes[static_cast<std::size_t>(i)];

@@ -16,7 +16,7 @@ constexpr int triangle_degree = 7;
 
 } // namespace
 
-Round rigid_round(const model::Rigid& rigid) {
+Round rigid_round(const model::RigidTarget& rigid) {
   Round round;
   round.point = rigid.first;
   round.exact = true;
@@ -24,13 +24,13 @@ Round rigid_round(const model::Rigid& rigid) {
   round.radius = std::abs(rigid.radius);
   const Vec3 along = rigid.second - rigid.first;
   switch (rigid.shape) {
-  case model::RigidShape::sphere:
+  case model::RigidTargetShape::sphere:
     round.kind = RoundKind::sphere;
     return round;
-  case model::RigidShape::cylinder:
+  case model::RigidTargetShape::cylinder:
     round.kind = RoundKind::cylinder;
     break;
-  case model::RigidShape::cone:
+  case model::RigidTargetShape::cone:
     round.kind = RoundKind::cone;
     round.slope = (std::abs(rigid.second_radius) - round.radius) / along.norm();
     break;

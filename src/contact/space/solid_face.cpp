@@ -28,8 +28,8 @@ constexpr int area_degree = 7;
 
 SolidFace make_solid_face(const model::Mesh& mesh, const model::Face& face) {
   const ElementType type = mesh.type[face.element.index()];
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
-  SolidFace out{face, shape::solid_side(type, face.side), {}, {}};
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
+  SolidFace out{face, shape::solid_side_type(type, face.side), {}, {}};
   for (const int local : shape::side_nodes(type, face.side)) {
     out.nodes.push_back(nodes[static_cast<std::size_t>(local)]);
   }
@@ -54,7 +54,7 @@ FacePoint point_on(const SolidFace& face, const Vec2& r) {
 }
 
 Vec2 node_r(ElementType type, int node) {
-  return shape::reference_element<2>(type).node(node);
+  return shape::reference_element<2>(type).node_coordinates(node);
 }
 
 Vec2 centre_r(ElementType type) {
@@ -62,11 +62,11 @@ Vec2 centre_r(ElementType type) {
 }
 
 double outside(ElementType type, const Vec2& r) {
-  return shape::reference_element<2>(type).outside(r);
+  return shape::reference_element<2>(type).distance_outside(r);
 }
 
 double area_of(const SolidFace& face) {
-  const shape::Domain domain = shape::reference_element<2>(face.shape).domain;
+  const shape::ReferenceDomain domain = shape::reference_element<2>(face.shape).domain;
   double area = 0.0;
   for (const auto& [r, weight] : shape::quadrature<2>(domain, area_degree)) {
     area += weight * point_on(face, r).area_vector().norm();
@@ -88,7 +88,7 @@ std::span<const FaceTriangle> triangles_of(ElementType type) {
 }
 
 std::span<const FaceTriangle> corner_triangles_of(ElementType type) {
-  if (base::info(type).corners == 3) {
+  if (base::element_info(type).corners == 3) {
     return corners_of_triangle;
   }
   return corners_of_quadrilateral;

@@ -14,7 +14,7 @@ namespace {
 constexpr int twin_degree = 5;
 
 std::size_t corner_count(const SolidFace& face) {
-  return static_cast<std::size_t>(base::info(face.shape).corners);
+  return static_cast<std::size_t>(base::element_info(face.shape).corners);
 }
 
 // How far nodes that lie on one another may be apart by round-off, over the size of faces.

@@ -102,7 +102,7 @@ public:
     const std::set<model::Face> upper(own.left_sides.begin(), own.left_sides.end());
     const std::set<model::Face> lower(own.right_sides.begin(), own.right_sides.end());
     for (const model::Face& face : sides_) {
-      const std::span<const NodeId> nodes = mesh_.nodes_of(face.element);
+      const std::span<const NodeId> nodes = mesh_.element_nodes(face.element);
       const auto side = shape::side_nodes(mesh_.type[face.element.index()], face.side);
       if (std::any_of(side.begin(), side.end(),
                       [&](int i) { return moved.contains(nodes[static_cast<std::size_t>(i)]); })) {
@@ -252,8 +252,8 @@ private:
     for (std::size_t layer = 0; layer < static_cast<std::size_t>(rings) + 1; ++layer) {
       for (const ElementId e : layers_.elements[layer]) {
         const base::ElementType type = mesh_.type[e.index()];
-        const base::ElementInfo& info = base::info(type);
-        const std::span<const NodeId> nodes = mesh_.nodes_of(e);
+        const base::ElementInfo& info = base::element_info(type);
+        const std::span<const NodeId> nodes = mesh_.element_nodes(e);
         for (int i = 0; i < info.corners; ++i) {
           corner(nodes[static_cast<std::size_t>(i)]);
         }
@@ -349,14 +349,14 @@ private:
   [[nodiscard]] bool turns_too_much(std::size_t point, const ExtensionField& field) {
     const double least = std::cos(std::min(2.0 * turn_beside(point) + more_turn, 0.5 * pi));
     return std::ranges::any_of(field.elements, [&](ElementId e) {
-      const std::span<const NodeId> nodes = mesh_.nodes_of(e);
+      const std::span<const NodeId> nodes = mesh_.element_nodes(e);
       const Vec3 first = place_at(nodes.front()).m;
       return std::ranges::any_of(nodes, [&](NodeId n) { return place_at(n).m.dot(first) < least; });
     });
   }
   [[nodiscard]] bool comes_to_centre(const ExtensionField& field) {
     return std::ranges::any_of(field.elements, [&](ElementId e) {
-      return std::ranges::any_of(mesh_.nodes_of(e),
+      return std::ranges::any_of(mesh_.element_nodes(e),
                                  [&](NodeId n) { return place_at(n).to_centre > to_centre; });
     });
   }

@@ -93,7 +93,7 @@ public:
     }
     add_body_loads(P);
     for (std::size_t n = 0; n < nodes; ++n) {
-      FrontForces::OfNode& sum = out[set_.mesh.nodes_of(e_)[n]];
+      FrontForces::OfNode& sum = out[set_.mesh.element_nodes(e_)[n]];
       for (std::size_t k = 0; k < front_partners; ++k) {
         sum[k] += P[n][k];
       }

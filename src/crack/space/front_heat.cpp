@@ -14,11 +14,11 @@ std::optional<LinearHeat> linear_heat(const model::Mesh& mesh,
   if (temperature.size() == 0 || elements.empty()) {
     return std::nullopt;
   }
-  const base::Vec3 origin = mesh.x[mesh.nodes_of(elements.front()).front().index()];
+  const base::Vec3 origin = mesh.x[mesh.element_nodes(elements.front()).front().index()];
   const auto for_corners = [&](auto&& visit) {
     for (const base::ElementId e : elements) {
-      const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-      for (int c = 0; c < base::info(mesh.type[e.index()]).corners; ++c) {
+      const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+      for (int c = 0; c < base::element_info(mesh.type[e.index()]).corners; ++c) {
         visit(base::Vec3(mesh.x[nodes[static_cast<std::size_t>(c)].index()] - origin),
               temperature[mesh.first[e.index()] + c]);
       }

@@ -63,9 +63,9 @@ private:
       return;
     }
     const shape::Point<2> centre = own.shape.centre();
-    const shape::Point<2> r =
-        (1.0 - beside_front) * own.shape.node(static_cast<int>(at - own.nodes.begin())) +
-        beside_front * centre;
+    const shape::Point<2> r = (1.0 - beside_front) * own.shape.node_coordinates(
+                                                         static_cast<int>(at - own.nodes.begin())) +
+                              beside_front * centre;
     const Vec3 normal = fe::area_vector<2>(own.shape, own.X, centre).normalized();
     const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
     for (const ActingLoad& acting : loads.loads) {
@@ -79,7 +79,7 @@ private:
 
   [[nodiscard]] std::ptrdiff_t faces_at(FaceSide on, base::NodeId point) const {
     return std::ranges::count_if(fields_.sides, [&](const FrontSide& side) {
-      const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(side.face.element);
+      const std::span<const base::NodeId> nodes = set_.mesh.element_nodes(side.face.element);
       const auto local =
           shape::side_nodes(set_.mesh.type[side.face.element.index()], side.face.side);
       return side.on == on && std::any_of(local.begin(), local.end(), [&](int k) {
@@ -96,8 +96,8 @@ private:
     std::vector<double> sum(set_.mesh.node_count(), 0.0);
     std::vector<double> count(set_.mesh.node_count(), 0.0);
     for (const base::ElementId e : fields_.elements()) {
-      const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
-      const int corners = base::info(set_.mesh.type[e.index()]).corners;
+      const std::span<const base::NodeId> nodes = set_.mesh.element_nodes(e);
+      const int corners = base::element_info(set_.mesh.type[e.index()]).corners;
       for (int c = 0; c < corners; ++c) {
         const std::size_t n = nodes[static_cast<std::size_t>(c)].index();
         sum[n] += loads.temperature[set_.mesh.first[e.index()] + c];

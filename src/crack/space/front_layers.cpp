@@ -21,13 +21,13 @@ NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeElements& element
                       NodeId b) {
   for (const ElementId e : elements.around(a)) {
     const base::ElementType type = mesh.type[e.index()];
-    const std::span<const NodeId> nodes = mesh.nodes_of(e);
+    const std::span<const NodeId> nodes = mesh.element_nodes(e);
     for (int m = 0; m < shape::edge_count(type); ++m) {
       const auto ends = shape::edge_corners(type, m);
       const NodeId p = nodes[static_cast<std::size_t>(ends[0])];
       const NodeId q = nodes[static_cast<std::size_t>(ends[1])];
       if ((p == a && q == b) || (p == b && q == a)) {
-        const base::ElementInfo& info = base::info(type);
+        const base::ElementInfo& info = base::element_info(type);
         return info.quadratic ? nodes[static_cast<std::size_t>(info.corners + m)] : a;
       }
     }
@@ -37,7 +37,7 @@ NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeElements& element
 
 std::vector<NodeId> corners_of(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
-  const std::span<const NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const NodeId> nodes = mesh.element_nodes(face.element);
   std::vector<NodeId> corners;
   for (const int i :
        shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side))) {
@@ -102,7 +102,7 @@ FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elem
     std::ranges::sort(fresh);
     rim.clear();
     for (const ElementId e : fresh) {
-      for (const NodeId n : mesh.nodes_of(e)) {
+      for (const NodeId n : mesh.element_nodes(e)) {
         reach(n, layer);
       }
     }
@@ -123,7 +123,7 @@ std::vector<model::Face> free_sides(const model::Mesh& mesh,
   };
   std::vector<model::Face> sides;
   for (const ElementId e : elements) {
-    for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
       const model::Face face{e, s};
       const std::vector<NodeId> c = corners_of(mesh, face);
       if (index.find(c).size() != 1) {

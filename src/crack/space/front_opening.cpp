@@ -24,7 +24,7 @@ std::optional<NodeId> first_behind(const model::Mesh& mesh, const std::vector<mo
   std::optional<NodeId> found;
   for (const model::Face& face : sides) {
     const base::ElementType type = mesh.type[face.element.index()];
-    const std::span<const NodeId> nodes = mesh.nodes_of(face.element);
+    const std::span<const NodeId> nodes = mesh.element_nodes(face.element);
     const std::span<const int> side = shape::side_nodes(type, face.side);
     const std::size_t corners = shape::side_corners(type, face.side);
     const auto node = [&](std::size_t i) { return nodes[static_cast<std::size_t>(side[i])]; };

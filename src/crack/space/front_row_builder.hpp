@@ -145,7 +145,7 @@ private:
     std::vector<std::pair<std::size_t, fe::AnyNodeVectors<3>>> moved;
     for (const std::size_t i : points_of_.at(e)) {
       fe::AnyNodeVectors<3> q;
-      if (gather(i, set_.mesh.nodes_of(e), q)) {
+      if (gather(i, set_.mesh.element_nodes(e), q)) {
         moved.emplace_back(i, q);
       }
     }
@@ -176,7 +176,7 @@ private:
 
   void add_element(base::ElementId e) {
     using Values = fe::AnyNodeVectors<3>;
-    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
+    const std::span<const base::NodeId> nodes = set_.mesh.element_nodes(e);
     contract(
         e, Values(Values::Zero(3, static_cast<Eigen::Index>(nodes.size()))),
         [](std::size_t, const ElementMap& at) -> Values { return at.dNdx.transpose(); },
@@ -292,7 +292,7 @@ private:
                                            const OtherFunctions& others) const {
     const base::ElementType type = set_.mesh.type[face.element.index()];
     const fe::AnyElement<3>& element = shape_of(face.element);
-    const shape::Point<3> at = shape::place_on_solid(type, face.side, r);
+    const shape::Point<3> at = shape::side_to_solid_point(type, face.side, r);
     const fe::AnyNodeVectors<3> X = fe::coordinates(element, set_.mesh, face.element);
     const Tensor<3> J = X.lazyProduct(element.dN(at));
     const Tensor<3> inverse = J.inverse();

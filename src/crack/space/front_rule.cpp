@@ -27,7 +27,7 @@ constexpr double of_centres = 0.25;
 // and, inside a bend, from the line of its centres of curvature. Both across the front.
 double distance_by_width(const model::Mesh& mesh, base::ElementId e,
                          const mesh::FrontCurve& curve) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   Vec3 centre = Vec3::Zero();
   for (const base::NodeId n : nodes) {
     centre += mesh.x[n.index()] / static_cast<double>(nodes.size());

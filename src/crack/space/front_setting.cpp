@@ -11,7 +11,7 @@ namespace spricka::crack {
 using base::Vec3;
 
 double FrontSetting::E_effective() const {
-  return fe::effective_modulus(material, model::State::solid);
+  return fe::effective_modulus(material, model::StressState::solid);
 }
 
 double FrontSetting::factor(std::size_t partner) const {
@@ -32,8 +32,8 @@ FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& c
                            const mesh::Front& front, const FrontFields& fields) {
   // Domains stay within one material: any of their elements tells it.
   const base::ElementId near = fields.elements().front();
-  const model::Material& material = model.material_of(cracked.mesh, near);
-  const fe::Lame k = fe::lame(material, model::State::solid);
+  const model::ElasticMaterial& material = model.element_material(cracked.mesh, near);
+  const fe::Lame k = fe::lame(material, model::StressState::solid);
   // Logarithms of distances as a part of the front's length: a shift of the field of the line force
   // along m, which T does not see.
   const double unit = front.curve->length() / static_cast<double>(front.points.size());

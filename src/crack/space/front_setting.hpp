@@ -33,7 +33,7 @@ struct FrontLoads {
 struct FrontSetting {
   const model::Model& model;
   const model::Mesh& mesh;
-  const model::Material& material;
+  const model::ElasticMaterial& material;
   FrontBody body;
   FrontAxes axes;
   double halves = 1.0; ///< 2: one half of the body is in the mesh

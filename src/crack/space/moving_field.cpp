@@ -23,7 +23,7 @@ struct AngularParts {
 
 // (crack.6), (crack.7) and mode 3, their products of cosines and sines resolved.
 AngularParts near_front(std::size_t mode, const SectionPlace& at, const FrontBody& body) {
-  const double kappa = kolosov(body.nu, model::State::plane_strain);
+  const double kappa = kolosov(body.nu, model::StressState::plane_strain);
   const auto [c1, s1, c3, s3] = std::array{at.c1, at.s1, at.c3, at.s3};
   AngularParts f;
   f.amplitude = 1.0 / (2.0 * body.mu * std::sqrt(2.0 * std::numbers::pi));
@@ -46,7 +46,7 @@ AngularParts near_front(std::size_t mode, const SectionPlace& at, const FrontBod
 
 // (crack.24).
 AngularParts line_force(const SectionPlace& at, const FrontBody& body) {
-  const double kappa = kolosov(body.nu, model::State::plane_strain);
+  const double kappa = kolosov(body.nu, model::StressState::plane_strain);
   const double theta = at.theta;
   const double C = at.C * at.C - at.S * at.S; // of twice the angle
   const double S = 2.0 * at.C * at.S;

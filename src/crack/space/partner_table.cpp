@@ -13,7 +13,7 @@ namespace {
 base::Vec3 places_of(const model::Mesh& mesh, base::ElementId e) {
   base::Vec3 sum = base::Vec3::Zero();
   double weight = 1.0;
-  for (const base::NodeId n : mesh.nodes_of(e)) {
+  for (const base::NodeId n : mesh.element_nodes(e)) {
     sum += weight * mesh.x[n.index()];
     weight += std::numbers::phi;
   }
@@ -31,7 +31,8 @@ PartnerTable::PartnerTable(const FrontSetting& set, const FrontFields& fields)
   slot_.assign(elements_.back().index() - first_ + 1, 0);
   std::size_t points = 0;
   for (const base::ElementId e : elements_) {
-    const shape::Domain domain = shape::reference_element<3>(set.mesh.type[e.index()]).domain;
+    const shape::ReferenceDomain domain =
+        shape::reference_element<3>(set.mesh.type[e.index()]).domain;
     points += shape::quadrature<3>(domain, fields.degree.at(e)).size();
   }
   fields_.reserve(points);

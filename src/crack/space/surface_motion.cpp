@@ -32,7 +32,8 @@ SurfaceMotion::SurfaceMotion(const model::Mesh& mesh, const std::vector<model::F
       if (!in_the_way(node, face)) {
         continue;
       }
-      const shape::Point<2> at = (1.0 - inside) * side.shape.node(i) + inside * side.shape.centre();
+      const shape::Point<2> at =
+          (1.0 - inside) * side.shape.node_coordinates(i) + inside * side.shape.centre();
       const Vec3 n = fe::area_vector<2>(side.shape, side.X, at).normalized();
       std::vector<Vec3>& known = normals_[node];
       const auto alike = std::ranges::find_if(

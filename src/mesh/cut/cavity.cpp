@@ -51,7 +51,7 @@ public:
     while (!front.empty()) {
       const ElementId e = front.back();
       front.pop_back();
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         const auto next = host_.beyond({e, s});
         // (mesh.2), over neighbours only: elements that are near but across a slit do not come in.
         if (!next || has(*next) || !allowed(*next) || !near(*next)) {
@@ -71,7 +71,7 @@ public:
     // Over a copy, so that what is taken here brings no layer of its own. What another cavity has
     // stays with it.
     for (const ElementId e : elements()) {
-      for (const NodeId n : mesh_.nodes_of(e)) {
+      for (const NodeId n : mesh_.element_nodes(e)) {
         take_around(n);
       }
     }
@@ -191,7 +191,7 @@ private:
   [[nodiscard]] std::vector<model::Face> outline() const {
     std::vector<model::Face> result;
     for (const ElementId e : elements()) {
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         const model::Face face{e, s};
         const auto other = host_.beyond(face);
         if (!other || !has(*other)) {

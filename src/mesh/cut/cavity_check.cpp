@@ -118,7 +118,7 @@ std::optional<ElementId> foreign_element(const Host& host, const Placement& plac
   // it.
   std::set<ElementId> others;
   for (const ElementId e : cavity.elements) {
-    for (const NodeId n : mesh.nodes_of(e)) {
+    for (const NodeId n : mesh.element_nodes(e)) {
       for (const ElementId next : host.around(n)) {
         if (mesh.property[next.index()] != mesh.property[e.index()]) {
           others.insert(next);
@@ -141,7 +141,7 @@ std::optional<ElementId> foreign_element(const Host& host, const Placement& plac
 } // namespace
 
 bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,
-                  base::Span span, base::Diagnostics& diagnostics) {
+                  base::SourceSpan span, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
   if (const auto e = foreign_element(host, placement, cavity)) {
     diagnostics.error(span, "E424",
@@ -184,12 +184,12 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
     }
   }
   for (const ElementId e : cavity.elements) {
-    if (!base::info(mesh.type[e.index()]).quadratic) {
+    if (!base::element_info(mesh.type[e.index()]).quadratic) {
       diagnostics.error(span, "E426",
                         fmt::format("a crack patch needs quadratic elements round it, element {} "
                                     "is a {}",
                                     mesh.element_label[e.index()],
-                                    base::info(mesh.type[e.index()]).name),
+                                    base::element_info(mesh.type[e.index()]).name),
                         "use TRIMC6 or QUAMC8, TYPE=QUADRATIC on $IMPORT, or PATCH=NO");
       return false;
     }

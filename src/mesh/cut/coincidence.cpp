@@ -87,7 +87,7 @@ private:
 
 std::vector<NodeId> corners_of(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
-  const std::span<const NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const NodeId> nodes = mesh.element_nodes(face.element);
   const std::span<const int> local = shape::side_nodes(type, face.side);
   std::vector<NodeId> corners;
   for (const int i : local.first(shape::side_corners(type, face.side))) {
@@ -135,7 +135,7 @@ std::vector<Seam> seams(const model::Mesh& mesh, const std::vector<model::Face>&
 std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const model::Mesh& mesh) {
   double shortest = std::numeric_limits<double>::max();
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::span<const NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    const std::span<const NodeId> nodes = mesh.element_nodes(base::ElementId(e));
     const double length = (mesh.x[nodes[1].index()] - mesh.x[nodes[0].index()]).norm();
     shortest = length > 0.0 ? std::min(shortest, length) : shortest;
   }
@@ -144,8 +144,8 @@ std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const 
   std::vector<std::pair<base::ElementId, base::ElementId>> list;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId id(e);
-    const std::span<const NodeId> nodes = mesh.nodes_of(id);
-    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+    const std::span<const NodeId> nodes = mesh.element_nodes(id);
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
     // Elements on each other have one centre, which few others share: corners are compared for
     // those only.
     Vec3 middle = Vec3::Zero();
@@ -157,7 +157,7 @@ std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const 
       continue;
     }
     // elements about one centre that are not on each other: rings of an odd mesh
-    const std::span<const NodeId> others = mesh.nodes_of(at->second);
+    const std::span<const NodeId> others = mesh.element_nodes(at->second);
     const bool all = std::ranges::all_of(nodes.first(corners), [&](NodeId n) {
       return std::ranges::any_of(others, [&](NodeId o) {
         return (mesh.x[n.index()] - mesh.x[o.index()]).norm() <= same_place * shortest;

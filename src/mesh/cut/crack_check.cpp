@@ -79,7 +79,7 @@ Meeting meeting(const CrackLine& one, const CrackLine& other) {
 
 } // namespace
 
-bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::Span> spans,
+bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::SourceSpan> spans,
                      base::Diagnostics& diagnostics) {
   bool good = true;
   for (std::size_t i = 0; i < lines.size(); ++i) {

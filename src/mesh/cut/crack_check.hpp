@@ -10,7 +10,7 @@ namespace spricka::mesh {
 
 /// Whether cracks cross, touch or fold back on themselves or meet each other; errors at `span[i]`
 /// that say where.
-bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::Span> spans,
+bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::SourceSpan> spans,
                      base::Diagnostics& diagnostics);
 
 /// Room for a rosette at the tips of a crack as far as other cracks, and the crack's own earlier

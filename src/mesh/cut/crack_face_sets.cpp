@@ -20,8 +20,8 @@ bool is_open(const CrackFaces& crack_faces) {
 std::vector<bool> corners_of(const model::Mesh& mesh) {
   std::vector<bool> corner(mesh.node_count(), false);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
-    for (int i = 0; i < base::info(mesh.type[e]).corners; ++i) {
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
+    for (int i = 0; i < base::element_info(mesh.type[e]).corners; ++i) {
       corner[nodes[static_cast<std::size_t>(i)].index()] = true;
     }
   }
@@ -90,11 +90,11 @@ void CrackFaceMembership::find_sides(const model::Mesh& mesh,
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId element(e);
-    if (std::ranges::none_of(mesh.nodes_of(element),
+    if (std::ranges::none_of(mesh.element_nodes(element),
                              [&](NodeId n) { return group_of_[n.index()] >= 0; })) {
       continue;
     }
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const Edge edge = edge_of(mesh, {element, s});
       if (group_of_[edge.a.index()] >= 0 || group_of_[edge.b.index()] >= 0) {
         sides_.push_back({edge.a, edge.b, along.contains(std::minmax(edge.a, edge.b))});

@@ -32,7 +32,7 @@ std::vector<ElementId> crack_region(const Host& host, std::span<const CrackLine>
   }
   // One more layer, as a margin.
   for (const ElementId e : core) {
-    for (const NodeId n : mesh.nodes_of(e)) {
+    for (const NodeId n : mesh.element_nodes(e)) {
       for (const ElementId next : host.around(n)) {
         in[next.index()] = true;
       }

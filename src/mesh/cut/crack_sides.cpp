@@ -24,11 +24,11 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
   std::vector<std::pair<std::size_t, model::Face>> found;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId element(e);
-    if (std::ranges::count_if(mesh.nodes_of(element), [&](NodeId n) { return place.contains(n); }) <
-        2) {
+    if (std::ranges::count_if(mesh.element_nodes(element),
+                              [&](NodeId n) { return place.contains(n); }) < 2) {
       continue;
     }
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const Edge edge = edge_of(mesh, {element, s});
       const auto from = place.find(left ? edge.a : edge.b);
       const auto to = place.find(left ? edge.b : edge.a);

@@ -104,7 +104,7 @@ private:
     }
     for (std::size_t e = 0; e < host_.element_count(); ++e) {
       if (!removed[e]) {
-        add(ElementId(e), host_.type[e], host_.nodes_of(ElementId(e)), host_.element_label[e]);
+        add(ElementId(e), host_.type[e], host_.element_nodes(ElementId(e)), host_.element_label[e]);
         kept_[e] = ElementId(result_.host.size());
         result_.host.emplace_back(e);
       }
@@ -133,7 +133,7 @@ private:
       for (const PatchElement& element : g.patch.elements) {
         std::vector<NodeId> nodes;
         Vec2 centre = Vec2::Zero();
-        const auto corners = static_cast<std::size_t>(base::info(element.type).corners);
+        const auto corners = static_cast<std::size_t>(base::element_info(element.type).corners);
         for (std::size_t i = 0; i < element.nodes.size(); ++i) {
           const auto n = static_cast<std::size_t>(element.nodes[i]);
           nodes.push_back(g.node[n]);
@@ -173,7 +173,7 @@ private:
   [[nodiscard]] std::map<model::Face, std::vector<model::Face>> new_faces() const {
     std::map<std::pair<NodeId, NodeId>, model::Face> by_ends;
     for (const auto& [e, parent] : parent_) {
-      for (int s = 0; s < base::info(result_.mesh.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(result_.mesh.type[e.index()]).sides; ++s) {
         // Pieces run as the host's edge does, body on the left: the direction tells a side from
         // that of the neighbour.
         const Edge edge = edge_of(result_.mesh, {e, s});
@@ -210,7 +210,7 @@ private:
   /// Whether all nodes of the elements of a cavity are in a set.
   [[nodiscard]] bool covers(const std::vector<bool>& member, const Cavity& cavity) const {
     return std::all_of(cavity.elements.begin(), cavity.elements.end(), [&](ElementId e) {
-      const auto nodes = host_.nodes_of(e);
+      const auto nodes = host_.element_nodes(e);
       return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return member[n.index()]; });
     });
   }
@@ -241,7 +241,7 @@ private:
     for (const Graft& g : grafts_) {
       for (const ElementId e :
            covers(member, g.cavity) ? g.cavity.elements : std::vector<ElementId>()) {
-        for (const NodeId n : host_.nodes_of(e)) {
+        for (const NodeId n : host_.element_nodes(e)) {
           replaced[n.index()] = true;
         }
       }

@@ -11,7 +11,7 @@
 namespace spricka::mesh {
 
 Edge edge_of(const model::Mesh& mesh, const model::Face& face) {
-  const auto nodes = mesh.nodes_of(face.element);
+  const auto nodes = mesh.element_nodes(face.element);
   const auto local = shape::side_nodes(mesh.type[face.element.index()], face.side);
   return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])],
           local.size() == 3 ? nodes[static_cast<std::size_t>(local[2])] : base::NodeId()};
@@ -71,7 +71,7 @@ bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, d
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
                                 const CrackFrame& frame) {
   std::vector<base::Vec2> result;
-  for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
+  for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
     const Edge edge = edge_of(mesh, {e, s});
     result.push_back(frame.local(mesh.x[edge.a.index()]));
     if (edge.mid.valid()) {
@@ -89,7 +89,7 @@ Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
   assert(mesh.dim == 2);
   beyond_.assign(most_sides * mesh.element_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const model::Face face{base::ElementId(e), s};
       if (beyond_[place(face)] < 0) {
         meet(face);
@@ -109,9 +109,9 @@ Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
 void Host::meet(const model::Face& face) {
   const auto next_corner = [&](base::ElementId e, std::size_t i) {
     const std::size_t next = i + 1;
-    return next == std::size_t(base::info(mesh_.type[e.index()]).corners) ? 0 : next;
+    return next == std::size_t(base::element_info(mesh_.type[e.index()]).corners) ? 0 : next;
   };
-  const auto own = mesh_.nodes_of(face.element);
+  const auto own = mesh_.element_nodes(face.element);
   const auto s = static_cast<std::size_t>(face.side);
   const base::NodeId a = own[s];
   const base::NodeId b = own[next_corner(face.element, s)];
@@ -119,8 +119,9 @@ void Host::meet(const model::Face& face) {
     if (other == face.element) {
       continue;
     }
-    const auto nodes = mesh_.nodes_of(other);
-    const auto sides = static_cast<std::size_t>(base::info(mesh_.type[other.index()]).sides);
+    const auto nodes = mesh_.element_nodes(other);
+    const auto sides =
+        static_cast<std::size_t>(base::element_info(mesh_.type[other.index()]).sides);
     for (std::size_t k = 0; k < sides; ++k) {
       if (nodes[k] == b && nodes[next_corner(other, k)] == a) {
         beyond_[place(face)] = static_cast<std::int32_t>(other.index());

@@ -46,8 +46,8 @@ base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::Net
     if (net.valid() && mesh.element_net[i] != net) {
       continue;
     }
-    const Vec3& first = mesh.x[mesh.nodes_of(e).front().index()];
-    const double size = (mesh.x[mesh.nodes_of(e)[1].index()] - first).norm();
+    const Vec3& first = mesh.x[mesh.element_nodes(e).front().index()];
+    const double size = (mesh.x[mesh.element_nodes(e)[1].index()] - first).norm();
     // A frame at the point in sizes of the element, so that `same` is a part of the element.
     const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
     if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {

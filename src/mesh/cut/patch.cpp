@@ -55,7 +55,7 @@ std::optional<BadElement> worst_element(const Patch& patch) {
 struct Work {
   const CrackLine* line = nullptr;
   const TipMesh* tip = nullptr;
-  base::Span span;
+  base::SourceSpan span;
   std::size_t place = 0;  ///< with a patch: number of its placement,
   std::size_t graft = 0;  ///< of the graft it is in
   std::size_t member = 0; ///< and which one of that graft's cracks it is
@@ -68,7 +68,7 @@ public:
       : mesh_(host.mesh()), host_(host), diagnostics_(diagnostics) {}
 
   std::optional<CrackedMesh> insert(std::span<const CrackLine> lines, std::span<const TipMesh> tips,
-                                    std::span<const base::Span> spans) {
+                                    std::span<const base::SourceSpan> spans) {
     if (!lines_are_sound(lines, spans, diagnostics_)) {
       return std::nullopt;
     }
@@ -186,7 +186,7 @@ private:
     Graft& graft = grafts_[g];
     std::vector<PatchCrack> cracks;
     std::string names;
-    base::Span span;
+    base::SourceSpan span;
     for (const Work& work : work_) {
       if (work.tip->patch && work.graft == g) {
         // All in the frame of the patch, that of its first crack.
@@ -264,7 +264,7 @@ private:
   /// Places from one corner of a path without a patch to the next: 2 on quadratic edges.
   [[nodiscard]] std::size_t path_step(const Work& work) const {
     const auto around = host_.around(work.path[0]);
-    return base::info(mesh_.type[around.front().index()]).quadratic ? 2 : 1;
+    return base::element_info(mesh_.type[around.front().index()]).quadratic ? 2 : 1;
   }
 
   void add_tips(const Work& work) {
@@ -347,7 +347,7 @@ private:
 
 std::optional<CrackedMesh> insert_cracks(const Host& host, std::span<const CrackLine> lines,
                                          std::span<const TipMesh> tips,
-                                         std::span<const base::Span> spans,
+                                         std::span<const base::SourceSpan> spans,
                                          base::Diagnostics& diagnostics) {
   assert(lines.size() == tips.size() && lines.size() == spans.size());
   return Inserter(host, diagnostics).insert(lines, tips, spans);

@@ -16,7 +16,7 @@ namespace spricka::mesh {
 /// from the host.
 std::optional<CrackedMesh> insert_cracks(const Host& host, std::span<const CrackLine> lines,
                                          std::span<const TipMesh> tips,
-                                         std::span<const base::Span> spans,
+                                         std::span<const base::SourceSpan> spans,
                                          base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -18,15 +18,15 @@ constexpr double same_length = 1e-6;
 bool is_corner(const Host& host, NodeId n) {
   const auto around = host.around(n);
   return std::any_of(around.begin(), around.end(), [&](ElementId e) {
-    const auto nodes = host.mesh().nodes_of(e);
-    const auto corners = base::info(host.mesh().type[e.index()]).corners;
+    const auto nodes = host.mesh().element_nodes(e);
+    const auto corners = base::element_info(host.mesh().type[e.index()]).corners;
     return std::find(nodes.begin(), nodes.begin() + corners, n) != nodes.begin() + corners;
   });
 }
 
 std::optional<Edge> edge_between(const Host& host, NodeId from, NodeId to) {
   for (const ElementId e : host.around(from)) {
-    for (int s = 0; s < base::info(host.mesh().type[e.index()]).sides; ++s) {
+    for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
       const Edge edge = edge_of(host.mesh(), {e, s});
       if ((edge.a == from && edge.b == to) || (edge.a == to && edge.b == from)) {
         return edge;
@@ -49,7 +49,7 @@ double length_of(const std::vector<base::Vec3>& points) {
 bool body_on_left(const Host& host, NodeId from, NodeId to) {
   const auto around = host.around(from);
   return std::any_of(around.begin(), around.end(), [&](ElementId e) {
-    for (int s = 0; s < base::info(host.mesh().type[e.index()]).sides; ++s) {
+    for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
       const Edge edge = edge_of(host.mesh(), {e, s});
       if (edge.a == from && edge.b == to) {
         return true;
@@ -60,7 +60,8 @@ bool body_on_left(const Host& host, NodeId from, NodeId to) {
 }
 
 std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine& line,
-                                              base::Span span, base::Diagnostics& diagnostics) {
+                                              base::SourceSpan span,
+                                              base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
   const double a = length_of(line.points);
   std::vector<NodeId> corners;

@@ -12,7 +12,7 @@ namespace spricka::mesh {
 /// The nodes of a crack along element edges from the mouth to the tip, mid nodes too; errors at
 /// `span` if its PATH leaves the edges or the tip is not a corner node of it.
 std::optional<std::vector<base::NodeId>> path_nodes(const Host& host, const CrackLine& line,
-                                                    base::Span span,
+                                                    base::SourceSpan span,
                                                     base::Diagnostics& diagnostics);
 
 /// Whether the body lies on the left of a path along the boundary.

@@ -20,8 +20,8 @@ std::optional<std::size_t> path_gap(const model::Mesh& mesh,
   }
   std::vector<bool> joined(path.size(), false); // with the node before it
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const std::span<const int> side = shape::side_nodes(mesh.type[e], s);
       for (const int a : side) {
         for (const int b : side) {

@@ -95,7 +95,7 @@ std::string text(const Vec3& p) {
 
 /// Finds where the crack starts and moves its frame there.
 bool put_start(const Host& host, const CrackLine& line, Placement& result,
-               base::Diagnostics& diagnostics, base::Span span) {
+               base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3& start = line.points.front();
   const NearestMouth found = find_mouth(host, start, line.net);
   const bool mouth = found.on_boundary();
@@ -148,7 +148,7 @@ double ligament_of(const Host& host, const Placement& placement, base::NetId net
 
 /// A tip on the boundary: the whole crack may lie there.
 void report_lost_section(const Host& host, const CrackLine& line, const CrackFrame& frame,
-                         double room, base::Diagnostics& diagnostics, base::Span span) {
+                         double room, base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
   if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
     const bool path = !line.path.empty();
@@ -209,7 +209,7 @@ bool rings_follow(const TipMesh& tip) {
 }
 
 void report_steep_rings(const CrackLine& line, const TipMesh& tip, base::Diagnostics& diagnostics,
-                        base::Span span) {
+                        base::SourceSpan span) {
   int rings = tip.rings;
   while (reach_of(rings, usual_steep) * tip.size < tip.radius) {
     ++rings;
@@ -226,7 +226,7 @@ void report_steep_rings(const CrackLine& line, const TipMesh& tip, base::Diagnos
 } // namespace
 
 std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
-                               base::Span span, base::Diagnostics& diagnostics) {
+                               base::SourceSpan span, base::Diagnostics& diagnostics) {
   Placement result;
   CrackFrame& frame = result.frame;
   frame = frame_of(line);

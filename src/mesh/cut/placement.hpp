@@ -37,7 +37,7 @@ struct Placement {
 /// Puts a crack with a patch into its host. Empty, with an error at `span`, if it does not start
 /// where it should or a rosette does not fit.
 std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
-                               base::Span span, base::Diagnostics& diagnostics);
+                               base::SourceSpan span, base::Diagnostics& diagnostics);
 
 /// The same crack in another frame; unchanged in its own.
 Placement seen_from(const Placement& placement, const CrackFrame& frame);

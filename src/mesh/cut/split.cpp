@@ -38,7 +38,7 @@ public:
   void part(NodeId node, const std::set<std::pair<NodeId, NodeId>>& cut) {
     std::map<std::pair<NodeId, NodeId>, std::size_t> first; // edge -> element that has it
     for (std::size_t i = 0; i < elements_.size(); ++i) {
-      const int sides = base::info(mesh_.type[elements_[i].index()]).sides;
+      const int sides = base::element_info(mesh_.type[elements_[i].index()]).sides;
       for (int s = 0; s < sides; ++s) {
         const Edge edge = edge_of(mesh_, {elements_[i], s});
         if (edge.a != node && edge.b != node && edge.mid != node) {
@@ -105,8 +105,8 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
     on_path[n.index()] = true;
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(ElementId(e));
-    const auto count = static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+    const auto nodes = mesh.element_nodes(ElementId(e));
+    const auto count = static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (on_path[nodes[i].index()]) {
         around[nodes[i]].emplace_back(e);
@@ -165,11 +165,11 @@ double odd_middle(const model::Mesh& mesh, NodeId tip) {
     return std::min(std::abs(part - 0.25), std::abs(part - 0.5));
   };
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(ElementId(e));
+    const auto nodes = mesh.element_nodes(ElementId(e));
     if (std::find(nodes.begin(), nodes.end(), tip) == nodes.end()) {
       continue;
     }
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const Edge edge = edge_of(mesh, {ElementId(e), s});
       if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
         const base::Vec3& x = mesh.x[tip.index()];
@@ -185,11 +185,11 @@ double odd_middle(const model::Mesh& mesh, NodeId tip) {
 int move_quarter_points(model::Mesh& mesh, NodeId tip) {
   int moved = 0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(ElementId(e));
+    const auto nodes = mesh.element_nodes(ElementId(e));
     if (std::find(nodes.begin(), nodes.end(), tip) == nodes.end()) {
       continue;
     }
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const Edge edge = edge_of(mesh, {ElementId(e), s});
       if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
         const NodeId other = edge.a == tip ? edge.b : edge.a;

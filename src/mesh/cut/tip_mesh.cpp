@@ -26,8 +26,8 @@ constexpr int fewest_sectors = 6;
 
 } // namespace
 
-TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::TipNet* wishes,
-                        std::span<const CrackLine> all) {
+TipMesh choose_tip_mesh(const Host& host, const CrackLine& line,
+                        const model::TipMeshSettings* wishes, std::span<const CrackLine> all) {
   TipMesh tip;
   const double finer = wishes == nullptr ? 1.0 : wishes->finer;
   if (wishes != nullptr) {
@@ -35,7 +35,7 @@ TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::Ti
     tip.sectors = std::max(fewest_sectors, static_cast<int>(std::lround(finer * wishes->sectors)));
     tip.quarter_point = wishes->quarter_point;
     tip.patch = wishes->patch;
-    tip.transition = wishes->join == model::Join::transition;
+    tip.transition = wishes->join == model::PatchCoupling::transition;
   }
   const CrackFrame frame = frame_of(line);
   if (wishes != nullptr && wishes->radius) {

@@ -85,11 +85,12 @@ private:
       text_ += last ? "\n" : (on_line == 0 ? ",\n" : ", ");
     }
   }
-  [[nodiscard]] model::State state_of(std::size_t e) const {
+  [[nodiscard]] model::StressState state_of(std::size_t e) const {
     if (mesh_.property[e].valid()) {
       return model_.properties[mesh_.property[e].index()].state;
     }
-    return base::info(mesh_.type[e]).dim == 3 ? model::State::solid : model::State::plane_stress;
+    return base::element_info(mesh_.type[e]).dim == 3 ? model::StressState::solid
+                                                      : model::StressState::plane_stress;
   }
 
   void nodes() {
@@ -112,7 +113,7 @@ private:
         before = std::move(type);
       }
       row.assign(1, element_[e]);
-      for (const base::NodeId n : mesh_.nodes_of(base::ElementId(e))) {
+      for (const base::NodeId n : mesh_.element_nodes(base::ElementId(e))) {
         row.push_back(node_[n.index()]);
       }
       numbers(row, [](Label label) { return label; });
@@ -149,7 +150,7 @@ private:
 
   void properties() {
     std::vector<std::string> material;
-    for (const model::Material& m : model_.materials) {
+    for (const model::ElasticMaterial& m : model_.materials) {
       material.push_back(unique(m.name));
       put("*MATERIAL, NAME={}\n*ELASTIC\n{}, {}\n", material.back(), number(m.E), number(m.nu));
       if (m.rho > 0.0) {
@@ -159,10 +160,11 @@ private:
         put("*EXPANSION\n{}\n", number(m.alpha));
       }
     }
-    for (const model::Property& p : model_.properties) {
+    for (const model::ElementProperty& p : model_.properties) {
       const std::string& set = element_set_name_[static_cast<std::size_t>(p.elements.index())];
       put("*SOLID SECTION, ELSET={}, MATERIAL={}\n", set, material[p.material.index()]);
-      if (p.state == model::State::plane_stress || p.state == model::State::plane_strain) {
+      if (p.state == model::StressState::plane_stress ||
+          p.state == model::StressState::plane_strain) {
         put("{}\n", number(p.thickness));
       }
     }
@@ -219,8 +221,8 @@ private:
 std::vector<std::string> types_without_inp(const model::Mesh& mesh) {
   std::set<std::string> missing;
   for (const base::ElementType type : mesh.type) {
-    const base::ElementInfo& info = base::info(type);
-    const auto state = info.dim == 3 ? model::State::solid : model::State::plane_stress;
+    const base::ElementInfo& info = base::element_info(type);
+    const auto state = info.dim == 3 ? model::StressState::solid : model::StressState::plane_stress;
     if (to_inp(type, state).empty()) {
       missing.insert(std::string(info.name));
     }

@@ -138,7 +138,7 @@ private:
     }
     bool rest = false;
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      const auto nodes = mesh_.nodes_of(base::ElementId(e));
+      const auto nodes = mesh_.element_nodes(base::ElementId(e));
       const GmshElement& form = to_gmsh(mesh_.type[e]);
       append(
           form, nodes.size(), [&](std::size_t i) { return nodes[i]; }, cells);
@@ -179,9 +179,9 @@ private:
     for (const model::Face& face : all) {
       const base::ElementType type = mesh_.type[face.element.index()];
       const auto local = shape::side_nodes(type, face.side);
-      const auto nodes = mesh_.nodes_of(face.element);
+      const auto nodes = mesh_.element_nodes(face.element);
       const int line = local.size() == 2 ? 1 : 8; // lines have our order
-      const GmshElement form = mesh_.dim == 3 ? to_gmsh(shape::solid_side(type, face.side))
+      const GmshElement form = mesh_.dim == 3 ? to_gmsh(shape::solid_side_type(type, face.side))
                                               : GmshElement{line, type, {}};
       append(
           form, local.size(),

@@ -275,7 +275,7 @@ void generate_ring(model::Mesh& mesh, base::NetId net, const std::string& prefix
   if (spec.ri > 0.0) {
     add_annulus(lattice, spec, prefix);
   } else {
-    const int sectors = base::info(spec.type).corners == 4 ? sector_count(Turn(spec)) : 0;
+    const int sectors = base::element_info(spec.type).corners == 4 ? sector_count(Turn(spec)) : 0;
     std::vector<model::Face> outer =
         sectors > 0 ? QuadDisc(spec, sectors).build(lattice) : TriangleDisc(spec).build(lattice);
     lattice.add_face_set(prefix + "OUTER", std::move(outer));

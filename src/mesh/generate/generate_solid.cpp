@@ -20,7 +20,7 @@ using Place = Eigen::Vector3i; ///< on the lattice of corners, mid-edge and midd
 class SolidBlock {
 public:
   SolidBlock(model::Mesh& mesh, base::NetId net, const BlockSpec& spec)
-      : mesh_(mesh), net_(net), spec_(spec), info_(base::info(spec.type)),
+      : mesh_(mesh), net_(net), spec_(spec), info_(base::element_info(spec.type)),
         count_(spec.nx, spec.ny, spec.nz), lines_{graded_lines(spec.nx, spec.bias),
                                                   graded_lines(spec.ny, 1.0),
                                                   graded_lines(spec.nz, 1.0)},
@@ -184,7 +184,7 @@ private:
 
 void generate_solid_block(model::Mesh& mesh, base::NetId net, const std::string& prefix,
                           const BlockSpec& spec) {
-  assert(base::info(spec.type).dim == 3);
+  assert(base::element_info(spec.type).dim == 3);
   SolidBlock(mesh, net, spec).build(prefix);
 }
 

@@ -16,7 +16,7 @@ using base::NodeId;
 Lattice::Lattice(model::Mesh& mesh, base::NetId net, ElementType type)
     : mesh_(mesh), net_(net), type_(type), next_node_(next_node_label(mesh, net)),
       next_element_(next_element_label(mesh, net)), first_element_(mesh.element_count()) {
-  assert(base::info(type).dim == 2);
+  assert(base::element_info(type).dim == 2);
 }
 
 NodeId Lattice::node(const Point& point) {
@@ -33,7 +33,7 @@ base::ElementId Lattice::add(ElementType type, std::span<const NodeId> nodes) {
 
 base::ElementId Lattice::triangle(const std::array<NodeId, 3>& corner,
                                   const std::array<Point, 3>& mid) {
-  if (!base::info(type_).quadratic) {
+  if (!base::element_info(type_).quadratic) {
     return add(ElementType::trim3, corner);
   }
   const std::array<NodeId, 6> nodes{corner[0],    corner[1],    corner[2],
@@ -48,7 +48,7 @@ std::array<model::Face, 4> Lattice::cell(int i, int j, const Map& map) {
   for (std::size_t k = 0; k < 9; ++k) {
     p[k] = map(2 * i + place[k].first, 2 * j + place[k].second);
   }
-  const base::ElementInfo& info = base::info(type_);
+  const base::ElementInfo& info = base::element_info(type_);
   if (info.corners == 4) {
     std::array<NodeId, 9> nodes;
     const auto count = static_cast<std::size_t>(info.nodes);

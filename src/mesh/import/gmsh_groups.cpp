@@ -74,7 +74,7 @@ private:
     }
     for (const model::Face& face : found) {
       const base::ElementType type = mesh_.type[face.element.index()];
-      const auto nodes = mesh_.nodes_of(face.element);
+      const auto nodes = mesh_.element_nodes(face.element);
       const auto local =
           shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side));
       for (std::size_t c = 0; c < (numbers_.dim == 2 ? 1 : local.size()); ++c) {
@@ -114,7 +114,8 @@ private:
                  std::size_t& strange) const {
     const std::size_t count = block.tags.empty() ? 1 : block.nodes.size() / block.tags.size();
     const auto known = from_gmsh(block.type);
-    const auto corners = static_cast<std::size_t>(known ? base::info(known->type).corners : 2);
+    const auto corners =
+        static_cast<std::size_t>(known ? base::element_info(known->type).corners : 2);
     for (std::size_t e = 0; e < block.tags.size(); ++e) {
       std::vector<NodeId> key;
       for (std::size_t i = 0; i < std::min(corners, count); ++i) {
@@ -158,7 +159,7 @@ bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics
       diagnostics.error(request.span, "E332",
                         fmt::format("no physical group '{}' in {}", request.renames[i].first,
                                     request.file.filename().string()),
-                        base::suggest(request.renames[i].first, names));
+                        base::suggest_spelling(request.renames[i].first, names));
     }
   }
   return std::all_of(used.begin(), used.end(), [](bool b) { return b; });

@@ -114,7 +114,7 @@ private:
                                 block.type_name));
       return false;
     }
-    const auto count = static_cast<std::size_t>(base::info(known->type).nodes);
+    const auto count = static_cast<std::size_t>(base::element_info(known->type).nodes);
     for (std::size_t e = 0; e < block.tags.size(); ++e) {
       if (block.tags[e] > static_cast<Tag>(base::largest_label)) {
         error("E331", fmt::format("{}: element number {} has more than 18 digits", file_name(),
@@ -195,7 +195,7 @@ private:
     const Tag lowest = elements_.tag[order_.front()];
     std::vector<NodeId> nodes;
     for (const std::size_t e : order_) {
-      const base::ElementInfo& info = base::info(elements_.type[e]);
+      const base::ElementInfo& info = base::element_info(elements_.type[e]);
       nodes.clear();
       for (int i = 0; i < info.nodes; ++i) {
         nodes.push_back(
@@ -228,7 +228,7 @@ private:
     }
     const auto [at, fresh] = met_.try_emplace(hash, mesh_.element_count());
     const std::span<const NodeId> before =
-        fresh ? std::span<const NodeId>() : mesh_.nodes_of(at->second);
+        fresh ? std::span<const NodeId>() : mesh_.element_nodes(at->second);
     return std::equal(nodes.begin(), nodes.end(), before.begin(), before.end()) ? at->second
                                                                                 : ElementId();
   }

@@ -24,7 +24,7 @@ struct ImportRequest {
   std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
   SizeWish size = {};      ///< for a .geo, in its own coordinates; empty: as the script has it
-  base::Span span;         ///< the $IMPORT card
+  base::SourceSpan span;   ///< the $IMPORT card
   bool skip_loads = false; ///< of an .inp: supports, loads and steps are passed over, not refused
 };
 

@@ -8,9 +8,9 @@ namespace spricka::mesh {
 void append_physics(model::Model& model, const ImportedPhysics& physics) {
   const std::size_t first = model.materials.size();
   model.materials.insert(model.materials.end(), physics.materials.begin(), physics.materials.end());
-  for (model::Property property : physics.properties) {
+  for (model::ElementProperty property : physics.properties) {
     property.material = base::MaterialId(first + property.material.index());
-    for (const base::ElementId e : model.mesh.set(property.elements).elements) {
+    for (const base::ElementId e : model.mesh.set_with_id(property.elements).elements) {
       model.mesh.property[e.index()] = base::PropertyId(model.properties.size());
     }
     model.properties.push_back(property);

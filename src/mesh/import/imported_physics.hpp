@@ -12,10 +12,11 @@ namespace spricka::mesh {
 
 /// What an Abaqus or CalculiX input file says besides its mesh.
 struct ImportedPhysics {
-  std::vector<model::Material> materials;  ///< named as sets are, "NET.STEEL"
-  std::vector<model::Property> properties; ///< from *SOLID SECTION; material counts from 0 here
-  std::vector<model::Equation> equations;  ///< tied freedoms
-  std::vector<std::string> files;          ///< paths of the file and of those it includes
+  std::vector<model::ElasticMaterial> materials; ///< named as sets are, "NET.STEEL"
+  std::vector<model::ElementProperty>
+      properties; ///< from *SOLID SECTION; material counts from 0 here
+  std::vector<model::ConstraintEquation> equations; ///< tied freedoms
+  std::vector<std::string> files;                   ///< paths of the file and of those it includes
 };
 
 /// Puts imported materials, properties and equations behind those of a model and gives the elements

@@ -117,9 +117,9 @@ private:
 
   /// All in the plane or all in space.
   bool plane() {
-    dim_ = base::info(data_.type[0].type).dim;
+    dim_ = base::element_info(data_.type[0].type).dim;
     for (std::size_t e = 0; e < data_.type.size(); ++e) {
-      if (base::info(data_.type[e].type).dim != dim_) {
+      if (base::element_info(data_.type[e].type).dim != dim_) {
         error(data_.element_place[e], "E313", "elements of the plane and of space in one file");
         return false;
       }
@@ -172,7 +172,7 @@ private:
     for (std::size_t i = 0; i < renamed_.size(); ++i) {
       if (!renamed_[i]) {
         error({}, "E332", fmt::format("there is no set '{}'", request_.renames[i].first),
-              base::suggest(request_.renames[i].first, names));
+              base::suggest_spelling(request_.renames[i].first, names));
       }
     }
   }
@@ -241,7 +241,8 @@ private:
         elements = mesh_.element_sets[set->second].elements;
       }
       for (const ElementId e : elements) {
-        const base::ElementInfo& info = base::info(data_.type[e.index() - first_element_].type);
+        const base::ElementInfo& info =
+            base::element_info(data_.type[e.index() - first_element_].type);
         if (entry.side >= info.sides) {
           error(entry.place, "E336", fmt::format("{} has no side S{}", info.name, entry.side + 1));
           return {};

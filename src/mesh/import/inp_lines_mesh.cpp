@@ -71,7 +71,7 @@ public:
     }
     sound_ = true;
     type_ = *known;
-    count_ = static_cast<std::size_t>(base::info(type_.type).nodes);
+    count_ = static_cast<std::size_t>(base::element_info(type_.type).nodes);
     if (type_.special) {
       data_.special.try_emplace(name_, key_.place);
     }

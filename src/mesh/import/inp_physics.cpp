@@ -27,7 +27,7 @@ public:
       if (!index.try_emplace(upper(m.name), physics_.materials.size()).second) {
         words_.error(m.place, "E302", fmt::format("material {} is defined twice", m.name));
       }
-      model::Material material;
+      model::ElasticMaterial material;
       material.name = request_.prefix + set_name(m.name);
       material.E = m.E;
       material.nu = m.nu;
@@ -73,7 +73,7 @@ private:
     });
   }
   void add_equation(const InpData::Equation& from) {
-    model::Equation equation;
+    model::ConstraintEquation equation;
     equation.span = request_.span;
     for (const InpData::Equation::Term& term : from.terms) {
       const auto at = places_.nodes.find(term.node);
@@ -101,11 +101,11 @@ private:
 
   void add_property(const InpData::Section& section, base::ElementSetId set,
                     base::MaterialId material, std::vector<bool>& taken) {
-    const std::vector<ElementId>& elements = mesh_.set(set).elements;
+    const std::vector<ElementId>& elements = mesh_.set_with_id(set).elements;
     if (elements.empty()) {
       return;
     }
-    model::Property property;
+    model::ElementProperty property;
     property.elements = set;
     property.material = material;
     property.thickness = request_.scale * section.thickness;

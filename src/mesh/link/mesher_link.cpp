@@ -118,7 +118,7 @@ public:
       // Of the clock only what it waits for by itself counts: other work on the machine may keep it
       // from a processor for any time.
       const double now = process_.processor_time();
-      waited += process_.waits() ? std::max(0.0, since_look.wall() - (now - worked)) : 0.0;
+      waited += process_.waits() ? std::max(0.0, since_look.wall_time() - (now - worked)) : 0.0;
       since_look = {};
       worked = now;
       if (std::optional<MesherAnswer> late = too_late(now - used, waited)) {
@@ -229,7 +229,7 @@ MesherAnswer ask_mesher(std::string_view request) {
   // One that is started for this request has all of its time from it.
   const double used = m.process && m.process->mine() ? m.process->processor_time() : 0.0;
   MesherAnswer answer = ask(m, request);
-  MesherUse use{.begin = watch.begun(), .end = base::moment(), .cpu = {}, .peak = {}};
+  MesherUse use{.begin = watch.start_time(), .end = base::steady_seconds(), .cpu = {}, .peak = {}};
   if (m.process) {
     use.cpu = std::max(0.0, m.process->processor_time() - used);
     use.peak = m.process->peak_memory();

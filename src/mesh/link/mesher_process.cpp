@@ -258,7 +258,7 @@ bool MesherProcess::waits() const {
 }
 
 std::optional<std::size_t> MesherProcess::peak_memory() const {
-  return base::peak_memory_of(std::to_string(pid_));
+  return base::process_peak_memory(std::to_string(pid_));
 }
 
 void MesherProcess::take_printed() {

@@ -72,14 +72,15 @@ void write(ByteWriter& out, const std::vector<GmshBlock>& blocks) {
 /// The nodes of a block are as many as its elements have, and these are of the right dimension.
 bool belong_together(const GmshBlock& block, int dim) {
   const auto known = from_gmsh(block.type);
-  if (known && base::info(known->type).dim != dim) {
+  if (known && base::element_info(known->type).dim != dim) {
     return false;
   }
   if (block.tags.empty()) {
     return block.nodes.empty();
   }
   return known ? block.nodes.size() ==
-                     block.tags.size() * static_cast<std::size_t>(base::info(known->type).nodes)
+                     block.tags.size() *
+                         static_cast<std::size_t>(base::element_info(known->type).nodes)
                : block.nodes.size() % block.tags.size() == 0;
 }
 

@@ -14,7 +14,7 @@ struct FaceGrid {
   base::ElementType shape;
   int n;
 
-  [[nodiscard]] bool triangle() const { return base::info(shape).corners == 3; }
+  [[nodiscard]] bool triangle() const { return base::element_info(shape).corners == 3; }
   [[nodiscard]] int width(int j) const { return triangle() ? n - j : n; } ///< steps in row j
   [[nodiscard]] Vec2 r(int i, int j) const {
     const Vec2 part(static_cast<double>(i) / n, static_cast<double>(j) / n);

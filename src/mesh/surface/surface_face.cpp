@@ -20,8 +20,8 @@ namespace {
 
 constexpr int most_steps = 60;
 
-Vec2 into_domain(shape::Domain domain, const Vec2& r) {
-  if (domain != shape::Domain::triangle) {
+Vec2 into_domain(shape::ReferenceDomain domain, const Vec2& r) {
+  if (domain != shape::ReferenceDomain::triangle) {
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
   Vec2 in = r.cwiseMax(0.0);
@@ -84,8 +84,8 @@ double foot_on_edge(const SurfaceFace& face, int i, const Vec3& x) {
 
 SurfaceFace make_surface_face(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
-  SurfaceFace out{face, shape::solid_side(type, face.side), {}, {}};
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
+  SurfaceFace out{face, shape::solid_side_type(type, face.side), {}, {}};
   for (const int local : shape::side_nodes(type, face.side)) {
     out.nodes.push_back(nodes[static_cast<std::size_t>(local)]);
   }
@@ -108,11 +108,12 @@ SurfacePoint point_on(const SurfaceFace& face, const Vec2& r) {
 Vec2 edge_r(base::ElementType shape, int i, double t) {
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(shape);
   const int next = (i + 1) % element.corners;
-  return 0.5 * (1.0 - t) * element.node(i) + 0.5 * (1.0 + t) * element.node(next);
+  return 0.5 * (1.0 - t) * element.node_coordinates(i) +
+         0.5 * (1.0 + t) * element.node_coordinates(next);
 }
 
 double outside(base::ElementType shape, const Vec2& r) {
-  return shape::reference_element<2>(shape).outside(r);
+  return shape::reference_element<2>(shape).distance_outside(r);
 }
 
 Vec2 into_face(base::ElementType shape, const Vec2& r) {

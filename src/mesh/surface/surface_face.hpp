@@ -16,8 +16,8 @@ struct SurfaceFace {
   std::vector<base::NodeId> nodes;                     ///< corners first, round the outer normal
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9> X; ///< [3, node]
 
-  [[nodiscard]] int corners() const { return base::info(shape).corners; }
-  [[nodiscard]] bool quadratic() const { return base::info(shape).quadratic; }
+  [[nodiscard]] int corners() const { return base::element_info(shape).corners; }
+  [[nodiscard]] bool quadratic() const { return base::element_info(shape).quadratic; }
 };
 
 SurfaceFace make_surface_face(const model::Mesh& mesh, const model::Face& face);

@@ -74,7 +74,7 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
   Vec3 low = Vec3::Zero();
   Vec3 high = Vec3::Zero();
   for (const model::Face& face : boundary_faces(mesh)) {
-    if (base::info(mesh.type[face.element.index()]).dim != 3) {
+    if (base::element_info(mesh.type[face.element.index()]).dim != 3) {
       continue;
     }
     faces_.push_back(make_surface_face(mesh, face));

@@ -111,7 +111,7 @@ void SurfaceGeometry::find_edges() {
 void SurfaceGeometry::find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept) {
   sets_.resize(faces_.size());
   for (std::size_t s = 0; s < kept.size(); ++s) {
-    for (const model::Face& face : mesh.set(kept[s]).faces) {
+    for (const model::Face& face : mesh.set_with_id(kept[s]).faces) {
       const std::size_t f = index(face);
       if (f != nowhere && (sets_[f].empty() || sets_[f].back() != s)) {
         sets_[f].push_back(s);
@@ -125,7 +125,7 @@ void SurfaceGeometry::find_lines(const model::Mesh& mesh, std::span<const base::
   bare_.assign(edges_.size(), false);
   for (std::size_t s = 0; s < lines.size(); ++s) {
     std::vector<bool> member(mesh.node_count(), false);
-    for (const NodeId n : mesh.set(lines[s]).nodes) {
+    for (const NodeId n : mesh.set_with_id(lines[s]).nodes) {
       member[n.index()] = true;
       line_nodes_[n].push_back(s);
     }

@@ -21,8 +21,8 @@ BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& 
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const ElementId e = elements_[i];
     number_[e.index()] = static_cast<std::int32_t>(i);
-    model::add_element(body_, mesh.type[e.index()], mesh.nodes_of(e), mesh.element_label[e.index()],
-                       mesh.element_net[e.index()]);
+    model::add_element(body_, mesh.type[e.index()], mesh.element_nodes(e),
+                       mesh.element_label[e.index()], mesh.element_net[e.index()]);
   }
   add_face_sets(mesh, use);
   add_node_sets(mesh, use);
@@ -31,7 +31,7 @@ BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& 
   }
   for (const base::NodeSetId set : use.held) {
     lines_.emplace_back(body_.node_sets.size());
-    body_.node_sets.push_back(mesh.set(set));
+    body_.node_sets.push_back(mesh.set_with_id(set));
   }
   static_cast<void>(geometry());
 }

@@ -20,9 +20,9 @@ using base::Vec3;
 constexpr int ellipse_points = 360; // a spline through them is exact to 1e-9 of the axes
 
 // t = m x b with m outwards: clockwise, seen from where the normal points to.
-std::vector<Vec3> ellipse_front(const model::CrackPlane& plane) {
+std::vector<Vec3> ellipse_front(const model::PlanarCrack& plane) {
   std::vector<Vec3> front;
-  const Vec3 across = plane.across();
+  const Vec3 across = plane.transverse_axis();
   for (int i = 0; i < ellipse_points; ++i) {
     const double phi = -2.0 * std::numbers::pi * i / ellipse_points;
     front.emplace_back(plane.place + plane.c * std::cos(phi) * plane.along +
@@ -32,9 +32,9 @@ std::vector<Vec3> ellipse_front(const model::CrackPlane& plane) {
 }
 
 // Points as drawn, or the other way round where m would point into the crack.
-std::vector<Vec3> drawn_front(const model::Crack& crack) {
+std::vector<Vec3> drawn_front(const model::CrackDefinition& crack) {
   std::vector<Vec3> front = crack.points;
-  const model::CrackPlane& plane = crack.plane;
+  const model::PlanarCrack& plane = crack.plane;
   bool inwards = false;
   if (plane.closed) {
     Vec3 area = Vec3::Zero();
@@ -58,12 +58,12 @@ std::vector<Vec3> drawn_front(const model::Crack& crack) {
 std::vector<SolidCrack> solid_cracks(const model::Model& model) {
   std::vector<SolidCrack> cracks;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
-    const model::Crack& crack = model.cracks[i];
-    const bool gone = crack.kind == model::CrackKind::drawn && crack.points.empty();
-    if (crack.kind == model::CrackKind::front || gone) {
+    const model::CrackDefinition& crack = model.cracks[i];
+    const bool gone = crack.kind == model::CrackDefinitionKind::drawn && crack.points.empty();
+    if (crack.kind == model::CrackDefinitionKind::front || gone) {
       continue; // in the mesh already, or become a part of another one as it grew
     }
-    const bool ellipse = crack.kind == model::CrackKind::ellipse;
+    const bool ellipse = crack.kind == model::CrackDefinitionKind::ellipse;
     SolidCrack cut;
     cut.crack = base::CrackId(i);
     cut.net = crack.net;
@@ -74,19 +74,19 @@ std::vector<SolidCrack> solid_cracks(const model::Model& model) {
     }
     cut.closed = ellipse || crack.plane.closed;
     cut.name = crack.name;
-    if (!crack.wake.fronts.empty()) {
-      cut.relief = std::make_shared<const CrackRelief>(
-          CrackRelief::Fronts{crack.plane.normal, crack.wake.fronts, crack.wake.normals});
+    if (!crack.front_history.fronts.empty()) {
+      cut.relief = std::make_shared<const CrackRelief>(CrackRelief::Fronts{
+          crack.plane.normal, crack.front_history.fronts, crack.front_history.normals});
     }
     cracks.push_back(std::move(cut));
   }
   return cracks;
 }
 
-double front_angle(const model::Crack& crack, const Vec3& x) {
-  const model::CrackPlane& plane = crack.plane;
+double front_angle(const model::CrackDefinition& crack, const Vec3& x) {
+  const model::PlanarCrack& plane = crack.plane;
   const Vec3 from = x - plane.place;
-  return std::atan2(from.dot(plane.across()) / plane.a, from.dot(plane.along) / plane.c);
+  return std::atan2(from.dot(plane.transverse_axis()) / plane.a, from.dot(plane.along) / plane.c);
 }
 
 } // namespace spricka::mesh

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace spricka::model {
-struct Crack;
+struct CrackDefinition;
 }
 
 namespace spricka::mesh {
@@ -15,6 +15,6 @@ namespace spricka::mesh {
 std::vector<SolidCrack> solid_cracks(const model::Model& model);
 
 /// Parametric angle of a place on the front of an ellipse, from its axis C [rad], -pi .. pi.
-double front_angle(const model::Crack& crack, const base::Vec3& x);
+double front_angle(const model::CrackDefinition& crack, const base::Vec3& x);
 
 } // namespace spricka::mesh

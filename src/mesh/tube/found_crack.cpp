@@ -69,7 +69,7 @@ private:
       PlacedSide& side = sides_.emplace_back();
       side.face = face;
       const base::ElementType type = mesh_.type[face.element.index()];
-      const std::span<const NodeId> nodes = mesh_.nodes_of(face.element);
+      const std::span<const NodeId> nodes = mesh_.element_nodes(face.element);
       for (const int k : shape::side_nodes(type, face.side)) {
         side.nodes.push_back(nodes[static_cast<std::size_t>(k)]);
       }

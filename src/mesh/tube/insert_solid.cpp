@@ -27,7 +27,7 @@ public:
 
   std::optional<CrackedMesh> insert(std::span<const SolidCrack> cracks,
                                     std::span<const TubeMesh> tubes,
-                                    std::span<const base::Span> spans) {
+                                    std::span<const base::SourceSpan> spans) {
     bool good = true;
     tubes_.assign(tubes.begin(), tubes.end());
     why_free_.resize(cracks.size());
@@ -130,11 +130,11 @@ private:
       tubes_[i].tube = !crack;
       if (crack) {
         const std::string title = requests_[i].crack->title() + ": ";
-        const std::string& why = found.all().front().text;
+        const std::string& why = found.messages().front().text;
         why_free_[i] = why.starts_with(title) ? why.substr(title.size()) : why;
       }
     }
-    for (const base::Diagnostic& d : crack ? std::vector<base::Diagnostic>() : found.all()) {
+    for (const base::Diagnostic& d : crack ? std::vector<base::Diagnostic>() : found.messages()) {
       diagnostics_.error(d.span, d.code, d.text, d.hint);
     }
     return crack;
@@ -357,7 +357,7 @@ private:
 std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
                                                std::span<const SolidCrack> cracks,
                                                std::span<const TubeMesh> tubes,
-                                               std::span<const base::Span> spans,
+                                               std::span<const base::SourceSpan> spans,
                                                base::Diagnostics& diagnostics) {
   assert(cracks.size() == tubes.size() && cracks.size() == spans.size());
   return SolidInserter(host, diagnostics).insert(cracks, tubes, spans);
@@ -366,7 +366,7 @@ std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
 std::optional<CrackedMesh> insert_solid_cracks(const model::Mesh& host,
                                                std::span<const SolidCrack> cracks,
                                                std::span<const TubeMesh> tubes,
-                                               std::span<const base::Span> spans,
+                                               std::span<const base::SourceSpan> spans,
                                                base::Diagnostics& diagnostics) {
   return insert_solid_cracks(SolidHost(host), cracks, tubes, spans, diagnostics);
 }

@@ -73,7 +73,7 @@ Matrix join_weights(std::span<const Vec3> nodes) {
     weights.row(0) = face.N(face.centre()).transpose();
   }
   for (int corner = 0; corner < 4; ++corner) {
-    weights.row(others - 4 + corner) = face.N(0.5 * face.node(corner)).transpose();
+    weights.row(others - 4 + corner) = face.N(0.5 * face.node_coordinates(corner)).transpose();
   }
   std::vector<Vec2> x = flatten(nodes);
   for (Eigen::Index s = 0; s < others; ++s) {

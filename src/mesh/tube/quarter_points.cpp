@@ -64,7 +64,7 @@ private:
       if (front.contains(to)) {
         std::swap(from, to);
       }
-      const auto corners = static_cast<std::size_t>(base::info(element.type).corners);
+      const auto corners = static_cast<std::size_t>(base::element_info(element.type).corners);
       const int mid = element.nodes[corners + static_cast<std::size_t>(m)];
       const auto twin = upper_of_.find(mid);
       Edge& edge = edges_[twin == upper_of_.end() ? mid : twin->second];

@@ -67,7 +67,7 @@ private:
         return true;
       }
       double nearest = d.front;
-      for (const NodeId n : mesh_.nodes_of(e)) {
+      for (const NodeId n : mesh_.element_nodes(e)) {
         nearest = std::min(nearest, crack.distance(frame_.local(mesh_.x[n.index()])).front);
       }
       return edge > nearest + d.radius + same;
@@ -92,7 +92,7 @@ private:
         continue;
       }
       in_[e.index()] = true;
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         if (const auto other = host_.beyond({e, s})) {
           open.push_back(*other);
         }
@@ -113,7 +113,7 @@ private:
   void find_outline() {
     outline_.clear();
     for (const ElementId e : taken()) {
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         const auto other = host_.beyond({e, s});
         if (!other || !in_[other->index()]) {
           outline_.push_back({{e, s}, !other});
@@ -144,7 +144,7 @@ private:
       }
       bad_ = true;
       for (const ElementId e : host_.around(edge.first)) {
-        const auto nodes = mesh_.nodes_of(e);
+        const auto nodes = mesh_.element_nodes(e);
         if (std::find(nodes.begin(), nodes.end(), edge.second) != nodes.end()) {
           more = take(e) || more;
         }
@@ -182,7 +182,7 @@ private:
         const NodeId b = nodes.all[(i + 1) % nodes.corners];
         if (a == node || b == node) {
           const auto [at, fresh] = first.try_emplace(a == node ? b : a, k);
-          sets.join(at->second, k);
+          sets.join_sets(at->second, k);
         }
       }
     }
@@ -196,7 +196,7 @@ private:
   [[nodiscard]] std::vector<std::vector<CavityFace>> shells() const {
     base::DisjointSets sets(outline_.size());
     for (const auto& [edge, faces] : by_edge_) {
-      sets.join(faces[0], faces[1]);
+      sets.join_sets(faces[0], faces[1]);
     }
     std::map<std::size_t, std::vector<CavityFace>> by_root;
     for (std::size_t f = 0; f < outline_.size(); ++f) {

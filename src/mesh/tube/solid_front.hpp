@@ -39,7 +39,7 @@ struct SolidHole {
 struct SolidRequest {
   const SolidCrack* crack = nullptr;
   const TubeMesh* mesh = nullptr;
-  base::Span span;
+  base::SourceSpan span;
   base::ElementId seed{}; ///< the host's element that its front begins in
   std::vector<SolidFront> fronts = {};
   std::vector<SolidHole> holes = {};

@@ -103,8 +103,8 @@ private:
     }
     for (std::size_t e = 0; e < host_.element_count(); ++e) {
       if (!removed[e]) {
-        kept_[e] =
-            add(ElementId(e), host_.type[e], host_.nodes_of(ElementId(e)), host_.element_label[e]);
+        kept_[e] = add(ElementId(e), host_.type[e], host_.element_nodes(ElementId(e)),
+                       host_.element_label[e]);
         result_.host.emplace_back(e);
       }
     }
@@ -134,7 +134,7 @@ private:
       for (const SolidPatchElement& element : g.patch.elements) {
         std::vector<NodeId> nodes;
         Vec3 centre = Vec3::Zero();
-        const auto corners = static_cast<std::size_t>(base::info(element.type).corners);
+        const auto corners = static_cast<std::size_t>(base::element_info(element.type).corners);
         for (std::size_t i = 0; i < element.nodes.size(); ++i) {
           nodes.push_back(g.node[static_cast<std::size_t>(element.nodes[i])]);
           if (i < corners) {
@@ -204,7 +204,8 @@ private:
   /// Whether all nodes of the elements of a cavity are in a set.
   [[nodiscard]] bool covers(const std::vector<bool>& member, const SolidCavity& cavity) const {
     return std::ranges::all_of(cavity.elements, [&](ElementId e) {
-      return std::ranges::all_of(host_.nodes_of(e), [&](NodeId n) { return member[n.index()]; });
+      return std::ranges::all_of(host_.element_nodes(e),
+                                 [&](NodeId n) { return member[n.index()]; });
     });
   }
 
@@ -239,8 +240,8 @@ private:
     });
   }
 
-  template <class Join>
-  static void join_edge(const SolidGraft& g, const EdgePieces& edge, Join&& join,
+  template <class PatchCoupling>
+  static void join_edge(const SolidGraft& g, const EdgePieces& edge, PatchCoupling&& join,
                         std::vector<bool>& replaced) {
     for (const int n : edge.ends) {
       join(g.node[static_cast<std::size_t>(n)]);
@@ -299,7 +300,7 @@ private:
         if (covers(old_member, g.cavity)) {
           std::ranges::for_each(g.node, join);
           for (const ElementId e : g.cavity.elements) {
-            for (const NodeId n : host_.nodes_of(e)) {
+            for (const NodeId n : host_.element_nodes(e)) {
               replaced[n.index()] = true;
             }
           }

@@ -20,7 +20,7 @@ using base::Vec3;
 
 FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
-  const auto nodes = mesh.nodes_of(face.element);
+  const auto nodes = mesh.element_nodes(face.element);
   FaceNodes result;
   result.corners = shape::side_corners(type, face.side);
   for (const int i : shape::side_nodes(type, face.side)) {
@@ -78,7 +78,7 @@ void SolidHost::find_neighbours() {
   beyond_.assign(most_sides * mesh_.element_count(), -1);
   const SideIndex sides(mesh_);
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    for (int s = 0; s < base::info(mesh_.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh_.type[e]).sides; ++s) {
       const model::Face face{ElementId(e), s};
       const FaceNodes nodes = face_nodes(mesh_, face);
       for (const model::Face& other : sides.find(nodes.corner())) {
@@ -101,7 +101,7 @@ void SolidHost::find_parts() {
     part_[first] = members_.size();
     for (std::size_t k = 0; k < members.size(); ++k) {
       const ElementId e = members[k];
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         const auto other = beyond({e, s});
         if (other && part_[other->index()] == none &&
             mesh_.property[other->index()] == mesh_.property[first] &&
@@ -122,7 +122,7 @@ void SolidHost::find_skins() {
     std::vector<CornerPlaces> triangles;
     std::vector<CornerPlaces> between;
     for (const ElementId e : members_[p]) {
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         const auto other = beyond({e, s});
         if (!other || part(*other) != p) {
           add_triangles(mesh_, {e, s}, triangles);
@@ -147,7 +147,7 @@ const BodySurface& SolidHost::surface(ElementId e) const {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       for (const ElementId member : members_[parts[k]]) {
         elements.push_back(member);
-        for (int s = 0; s < base::info(mesh_.type[member.index()]).sides; ++s) {
+        for (int s = 0; s < base::element_info(mesh_.type[member.index()]).sides; ++s) {
           const auto other = beyond({member, s});
           if (other && !has[part(*other)]) {
             has[part(*other)] = true;
@@ -168,9 +168,9 @@ const BodySurface& SolidHost::surface(ElementId e) const {
 void SolidHost::find_extents() {
   extent_.resize(mesh_.element_count());
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    const auto nodes = mesh_.nodes_of(ElementId(e));
+    const auto nodes = mesh_.element_nodes(ElementId(e));
     Extent& extent = extent_[e];
-    const auto corners = static_cast<std::size_t>(base::info(mesh_.type[e]).corners);
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh_.type[e]).corners);
     for (const NodeId n : nodes.first(corners)) {
       extent.middle += mesh_.x[n.index()] / static_cast<double>(corners);
     }
@@ -188,12 +188,12 @@ void SolidHost::find_extents() {
 
 double outside_of(const model::Mesh& mesh, ElementId e, const Vec3& x) {
   const base::ElementType type = mesh.type[e.index()];
-  if (base::info(type).dim != 3) {
+  if (base::element_info(type).dim != 3) {
     return std::numeric_limits<double>::max();
   }
   const shape::ReferenceElement<3>& element = shape::reference_element<3>(type);
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<3>> X(3, element.nodes);
-  const auto nodes = mesh.nodes_of(e);
+  const auto nodes = mesh.element_nodes(e);
   for (int i = 0; i < element.nodes; ++i) {
     X.col(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()];
   }
@@ -210,7 +210,7 @@ double outside_of(const model::Mesh& mesh, ElementId e, const Vec3& x) {
       break;
     }
   }
-  return element.outside(r);
+  return element.distance_outside(r);
 }
 
 std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) const {

@@ -381,8 +381,8 @@ private:
       const BadElement& worst = *std::ranges::min_element(folded, {}, &BadElement::jacobian);
       patch_.trouble =
           fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", folded.size(),
-                      base::info(net_.elements[worst.element.index()].type).name, worst.at.x(),
-                      worst.at.y(), worst.at.z());
+                      base::element_info(net_.elements[worst.element.index()].type).name,
+                      worst.at.x(), worst.at.y(), worst.at.z());
     }
   }
 

@@ -144,7 +144,7 @@ private:
   /// Whether an element that stays has both nodes.
   [[nodiscard]] bool stays(NodeId a, NodeId b) const {
     return std::ranges::any_of(host_.around(a), [&](ElementId e) {
-      const auto nodes = mesh_.nodes_of(e);
+      const auto nodes = mesh_.element_nodes(e);
       return !removed_[e.index()] && std::find(nodes.begin(), nodes.end(), b) != nodes.end();
     });
   }

@@ -198,7 +198,8 @@ Reader reader_of(std::string_view word) {
   return found == families.end() ? nullptr : found->read;
 }
 
-double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
+double evaluate(const model::Model& model, const model::ResultCheck& check,
+                const results::Run& run) {
   const Reader read = reader_of(check.quantity);
   if (read == nullptr) {
     throw Missing(fmt::format("{} is not available in this version", check.quantity));
@@ -220,8 +221,8 @@ std::string bar_word(const std::string& word) {
   return one ? word.substr(0, 2) + ".BAR" + place : std::string();
 }
 
-double bar_of(const model::Model& model, const model::Check& check, const results::Run& run) {
-  model::Check asked = check;
+double bar_of(const model::Model& model, const model::ResultCheck& check, const results::Run& run) {
+  model::ResultCheck asked = check;
   asked.quantity = bar_word(check.quantity);
   if (!asked.quantity.empty() && is_available(asked.quantity)) {
     try {
@@ -234,7 +235,7 @@ double bar_of(const model::Model& model, const model::Check& check, const result
 
 } // namespace
 
-std::string check_text(const model::Check& check) {
+std::string check_text(const model::ResultCheck& check) {
   std::string text = check.quantity + "(";
   for (std::size_t i = 0; i < check.arguments.size(); ++i) {
     text += i > 0 ? "," : "";
@@ -252,7 +253,7 @@ bool is_available(std::string_view word) {
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::Run& run) {
   std::vector<results::CheckResult> all;
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     results::CheckResult result;
     result.text = check_text(check);
     result.wanted = check.value;

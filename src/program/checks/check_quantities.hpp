@@ -16,7 +16,7 @@ std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::Run& run);
 
 /// "K1.AT(C1,0,46.8,1.5,LOAD)".
-std::string check_text(const model::Check& check);
+std::string check_text(const model::ResultCheck& check);
 
 /// Whether $CHECK finds a value of that word, as it must of all that the catalogue names.
 bool is_available(std::string_view word);

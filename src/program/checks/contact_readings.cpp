@@ -21,7 +21,7 @@ constexpr double full_circle = 6.2832; // [rad] as ANGLE of $CRACK
 
 // Faces of a crack that touch nowhere are no pair: they have no pressure and no closed part.
 results::ContactResult open_faces(const model::Model& model, const std::string& contact) {
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     if (contact == crack.name + ".FACES" && crack.faces_in_contact) {
       results::ContactResult open;
       open.name = contact;
@@ -191,7 +191,7 @@ double member_of(const results::ContactResult& contact, const results::ContactQu
 PointValue value_of(const model::Model& model, const std::string& contact, bool shear) {
   const auto card = std::ranges::find(model.contacts, contact, &model::Contact::name);
   const bool consistent =
-      card != model.contacts.end() && card->recovery == model::Recovery::consistent;
+      card != model.contacts.end() && card->recovery == model::PressureRecovery::consistent;
   if (shear) {
     return consistent ? &results::ContactPoint::q_consistent : &results::ContactPoint::q_lumped;
   }

@@ -47,7 +47,7 @@ std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::strin
     if (set.name == name) {
       std::vector<base::NodeId> nodes;
       for (const base::ElementId e : set.elements) {
-        const std::span<const base::NodeId> own = mesh.nodes_of(e);
+        const std::span<const base::NodeId> own = mesh.element_nodes(e);
         nodes.insert(nodes.end(), own.begin(), own.end());
       }
       return nodes;
@@ -101,7 +101,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
     if (set.name == name) {
       for (const base::ElementId e : set.elements) {
         const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
-        for (std::size_t k = 0; k < mesh.nodes_of(e).size(); ++k) {
+        for (std::size_t k = 0; k < mesh.element_nodes(e).size(); ++k) {
           values.push_back(stress_component(stress[first + k], component));
         }
       }

@@ -23,7 +23,7 @@ struct Missing : std::runtime_error {
 /// The arguments of one check, taken from the left.
 class Arguments {
 public:
-  explicit Arguments(const model::Check& check) : check_(check) {}
+  explicit Arguments(const model::ResultCheck& check) : check_(check) {}
 
   std::string name(const char* what) {
     if (next_ >= check_.arguments.size() ||
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  const model::Check& check_;
+  const model::ResultCheck& check_;
   std::size_t next_ = 0;
 };
 

@@ -282,7 +282,7 @@ double front_quantity(const std::string& text, Arguments& args, const results::R
                                    : extreme(asked.fronts, asked.word);
 }
 
-std::optional<std::string> far_from_front(const model::Check& check, const std::string& unit,
+std::optional<std::string> far_from_front(const model::ResultCheck& check, const std::string& unit,
                                           const results::Run& run) {
   if (front_word(check.quantity).where != "AT") {
     return std::nullopt;

@@ -17,7 +17,7 @@ double front_quantity(const std::string& text, Arguments& args, const results::R
 /// What a line of $CHECK that names a place reads there, K1.AT and its like, is of the nearest
 /// place of the front: says so where that is more than a twentieth of the front's length away
 /// (W574).
-std::optional<std::string> far_from_front(const model::Check& check, const std::string& unit,
+std::optional<std::string> far_from_front(const model::ResultCheck& check, const std::string& unit,
                                           const results::Run& run);
 
 } // namespace spricka::program

@@ -24,7 +24,7 @@ namespace {
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 // The test's own rates, or the law of $GROW.
-life::GrowthLaw reference_of(const model::Model& model, const model::GrowthTest& test) {
+life::GrowthLaw reference_of(const model::Model& model, const model::GrowthTestReadings& test) {
   if (test.delta_k.empty()) {
     return analysis::law_of(*model.growth);
   }
@@ -46,8 +46,8 @@ struct AtLength {
 // Of the end of the axis that is read, the first of two; a length of an axis with two ends is half
 // of what they span.
 std::optional<AtLength> on_axis(const results::StepResult& at, const model::Model& model,
-                                const model::GrowthTest& test) {
-  const model::Crack& crack = model.cracks[test.crack.index()];
+                                const model::GrowthTestReadings& test) {
+  const model::CrackDefinition& crack = model.cracks[test.crack.index()];
   for (const results::FrontResult& front : at.fronts) {
     if (results::crack_of_front(model, front.name) != &crack || !front.doubt.empty()) {
       continue;
@@ -72,7 +72,7 @@ std::optional<AtLength> on_axis(const results::StepResult& at, const model::Mode
 
 // The tip of a crack, the first of two. Empty where its K is none.
 std::optional<AtLength> found_at(const results::Increment& increment, base::StepId step,
-                                 const model::Model& model, const model::GrowthTest& test) {
+                                 const model::Model& model, const model::GrowthTestReadings& test) {
   const results::StepResult* at = results::find_step(increment, model.steps[step.index()].name);
   if (at == nullptr) {
     return std::nullopt;
@@ -91,8 +91,9 @@ std::optional<AtLength> found_at(const results::Increment& increment, base::Step
 /// K and R of the increments between their lengths.
 class ComputedK {
 public:
-  ComputedK(const model::Model& model, const results::Run& run, const model::GrowthTest& test) {
-    const model::Growth& growth = *model.growth;
+  ComputedK(const model::Model& model, const results::Run& run,
+            const model::GrowthTestReadings& test) {
+    const model::CrackGrowthSettings& growth = *model.growth;
     std::vector<std::array<double, 4>> found; // log a, log K, R, other half axis
     for (const results::Increment& increment : run.increments) {
       const std::optional<AtLength> high = found_at(increment, growth.kmax, model, test);
@@ -169,35 +170,35 @@ private:
   std::optional<double> constant_;
 };
 
-life::RateMethod method_of(model::RateMethod method) {
+life::RateMethod method_of(model::TestRateMethod method) {
   switch (method) {
-  case model::RateMethod::secant:
+  case model::TestRateMethod::secant:
     return life::RateMethod::secant;
-  case model::RateMethod::e647:
+  case model::TestRateMethod::e647:
     return life::RateMethod::e647;
-  case model::RateMethod::spline:
+  case model::TestRateMethod::spline:
     return life::RateMethod::spline;
-  case model::RateMethod::polynomial:
+  case model::TestRateMethod::polynomial:
     break;
   }
   return life::RateMethod::polynomial;
 }
 
-std::string word_of(const model::GrowthTest& test) {
+std::string word_of(const model::GrowthTestReadings& test) {
   switch (test.method) {
-  case model::RateMethod::secant:
+  case model::TestRateMethod::secant:
     return "SECANT";
-  case model::RateMethod::e647:
+  case model::TestRateMethod::e647:
     return fmt::format("E647, {} readings", test.window);
-  case model::RateMethod::spline:
+  case model::TestRateMethod::spline:
     return "SPLINE";
-  case model::RateMethod::polynomial:
+  case model::TestRateMethod::polynomial:
     break;
   }
   return fmt::format("POLYNOMIAL, {} readings", test.window);
 }
 
-std::string reference_words(const model::Model& model, const model::GrowthTest& test) {
+std::string reference_words(const model::Model& model, const model::GrowthTestReadings& test) {
   constexpr std::array names{"", "Paris", "Walker", "Forman", "NASGRO", "table"};
   return test.delta_k.empty()
              ? fmt::format("{} law of $GROW", names[static_cast<std::size_t>(model.growth->law)])
@@ -257,7 +258,7 @@ void add_notes(results::GrowthTest& test) {
 }
 
 // Where both half axes were read, K is of the shape that was computed.
-void compare_shapes(const ComputedK& computed, const model::GrowthTest& card,
+void compare_shapes(const ComputedK& computed, const model::GrowthTestReadings& card,
                     results::GrowthTest& test) {
   constexpr double alike = 0.05;
   double most = 0.0;
@@ -279,7 +280,7 @@ void compare_shapes(const ComputedK& computed, const model::GrowthTest& card,
 }
 
 results::GrowthTest invert(const model::Model& model, const results::Run& run,
-                           const model::GrowthTest& card) {
+                           const model::GrowthTestReadings& card) {
   const ComputedK computed(model, run, card);
   results::GrowthTest test;
   test.name = card.name;
@@ -329,7 +330,7 @@ const results::GrowthTest& test_of(const results::Run& run, const std::string& n
 
 std::vector<results::GrowthTest> invert_tests(const model::Model& model, const results::Run& run) {
   std::vector<results::GrowthTest> tests;
-  for (const model::GrowthTest& card : model.tests) {
+  for (const model::GrowthTestReadings& card : model.tests) {
     tests.push_back(invert(model, run, card));
   }
   return tests;

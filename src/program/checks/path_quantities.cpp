@@ -50,7 +50,7 @@ double at_place(const std::string& quantity, Arguments& args, const results::Run
   const results::PathTip& tip = tip_of(path, tip_name);
   refuse_closed(tip.K1(t), tip.K2(t));
   if (quantity == "PATH.SLOPE") {
-    std::size_t s = tip.K1.segment(t);
+    std::size_t s = tip.K1.find_segment(t);
     s += s + 1 < tip.K1.segments() && tip.K1.knots()[s + 1] <= t ? 1 : 0;
     return tip.K1.slope(s);
   }

@@ -37,7 +37,7 @@ constexpr double rate_seconds = 0.02; // long enough for a clock, short enough f
 
 // DA bounds how far the fastest tip goes between two stations, AMAX where the first one ends.
 double stations_at_least(const model::Model& model, const std::vector<mesh::CrackLine>& lines) {
-  const model::Growth& growth = *model.growth;
+  const model::CrackGrowthSettings& growth = *model.growth;
   if (!growth.largest_advance || !growth.last_length) {
     return 1.0;
   }
@@ -109,7 +109,7 @@ public:
       if (!length) {
         return;
       }
-      const double scene_cpu = watch.cpu();
+      const double scene_cpu = watch.cpu_time();
       length->prepare();
       const analysis::Scene& scene = length->scene();
       if (i == 0) {
@@ -125,9 +125,9 @@ public:
   }
 
   results::Preview preview;
-  base::Diagnostics diagnostics;      ///< mistakes of cards
-  std::vector<base::NoAnswer> unheld; ///< what the whole model shows
-  double stations = 1.0;              ///< that a growth by a law takes at least
+  base::Diagnostics diagnostics;              ///< mistakes of cards
+  std::vector<base::OperationFailure> unheld; ///< what the whole model shows
+  double stations = 1.0;                      ///< that a growth by a law takes at least
 
 private:
   // What does not change from length to length, or hardly: seen once.
@@ -149,9 +149,9 @@ private:
   int threads_;
 };
 
-base::Outcome verdict(const base::Sources& sources, const Previewer& found, const Log& log) {
+base::Outcome verdict(const base::SourceTexts& sources, const Previewer& found, const Log& log) {
   base::Diagnostics all = found.diagnostics;
-  for (const base::NoAnswer& load : found.unheld) {
+  for (const base::OperationFailure& load : found.unheld) {
     all.error(load.span, "E510", load.why, remedy_of(load));
   }
   log.diagnostics(sources, all);
@@ -176,7 +176,7 @@ base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, con
     }
     const ReadyDeck point = read_ready(
         options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &told);
-    for (const base::Diagnostic& d : point.diagnostics.all()) {
+    for (const base::Diagnostic& d : point.diagnostics.messages()) {
       told.warning(d.span, d.code, d.text); // of whatever severity
     }
     base::Outcome outcome = point.refusal.kind;
@@ -211,7 +211,7 @@ void add_late_contacts(const model::Model& model, results::Preview& preview) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const auto mounts = [&](const model::Step& step) {
       return std::ranges::any_of(step.actions, [&](const model::Action& action) {
-        const auto* on = std::get_if<model::Mount>(&action);
+        const auto* on = std::get_if<model::MountContact>(&action);
         return on != nullptr && on->contact == base::ContactId(c);
       });
     };
@@ -245,7 +245,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
     std::vector<std::string>& notes = preview.lengths.front().notes;
     notes.insert(notes.begin(), deck.flaws.begin(), deck.flaws.end());
   }
-  for (const base::Diagnostic* d : base::in_order(deck.diagnostics)) {
+  for (const base::Diagnostic* d : base::messages_by_severity(deck.diagnostics)) {
     if (d->severity == base::Severity::warning) {
       preview.warnings.push_back(d->text);
     }

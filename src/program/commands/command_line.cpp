@@ -46,7 +46,7 @@ std::vector<std::string> command_names(CLI::App& app) {
 }
 
 // What was not understood, and what was probably meant.
-base::NoAnswer explain(CommandTree& tree, const CLI::ParseError& error) {
+base::OperationFailure explain(CommandTree& tree, const CLI::ParseError& error) {
   const CLI::App* command = tree.chosen();
   const CLI::App& place = command != nullptr ? *command : tree.app();
   const std::vector<std::string> extras = place.remaining();
@@ -54,7 +54,7 @@ base::NoAnswer explain(CommandTree& tree, const CLI::ParseError& error) {
   if (option != extras.end()) {
     const std::string name = option->substr(0, option->find('='));
     return misuse(fmt::format("there is no option {}", name),
-                  base::suggest(name, option_names(place)));
+                  base::suggest_spelling(name, option_names(place)));
   }
   if (command == nullptr && !extras.empty() && extras.front().ends_with(".deck")) {
     return misuse("a command is missing",
@@ -62,7 +62,7 @@ base::NoAnswer explain(CommandTree& tree, const CLI::ParseError& error) {
   }
   if (command == nullptr && !extras.empty()) {
     return misuse(fmt::format("there is no command '{}'", extras.front()),
-                  base::suggest(extras.front(), command_names(tree.app())));
+                  base::suggest_spelling(extras.front(), command_names(tree.app())));
   }
   if (command == nullptr) {
     return misuse("a command is missing",
@@ -75,7 +75,7 @@ base::NoAnswer explain(CommandTree& tree, const CLI::ParseError& error) {
 }
 
 base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
-  const base::NoAnswer answer = explain(tree, error);
+  const base::OperationFailure answer = explain(tree, error);
   const std::string called =
       tree.chosen() == nullptr ? "spricka" : fmt::format("spricka {}", tree.chosen()->get_name());
   to_stderr(fmt::format("{}: {}\n", called, answer.why));

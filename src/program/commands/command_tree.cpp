@@ -41,7 +41,7 @@ void add_define(const std::string& text, RunOptions& options) {
 CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](const std::string& given) {
             const bool known = std::find(words.begin(), words.end(), given) != words.end();
-            const std::string hint = base::suggest(given, words);
+            const std::string hint = base::suggest_spelling(given, words);
             return known ? std::string() : fmt::format("not '{}'; {}", given, hint);
           },
           ""};

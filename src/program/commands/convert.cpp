@@ -72,11 +72,11 @@ model::Mesh with_face_nodes(const model::Mesh& mesh) {
 }
 
 /// Throws FileTrouble when the file to be written is one that was read.
-void refuse_to_replace_input(const ConvertOptions& options, const base::Sources& sources,
+void refuse_to_replace_input(const ConvertOptions& options, const base::SourceTexts& sources,
                              const model::Model& model) {
   std::vector<std::filesystem::path> read{options.in};
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    read.emplace_back(sources.name(f));
+    read.emplace_back(sources.file_name(f));
   }
   read.insert(read.end(), model.imported_files.begin(), model.imported_files.end());
   for (const std::filesystem::path& file : read) {
@@ -101,7 +101,7 @@ void refuse_to_replace_output(const ConvertOptions& options) {
   }
 }
 
-base::Outcome write(const ConvertOptions& options, const base::Sources& sources,
+base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sources,
                     const model::Model& model, const Log& log) {
   const std::string kind = extension(options.out);
   if (kind == ".msh") {
@@ -142,7 +142,7 @@ base::Outcome convert(const ConvertOptions& options) {
                   fmt::format("there is no file '{}'", options.in.string()));
       return base::Outcome::file_trouble;
     }
-    base::Sources sources;
+    base::SourceTexts sources;
     base::Diagnostics diagnostics;
     std::optional<model::Model> model;
     if (is_mesh_file(options.in)) {

@@ -48,11 +48,11 @@ void replace(const fs::path& path, const std::string& text) {
 }
 
 base::Outcome format(const FormatOptions& options, const Log& log) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const bool standard_input = options.deck == "-";
   const std::int32_t file =
-      sources.add(standard_input ? "<stdin>" : options.deck.string(), read_text(options.deck));
+      sources.add_text(standard_input ? "<stdin>" : options.deck.string(), read_text(options.deck));
   const auto formatted = grammar::format_deck(sources, file, diagnostics);
   log.diagnostics(sources, diagnostics);
   if (!formatted) {

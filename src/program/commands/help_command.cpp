@@ -31,8 +31,9 @@ std::string overview(std::size_t width) {
 
 // What a warning says of the results.
 std::string kind_of(const ErrorCode& code) {
-  return code.code.starts_with('W') ? std::string(base::word_of(base::doubt_of(code.code)))
-                                    : std::string();
+  return code.code.starts_with('W')
+             ? std::string(base::display_word(base::warning_concern(code.code)))
+             : std::string();
 }
 
 std::string code_help(const ErrorCode& code, std::size_t width) {
@@ -160,7 +161,7 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
     const auto names = grammar::names_of(word);
     known.insert(known.end(), names.begin(), names.end());
   }
-  return base::suggest(topic, known);
+  return base::suggest_spelling(topic, known);
 }
 
 } // namespace

@@ -363,7 +363,7 @@ private:
 
 std::vector<PointValues> sweep_points(const model::Model& model) {
   std::vector<PointValues> points{{}};
-  for (const model::Sweep& card : model.sweeps) {
+  for (const model::ParameterSweep& card : model.sweeps) {
     std::vector<PointValues> more;
     for (const PointValues& point : points) {
       for (const std::vector<double>& row : card.values) {

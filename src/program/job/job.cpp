@@ -70,7 +70,7 @@ void add_warnings(const model::Model& model, const results::Run& run, base::Diag
   for (sense::EndWarning& warning : sense::end_warnings(model, run)) {
     list.warning({}, std::string(warning.code), std::move(warning.text));
   }
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     if (const auto far = far_from_front(check, model.units.length_name, run)) {
       list.warning({}, "W574", fmt::format("{}: {}", check_text(check), *far));
     }
@@ -82,14 +82,14 @@ std::vector<results::Warning> all_warnings(const base::Diagnostics& reading,
                                            const base::Diagnostics& solving) {
   base::Diagnostics all;
   for (const base::Diagnostics* list : {&reading, &solving}) {
-    for (const base::Diagnostic& d : list->all()) {
+    for (const base::Diagnostic& d : list->messages()) {
       if (d.severity == base::Severity::warning) {
         all.warning(d.span, d.code, d.text);
       }
     }
   }
   std::vector<results::Warning> warnings;
-  for (const base::Diagnostic* d : base::in_order(all)) {
+  for (const base::Diagnostic* d : base::messages_by_severity(all)) {
     warnings.push_back({d->code, d->text});
   }
   return warnings;
@@ -128,8 +128,8 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     solve.found = [&](const results::Increment& increment) { so_far.take(increment); };
     std::optional<results::Run> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
-      trouble =
-          base::NoAnswer{.kind = base::Outcome::deck_error, .why = first_error(deck.sources, own)};
+      trouble = base::OperationFailure{.kind = base::Outcome::deck_error,
+                                       .why = first_error(deck.sources, own)};
     }
     // A later round that fails leaves the answer of the one before: what it says of itself is not
     // told.
@@ -166,7 +166,7 @@ std::string missed_tolerance(const Solved& solved) {
 }
 
 // Mistakes of the deck are told already.
-void tell_of(const base::NoAnswer& answer, base::Diagnostics& diagnostics) {
+void tell_of(const base::OperationFailure& answer, base::Diagnostics& diagnostics) {
   if (answer.kind == base::Outcome::deck_error) {
     return;
   }
@@ -194,7 +194,7 @@ RunOutcome judged(const Solved& solved, const results::Run& run, const Log& log)
 }
 
 // What the run has cost goes into its folder beside the results.
-std::string write_profile(const RunOptions& options, const base::Sources& sources,
+std::string write_profile(const RunOptions& options, const base::SourceTexts& sources,
                           const model::Model& model, RunFolder& folder) {
   if (!options.recorder) {
     return {};

@@ -23,15 +23,16 @@ void write_record(const Json& record) {
   to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Json record_of(const base::Sources& sources, base::SourceIndex& places, const base::Diagnostic& d) {
+Json record_of(const base::SourceTexts& sources, base::SourceIndex& places,
+               const base::Diagnostic& d) {
   Json record;
   record["type"] = "diagnostic";
-  record["severity"] = base::word_of(d.severity);
+  record["severity"] = base::display_word(d.severity);
   record["code"] = d.code;
   if (d.span.valid()) {
-    const base::Location begin = places.locate(d.span.file, d.span.begin);
-    const base::Location end = places.locate(d.span.file, d.span.end);
-    record["file"] = sources.name(d.span.file);
+    const base::SourceLocation begin = places.locate(d.span.file, d.span.begin);
+    const base::SourceLocation end = places.locate(d.span.file, d.span.end);
+    record["file"] = sources.file_name(d.span.file);
     record["line"] = begin.line;
     record["column"] = begin.column;
     record["end_line"] = end.line;
@@ -48,13 +49,14 @@ Json record_of(const base::Sources& sources, base::SourceIndex& places, const ba
 
 Log::Log(LogFormat format) : format_(format), colour_(colour_of_messages()) {}
 
-void Log::diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) const {
+void Log::diagnostics(const base::SourceTexts& sources,
+                      const base::Diagnostics& diagnostics) const {
   if (format_ == LogFormat::text) {
-    to_stderr(base::format(sources, diagnostics, colour_));
+    to_stderr(base::format_messages(sources, diagnostics, colour_));
     return;
   }
   base::SourceIndex places(sources);
-  for (const base::Diagnostic* d : base::in_order(diagnostics)) {
+  for (const base::Diagnostic* d : base::messages_by_severity(diagnostics)) {
     write_record(record_of(sources, places, *d));
   }
 }
@@ -68,10 +70,10 @@ void Log::message(base::Severity severity, std::string_view code, std::string_vi
                                                            : &base::Diagnostics::note;
     (one.*add)({}, std::string(code), std::string(text), {});
     to_stderr(fmt::format("{}{}{}", base::printable(file), file.empty() ? "" : ": ",
-                          base::format({}, one, colour_)));
+                          base::format_messages({}, one, colour_)));
     return;
   }
-  Json record{{"type", "diagnostic"}, {"severity", base::word_of(severity)}, {"code", code}};
+  Json record{{"type", "diagnostic"}, {"severity", base::display_word(severity)}, {"code", code}};
   if (!file.empty()) {
     record["file"] = file;
   }

@@ -18,7 +18,7 @@ public:
   explicit Log(LogFormat format);
 
   /// Text: with source line and carets, at most 20 errors. JSON: all of them.
-  void diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) const;
+  void diagnostics(const base::SourceTexts& sources, const base::Diagnostics& diagnostics) const;
   /// A message without a place in a deck; `file` may be empty.
   void message(base::Severity severity, std::string_view code, std::string_view text,
                std::string_view file = {}) const;
@@ -26,7 +26,7 @@ public:
 
 private:
   LogFormat format_;
-  base::Colour colour_;
+  base::MessageColour colour_;
 };
 
 } // namespace spricka::program

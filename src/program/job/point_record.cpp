@@ -41,7 +41,8 @@ std::vector<SweepCell> cells_from(const json& list) {
 
 // Empty: it ends with a number that no outcome has.
 std::optional<SweepPoint> point_from(const json& record) {
-  const std::optional<base::Outcome> outcome = base::outcome_of(record.at("exit_code").get<int>());
+  const std::optional<base::Outcome> outcome =
+      base::exit_outcome(record.at("exit_code").get<int>());
   if (!outcome) {
     return std::nullopt;
   }

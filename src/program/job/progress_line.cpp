@@ -97,7 +97,7 @@ void ProgressLine::show(const std::string& text) {
 }
 
 void ProgressLine::tell(const analysis::Progress& progress) {
-  const double now = watch_.wall();
+  const double now = watch_.wall_time();
   left_.take(progress, now);
   open_end_ = progress.increments > 0 ? progress.open_end : open_end_;
   const std::optional<double> left = left_.seconds(now);

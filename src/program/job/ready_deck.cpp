@@ -27,7 +27,7 @@ base::Diagnostics unavailable(const model::Model& model) {
       list.error(output.span, "E500", "FORMAT=JSON is not available in this version");
     }
   }
-  for (const model::Unavailable& u : model.unavailable) {
+  for (const model::UnavailableAnalysis& u : model.unavailable) {
     list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
   }
   return list;
@@ -49,11 +49,11 @@ void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
       continue;
     }
     told[p] = true;
-    const model::Material& material = model.materials[model.properties[p].material.index()];
+    const model::ElasticMaterial& material = model.materials[model.properties[p].material.index()];
     list.warning(material.span, "W501",
                  fmt::format("material {}: nu = {:.6g} is nearly incompressible and {} elements "
                              "lock; results may be far off",
-                             material.name, material.nu, base::info(type).name),
+                             material.name, material.nu, base::element_info(type).name),
                  "use quadratic elements or quadrilaterals and hexahedra");
   }
 }
@@ -64,8 +64,8 @@ base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics
     return list;
   }
   base::Diagnostics news;
-  for (const base::Diagnostic& d : list.all()) {
-    const bool old = std::ranges::any_of(told->all(), [&](const base::Diagnostic& t) {
+  for (const base::Diagnostic& d : list.messages()) {
+    const bool old = std::ranges::any_of(told->messages(), [&](const base::Diagnostic& t) {
       return t.code == d.code && t.span.file == d.span.file && t.span.begin == d.span.begin &&
              t.text == d.text;
     });
@@ -82,23 +82,23 @@ base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics
 
 } // namespace
 
-std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics) {
-  for (const base::Diagnostic& d : diagnostics.all()) {
+std::string first_error(const base::SourceTexts& sources, const base::Diagnostics& diagnostics) {
+  for (const base::Diagnostic& d : diagnostics.messages()) {
     if (d.severity != base::Severity::error) {
       continue;
     }
     if (!d.span.valid()) {
       return fmt::format("{}: {}", d.code, d.text);
     }
-    const base::Location at = sources.locate(d.span.file, d.span.begin);
-    return fmt::format("{}:{}:{}: {}: {}", sources.name(d.span.file), at.line, at.column, d.code,
-                       d.text);
+    const base::SourceLocation at = sources.locate(d.span.file, d.span.begin);
+    return fmt::format("{}:{}:{}: {}: {}", sources.file_name(d.span.file), at.line, at.column,
+                       d.code, d.text);
   }
   return {};
 }
 
-RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, base::Outcome kind,
-                   const Log& log, const base::Diagnostics* told) {
+RunOutcome refused(const base::SourceTexts& sources, const base::Diagnostics& list,
+                   base::Outcome kind, const Log& log, const base::Diagnostics* told) {
   log.diagnostics(sources, news_of(list, told));
   return {kind, first_error(sources, list), {}};
 }

@@ -25,7 +25,7 @@ struct RunOutcome {
 
 /// A deck that has been read: fit to be solved (model) or refused.
 struct ReadyDeck {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;          ///< of reading
   deck::ReadOptions options;              ///< as it was read
   std::vector<deck::ScriptTable> scripts; ///< the constants of geometry scripts
@@ -45,10 +45,10 @@ ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptio
 
 /// What is wrong goes to the log, but for what was `told` before of the same place, and the first
 /// error into the outcome.
-RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, base::Outcome kind,
-                   const Log& log, const base::Diagnostics* told = nullptr);
+RunOutcome refused(const base::SourceTexts& sources, const base::Diagnostics& list,
+                   base::Outcome kind, const Log& log, const base::Diagnostics* told = nullptr);
 
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
-std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics);
+std::string first_error(const base::SourceTexts& sources, const base::Diagnostics& diagnostics);
 
 } // namespace spricka::program

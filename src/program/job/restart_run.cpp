@@ -23,7 +23,7 @@ bool is_there_or_kept(const fs::path& file) {
   return fs::exists(file, unknown) || fs::exists(before, unknown);
 }
 
-archive::CheckpointPlace place_of(const RunOptions& options, const model::Restart& card,
+archive::CheckpointPlace place_of(const RunOptions& options, const model::RestartFiles& card,
                                   const fs::path& folder) {
   const fs::path beside = folder.empty() ? options.deck.parent_path() : folder;
   archive::CheckpointPlace place;
@@ -79,7 +79,7 @@ void refuse_state_in_folder(const RunOptions& options, const model::Model& model
 OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
                                const fs::path& folder, const Log& log) {
   OpenCheckpoint out;
-  const std::optional<model::Restart>& card = deck.model->restart;
+  const std::optional<model::RestartFiles>& card = deck.model->restart;
   if (!card) {
     return out;
   }

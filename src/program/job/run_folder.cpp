@@ -86,7 +86,7 @@ void exchange(const fs::path& part, const fs::path& folder) {
   if (errno != EINVAL && errno != ENOSYS) {
     throw trouble_with(folder);
   }
-  const fs::path old = base::free_part(folder); // a file system that cannot do it in one
+  const fs::path old = base::unused_part_path(folder); // a file system that cannot do it in one
   if (!rename_to_free(folder, old) || !rename_to_free(part, folder) || !rename_to_free(old, part)) {
     throw trouble_with(folder);
   }
@@ -236,13 +236,13 @@ std::optional<fs::path> RunFolder::leave_k() {
     return std::nullopt;
   }
   archive::write_mark(part_, {archive::FolderKind::run, {k_table_name}});
-  base::write_whole(part_ / k_table_name, *table);
+  base::write_atomically(part_ / k_table_name, *table);
   done_ = true;
   return part_ / k_table_name;
 }
 
-void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run,
-                      const std::vector<results::ScriptConstant>& scripts) {
+void RunFolder::write(const base::SourceTexts& sources, const model::Model& model,
+                      results::Run& run, const std::vector<results::ScriptConstant>& scripts) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::Run&);
   constexpr std::array<std::pair<const char*, Table>, 9> tables{
@@ -266,9 +266,9 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
       [&](const fs::path& file) { archive::write_results_file(file, sources, model, run); });
   const std::vector<results::LoadTotal> totals = sense::load_totals(model);
   keep("report.html", report::html_report(sources, model, run, totals));
-  run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
-  run.cpu += watch.cpu();
-  run.wall += watch.wall();
+  run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu_time(), watch.wall_time()});
+  run.cpu += watch.cpu_time();
+  run.wall += watch.wall_time();
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
   keep(listing_name,
@@ -286,7 +286,7 @@ std::uintmax_t RunFolder::written() const {
 }
 
 void RunFolder::keep(const std::string& name, const std::string& text) {
-  put(name, [&](const fs::path& file) { base::write_whole(file, text); });
+  put(name, [&](const fs::path& file) { base::write_atomically(file, text); });
 }
 
 // Files that no run wrote keep their names, or where a result has that name now, get one more word.

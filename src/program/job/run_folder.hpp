@@ -45,7 +45,7 @@ public:
 
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
-  void write(const base::Sources& sources, const model::Model& model, results::Run& run,
+  void write(const base::SourceTexts& sources, const model::Model& model, results::Run& run,
              const std::vector<results::ScriptConstant>& scripts);
   /// Writes k.csv of what is found so far into FOLDER.part, where it can be read while the run goes
   /// on; write() replaces it. From one thread.

@@ -126,8 +126,8 @@ std::string case_that_grew(const model::Model& given, const model::Model& finer)
     for (std::size_t l = 0; l < given.cases[c].loads.size(); ++l) {
       const model::Load& load = given.cases[c].loads[l];
       if (load.type == model::LoadType::force &&
-          given.mesh.set(load.nodes).nodes.size() !=
-              finer.mesh.set(finer.cases[c].loads[l].nodes).nodes.size()) {
+          given.mesh.set_with_id(load.nodes).nodes.size() !=
+              finer.mesh.set_with_id(finer.cases[c].loads[l].nodes).nodes.size()) {
         return given.cases[c].name;
       }
     }
@@ -157,7 +157,7 @@ std::string why_not_next(const Models& models, double patch_growth,
 
 bool wants_tolerance(const model::Model& model) {
   return std::any_of(model.tip_nets.begin(), model.tip_nets.end(),
-                     [](const model::TipNet& tip) { return tip.tolerance.has_value(); });
+                     [](const model::TipMeshSettings& tip) { return tip.tolerance.has_value(); });
 }
 
 ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer,
@@ -180,7 +180,7 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
     const model::Model& model = out.deck ? *out.deck->model : *deck.model;
     results::ToleranceRound& round = rounds.emplace_back(look_at(model, *out.run, out.why_not));
     round.number = number;
-    round.cpu = watch.cpu();
+    round.cpu = watch.cpu_time();
     if (!out.why_not.empty() || round.bar <= round.wanted) {
       break;
     }

@@ -19,10 +19,10 @@ std::string_view environment(const char* name) {
 
 } // namespace
 
-base::Colour colour_of_messages() {
+base::MessageColour colour_of_messages() {
   const bool plain = isatty(STDERR_FILENO) == 0 || !environment("NO_COLOR").empty() ||
                      environment("TERM") == "dumb";
-  return plain ? base::Colour::none : base::Colour::terminal;
+  return plain ? base::MessageColour::none : base::MessageColour::terminal;
 }
 
 std::size_t columns_of_text() {

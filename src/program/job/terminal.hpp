@@ -8,7 +8,7 @@ namespace spricka::program {
 
 /// Whether messages may be coloured: stderr is a terminal that is not dumb, and NO_COLOR (see
 /// no-color.org) is unset or empty.
-base::Colour colour_of_messages();
+base::MessageColour colour_of_messages();
 
 /// Columns of text on stdout: those of the terminal, at most 110; 100 where it is none.
 std::size_t columns_of_text();

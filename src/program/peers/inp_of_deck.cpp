@@ -21,7 +21,7 @@ namespace {
 
 /// Whether the model holds all that a card says though it has no analysis yet: elements in space,
 /// axial symmetry.
-bool is_in_model(const model::Unavailable& u) {
+bool is_in_model(const model::UnavailableAnalysis& u) {
   static constexpr std::array<std::string_view, 5> held{
       "elements in 3D", "$ELEMENT TYPE", "$MESH TYPE", "$PROPERTY STATE", "axial symmetry"};
   return std::any_of(held.begin(), held.end(),
@@ -37,10 +37,10 @@ public:
     for (const model::Contact& contact : model_.contacts) {
       refuse(contact.span, "$CONTACT");
     }
-    for (const model::Crack& crack : model_.cracks) {
+    for (const model::CrackDefinition& crack : model_.cracks) {
       refuse(crack.span, "$CRACK");
     }
-    for (const model::Unavailable& u : model_.unavailable) {
+    for (const model::UnavailableAnalysis& u : model_.unavailable) {
       if (!is_in_model(u)) {
         refuse(u.span, u.what);
       }
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  void refuse(base::Span span, std::string_view what) {
+  void refuse(base::SourceSpan span, std::string_view what) {
     refusals_.error(span, "E540", fmt::format("{} cannot be written as Abaqus input", what));
   }
 
@@ -110,9 +110,9 @@ private:
       if (T.size() == 0) {
         T = base::Vector::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
       }
-      for (const base::ElementId e : mesh.set(load.elements).elements) {
+      for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
         Eigen::Index k = mesh.first[e.index()];
-        for (const base::NodeId n : mesh.nodes_of(e)) {
+        for (const base::NodeId n : mesh.element_nodes(e)) {
           T[k++] += factor * load.value.front()(mesh.x[n.index()]);
         }
       }
@@ -127,8 +127,8 @@ private:
     const double tolerance = T.size() > 0 ? 1e-9 * T.lpNorm<Eigen::Infinity>() : 0.0;
     for (std::size_t e = 0; e < mesh.element_count() && !node.empty(); ++e) {
       Eigen::Index k = mesh.first[e];
-      const bool expands = model_.material_of(mesh, base::ElementId(e)).alpha != 0.0;
-      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      const bool expands = model_.element_material(mesh, base::ElementId(e)).alpha != 0.0;
+      for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
         const double here = T[k++];
         if (!expands) {
           continue;

@@ -101,7 +101,7 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& 
     fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map); // warms up
     const base::Stopwatch watch;
     fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map);
-    element_seconds_ = watch.cpu() / static_cast<double>(sample.size());
+    element_seconds_ = watch.cpu_time() / static_cast<double>(sample.size());
   }
   std::vector<solve::DenseBlock> blocks;
   blocks.reserve(supers.size());

@@ -152,7 +152,7 @@ std::vector<results::PairPreview> preview_pairs(const analysis::Scene& scene) {
     preview.master_facing = master.facing;
     preview.slave_overhang = slave.overhang();
     preview.master_overhang = master.overhang();
-    preview.pairing = card.pairing == model::Pairing::node ? "node" : "segment";
+    preview.pairing = card.pairing == model::PairingMethod::node ? "node" : "segment";
     preview.choice = pair.choice;
     preview.rows = pair.normal.size() + pair.tangent.size();
     preview.merged = pair.merged;

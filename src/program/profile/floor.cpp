@@ -46,7 +46,7 @@ std::string trouble_of(const solve::FactorReport& report) {
 void once(const model::Model& model, const analysis::Scene& scene, Floor& floor) {
   const base::Stopwatch assembling;
   base::SymmetricCsc K = analysis::whole_stiffness(model, scene);
-  const double assembly = assembling.cpu();
+  const double assembly = assembling.cpu_time();
   floor.equations = K.n;
   const solve::Condensation plain(std::move(K), 0);
   const solve::FactorReport& report = plain.report();
@@ -56,7 +56,7 @@ void once(const model::Model& model, const analysis::Scene& scene, Floor& floor)
   }
   const base::Stopwatch solving;
   const base::Matrix u = plain.recover(base::Matrix(0, 1), base::Matrix::Ones(floor.equations, 1));
-  const double solution = solving.cpu();
+  const double solution = solving.cpu_time();
   const bool first = floor.times++ == 0;
   const auto least = [first](double& of, double now) { of = first ? now : std::min(of, now); };
   least(floor.assembly, assembly);
@@ -83,7 +83,7 @@ Floor find_floor(const model::Model& model) {
     const base::Stopwatch watch;
     do {
       once(model, *scene, floor);
-    } while (floor.why_not.empty() && floor.times < most_times && watch.cpu() < enough);
+    } while (floor.why_not.empty() && floor.times < most_times && watch.cpu_time() < enough);
     if (floor.why_not.empty() && floor.equations == 0) {
       floor.why_not = "nothing is free to move";
     }

@@ -46,7 +46,7 @@ double floors(const ProfileRecord& record) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-ProfileTexts end_profile(analysis::Recorder& recorder, const base::Sources& sources,
+ProfileTexts end_profile(analysis::Recorder& recorder, const base::SourceTexts& sources,
                          const model::Model& model, std::uintmax_t written) {
   mesh::mesher_listener() = nullptr; // the floor is no part of the run
   ProfileRecord record;

@@ -26,7 +26,7 @@ struct ProfileTexts {
 };
 /// The run is over: `written` [bytes] stand in its folder. Finds the floor of the deck, which takes
 /// its time.
-ProfileTexts end_profile(analysis::Recorder& recorder, const base::Sources& sources,
+ProfileTexts end_profile(analysis::Recorder& recorder, const base::SourceTexts& sources,
                          const model::Model& model, std::uintmax_t written);
 
 } // namespace spricka::program

@@ -20,7 +20,7 @@ namespace spricka::program {
 
 using grammar::Quantity;
 
-base::NoAnswer wrong(const ShellCall& call) {
+base::OperationFailure wrong(const ShellCall& call) {
   return misuse(fmt::format("write {}", call.usage));
 }
 
@@ -209,18 +209,18 @@ base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesy
   file = name;
   std::error_code ignored;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(call.session.sources().count()); ++f) {
-    if (fs::equivalent(file, call.session.sources().name(f), ignored)) {
+    if (fs::equivalent(file, call.session.sources().file_name(f), ignored)) {
       return misuse("the deck itself is not overwritten", "take another name");
     }
   }
   const fs::file_status status = fs::symlink_status(file, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    return base::NoAnswer{.kind = base::Outcome::file_trouble,
-                          .why = fmt::format("{} is not a file", name),
-                          .hint = "take another name"};
+    return base::OperationFailure{.kind = base::Outcome::file_trouble,
+                                  .why = fmt::format("{} is not a file", name),
+                                  .hint = "take another name"};
   }
   if (fs::exists(status) && !forced) {
-    return base::NoAnswer{
+    return base::OperationFailure{
         .kind = base::Outcome::file_trouble,
         .why = fmt::format("there is a file {} already, and it is left as it is", name),
         .hint = "take another name, or write replace behind it"};

@@ -27,7 +27,7 @@ base::Trouble carry_out(std::string_view command, const ShellCall& call);
 base::Trouble answer_quantity(ShellSession& session, const std::string& text, ShellReply& reply);
 
 // What commands share.
-base::NoAnswer wrong(const ShellCall& call);
+base::OperationFailure wrong(const ShellCall& call);
 std::string name_at(const ShellCall& call, std::size_t i); ///< upper case
 /// The rest of the line from a word on, an = at its beginning left out.
 std::string rest_from(const ShellCall& call, std::size_t i);

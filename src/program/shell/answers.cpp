@@ -32,7 +32,7 @@ base::Trouble ShellSession::map_path(const std::string& name) {
   if (trouble) {
     return trouble;
   }
-  const model::LoadPath card = model_->load_paths[index];
+  const model::LoadPathDefinition card = model_->load_paths[index];
   trouble = bench_->follow(card, way_to(card.from.index()), way_to(card.to.index()));
   if (!trouble) {
     mapped_ = name;
@@ -59,7 +59,7 @@ base::Trouble ShellSession::map_case(const std::string& load_case, double from, 
     last.actions.emplace_back(model::ApplyLoad{base::CaseId(index), factor});
     return steps;
   };
-  model::LoadPath card;
+  model::LoadPathDefinition card;
   card.name = load_case;
   trouble = bench_->follow(card, end(from), end(to));
   if (!trouble) {
@@ -75,7 +75,7 @@ const results::LoadPath* ShellSession::mapped() const {
              : results::find_path(bench_->run().increments.front(), mapped_);
 }
 
-base::Trouble ShellSession::evaluate(const model::Check& check, double& value) {
+base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& value) {
   if (base::Trouble trouble = solve()) {
     return trouble;
   }
@@ -104,12 +104,12 @@ base::Trouble ShellSession::evaluate(const model::Check& check, double& value) {
   } else if (q == "ERROR") {
     bench_->estimate_nets();
   }
-  std::vector<model::Check> asked{check};
+  std::vector<model::ResultCheck> asked{check};
   std::swap(model_->checks, asked);
   const results::CheckResult found = evaluate_checks(*model_, bench_->run()).front();
   std::swap(model_->checks, asked);
   if (!found.trouble.empty()) {
-    return base::NoAnswer{.kind = base::Outcome::check_failed, .why = found.trouble};
+    return base::OperationFailure{.kind = base::Outcome::check_failed, .why = found.trouble};
   }
   value = found.found;
   return {};

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t path_from = 0; // steps of `shown_`, which give a path's ends their names
 constexpr std::size_t path_to = 1;
 
-base::NoAnswer interrupted() {
+base::OperationFailure interrupted() {
   return {.kind = base::Outcome::stopped, .why = "stopped; everything is as it was before"};
 }
 
@@ -51,10 +51,10 @@ bool same_action(const model::Action& a, const model::Action& b) {
     const auto& other = std::get<model::ApplyFit>(b);
     return fit->contact == other.contact && fit->factor == other.factor;
   }
-  const auto* on = std::get_if<model::Mount>(&a);
-  return on != nullptr
-             ? on->contact == std::get<model::Mount>(b).contact
-             : std::get<model::Dismount>(a).contact == std::get<model::Dismount>(b).contact;
+  const auto* on = std::get_if<model::MountContact>(&a);
+  return on != nullptr ? on->contact == std::get<model::MountContact>(b).contact
+                       : std::get<model::DismountContact>(a).contact ==
+                             std::get<model::DismountContact>(b).contact;
 }
 
 // Whether a way is another one and a single step more.
@@ -100,7 +100,7 @@ void ShellBench::begin_run() {
   const mesh::CrackedMesh& cracked = scene.cracked;
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
-  increment.a = base::tidy(length_->size_of_first());
+  increment.a = base::remove_round_off(length_->size_of_first());
   increment.notes = results::notes_of(scene.notes);
   increment.mesh = cracked.mesh;
   increment.surface = analysis::outer_surface(increment.mesh);
@@ -149,8 +149,8 @@ base::Trouble ShellBench::advance(const std::vector<model::Step>& steps, Reached
     numbers.u = reached.state->u;
     numbers.reaction = reached.state->reaction;
     if (const std::string what = analysis::not_finite(numbers); !what.empty()) {
-      return base::NoAnswer{.kind = base::Outcome::not_solvable,
-                            .why = fmt::format("step {}: {}", step.name, what)};
+      return base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                    .why = fmt::format("step {}: {}", step.name, what)};
     }
     // Overlap in any step counts: all of them are solved anew with the faces as a pair.
     reached.touching = length_->touching(reached.state->u);
@@ -287,10 +287,11 @@ base::Trouble ShellBench::add_step(std::size_t step) {
   return trouble;
 }
 
-base::Trouble ShellBench::follow(const model::LoadPath& card, const std::vector<model::Step>& from,
+base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
+                                 const std::vector<model::Step>& from,
                                  const std::vector<model::Step>& to) {
   const std::vector<model::Step> now = way_;
-  model::LoadPath own = card;
+  model::LoadPathDefinition own = card;
   own.from = base::StepId(path_from);
   own.to = base::StepId(path_to);
   std::vector<results::LoadPath> found;

@@ -59,7 +59,7 @@ public:
   base::Trouble add_step(std::size_t step);
   /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
   /// of that name in run(). Without friction only.
-  base::Trouble follow(const model::LoadPath& card, const std::vector<model::Step>& from,
+  base::Trouble follow(const model::LoadPathDefinition& card, const std::vector<model::Step>& from,
                        const std::vector<model::Step>& to);
 
 private:

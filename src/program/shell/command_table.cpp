@@ -40,9 +40,9 @@ std::string usage_of(const ShellCommand& command) {
                      command.arguments);
 }
 
-base::NoAnswer unknown(const std::string& word) {
+base::OperationFailure unknown(const std::string& word) {
   const std::vector<std::string> words = command_words();
-  std::string hint = base::suggest(word, words);
+  std::string hint = base::suggest_spelling(word, words);
   return misuse(fmt::format("there is no command '{}'", word),
                 hint.empty() ? "help lists them" : std::move(hint));
 }
@@ -198,7 +198,7 @@ ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
   try {
     trouble = act(session, history, line, reply);
   } catch (const std::system_error& file) {
-    trouble = base::NoAnswer{.kind = base::Outcome::file_trouble, .why = file.what()};
+    trouble = base::OperationFailure{.kind = base::Outcome::file_trouble, .why = file.what()};
   }
   if (trouble) {
     reply.outcome = trouble->kind;
@@ -209,7 +209,7 @@ ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
       reply.messages += trouble->hint.empty() ? "" : fmt::format("     = {}\n", trouble->hint);
     }
   }
-  reply.cpu = watch.cpu();
+  reply.cpu = watch.cpu_time();
   return reply;
 }
 

@@ -26,8 +26,8 @@ std::vector<std::string> ShellSession::covered_by(const OwnCards& before) const 
   }
   for (std::size_t c = 0; c < own_.cracks.size(); ++c) {
     const std::string& name = own_.cracks[c].name;
-    const bool ellipse = own_.cracks[c].kind == model::CrackKind::ellipse;
-    const auto is_sized = [](const model::Crack& a, const model::Crack& b) {
+    const bool ellipse = own_.cracks[c].kind == model::CrackDefinitionKind::ellipse;
+    const auto is_sized = [](const model::CrackDefinition& a, const model::CrackDefinition& b) {
       return a.a0 == b.a0 && a.plane.a == b.plane.a && a.plane.c == b.plane.c;
     };
     if (is_sized(own_.cracks[c], before.cracks[c])) {

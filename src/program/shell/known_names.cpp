@@ -37,7 +37,7 @@ std::vector<std::string> contact_names(const model::Model& model) {
 }
 std::vector<std::string> pair_names(const model::Model& model) {
   std::vector<std::string> names = names_of(model.contacts);
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     if (crack.faces_in_contact) {
       names.push_back(crack.name + ".FACES");
     }
@@ -91,7 +91,7 @@ base::Trouble find_name(const std::vector<std::string>& names, const char* what,
   if (found == names.end()) {
     return misuse(names.empty() ? fmt::format("the deck has no {}", what)
                                 : fmt::format("there is no {} '{}'", what, name),
-                  base::suggest(name, names));
+                  base::suggest_spelling(name, names));
   }
   index = static_cast<std::size_t>(found - names.begin());
   return {};

@@ -144,7 +144,7 @@ base::Trouble picture(const ShellSession& session, const std::string& kind, std:
     svg = stacked({{{path_picture(session, *path)}, {}, {}}});
   } else {
     return misuse(fmt::format("there is no picture of '{}'", kind),
-                  base::suggest(kind, picture_kinds()));
+                  base::suggest_spelling(kind, picture_kinds()));
   }
   return {};
 }

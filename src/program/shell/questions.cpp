@@ -64,8 +64,8 @@ base::Trouble contact_now(const ShellCall& call, const results::ContactResult** 
   }
   *contact = results::find_contact(call.session.now(), name);
   if (*contact == nullptr) {
-    return base::NoAnswer{.kind = base::Outcome::check_failed,
-                          .why = fmt::format("the faces of {} touch nowhere", name)};
+    return base::OperationFailure{.kind = base::Outcome::check_failed,
+                                  .why = fmt::format("the faces of {} touch nowhere", name)};
   }
   return {};
 }
@@ -229,7 +229,7 @@ base::Trouble do_sensitivity(const ShellCall& call) {
 }
 
 base::Trouble answer_quantity(ShellSession& session, const std::string& text, ShellReply& reply) {
-  model::Check check;
+  model::ResultCheck check;
   double value = 0.0;
   base::Trouble trouble = read_quantity(text, session.model(), check);
   trouble = trouble ? trouble : settle(session, reply);

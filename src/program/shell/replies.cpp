@@ -156,8 +156,8 @@ std::string pressure_reply(const ShellSession& session, const results::ContactRe
   const base::UnitSystem& units = session.model().units;
   const auto card =
       std::ranges::find(session.model().contacts, contact.name, &model::Contact::name);
-  const bool consistent =
-      card != session.model().contacts.end() && card->recovery == model::Recovery::consistent;
+  const bool consistent = card != session.model().contacts.end() &&
+                          card->recovery == model::PressureRecovery::consistent;
   Table table{
       "",
       {{"x", units.length_name, false},
@@ -259,10 +259,11 @@ std::string action_text(const model::Model& model, const model::Action& action) 
   if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
     return fmt::format("FIT {} {:.10g}", model.contacts[fit->contact.index()].name, fit->factor);
   }
-  if (const auto* on = std::get_if<model::Mount>(&action)) {
+  if (const auto* on = std::get_if<model::MountContact>(&action)) {
     return "MOUNT " + model.contacts[on->contact.index()].name;
   }
-  return "DISMOUNT " + model.contacts[std::get<model::Dismount>(action).contact.index()].name;
+  return "DISMOUNT " +
+         model.contacts[std::get<model::DismountContact>(action).contact.index()].name;
 }
 
 std::string actions_text(const model::Model& model, const model::Step& step) {

@@ -22,13 +22,13 @@ namespace {
 
 /// One line as a source of its own, with what its names stand for.
 struct Line {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   grammar::Scope scope;
-  base::Span whole;
+  base::SourceSpan whole;
 
   Line(const std::string& text, const model::Model& model) {
-    const std::int32_t file = sources.add("shell", text);
+    const std::int32_t file = sources.add_text("shell", text);
     whole = {file, 0, static_cast<std::uint32_t>(text.size())};
     scope.sources = &sources;
     scope.units = model.units;
@@ -37,13 +37,14 @@ struct Line {
     }
   }
   [[nodiscard]] base::Trouble trouble() const {
-    return told_at_places(base::Outcome::usage, base::format(sources, diagnostics));
+    return told_at_places(base::Outcome::usage, base::format_messages(sources, diagnostics));
   }
 };
 
 base::Trouble no_such(const std::string& what, const std::string& name,
                       const std::vector<std::string>& names) {
-  return misuse(fmt::format("there is no {} '{}'", what, name), base::suggest(name, names));
+  return misuse(fmt::format("there is no {} '{}'", what, name),
+                base::suggest_spelling(name, names));
 }
 
 // Tips of cracks with two: NAME.1, NAME.2.
@@ -55,7 +56,7 @@ bool is_name(char letter, const std::string& name, const std::vector<std::string
 }
 
 base::Trouble read_argument(char letter, const grammar::Expression& expression,
-                            const model::Model& model, Line& line, model::Check& check) {
+                            const model::Model& model, Line& line, model::ResultCheck& check) {
   if (letter == 'a' || letter == 'z') {
     const std::optional<double> value = grammar::evaluate(expression, line.scope, line.diagnostics);
     check.arguments.emplace_back(value.value_or(0.0));
@@ -158,8 +159,8 @@ base::Trouble read_number(const std::string& text, const model::Model& model,
   if (!expression) {
     return line.trouble();
   }
-  const base::Span unit = grammar::outer_unit(*expression);
-  const std::optional<base::Unit> known =
+  const base::SourceSpan unit = grammar::outer_unit(*expression);
+  const std::optional<base::PhysicalUnit> known =
       unit.valid() ? base::parse_unit(line.sources.text(unit)) : std::nullopt;
   if (known && known->dimension != grammar::dimension_of(quantity)) {
     line.diagnostics.error(unit, "E205",
@@ -210,7 +211,7 @@ std::vector<std::string> names_for(char letter, const model::Model& model) {
 }
 
 base::Trouble read_quantity(const std::string& text, const model::Model& model,
-                            model::Check& check) {
+                            model::ResultCheck& check) {
   Line line(text, model);
   const std::vector<grammar::Row> rows =
       grammar::parse_rows(line.sources, line.whole, line.diagnostics);

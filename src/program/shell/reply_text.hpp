@@ -34,7 +34,7 @@ bool asks_quantity(std::string_view line);
 
 /// A quantity of $CHECK with its arguments; every name is one of the deck, a step may be NOW.
 base::Trouble read_quantity(const std::string& text, const model::Model& model,
-                            model::Check& check);
+                            model::ResultCheck& check);
 
 /// Names that an argument of this letter (grammar/catalogue.hpp) can be; empty for numbers.
 std::vector<std::string> names_for(char letter, const model::Model& model);

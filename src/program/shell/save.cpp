@@ -137,8 +137,8 @@ base::Trouble set_lengths(const ShellSession& session, Edits& edits) {
   std::map<std::string, CrackSize> lengths = session.set_lengths();
   if (session.model().growth) { // its lengths are gone with its card
     for (std::size_t c = 0; c < session.model().cracks.size(); ++c) {
-      const model::Crack& crack = session.model().cracks[c];
-      if (crack.a0 || crack.kind == model::CrackKind::ellipse) {
+      const model::CrackDefinition& crack = session.model().cracks[c];
+      if (crack.a0 || crack.kind == model::CrackDefinitionKind::ellipse) {
         lengths.emplace(crack.name, crack.a0 ? CrackSize{*crack.a0, 0.0} : session.size_of(c));
       }
     }
@@ -215,7 +215,7 @@ base::Trouble set_parameters(const ShellSession& session, Edits& edits) {
 
 // Paths of files are those seen from the deck's folder.
 void move_files(const ShellSession& session, const fs::path& folder, Edits& edits) {
-  const fs::path own = fs::absolute(session.sources().name(0)).parent_path();
+  const fs::path own = fs::absolute(session.sources().file_name(0)).parent_path();
   if (fs::weakly_canonical(folder) == fs::weakly_canonical(own)) {
     return;
   }
@@ -241,17 +241,18 @@ std::string row_of(const model::Model& model, const model::Action& action) {
     return fmt::format("  FIT {} {}\n", model.contacts[fit->contact.index()].name,
                        exactly(fit->factor));
   }
-  if (const auto* on = std::get_if<model::Mount>(&action)) {
+  if (const auto* on = std::get_if<model::MountContact>(&action)) {
     return fmt::format("  MOUNT {}\n", model.contacts[on->contact.index()].name);
   }
   return fmt::format("  DISMOUNT {}\n",
-                     model.contacts[std::get<model::Dismount>(action).contact.index()].name);
+                     model.contacts[std::get<model::DismountContact>(action).contact.index()].name);
 }
 
 bool mounts(const std::vector<model::Step>& steps) {
   return std::ranges::any_of(steps, [](const model::Step& step) {
     return std::ranges::any_of(step.actions, [](const model::Action& a) {
-      return std::holds_alternative<model::Mount>(a) || std::holds_alternative<model::Dismount>(a);
+      return std::holds_alternative<model::MountContact>(a) ||
+             std::holds_alternative<model::DismountContact>(a);
     });
   });
 }
@@ -305,9 +306,9 @@ base::Trouble keep_beginning(const ShellSession& session, const std::vector<mode
     if (acts_on<model::ApplyFit>(added, id) && !analysis::fit_is_named(model, id)) {
       rows += row_of(model, model::ApplyFit{id, 1.0});
     }
-    if (acts_on<model::Mount>(added, id) && !analysis::mount_is_named(model, id) &&
-        !acts_on<model::Dismount>(beginning, id)) {
-      rows += row_of(model, model::Mount{id});
+    if (acts_on<model::MountContact>(added, id) && !analysis::mount_is_named(model, id) &&
+        !acts_on<model::DismountContact>(beginning, id)) {
+      rows += row_of(model, model::MountContact{id});
     }
   }
   if (rows.empty()) {

@@ -28,9 +28,9 @@ std::pair<int, std::size_t> subject(const model::Action& action) {
   if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
     return {1, fit->contact.index()};
   }
-  const auto* on = std::get_if<model::Mount>(&action);
-  return {2,
-          on != nullptr ? on->contact.index() : std::get<model::Dismount>(action).contact.index()};
+  const auto* on = std::get_if<model::MountContact>(&action);
+  return {2, on != nullptr ? on->contact.index()
+                           : std::get<model::DismountContact>(action).contact.index()};
 }
 
 void put(std::vector<model::Action>& actions, const model::Action& action) {
@@ -40,7 +40,8 @@ void put(std::vector<model::Action>& actions, const model::Action& action) {
 
 bool mounts(const model::Step& step) {
   return std::ranges::any_of(step.actions, [](const model::Action& a) {
-    return std::holds_alternative<model::Mount>(a) || std::holds_alternative<model::Dismount>(a);
+    return std::holds_alternative<model::MountContact>(a) ||
+           std::holds_alternative<model::DismountContact>(a);
   });
 }
 
@@ -54,7 +55,7 @@ bool same_names(const model::Model& a, const model::Model& b) {
 }
 
 bool keeps_mounts(const model::Model& model) {
-  return model.growth && model.growth->mounted == model::Mounted::first;
+  return model.growth && model.growth->mounted == model::ContactMounting::first;
 }
 
 // Lengths of $GROW are those of its cracks: begin with the first.
@@ -147,7 +148,8 @@ base::Trouble ShellSession::open_model() {
   base::Diagnostics diagnostics;
   plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
   if (diagnostics.has_errors()) {
-    return told_at_places(base::Outcome::deck_error, base::format(deck_->sources, diagnostics));
+    return told_at_places(base::Outcome::deck_error,
+                          base::format_messages(deck_->sources, diagnostics));
   }
   if (keeps_mounts(*model_)) { // what is mounted at the first length, by all steps
     memory_ = std::make_unique<analysis::MountMemory>();
@@ -177,7 +179,8 @@ base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& 
                             .stopped = options_.stopped},
                            plan_, diagnostics, trouble);
   if (diagnostics.has_errors()) {
-    return told_at_places(base::Outcome::deck_error, base::format(deck_->sources, diagnostics));
+    return told_at_places(base::Outcome::deck_error,
+                          base::format_messages(deck_->sources, diagnostics));
   }
   return trouble;
 }
@@ -267,7 +270,7 @@ base::Trouble ShellSession::mount(const std::string& contact, bool on) {
   }
   const base::ContactId id(index);
   const model::Action action =
-      on ? model::Action(model::Mount{id}) : model::Action(model::Dismount{id});
+      on ? model::Action(model::MountContact{id}) : model::Action(model::DismountContact{id});
   if (factors().mounted[index] != on) {
     change(action);
     return {};

@@ -87,7 +87,7 @@ public:
   [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
   /// A quantity of $CHECK with the value at the present state for the step NOW, at the end of one
   /// of the deck's for another name.
-  base::Trouble evaluate(const model::Check& check, double& value);
+  base::Trouble evaluate(const model::ResultCheck& check, double& value);
   /// K along a $LOADPATH of the deck.
   base::Trouble map_path(const std::string& name);
   /// K while the factor of a load case goes from one value to another, all else as it is; the path
@@ -109,7 +109,7 @@ public:
 
   [[nodiscard]] const model::Model& model() const { return *model_; } ///< as it is now
   [[nodiscard]] const model::Model& shown() const { return bench_->shown(); }
-  [[nodiscard]] const base::Sources& sources() const { return deck_->sources; }
+  [[nodiscard]] const base::SourceTexts& sources() const { return deck_->sources; }
   /// Name of the deck's step that the state began with, and what came after it: one step where the
   /// order does not count.
   [[nodiscard]] const std::string& base_step() const { return model_->steps[base_].name; }
@@ -132,7 +132,7 @@ private:
   base::Trouble read_again(const Defines& defines, bool keep);
   /// Cards that parameters reach and that names set here may cover, as the deck has them.
   struct OwnCards {
-    std::vector<model::Crack> cracks;
+    std::vector<model::CrackDefinition> cracks;
     std::vector<model::Contact> contacts;
     std::vector<model::Step> steps;
   };

@@ -93,7 +93,7 @@ private:
     if (terminal) {
       to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
                             base::printable(options_.deck.deck.string()), session_->base_step(),
-                            watch.cpu()));
+                            watch.cpu_time()));
     }
     return {};
   }
@@ -119,7 +119,7 @@ private:
     return editor ? editor->read(shell_prompt(*session_), line) : read_line(line);
   }
 
-  static void tell(const base::NoAnswer& trouble) {
+  static void tell(const base::OperationFailure& trouble) {
     if (trouble.complete) {
       to_stderr(fmt::format("{}", trouble.why));
     } else {

@@ -21,8 +21,8 @@ void join(analysis::RegionPlan& plan, const analysis::RegionPlan& more) {
   }
 }
 
-void set_size(model::Crack& crack, const CrackSize& size) {
-  if (crack.kind == model::CrackKind::ellipse) {
+void set_size(model::CrackDefinition& crack, const CrackSize& size) {
+  if (crack.kind == model::CrackDefinitionKind::ellipse) {
     crack.plane.a = size.a;
     crack.plane.c = size.c;
   } else {
@@ -31,17 +31,17 @@ void set_size(model::Crack& crack, const CrackSize& size) {
 }
 
 // What another size needs to know of a crack; or why there is none.
-base::Trouble sizeable(const model::Crack& crack, bool with_c) {
-  if (crack.kind == model::CrackKind::drawn) {
+base::Trouble sizeable(const model::CrackDefinition& crack, bool with_c) {
+  if (crack.kind == model::CrackDefinitionKind::drawn) {
     return misuse(
         fmt::format("the front of crack {} is drawn by its points, it has no length", crack.name),
         "make its points expressions of a parameter and use set");
   }
-  if (crack.kind == model::CrackKind::front) {
+  if (crack.kind == model::CrackDefinitionKind::front) {
     return misuse(
         fmt::format("crack {} is one of the mesh: it has a front, no length", crack.name));
   }
-  if (with_c && crack.kind != model::CrackKind::ellipse) {
+  if (with_c && crack.kind != model::CrackDefinitionKind::ellipse) {
     return misuse(fmt::format("crack {} has one length: there is no second axis", crack.name));
   }
   return {};
@@ -51,13 +51,13 @@ base::Trouble sizeable(const model::Crack& crack, bool with_c) {
 
 void ShellSession::set_lengths_on(model::Model& model) const {
   for (const auto& [name, size] : lengths_) {
-    set_size(*std::ranges::find(model.cracks, name, &model::Crack::name), size);
+    set_size(*std::ranges::find(model.cracks, name, &model::CrackDefinition::name), size);
   }
 }
 
 CrackSize ShellSession::size_of(std::size_t crack) const {
-  const model::Crack& card = model_->cracks[crack];
-  if (card.kind == model::CrackKind::ellipse) {
+  const model::CrackDefinition& card = model_->cracks[crack];
+  if (card.kind == model::CrackDefinitionKind::ellipse) {
     return {card.plane.a, card.plane.c};
   }
   const auto is_its_own = [&](const std::string& tip) {
@@ -116,10 +116,10 @@ base::Trouble ShellSession::length(const std::string& crack, double a, std::opti
   if (base::Trouble trouble = sizeable(model_->cracks[index], c.has_value())) {
     return trouble;
   }
-  const model::Crack before = model_->cracks[index];
+  const model::CrackDefinition before = model_->cracks[index];
   analysis::RegionPlan plan = plan_;
   CrackSize size{a, 0.0};
-  if (before.kind == model::CrackKind::ellipse) {
+  if (before.kind == model::CrackDefinitionKind::ellipse) {
     size.c = c.value_or(a / before.plane.a * before.plane.c);
   }
   set_size(model_->cracks[index], size);

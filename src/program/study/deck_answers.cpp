@@ -62,7 +62,7 @@ class Questions {
 public:
   explicit Questions(const results::Run& run) : run_(run) {}
 
-  std::vector<model::Check> of_cracks() {
+  std::vector<model::ResultCheck> of_cracks() {
     for (const results::Increment* increment : shown_increments()) {
       for (const results::StepResult& step : increment->steps) {
         for (const results::TipResult& tip : step.tips) {
@@ -76,7 +76,7 @@ public:
     return std::move(made_);
   }
 
-  std::vector<model::Check> of_bodies() {
+  std::vector<model::ResultCheck> of_bodies() {
     if (run_.increments.empty()) {
       return {};
     }
@@ -142,7 +142,7 @@ private:
   }
 
   void add(std::string word, Arguments arguments, bool relative) {
-    model::Check check;
+    model::ResultCheck check;
     check.quantity = std::move(word);
     check.arguments = std::move(arguments);
     check.relative = relative;
@@ -151,11 +151,11 @@ private:
   }
 
   const results::Run& run_;
-  std::vector<model::Check> made_;
+  std::vector<model::ResultCheck> made_;
 };
 
 // Evaluates lines on a run; trouble, or a line without a quantity, leaves no number.
-std::vector<double> values_of(model::Model& model, const std::vector<model::Check>& checks,
+std::vector<double> values_of(model::Model& model, const std::vector<model::ResultCheck>& checks,
                               const results::Run& run) {
   std::vector<double> values(checks.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<std::size_t> asked;
@@ -193,14 +193,14 @@ const char* name_of(AnswerGroup group) {
 
 std::vector<Answer> answers_of(const model::Model& model, const results::Run& run) {
   std::vector<Answer> answers;
-  const auto add = [&](const model::Check& check, bool own) {
+  const auto add = [&](const model::ResultCheck& check, bool own) {
     const std::optional<AnswerGroup> group = group_of(check.quantity);
     if (group) {
       const bool given = own && check.relative && check.value != 0.0;
       answers.push_back({check, "", *group, given ? std::optional(check.value) : std::nullopt});
     }
   };
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     add(check, true);
   }
   const bool asks_K = std::ranges::any_of(
@@ -232,9 +232,9 @@ std::vector<Answer> answers_of(const model::Model& model, const results::Run& ru
 std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
                                   const results::Run& run) {
   model::Model asked = model;
-  std::vector<model::Check> value;
-  std::vector<model::Check> bar;
-  std::vector<model::Check> best;
+  std::vector<model::ResultCheck> value;
+  std::vector<model::ResultCheck> bar;
+  std::vector<model::ResultCheck> best;
   for (const Answer& answer : answers) {
     value.push_back(answer.check);
     bar.push_back(answer.check);

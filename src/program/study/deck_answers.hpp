@@ -20,7 +20,7 @@ enum class AnswerGroup { K, T, pressure, stress, displacement, energy, arc, life
 const char* name_of(AnswerGroup group);
 
 struct Answer {
-  model::Check check;
+  model::ResultCheck check;
   std::string text; ///< "K(TOP,LOAD,10.8)"
   AnswerGroup group = AnswerGroup::other;
   std::optional<double> reference; ///< of the deck; empty: it has none, or asks for zero

@@ -18,7 +18,7 @@ std::string net_name(const model::Model& model, base::NetId net) {
 std::string net_of(const model::Model& model, base::FaceSetId set) {
   std::string name;
   bool first = true;
-  for (const model::Face& face : model.mesh.set(set).faces) {
+  for (const model::Face& face : model.mesh.set_with_id(set).faces) {
     const std::string own = net_name(model, model.mesh.element_net[face.element.index()]);
     if (!first && own != name) {
       return {};
@@ -32,30 +32,30 @@ std::string net_of(const model::Model& model, base::FaceSetId set) {
 void note_nets(const model::Model& model, const model::Load& load, std::set<std::string>& nets) {
   const model::Mesh& mesh = model.mesh;
   if (load.elements.valid()) {
-    for (const base::ElementId e : mesh.set(load.elements).elements) {
+    for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
       nets.insert(net_name(model, mesh.element_net[e.index()]));
     }
   }
   if (load.faces.valid()) {
-    for (const model::Face& face : mesh.set(load.faces).faces) {
+    for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
       nets.insert(net_name(model, mesh.element_net[face.element.index()]));
     }
   }
   if (load.nodes.valid()) {
-    for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+    for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
       nets.insert(net_name(model, mesh.node_net[n.index()]));
     }
   }
 }
 
 void note_cracks(const model::Model& model, Joint& joint) {
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     joint.friction = joint.friction || crack.mu > 0.0;
     if (crack.net.valid()) {
       joint.cracked.insert(net_name(model, crack.net));
     }
     if (crack.path.valid()) {
-      for (const base::NodeId n : model.mesh.set(crack.path).nodes) {
+      for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
         joint.cracked.insert(net_name(model, model.mesh.node_net[n.index()]));
       }
     }
@@ -65,8 +65,8 @@ void note_cracks(const model::Model& model, Joint& joint) {
 bool is_mounted(const model::Model& model, std::size_t contact) {
   return std::ranges::any_of(model.steps, [&](const model::Step& step) {
     return std::ranges::any_of(step.actions, [&](const model::Action& action) {
-      const auto* mount = std::get_if<model::Mount>(&action);
-      const auto* dismount = std::get_if<model::Dismount>(&action);
+      const auto* mount = std::get_if<model::MountContact>(&action);
+      const auto* dismount = std::get_if<model::DismountContact>(&action);
       return (mount != nullptr && mount->contact.index() == contact) ||
              (dismount != nullptr && dismount->contact.index() == contact);
     });
@@ -84,9 +84,9 @@ SurfaceNodes nodes_of(const model::Mesh& mesh, const model::FaceSet& set) {
   std::set<base::NodeId> seen;
   double count = 0.0;
   for (const model::Face& face : set.faces) {
-    const auto all = mesh.nodes_of(face.element);
+    const auto all = mesh.element_nodes(face.element);
     const auto corners =
-        static_cast<std::size_t>(base::info(mesh.type[face.element.index()]).corners);
+        static_cast<std::size_t>(base::element_info(mesh.type[face.element.index()]).corners);
     const auto side = static_cast<std::size_t>(face.side);
     for (const std::size_t corner : {side, (side + 1) % corners}) {
       if (seen.insert(all[corner]).second) {
@@ -154,10 +154,10 @@ std::optional<PlainSurface> round(const SurfaceNodes& nodes) {
 // Whether the body of a round surface lies outside it: its elements do, one by one.
 bool lies_outside(const model::Mesh& mesh, const model::FaceSet& set, const PlainSurface& circle) {
   const base::ElementId e = set.faces.front().element;
-  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   double farthest = 0.0;
   for (std::size_t c = 0; c < corners; ++c) {
-    farthest = std::max(farthest, (mesh.x[mesh.nodes_of(e)[c].index()] - circle.first).norm());
+    farthest = std::max(farthest, (mesh.x[mesh.element_nodes(e)[c].index()] - circle.first).norm());
   }
   return farthest > circle.radius * (1.0 + 1e-6);
 }
@@ -219,10 +219,10 @@ std::optional<PlainSurface> plain_surface(const model::Model& model, const std::
     return std::nullopt;
   }
   const base::FaceSetId id = slave ? found->slave : found->master;
-  if (!id.valid() || model.mesh.set(id).faces.empty()) {
+  if (!id.valid() || model.mesh.set_with_id(id).faces.empty()) {
     return std::nullopt;
   }
-  const model::FaceSet& set = model.mesh.set(id);
+  const model::FaceSet& set = model.mesh.set_with_id(id);
   const SurfaceNodes nodes = nodes_of(model.mesh, set);
   if (std::optional<PlainSurface> line = straight(nodes)) {
     return line;

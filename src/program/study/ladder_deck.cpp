@@ -85,7 +85,7 @@ private:
       log_.message(
           base::Severity::error, "E555",
           fmt::format("the deck itself has no results to compare with: {}", given.trouble));
-      return base::outcome_of(given.end.exit_code).value_or(base::Outcome::not_solvable);
+      return base::exit_outcome(given.end.exit_code).value_or(base::Outcome::not_solvable);
     }
     ladder_.answers = ladder_answers(*ready_.model, *given.run);
     if (ladder_.answers.empty()) {

@@ -169,7 +169,7 @@ std::string ladder_csv(const Ladder& ladder) {
   return out;
 }
 
-std::string ladder_page(const base::Sources& sources, const model::Model& model,
+std::string ladder_page(const base::SourceTexts& sources, const model::Model& model,
                         const Ladder& ladder) {
   report::Page page;
   const std::string title = model.title.empty() ? "spricka ladder" : model.title;

@@ -14,7 +14,7 @@ std::string ladder_text(const model::Model& model, const Ladder& ladder);
 /// A row for each rung and answer.
 std::string ladder_csv(const Ladder& ladder);
 
-std::string ladder_page(const base::Sources& sources, const model::Model& model,
+std::string ladder_page(const base::SourceTexts& sources, const model::Model& model,
                         const Ladder& ladder);
 
 } // namespace spricka::program

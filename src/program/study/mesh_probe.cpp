@@ -30,7 +30,7 @@ Extent extent_of(const model::Mesh& mesh) {
   for (const model::ElementSet& set : mesh.element_sets) {
     std::pair<base::Vec3, base::Vec3> box{far, -far};
     for (const base::ElementId e : set.elements) {
-      for (const base::NodeId n : mesh.nodes_of(e)) {
+      for (const base::NodeId n : mesh.element_nodes(e)) {
         widen(box, mesh.x[n.index()]);
       }
     }
@@ -39,7 +39,7 @@ Extent extent_of(const model::Mesh& mesh) {
   for (const model::FaceSet& set : mesh.face_sets) {
     std::pair<base::Vec3, base::Vec3> box{far, -far};
     for (const model::Face& face : set.faces) {
-      for (const base::NodeId n : mesh.nodes_of(face.element)) {
+      for (const base::NodeId n : mesh.element_nodes(face.element)) {
         widen(box, mesh.x[n.index()]);
       }
     }

@@ -48,7 +48,7 @@ bool is_count_key(std::string_view key) {
 }
 
 std::map<std::string, std::set<std::string>> ingredients_of(const deck::DeckText& text,
-                                                            const base::Sources& sources) {
+                                                            const base::SourceTexts& sources) {
   std::map<std::string, std::set<std::string>> made_of;
   base::Diagnostics ignored;
   for (const deck::DeckCard& card : text) {
@@ -71,7 +71,7 @@ std::map<std::string, std::set<std::string>> ingredients_of(const deck::DeckText
 }
 
 std::map<std::string, NameUse> uses_of_parameters(const deck::DeckText& text,
-                                                  const base::Sources& sources) {
+                                                  const base::SourceTexts& sources) {
   const std::map<std::string, std::set<std::string>> made_of = ingredients_of(text, sources);
   std::map<std::string, NameUse> uses;
   for (const auto& entry : made_of) {

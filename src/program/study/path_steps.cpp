@@ -95,7 +95,7 @@ bool put_steps_for_paths(deck::DeckText& text, const model::Model& model) {
   std::erase_if(text, [](const deck::DeckCard& card) { return card.name == "LOADPATH"; });
   drop_path_checks(text);
   constexpr int steps = 10;
-  for (const model::LoadPath& path : model.load_paths) {
+  for (const model::LoadPathDefinition& path : model.load_paths) {
     const Factors from = factors_after(model, path.from.index());
     const Factors to = factors_after(model, path.to.index());
     for (int i = 1; i <= steps; ++i) {

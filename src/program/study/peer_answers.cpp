@@ -34,7 +34,7 @@ public:
   void set(base::Vector u) { run_.increments.front().steps.front().u = std::move(u); }
 
   // Not a number where a line has no value.
-  double value(const model::Check& check) {
+  double value(const model::ResultCheck& check) {
     model_.checks = {check};
     const results::CheckResult found = evaluate_checks(model_, run_).front();
     return found.trouble.empty() ? found.found : Reading().value;
@@ -73,7 +73,7 @@ std::vector<Reading> peer_answers(const model::Model& model, const std::vector<A
   for (const auto& [component, asked] : stresses) {
     run.set(as_displacement(fields, component, model.mesh.dim));
     for (const std::size_t a : asked) {
-      model::Check check = answers[a].check;
+      model::ResultCheck check = answers[a].check;
       check.quantity = "U.X" + check.quantity.substr(check.quantity.rfind('.'));
       readings[a].value = run.value(check);
     }

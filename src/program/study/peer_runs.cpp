@@ -40,7 +40,7 @@ std::vector<const Trial*> meshes_of(const std::vector<Trial>& own) {
 std::string refusal_of(const model::Model& model) {
   base::Diagnostics refusals;
   inp_of_deck(model, refusals);
-  return refusals.has_errors() ? refusals.all().front().text : "";
+  return refusals.has_errors() ? refusals.messages().front().text : "";
 }
 
 class PeerRuns {

@@ -56,8 +56,8 @@ private:
   // Held in every direction of the plane or of space somewhere.
   [[nodiscard]] bool is_supported(const std::string& net) const {
     std::array<bool, 3> held{false, false, false};
-    for (const model::Freedom& freedom : model_.freedoms) {
-      for (const base::NodeId n : model_.mesh.set(freedom.nodes).nodes) {
+    for (const model::FreedomAssignment& freedom : model_.freedoms) {
+      for (const base::NodeId n : model_.mesh.set_with_id(freedom.nodes).nodes) {
         const base::NetId own = model_.mesh.node_net[n.index()];
         const bool here = own.valid() && grammar::to_upper(model_.nets[own.index()].name) == net;
         for (std::size_t d = 0; d < 3 && here; ++d) {

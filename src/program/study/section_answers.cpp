@@ -44,7 +44,7 @@ public:
   explicit InSection(const SectionView& view) : view_(view) {}
 
   [[nodiscard]] Counterpart of(const Answer& answer) const {
-    model::Check check = answer.check;
+    model::ResultCheck check = answer.check;
     std::vector<std::string> parts = parts_of(check.quantity);
     switch (answer.group) {
     case AnswerGroup::K:
@@ -64,7 +64,8 @@ public:
 
 private:
   // All places of a front are one tip.
-  [[nodiscard]] Counterpart of_front(model::Check check, std::vector<std::string> parts) const {
+  [[nodiscard]] Counterpart of_front(model::ResultCheck check,
+                                     std::vector<std::string> parts) const {
     const std::string place = parts.back();
     const std::string mode = parts.front() == "PATH" ? parts[1] : parts.front();
     const bool known = mode == "K1" || mode == "K2" || mode == "G";
@@ -84,7 +85,7 @@ private:
     return {std::move(check), mode == "K2" ? sign->second : 1.0};
   }
 
-  [[nodiscard]] Counterpart of_contact(model::Check check,
+  [[nodiscard]] Counterpart of_contact(model::ResultCheck check,
                                        const std::vector<std::string>& parts) const {
     const std::string& place = parts.back();
     if (place == "MIN" || place == "MAX" || place == "MEAN") {
@@ -97,7 +98,8 @@ private:
     return {std::move(check), 1.0};
   }
 
-  [[nodiscard]] Counterpart of_field(model::Check check, std::vector<std::string> parts) const {
+  [[nodiscard]] Counterpart of_field(model::ResultCheck check,
+                                     std::vector<std::string> parts) const {
     if (parts.size() != 3) {
       return {};
     }
@@ -173,7 +175,7 @@ std::vector<Reading> read_counterparts(const model::Model& model,
                                        const results::Run& run) {
   std::vector<Answer> own;
   for (const Counterpart& counterpart : asked) {
-    own.emplace_back().check = counterpart.check.value_or(model::Check{});
+    own.emplace_back().check = counterpart.check.value_or(model::ResultCheck{});
   }
   std::vector<Reading> readings = read_answers(model, own, run);
   for (std::size_t a = 0; a < readings.size(); ++a) {

@@ -126,7 +126,7 @@ private:
 
   // A plane along the axis is a line, a cylinder along it a circle; about it, they are lines.
   DeckCard rigid(const DeckCard& card) {
-    const auto own = std::ranges::find_if(model_.rigids, [&](const model::Rigid& rigid) {
+    const auto own = std::ranges::find_if(model_.rigids, [&](const model::RigidTarget& rigid) {
       return grammar::to_upper(rigid.name) == card.word("NAME");
     });
     const std::string reason =
@@ -143,10 +143,10 @@ private:
     const Vec3 first = plane().place(own->first);
     flat.set("X0", number(first.x()));
     flat.set("Y0", number(first.y()));
-    if (own->shape == model::RigidShape::cylinder && turned > 1.0 - near) {
+    if (own->shape == model::RigidTargetShape::cylinder && turned > 1.0 - near) {
       flat.set("SHAPE", "ARC");
       flat.set("R", number(own->radius));
-    } else if (own->shape == model::RigidShape::plane && turned < near) {
+    } else if (own->shape == model::RigidTargetShape::plane && turned < near) {
       put_line(flat, first, plane().place(along) - plane().place(Vec3::Zero()));
     } else {
       refuse(reason);
@@ -170,7 +170,7 @@ private:
 
   // A straight front through the thickness is a tip, where the crack leaves the body its mouth.
   DeckCard crack(const DeckCard& card) {
-    const auto own = std::ranges::find_if(model_.cracks, [&](const model::Crack& crack) {
+    const auto own = std::ranges::find_if(model_.cracks, [&](const model::CrackDefinition& crack) {
       return grammar::to_upper(crack.name) == card.word("NAME");
     });
     DeckCard flat = card;
@@ -202,8 +202,9 @@ private:
     return flat;
   }
 
-  [[nodiscard]] bool runs_through(const model::Crack& crack) const {
-    if (crack.kind != model::CrackKind::drawn || crack.plane.closed || crack.points.empty()) {
+  [[nodiscard]] bool runs_through(const model::CrackDefinition& crack) const {
+    if (crack.kind != model::CrackDefinitionKind::drawn || crack.plane.closed ||
+        crack.points.empty()) {
       return false;
     }
     const double room = near * plane().depth();
@@ -220,8 +221,8 @@ private:
   }
 
   void hold(DeckText& after) {
-    for (const model::Freedom& freedom : model_.freedoms) {
-      const std::vector<base::NodeId>& nodes = model_.mesh.set(freedom.nodes).nodes;
+    for (const model::FreedomAssignment& freedom : model_.freedoms) {
+      const std::vector<base::NodeId>& nodes = model_.mesh.set_with_id(freedom.nodes).nodes;
       std::array<bool, 2> held{freedom.dof.at(static_cast<std::size_t>(plane().direction(0))),
                                freedom.dof.at(static_cast<std::size_t>(plane().direction(1)))};
       if (plane().round) {

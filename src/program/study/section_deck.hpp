@@ -36,8 +36,8 @@ SectionDeck section_deck(const model::Model& model, const deck::DeckText& text,
 
 /// How the deck of a simpler model asks for an answer.
 struct Counterpart {
-  std::optional<model::Check> check; ///< empty: that model does not have it
-  double factor = 1.0;               ///< its value over that of the solid
+  std::optional<model::ResultCheck> check; ///< empty: that model does not have it
+  double factor = 1.0;                     ///< its value over that of the solid
 };
 
 /// [answer]

@@ -81,8 +81,8 @@ std::string against(const model::Load& load, const sense::Section& section) {
   if (load.elements.valid() && !section.whole_elements[load.elements.index()]) {
     return "a load on a part of the thickness";
   }
-  const bool gone = (load.nodes.valid() && mesh.set(load.nodes).nodes.empty()) ||
-                    (load.elements.valid() && mesh.set(load.elements).elements.empty());
+  const bool gone = (load.nodes.valid() && mesh.set_with_id(load.nodes).nodes.empty()) ||
+                    (load.elements.valid() && mesh.set_with_id(load.elements).elements.empty());
   return gone ? "a load away from the section" : "";
 }
 
@@ -193,7 +193,7 @@ deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionP
 }
 
 bool holds_radius(const model::Model& model, const sense::Section& section,
-                  const model::Freedom& freedom) {
+                  const model::FreedomAssignment& freedom) {
   const sense::SectionPlane& plane = section.plane;
   const auto one = static_cast<std::size_t>((plane.axis + 1) % 3);
   const auto other = static_cast<std::size_t>((plane.axis + 2) % 3);
@@ -204,7 +204,7 @@ bool holds_radius(const model::Model& model, const sense::Section& section,
     return false;
   }
   const auto held = static_cast<Eigen::Index>(freedom.dof.at(one) ? one : other);
-  return std::ranges::any_of(model.mesh.set(freedom.nodes).nodes, [&](base::NodeId n) {
+  return std::ranges::any_of(model.mesh.set_with_id(freedom.nodes).nodes, [&](base::NodeId n) {
     const Vec3& x = model.mesh.x[n.index()];
     constexpr double across = 1e-6;
     const bool on_axis = plane.normal(x).squaredNorm() == 0.0;
@@ -215,8 +215,8 @@ bool holds_radius(const model::Model& model, const sense::Section& section,
 bool ends_are_held(const model::Model& model, const sense::Section& section) {
   const sense::SectionPlane& plane = section.plane;
   std::vector<std::array<bool, 3>> held(model.mesh.node_count(), {false, false, false});
-  for (const model::Freedom& freedom : model.freedoms) {
-    for (const base::NodeId n : model.mesh.set(freedom.nodes).nodes) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
+    for (const base::NodeId n : model.mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
         held[n.index()].at(d) = held[n.index()].at(d) || freedom.dof.at(d);
       }

@@ -19,7 +19,7 @@ deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionP
 
 /// Whether supports hold the radius of a round section in the section.
 bool holds_radius(const model::Model& model, const sense::Section& section,
-                  const model::Freedom& freedom);
+                  const model::FreedomAssignment& freedom);
 
 /// Whether all nodes of both flat faces, or at both ends of a sector, are held across them.
 bool ends_are_held(const model::Model& model, const sense::Section& section);

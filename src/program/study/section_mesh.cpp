@@ -93,9 +93,9 @@ void MeshCards::add_mesh(base::NetId net) {
     DeckCard elements = new_card("ELEMENT");
     elements.set("TYPE", std::string(info.name));
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      if (mesh_.element_net[e] == net && base::info(mesh_.type[e]).name == info.name) {
+      if (mesh_.element_net[e] == net && base::element_info(mesh_.type[e]).name == info.name) {
         std::vector<base::Label> labels;
-        for (const base::NodeId n : mesh_.nodes_of(base::ElementId(e))) {
+        for (const base::NodeId n : mesh_.element_nodes(base::ElementId(e))) {
           labels.push_back(mesh_.node_label[n.index()]);
         }
         elements.data += fmt::format("  {}  {}\n", mesh_.element_label[e], fmt::join(labels, " "));

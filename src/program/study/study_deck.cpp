@@ -81,7 +81,7 @@ private:
       log_.message(
           base::Severity::error, "E555",
           fmt::format("the deck itself has no results to compare with: {}", found.trouble));
-      return base::outcome_of(found.end.exit_code).value_or(base::Outcome::not_solvable);
+      return base::exit_outcome(found.end.exit_code).value_or(base::Outcome::not_solvable);
     }
     study_.answers = answers_of(*ready_.model, *found.run);
     if (study_.answers.empty()) {

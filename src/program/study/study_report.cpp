@@ -110,7 +110,7 @@ std::string study_csv(const Study& study) {
   return out;
 }
 
-std::string study_page(const base::Sources& sources, const model::Model& model,
+std::string study_page(const base::SourceTexts& sources, const model::Model& model,
                        const Study& study) {
   report::Page page;
   const std::string title = model.title.empty() ? "spricka study" : model.title;

@@ -16,6 +16,7 @@ std::string study_text(const Study& study);
 std::string study_csv(const Study& study);
 
 /// One page: error against CPU and against freedoms, then the tables.
-std::string study_page(const base::Sources& sources, const model::Model& model, const Study& study);
+std::string study_page(const base::SourceTexts& sources, const model::Model& model,
+                       const Study& study);
 
 } // namespace spricka::program

@@ -36,7 +36,7 @@ std::string first_trouble(const ChildEnd& end) {
 
 VariantEnd read_end(const ChildRun& variant, const ChildEnd& end) {
   VariantEnd found{end, std::nullopt, 0, {}};
-  const std::optional<base::Outcome> outcome = base::outcome_of(end.exit_code);
+  const std::optional<base::Outcome> outcome = base::exit_outcome(end.exit_code);
   const bool has_results =
       outcome && (*outcome == base::Outcome::done || *outcome == base::Outcome::check_failed);
   if (has_results && fs::exists(variant.out / results_name)) {

@@ -100,7 +100,7 @@ struct Listener {
     constexpr int look_again = 20; // [ms]
     const base::Stopwatch watch;
     for (;;) {
-      if ((seconds > 0.0 && watch.wall() >= seconds) ||
+      if ((seconds > 0.0 && watch.wall_time() >= seconds) ||
           (cpu_seconds > 0.0 && cpu_of(pid) >= cpu_seconds)) {
         return true;
       }
@@ -108,7 +108,7 @@ struct Listener {
       if (poll(&end, 1, look_again) > 0 && !take_said(words, said)) {
         return false;
       }
-      peak = std::max(peak, base::peak_memory_of(std::to_string(pid)).value_or(0));
+      peak = std::max(peak, base::process_peak_memory(std::to_string(pid)).value_or(0));
     }
   }
 };
@@ -191,7 +191,7 @@ void ChildRuns::run(std::span<const ChildRun> runs, int at_once,
     // A process begins with the peak of the one that started it.
     ChildEnd end = reap(pid, listener.peak, base::peak_memory());
     end.late = late;
-    end.wall = watch.wall();
+    end.wall = watch.wall_time();
     const std::string& said = listener.said;
     end.messages = said.size() > most_said ? said.substr(said.size() - most_said) : said;
     const std::scoped_lock lock(telling_);

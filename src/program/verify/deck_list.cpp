@@ -99,9 +99,9 @@ std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
       for (const ListedDeck& deck : decks) {
         names.push_back(deck.name);
       }
-      trouble = base::NoAnswer{.kind = base::Outcome::usage,
-                               .why = fmt::format("there is no deck '{}'", word),
-                               .hint = base::suggest(word, names)};
+      trouble = base::OperationFailure{.kind = base::Outcome::usage,
+                                       .why = fmt::format("there is no deck '{}'", word),
+                                       .hint = base::suggest_spelling(word, names)};
       return {};
     }
   }
@@ -133,7 +133,7 @@ void write_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
                           static_cast<double>(cost->memory) / bytes_of_MB);
     }
   }
-  base::write_whole(folder / costs_name, text);
+  base::write_atomically(folder / costs_name, text);
 }
 
 } // namespace spricka::program

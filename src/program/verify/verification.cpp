@@ -97,7 +97,7 @@ base::Outcome outcome_of(const Verification& verification) {
   for (const VerifiedDeck& deck : verification.decks) {
     const base::Outcome own =
         deck.late ? base::Outcome::stopped
-                  : base::outcome_of(deck.exit_code).value_or(base::Outcome::defect); // a signal
+                  : base::exit_outcome(deck.exit_code).value_or(base::Outcome::defect); // a signal
     worst = std::max(worst, own);
   }
   return worst;

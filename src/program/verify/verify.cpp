@@ -209,9 +209,9 @@ private:
         std::error_code ignored;
         fs::remove_all(runs[i].out, ignored);
       }
-      tell(verification_.decks.back(), chosen_[i], watch.wall());
+      tell(verification_.decks.back(), chosen_[i], watch.wall_time());
     });
-    verification_.wall = watch.wall();
+    verification_.wall = watch.wall_time();
     std::ranges::sort(verification_.decks, {}, &VerifiedDeck::name);
     if (options_.keep) {
       to_stdout(fmt::format("run folders in {}\n", scratch.path().string()));
@@ -260,9 +260,9 @@ private:
     if (before_) {
       comparison = compare(verification_, *before_);
     }
-    base::write_whole(options_.out / table_name, verification_csv(verification_));
-    base::write_whole(options_.out / page_name,
-                      verification_page(verification_, problems, comparison));
+    base::write_atomically(options_.out / table_name, verification_csv(verification_));
+    base::write_atomically(options_.out / page_name,
+                           verification_page(verification_, problems, comparison));
     if (!options_.markdown.empty()) {
       write_chapter(problems);
     }
@@ -280,9 +280,9 @@ private:
   void write_chapter(const std::vector<Problem>& problems) const {
     fs::path table = options_.markdown;
     table.replace_extension(".csv");
-    base::write_whole(table, verification_csv(verification_));
-    base::write_whole(options_.markdown,
-                      verification_chapter(verification_, problems, table.filename().string()));
+    base::write_atomically(table, verification_csv(verification_));
+    base::write_atomically(options_.markdown, verification_chapter(verification_, problems,
+                                                                   table.filename().string()));
   }
 
   void print_summary(const std::optional<Comparison>& comparison) const {

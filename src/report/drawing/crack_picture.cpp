@@ -105,7 +105,7 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
       continue;
     }
     const std::size_t n = face.outline.size();
-    const std::size_t step = base::info(mesh.type[face.element.index()]).quadratic ? 2 : 1;
+    const std::size_t step = base::element_info(mesh.type[face.element.index()]).quadratic ? 2 : 1;
     base::Vec3 area = base::Vec3::Zero();
     const base::Vec3& origin = mesh.x[face.outline.front().index()];
     for (std::size_t i = 0; i < n; ++i) {
@@ -143,7 +143,7 @@ base::NetId net_of_front(const results::Increment& increment, const results::Fro
     }
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
     if (std::ranges::find(nodes, nearest) != nodes.end()) {
       return mesh.element_net[e];
     }

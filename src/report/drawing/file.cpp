@@ -6,7 +6,7 @@
 namespace spricka::report {
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
-  base::write_whole(file, bytes);
+  base::write_atomically(file, bytes);
 }
 
 } // namespace spricka::report

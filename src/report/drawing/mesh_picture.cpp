@@ -120,8 +120,8 @@ Sample middle_of(const std::vector<Sample>& nodes) {
 void add_cells(const MeshView& view, const Projection& project, base::ElementId e,
                std::vector<PathData>& bands) {
   const model::Mesh& mesh = *view.mesh;
-  const base::ElementInfo& info = base::info(mesh.type[e.index()]);
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const base::ElementInfo& info = base::element_info(mesh.type[e.index()]);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   std::vector<Sample> at;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto k = static_cast<std::size_t>(mesh.first[e.index()]) + i;
@@ -152,8 +152,8 @@ Drawn collect(const MeshView& view, const Projection& project) {
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     const base::NetId net = mesh.element_net[i];
-    const base::ElementInfo& info = base::info(mesh.type[i]);
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    const base::ElementInfo& info = base::element_info(mesh.type[i]);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     if ((view.net.valid() && net != view.net) || !in_window(view, project, nodes)) {
       continue;
     }
@@ -240,8 +240,9 @@ std::string draw(const MeshView& view) {
   draw_edges(svg, project, drawn.edges, !coloured);
   const Window window{view.low, view.high, project.scale(),
                       [&](const Point& p) { return project(p); }};
-  for (const model::Rigid& rigid : view.rigids) {
-    if (rigid.shape == model::RigidShape::line || rigid.shape == model::RigidShape::arc) {
+  for (const model::RigidTarget& rigid : view.rigids) {
+    if (rigid.shape == model::RigidTargetShape::line ||
+        rigid.shape == model::RigidTargetShape::arc) {
       draw_rigid(svg, rigid, window);
     }
   }

@@ -25,7 +25,7 @@ struct MeshView {
   double magnify = 1.0;
   base::Vec2 rest = base::Vec2::Zero(); ///< the displacement that stays where it is
   std::vector<std::pair<Point, std::string>> labels;
-  std::vector<model::Rigid> rigids;    ///< targets to be drawn
+  std::vector<model::RigidTarget> rigids; ///< targets to be drawn
   const model::Model* marks = nullptr; ///< its supports, loads and contacts are shown; null: none
   /// Colours in the place of tints and inner edges, with their legend below the picture.
   std::vector<double> field; ///< [connectivity index] values; empty: none

@@ -42,10 +42,10 @@ struct Side {
 };
 
 Side side_of(const model::Mesh& mesh, const model::Face& face) {
-  const base::ElementInfo& info = base::info(mesh.type[face.element.index()]);
+  const base::ElementInfo& info = base::element_info(mesh.type[face.element.index()]);
   const auto corners = static_cast<std::size_t>(info.corners);
   const auto s = static_cast<std::size_t>(face.side);
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
   Side side;
   side.from = mesh.x[nodes[s].index()];
   side.to = mesh.x[nodes[(s + 1) % corners].index()];
@@ -71,7 +71,7 @@ base::Vec3 vector_of(const model::Load& load, const base::Vec3& x) {
 }
 
 void add_on_faces(const model::Mesh& mesh, const model::Load& load, std::vector<Arrow>& arrows) {
-  const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
+  const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
   for (std::size_t i = 0; i < faces.size(); i += stride(faces.size())) {
     const Side side = side_of(mesh, faces[i]);
     const bool pressure = load.type == LoadType::pressure;
@@ -91,12 +91,12 @@ base::Vec3 middle_of(const model::Mesh& mesh, const model::Load& load) {
     count += 1.0;
   };
   if (load.faces.valid()) {
-    for (const model::Face& face : mesh.set(load.faces).faces) {
+    for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
       add(side_of(mesh, face).middle);
     }
   } else if (load.elements.valid()) {
-    for (const base::ElementId e : mesh.set(load.elements).elements) {
-      for (const base::NodeId n : mesh.nodes_of(e)) {
+    for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
+      for (const base::NodeId n : mesh.element_nodes(e)) {
         add(mesh.x[n.index()]);
       }
     }
@@ -108,7 +108,7 @@ std::vector<Arrow> arrows_of(const model::Mesh& mesh, const model::Load& load) {
   std::vector<Arrow> arrows;
   const bool at_nodes = load.type == LoadType::force || load.type == LoadType::displacement;
   if (at_nodes && load.nodes.valid()) {
-    const std::vector<base::NodeId>& nodes = mesh.set(load.nodes).nodes;
+    const std::vector<base::NodeId>& nodes = mesh.set_with_id(load.nodes).nodes;
     for (std::size_t i = 0; i < nodes.size(); i += stride(nodes.size())) {
       const base::Vec3& x = mesh.x[nodes[i].index()];
       arrows.push_back({x, vector_of(load, x)});
@@ -170,13 +170,13 @@ void draw_heated(Svg& svg, const model::Model& model, const Window& window) {
       if (load.type != LoadType::temperature || !load.elements.valid()) {
         continue;
       }
-      const std::vector<base::ElementId>& elements = model.mesh.set(load.elements).elements;
+      const std::vector<base::ElementId>& elements = model.mesh.set_with_id(load.elements).elements;
       const std::size_t step = std::max<std::size_t>(1, elements.size() / most_dots);
       for (std::size_t i = 0; i < elements.size(); i += step) {
-        const auto corners =
-            static_cast<std::size_t>(base::info(model.mesh.type[elements[i].index()]).corners);
+        const auto corners = static_cast<std::size_t>(
+            base::element_info(model.mesh.type[elements[i].index()]).corners);
         base::Vec3 sum = base::Vec3::Zero();
-        for (const base::NodeId n : model.mesh.nodes_of(elements[i]).first(corners)) {
+        for (const base::NodeId n : model.mesh.element_nodes(elements[i]).first(corners)) {
           sum += model.mesh.x[n.index()];
         }
         draw_dot(svg, window.project(point_of(sum / static_cast<double>(corners))));
@@ -203,11 +203,11 @@ void draw_held(Svg& svg, Point at, const std::array<bool, 3>& dof) {
 }
 
 void draw_supports(Svg& svg, const model::Model& model, const Window& window) {
-  for (const model::Freedom& freedom : model.freedoms) {
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (!is_held(freedom.cls) || !freedom.nodes.valid()) {
       continue;
     }
-    const std::vector<base::NodeId>& nodes = model.mesh.set(freedom.nodes).nodes;
+    const std::vector<base::NodeId>& nodes = model.mesh.set_with_id(freedom.nodes).nodes;
     for (std::size_t i = 0; i < nodes.size(); i += stride(nodes.size())) {
       draw_held(svg, window.project(point_of(model.mesh.x[nodes[i].index()])), freedom.dof);
     }
@@ -219,7 +219,7 @@ void draw_contacts(Svg& svg, const model::Model& model, const Window& window) {
     for (const base::FaceSetId set : {model.contacts[c].slave, model.contacts[c].master}) {
       PathData path;
       for (const model::Face& face :
-           set.valid() ? model.mesh.set(set).faces : std::vector<model::Face>()) {
+           set.valid() ? model.mesh.set_with_id(set).faces : std::vector<model::Face>()) {
         const Side side = side_of(model.mesh, face);
         const base::Vec3 control = 2.0 * side.middle - 0.5 * (side.from + side.to);
         path.move(window.project(point_of(side.from)));
@@ -241,8 +241,8 @@ struct MarkEntry {
 
 std::vector<MarkEntry> entries_of(const model::Model& model) {
   std::vector<MarkEntry> entries;
-  const bool held =
-      std::ranges::any_of(model.freedoms, [](const model::Freedom& f) { return is_held(f.cls); });
+  const bool held = std::ranges::any_of(
+      model.freedoms, [](const model::FreedomAssignment& f) { return is_held(f.cls); });
   if (held) {
     entries.push_back({MarkEntry::Sign::held, "held in x (beside), in y (below)"});
   }

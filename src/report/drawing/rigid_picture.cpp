@@ -43,7 +43,7 @@ std::optional<std::pair<double, double>> shown(const Vec2& first, const Vec2& ch
   return from < to ? std::optional(std::pair(from, to)) : std::nullopt;
 }
 
-std::vector<Spot> along_line(const model::Rigid& line, const Window& window) {
+std::vector<Spot> along_line(const model::RigidTarget& line, const Window& window) {
   const Vec2 first = line.first.head<2>();
   const Vec2 chord = line.second.head<2>() - first;
   const auto part = shown(first, chord, window);
@@ -81,7 +81,7 @@ std::pair<double, double> angles(const Vec2& centre, const Window& window) {
   return {theta + from, theta + to};
 }
 
-std::vector<Spot> along_arc(const model::Rigid& arc, const Window& window) {
+std::vector<Spot> along_arc(const model::RigidTarget& arc, const Window& window) {
   const Vec2 centre = arc.first.head<2>();
   const double radius = std::abs(arc.radius);
   const auto [from, to] = angles(centre, window);
@@ -98,9 +98,10 @@ std::vector<Spot> along_arc(const model::Rigid& arc, const Window& window) {
 
 } // namespace
 
-void draw_rigid(Svg& svg, const model::Rigid& rigid, const Window& window) {
-  const std::vector<Spot> spots =
-      rigid.shape == model::RigidShape::line ? along_line(rigid, window) : along_arc(rigid, window);
+void draw_rigid(Svg& svg, const model::RigidTarget& rigid, const Window& window) {
+  const std::vector<Spot> spots = rigid.shape == model::RigidTargetShape::line
+                                      ? along_line(rigid, window)
+                                      : along_arc(rigid, window);
   PathData outline;
   PathData hatches;
   for (const Spot& spot : spots) {

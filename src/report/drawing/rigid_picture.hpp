@@ -18,6 +18,6 @@ struct Window {
 
 /// Draws a rigid target as a heavy line with hatches on the side of the rigid body, as far as the
 /// window shows it.
-void draw_rigid(Svg& svg, const model::Rigid& rigid, const Window& window);
+void draw_rigid(Svg& svg, const model::RigidTarget& rigid, const Window& window);
 
 } // namespace spricka::report

@@ -25,7 +25,7 @@ double size_of(const model::Mesh& mesh) {
 /// E times displacement [stress * length].
 double stiffness_times_way(const model::Model& model, const results::Increment& increment) {
   double softest = std::numeric_limits<double>::infinity(); // so that nothing real is hidden
-  for (const model::Property& property : model.properties) {
+  for (const model::ElementProperty& property : model.properties) {
     softest = std::min(softest, model.materials[property.material.index()].E);
   }
   double way = 0.0;
@@ -44,9 +44,9 @@ double elastic_stress(const model::Model& model, const results::Increment& incre
 
 double elastic_force(const model::Model& model, const results::Increment& increment) {
   double depth = 0.0;
-  for (const model::Property& property : model.properties) {
-    const bool plane = property.state == model::State::plane_stress ||
-                       property.state == model::State::plane_strain;
+  for (const model::ElementProperty& property : model.properties) {
+    const bool plane = property.state == model::StressState::plane_stress ||
+                       property.state == model::StressState::plane_strain;
     depth = std::max(depth, plane ? property.thickness : size_of(increment.mesh));
   }
   return stiffness_times_way(model, increment) * depth;

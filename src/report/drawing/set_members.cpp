@@ -17,7 +17,7 @@ std::vector<base::NodeId> set_members(const model::Mesh& mesh, std::string_view 
   for (const model::ElementSet& set : mesh.element_sets) {
     if (set.name == name) {
       for (const base::ElementId e : set.elements) {
-        const std::span<const base::NodeId> own = mesh.nodes_of(e);
+        const std::span<const base::NodeId> own = mesh.element_nodes(e);
         found.insert(found.end(), own.begin(), own.end());
       }
     }

@@ -101,7 +101,7 @@ private:
   // Of the face's own element where properties meet.
   [[nodiscard]] double von_mises(const results::SurfaceFace& face, std::size_t i) const {
     const model::Mesh& mesh = view_.increment->mesh;
-    const auto nodes = mesh.nodes_of(face.element);
+    const auto nodes = mesh.element_nodes(face.element);
     const auto local = std::ranges::find(nodes, face.outline[i]) - nodes.begin();
     const auto k = static_cast<std::size_t>(mesh.first[face.element.index()] + local);
     return results::von_mises(view_.step->stress[static_cast<std::size_t>(points_.of[k])]);

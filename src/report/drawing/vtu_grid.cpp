@@ -49,7 +49,7 @@ void add_cells(VtuDocument& document, const model::Mesh& mesh, const GridPoints&
   std::vector<std::int64_t> connectivity(mesh.nodes.size());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto first = static_cast<std::size_t>(mesh.first[e]);
-    for (std::size_t i = 0; i < mesh.nodes_of(base::ElementId(e)).size(); ++i) {
+    for (std::size_t i = 0; i < mesh.element_nodes(base::ElementId(e)).size(); ++i) {
       connectivity[first + i] = points.of[first + place_of(mesh.type[e], i)];
     }
   }

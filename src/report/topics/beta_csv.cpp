@@ -112,8 +112,9 @@ std::string front_rows(int increment, const model::Model& model, const results::
                        const std::string& factors) {
   std::string text;
   for (const results::FrontResult& front : step.fronts) {
-    const model::Crack* crack = results::crack_of_front(model, front.name);
-    if (crack == nullptr || crack->kind == model::CrackKind::front || front.points.size() < 2) {
+    const model::CrackDefinition* crack = results::crack_of_front(model, front.name);
+    if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front ||
+        front.points.size() < 2) {
       continue;
     }
     std::vector<Vec3> points;
@@ -137,8 +138,9 @@ std::string path_rows(int increment, const model::Model& model, const results::L
                       const std::array<const Factors*, 2>& ways) {
   std::string text;
   for (const results::PathFront& front : path.fronts) {
-    const model::Crack* crack = results::crack_of_front(model, front.is.name);
-    if (crack == nullptr || crack->kind == model::CrackKind::front || front.points.size() < 2) {
+    const model::CrackDefinition* crack = results::crack_of_front(model, front.is.name);
+    if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front ||
+        front.points.size() < 2) {
       continue;
     }
     std::vector<Vec3> points;

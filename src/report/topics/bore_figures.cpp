@@ -34,7 +34,7 @@ struct Seen {
 };
 
 bool is_consistent(const model::Contact& contact) {
-  return contact.recovery == model::Recovery::consistent;
+  return contact.recovery == model::PressureRecovery::consistent;
 }
 
 // What a step of an increment has of a contact, where it is closed anywhere.

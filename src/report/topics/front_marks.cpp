@@ -42,11 +42,11 @@ std::vector<Figure> front_marks(const model::Model& model, const results::Run& r
     return figures;
   }
   const std::vector<results::GrowthStation>& stations = run.growth->stations;
-  for (const model::Crack& crack : model.cracks) {
+  for (const model::CrackDefinition& crack : model.cracks) {
     BeachView view;
     view.title = fmt::format("Fronts of {}", crack.name);
     view.right = crack.plane.along;
-    view.up = crack.plane.across();
+    view.up = crack.plane.transverse_axis();
     view.length_name = model.units.length_name;
     for (std::size_t i = 0; i < std::min(stations.size(), run.increments.size()); ++i) {
       BeachMark mark{.fronts = fronts_of(run.increments[i], crack.name),

@@ -50,7 +50,7 @@ void add_checks(Plot& plot, const model::Model& model) {
   marks.name = "reference";
   marks.joined = false;
   marks.marker = Marker::plus;
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     const double* const a = check.quantity == "N" && check.arguments.size() == 1
                                 ? std::get_if<double>(&check.arguments[0])
                                 : nullptr;
@@ -64,7 +64,7 @@ void add_checks(Plot& plot, const model::Model& model) {
 }
 
 /// The largest t of a spectrum.
-double largest_place(const model::Spectrum& spectrum) {
+double largest_place(const model::SpectrumDefinition& spectrum) {
   double top = 0.0;
   for (const double t : spectrum.turning_points) {
     top = std::max(top, t);
@@ -81,7 +81,7 @@ std::string lines_picture(const model::Model& model, const results::Run& run) {
   if (run.growth->scaled.empty() || !model.growth->spectrum || run.increments.empty()) {
     return {};
   }
-  const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
+  const model::SpectrumDefinition& spectrum = model.spectra[*model.growth->spectrum];
   const results::Increment& increment = run.increments[run.increments.size() / 2];
   const results::LoadPath& path = increment.paths.at(spectrum.path);
   const double top = largest_place(spectrum);
@@ -248,7 +248,7 @@ struct Peak {
   double count = 0.0;
 };
 
-std::vector<Peak> peaks_of(const model::Spectrum& spectrum) {
+std::vector<Peak> peaks_of(const model::SpectrumDefinition& spectrum) {
   std::vector<Peak> peaks;
   for (const std::array<double, 3>& cycle : spectrum.cycles) {
     peaks.push_back({cycle[1], cycle[2]});
@@ -283,7 +283,7 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const Growth&
   if (!model.growth->spectrum) {
     return std::nullopt;
   }
-  const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
+  const model::SpectrumDefinition& spectrum = model.spectra[*model.growth->spectrum];
   std::vector<std::array<double, 2>> reached;
   double sum = 0.0;
   for (const Peak& peak : peaks_of(spectrum)) {

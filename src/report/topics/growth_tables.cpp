@@ -38,9 +38,10 @@ std::optional<std::pair<double, double>> range_of_R(const results::Growth& growt
 // Where faces close K_min below 0 is not that of the crack as it is
 // (analysis/scene/free_faces.hpp).
 bool continued_below_closing(const model::Model& model, const results::Growth& growth) {
-  const bool knows_R = model.growth->law == model::GrowthLaw::nasgro ||
-                       model.growth->law == model::GrowthLaw::walker;
-  const bool touching = std::ranges::any_of(model.cracks, &model::Crack::faces_in_contact);
+  const bool knows_R = model.growth->law == model::CrackGrowthLaw::nasgro ||
+                       model.growth->law == model::CrackGrowthLaw::walker;
+  const bool touching =
+      std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
   const auto R = range_of_R(growth);
   return knows_R && touching && R && R->first < 0.0;
 }
@@ -70,7 +71,7 @@ std::string ratio_words(const model::Model& model, const results::Run& run) {
            "they are, as laws with R < 0 assume.\n";
   }
   const bool below = R->first < 0.0 || closes_at_smallest(model, run);
-  if (below && model.growth->law == model::GrowthLaw::nasgro) {
+  if (below && model.growth->law == model::CrackGrowthLaw::nasgro) {
     out += "At R < 0 the law uses Newman's opening function for this R, down to R = -2.\n";
   } else if (below) {
     out +=
@@ -206,7 +207,7 @@ std::string history_summary(const model::Model& model, const results::Growth& gr
            "warnings.\n";
   }
   // with slip carried over a length begins with what was before, not with the steps
-  const bool carried = model.growth->history == model::History::carry_on;
+  const bool carried = model.growth->history == model::GrowthHistoryMode::carry_on;
   const std::string first = growth.unit == "pass" ? "first pass at a length"
                             : carried             ? "cycle of the steps run once at a length"
                                                   : "first cycle";

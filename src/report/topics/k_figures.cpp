@@ -214,7 +214,7 @@ std::optional<Nominal> nominal(const model::Model& model) {
 
 std::vector<Reference> k_references(const model::Model& model, const results::Run& run) {
   std::vector<Reference> references;
-  for (const model::Check& check : model.checks) {
+  for (const model::ResultCheck& check : model.checks) {
     if ((check.quantity != "K" && check.quantity != "K1") || check.arguments.size() < 2) {
       continue;
     }

@@ -44,7 +44,7 @@ TipPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
   TipPlace place;
   place.node = nearest_node(mesh, x);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
     if (std::find(nodes.begin(), nodes.end(), place.node) == nodes.end()) {
       continue;
     }
@@ -173,8 +173,8 @@ double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) 
   std::vector<std::pair<double, double>> values; // with their share of the area
   double total = 0.0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
     double area = 0.0;
     for (std::size_t i = 0; i < corners; ++i) {
       const base::Vec3& a = mesh.x[nodes[i].index()];

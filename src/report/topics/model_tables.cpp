@@ -71,12 +71,13 @@ Table property_table(const model::Model& model) {
                {"state", "", true},
                {"thickness", model.units.length_name, false}},
               {}};
-  for (const model::Property& p : model.properties) {
-    const model::Material& m = model.materials[p.material.index()];
+  for (const model::ElementProperty& p : model.properties) {
+    const model::ElasticMaterial& m = model.materials[p.material.index()];
     const bool plane =
-        p.state == model::State::plane_stress || p.state == model::State::plane_strain;
-    table.rows.push_back({model.mesh.set(p.elements).name, m.name, fmt::format("{:.6g}", m.E),
-                          fmt::format("{:.4g}", m.nu), state[static_cast<std::size_t>(p.state)],
+        p.state == model::StressState::plane_stress || p.state == model::StressState::plane_strain;
+    table.rows.push_back({model.mesh.set_with_id(p.elements).name, m.name,
+                          fmt::format("{:.6g}", m.E), fmt::format("{:.4g}", m.nu),
+                          state[static_cast<std::size_t>(p.state)],
                           plane ? fmt::format("{:.6g}", p.thickness) : ""});
   }
   return table;
@@ -86,7 +87,7 @@ namespace {
 
 const std::string& master_name(const model::Model& model, const model::Contact& contact) {
   return contact.rigid.valid() ? model.rigids[contact.rigid.index()].name
-                               : model.mesh.set(contact.master).name;
+                               : model.mesh.set_with_id(contact.master).name;
 }
 
 } // namespace
@@ -102,9 +103,9 @@ Table contact_pair_table(const model::Model& model) {
                {"mu", "", false}},
               {}};
   for (const model::Contact& c : model.contacts) {
-    table.rows.push_back({c.name, model.mesh.set(c.slave).name, master_name(model, c),
+    table.rows.push_back({c.name, model.mesh.set_with_id(c.slave).name, master_name(model, c),
                           c.type == model::ContactType::bonded ? "bonded" : "unilateral",
-                          c.pairing == model::Pairing::node ? "node" : "segment",
+                          c.pairing == model::PairingMethod::node ? "node" : "segment",
                           c.gap ? fmt::format("{:.6g}", *c.gap) : "measured",
                           fmt::format("{:.4g}", c.mu)});
   }
@@ -121,17 +122,17 @@ Table rigid_table(const model::Model& model) {
                {"radius", unit, false}},
               {}};
   static constexpr std::array shapes{"line", "arc", "plane", "cylinder", "cone", "sphere"};
-  for (const model::Rigid& r : model.rigids) {
+  for (const model::RigidTarget& r : model.rigids) {
     const bool round = r.radius != 0.0 || r.second_radius != 0.0;
     const bool one_point =
-        r.shape == model::RigidShape::arc || r.shape == model::RigidShape::sphere;
+        r.shape == model::RigidTargetShape::arc || r.shape == model::RigidTargetShape::sphere;
     const std::string radius = fmt::format("{:.6g}", std::abs(r.radius));
     table.rows.push_back({r.name,
                           fmt::format("{}{}", shapes[static_cast<std::size_t>(r.shape)],
                                       r.radius < 0.0 || r.second_radius < 0.0 ? ", a bore" : ""),
                           base::place_text(r.first, model.mesh.dim),
                           one_point ? "" : base::place_text(r.second, model.mesh.dim),
-                          r.shape == model::RigidShape::cone
+                          r.shape == model::RigidTargetShape::cone
                               ? fmt::format("{} to {:.6g}", radius, std::abs(r.second_radius))
                           : round ? radius
                                   : ""});

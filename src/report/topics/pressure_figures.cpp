@@ -18,7 +18,8 @@ namespace {
 using results::ContactPoint;
 
 double pressure(const model::Contact& contact, const ContactPoint& point) {
-  return contact.recovery == model::Recovery::consistent ? point.p_consistent : point.p_lumped;
+  return contact.recovery == model::PressureRecovery::consistent ? point.p_consistent
+                                                                 : point.p_lumped;
 }
 
 double turn(const ContactPoint& from, const ContactPoint& to) {
@@ -120,7 +121,7 @@ PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
 }
 
 std::string recovery_text(const model::Contact& contact) {
-  return contact.recovery == model::Recovery::consistent ? "consistent" : "lumped";
+  return contact.recovery == model::PressureRecovery::consistent ? "consistent" : "lumped";
 }
 
 Figure polar_figure(const model::Model& model, const results::Run& run,

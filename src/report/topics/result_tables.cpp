@@ -59,7 +59,8 @@ void add_cells(Row& row, const base::Vec3& force, const Directions& along, doubl
 }
 
 bool shows_opening(const model::Model& model) {
-  return std::ranges::any_of(model.vces, [](const model::Vce& vce) { return vce.opening; });
+  return std::ranges::any_of(model.vces,
+                             [](const model::CrackExtensionSettings& vce) { return vce.opening; });
 }
 
 /// Whether the listing has a quantity of tips: those by opening where the deck asks for them.

@@ -18,7 +18,7 @@ base::Matrix dense_stiffness(const model::Model& model, const model::Mesh& mesh)
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
   std::vector<std::vector<base::ElementId>> around(mesh.node_count());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const base::NodeId node : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId node : mesh.element_nodes(base::ElementId(e))) {
       around[node.index()].emplace_back(e);
     }
   }

@@ -35,10 +35,10 @@ model::Model strip() {
   block.nx = 10;
   block.ny = 30;
   mesh::generate_block(model.mesh, base::NetId(0), "", block);
-  model::Material& steel = model.materials.emplace_back();
+  model::ElasticMaterial& steel = model.materials.emplace_back();
   steel.E = 210e3;
   steel.nu = 0.3;
-  model::Property& sheet = model.properties.emplace_back();
+  model::ElementProperty& sheet = model.properties.emplace_back();
   sheet.elements = base::ElementSetId(0);
   sheet.material = base::MaterialId(0);
   model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(0));
@@ -53,11 +53,11 @@ mesh::CrackedMesh cut(const model::Mesh& whole) {
   line.points = {{0.0, H / 2, 0.0}, {a, H / 2, 0.0}};
   const mesh::Host host(whole);
   const mesh::TipMesh sizes = mesh::choose_tip_mesh(host, line, nullptr);
-  const base::Span no_card;
+  const base::SourceSpan no_card;
   base::Diagnostics diagnostics;
   auto cracked = mesh::insert_cracks(host, {&line, 1}, {&sizes, 1}, {&no_card, 1}, diagnostics);
   if (!cracked) {
-    throw std::runtime_error(diagnostics.all().front().text);
+    throw std::runtime_error(diagnostics.messages().front().text);
   }
   return std::move(*cracked);
 }
@@ -69,7 +69,7 @@ model::LoadCase pull() {
     model::Load& load = both.loads.emplace_back();
     load.type = model::LoadType::traction;
     load.faces = base::FaceSetId(set);
-    load.value = {{{{base::Op::number, 0.0}}}, {{{base::Op::number, sign * stress}}}};
+    load.value = {{{{base::OpCode::number, 0.0}}}, {{{base::OpCode::number, sign * stress}}}};
   }
   return both;
 }

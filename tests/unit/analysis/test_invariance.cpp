@@ -36,13 +36,13 @@ void write_hub(const std::filesystem::path& file) {
   for (const model::Face& face : inner->faces) {
     out << ++label << " 8 2 1 1";
     for (const int n : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-      out << " " << mesh.nodes_of(face.element)[static_cast<std::size_t>(n)].index() + 1;
+      out << " " << mesh.element_nodes(face.element)[static_cast<std::size_t>(n)].index() + 1;
     }
     out << "\n";
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     out << ++label << " 16 2 2 2";
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       out << " " << n.index() + 1;
     }
     out << "\n";

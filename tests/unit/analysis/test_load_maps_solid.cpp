@@ -128,7 +128,7 @@ TEST(LoadMaps, LugOfSolidsAgreesWithDirectSolutions) {
                                scene.length->recover(scene.model().steps[s], *state));
   }
   MapError worst;
-  for (const model::LoadPath& card : scene.model().load_paths) {
+  for (const model::LoadPathDefinition& card : scene.model().load_paths) {
     const MapError error =
         compare_with_direct(scene.length->paths().pose(card, *scene.solver), dice);
     EXPECT_LT(error.force, 1e-9) << card.name;

@@ -29,7 +29,7 @@ struct HalfBar : testing::Test {
     model.materials = {{"M", 1000.0, 0.3, 0.0, 0.0, {}}};
     model.properties = {{base::ElementSetId(std::size_t{0}),
                          base::MaterialId(std::size_t{0}),
-                         model::State::solid,
+                         model::StressState::solid,
                          1.0,
                          {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));

@@ -152,7 +152,7 @@ std::vector<int> shuffled(std::size_t n, std::mt19937& random) {
 // A block as $COOR and $ELEMENT cards; with `random` numbers and orders are shuffled.
 std::string cards(const std::string& net, const mesh::BlockSpec& spec, std::mt19937* random) {
   model::Mesh mesh;
-  if (base::info(spec.type).dim == 3) {
+  if (base::element_info(spec.type).dim == 3) {
     mesh.dim = 3;
     mesh::generate_solid_block(mesh, base::NetId(0), "", spec);
   } else {
@@ -177,12 +177,12 @@ std::string cards(const std::string& net, const mesh::BlockSpec& spec, std::mt19
     text += fmt::format("  {} {:.17g} {:.17g}", node[n], mesh.x[n].x(), mesh.x[n].y());
     text += mesh.dim == 3 ? fmt::format(" {:.17g}\n", mesh.x[n].z()) : "\n";
   }
-  text += fmt::format("$ELEMENT TYPE={} ESET=BODY\n", base::info(spec.type).name);
+  text += fmt::format("$ELEMENT TYPE={} ESET=BODY\n", base::element_info(spec.type).name);
   for (const int place : element_order) {
     const auto e = static_cast<std::size_t>(place - 1);
     text += fmt::format("  {}", element[e]);
     int column = 0;
-    for (const NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const NodeId n : mesh.element_nodes(base::ElementId(e))) {
       text += fmt::format("{}{}", ++column % 12 == 0 ? "\n  & " : " ", node[n.index()]);
     }
     text += "\n";

@@ -50,16 +50,16 @@ inline model::Model stacked_solids(const StackSpec& spec) {
   model.materials = {{"A", spec.more_on_upper ? 1.0 : 2.0, 0.3, 0.0, 0.0, {}},
                      {"B", spec.more_on_upper ? 2.0 : 1.0, 0.3, 0.0, 0.0, {}}};
   for (std::size_t i = 0; i < 2; ++i) {
-    model::Property property;
+    model::ElementProperty property;
     property.material = base::MaterialId(i);
-    property.state = model::State::solid;
+    property.state = model::StressState::solid;
     for (std::size_t s = 0; s < model.mesh.element_sets.size(); ++s) {
       if (model.mesh.element_sets[s].name == (i == 0 ? "UP.BODY" : "LOW.BODY")) {
         property.elements = base::ElementSetId(s);
       }
     }
     model.properties.push_back(property);
-    for (const base::ElementId e : model.mesh.set(property.elements).elements) {
+    for (const base::ElementId e : model.mesh.set_with_id(property.elements).elements) {
       model.mesh.property[e.index()] = base::PropertyId(i);
     }
   }

@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 
 struct Case {
   ElementType type;
-  model::Pairing pairing;
+  model::PairingMethod pairing;
   int upper;
 };
 
@@ -44,7 +44,7 @@ protected:
 
 // The areas are those of discs and rings; a row opens by its area when the upper disc rises by one.
 TEST_P(Axial, AreasAreThoseOfTheWholeCircumference) {
-  for (const double from : {0.0, GetParam().pairing == model::Pairing::node ? 0.0 : 0.7}) {
+  for (const double from : {0.0, GetParam().pairing == model::PairingMethod::node ? 0.0 : 0.7}) {
     const model::Model model = discs(from);
     const contact::PairRows pair = rows(from, model);
     double area = 0.0;
@@ -69,7 +69,7 @@ TEST_P(Axial, AreasAreThoseOfTheWholeCircumference) {
 
 // Integral of the radius over the disc: rows are exact for displacements that vary along it.
 TEST_P(Axial, FirstMomentIsExact) {
-  if (GetParam().pairing == model::Pairing::node) {
+  if (GetParam().pairing == model::PairingMethod::node) {
     return; // lumped rows are not
   }
   const model::Model model = discs(0.0);
@@ -102,12 +102,13 @@ TEST_P(Axial, UniformPressureComesBackUpToTheAxis) {
   EXPECT_NEAR(p.arc_to, 2.0, 1e-14);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, Axial,
-                         testing::Values(Case{ElementType::quam4, model::Pairing::segment, 7},
-                                         Case{ElementType::quamc8, model::Pairing::segment, 3},
-                                         Case{ElementType::trimc6, model::Pairing::segment, 7},
-                                         Case{ElementType::quam4, model::Pairing::node, 5},
-                                         Case{ElementType::quamc8, model::Pairing::node, 5}));
+INSTANTIATE_TEST_SUITE_P(
+    Types, Axial,
+    testing::Values(Case{ElementType::quam4, model::PairingMethod::segment, 7},
+                    Case{ElementType::quamc8, model::PairingMethod::segment, 3},
+                    Case{ElementType::trimc6, model::PairingMethod::segment, 7},
+                    Case{ElementType::quam4, model::PairingMethod::node, 5},
+                    Case{ElementType::quamc8, model::PairingMethod::node, 5}));
 
 // p = 1 - r^2/4 on ever finer discs: at the axis, where a corner of quadratic edges has no area,
 // the pressure is right to the second order as it is elsewhere.

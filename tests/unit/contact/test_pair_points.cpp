@@ -20,7 +20,7 @@ struct Overlap {
 };
 
 Overlap overlap(ElementType type) {
-  model::Model model = test::two_blocks({type, model::State::plane_strain, 5, 7, 0.3, 1.45});
+  model::Model model = test::two_blocks({type, model::StressState::plane_strain, 5, 7, 0.3, 1.45});
   contact::Surface low = contact::make_surface(model, model.mesh, test::face_set(model, "LO.YMAX"));
   contact::Surface up = contact::make_surface(model, model.mesh, test::face_set(model, "UP.YMIN"));
   return {std::move(model), std::move(low), std::move(up)};

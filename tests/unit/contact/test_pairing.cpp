@@ -22,9 +22,9 @@ double opening(const contact::ConstraintRow& row, const model::Mesh& mesh,
   return g;
 }
 
-class Pairing : public testing::TestWithParam<ElementType> {};
+class PairingMethod : public testing::TestWithParam<ElementType> {};
 
-TEST_P(Pairing, RowsOfFullCirclesCoverTheWholeSurface) {
+TEST_P(PairingMethod, RowsOfFullCirclesCoverTheWholeSurface) {
   const model::Model model = test::two_rings(16, 21, GetParam());
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   ASSERT_TRUE(pair.found);
@@ -41,7 +41,7 @@ TEST_P(Pairing, RowsOfFullCirclesCoverTheWholeSurface) {
   EXPECT_NEAR(area, 5.0 * length, 1e-6 * area);
 }
 
-TEST_P(Pairing, ForcesOfARowBalanceAndHaveNoMoment) {
+TEST_P(PairingMethod, ForcesOfARowBalanceAndHaveNoMoment) {
   const model::Model model = test::two_rings(16, 21, GetParam());
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
@@ -57,7 +57,7 @@ TEST_P(Pairing, ForcesOfARowBalanceAndHaveNoMoment) {
   }
 }
 
-TEST_P(Pairing, RotationOfOneRingOpensNothing) {
+TEST_P(PairingMethod, RotationOfOneRingOpensNothing) {
   const model::Model model = test::two_rings(16, 21, GetParam());
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
@@ -69,11 +69,11 @@ TEST_P(Pairing, RotationOfOneRingOpensNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, Pairing,
+INSTANTIATE_TEST_SUITE_P(Types, PairingMethod,
                          testing::Values(ElementType::quam4, ElementType::quamc8,
                                          ElementType::trimc6));
 
-TEST(Pairing, DeclaredGapIsUsedExactly) {
+TEST(PairingMethod, DeclaredGapIsUsedExactly) {
   model::Model model = test::two_rings(12, 15, ElementType::quamc8);
   model.contacts[0].gap = -0.01;
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
@@ -82,7 +82,7 @@ TEST(Pairing, DeclaredGapIsUsedExactly) {
   }
 }
 
-TEST(Pairing, SofterSideCarriesTheMultipliersWhenSizesAreAlike) {
+TEST(PairingMethod, SofterSideCarriesTheMultipliersWhenSizesAreAlike) {
   EXPECT_TRUE(contact::pair_rows(test::two_rings(16, 17, ElementType::quamc8, 0.1),
                                  test::two_rings(16, 17, ElementType::quamc8, 0.1).mesh,
                                  test::two_rings(16, 17, ElementType::quamc8, 0.1).contacts[0])
@@ -91,19 +91,19 @@ TEST(Pairing, SofterSideCarriesTheMultipliersWhenSizesAreAlike) {
   EXPECT_FALSE(contact::pair_rows(stiff, stiff.mesh, stiff.contacts[0]).swapped);
 }
 
-TEST(Pairing, CoarserSideCarriesTheMultipliers) {
+TEST(PairingMethod, CoarserSideCarriesTheMultipliers) {
   const model::Model model = test::two_rings(40, 12, ElementType::quamc8, 10.0);
   EXPECT_TRUE(contact::pair_rows(model, model.mesh, model.contacts[0]).swapped);
 }
 
-TEST(Pairing, NodePairsThatDoNotMatchAreRefused) {
+TEST(PairingMethod, NodePairsThatDoNotMatchAreRefused) {
   model::Model model = test::two_rings(16, 21, ElementType::quamc8);
-  model.contacts[0].pairing = model::Pairing::node;
+  model.contacts[0].pairing = model::PairingMethod::node;
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_TRUE(!pair.trouble.empty() || !pair.found);
 }
 
-TEST(Pairing, SurfacesThatLookAwayAreNotFound) {
+TEST(PairingMethod, SurfacesThatLookAwayAreNotFound) {
   model::Model model = test::two_rings(16, 21, ElementType::quamc8);
   for (std::size_t i = 0; i < model.mesh.face_sets.size(); ++i) {
     if (model.mesh.face_sets[i].name == "OUT.OUTER") {
@@ -116,7 +116,7 @@ TEST(Pairing, SurfacesThatLookAwayAreNotFound) {
 
 // With friction there is a slip row behind each normal row, that of a bonded pair; the turn of one
 // ring slips it by area times angle times radius.
-TEST(Pairing, FrictionHasTheSlipRowsOfABondedPair) {
+TEST(PairingMethod, FrictionHasTheSlipRowsOfABondedPair) {
   model::Model model = test::two_rings(16, 21, ElementType::quamc8);
   model::Contact contact = model.contacts[0];
   EXPECT_TRUE(contact::pair_rows(model, model.mesh, contact).tangent.empty());

@@ -91,8 +91,9 @@ TEST(PushOnly, MeanOfHertzIsThatOfThePartInContact) {
   for (const base::ElementType type : {base::ElementType::quamc8, base::ElementType::quam4}) {
     for (const bool nodes : {false, true}) {
       model::Model model = test::two_blocks(
-          {.type = type, .state = model::State::plane_strain, .lower = 40, .upper = 40});
-      model.contacts[0].pairing = nodes ? model::Pairing::node : model::Pairing::segment;
+          {.type = type, .state = model::StressState::plane_strain, .lower = 40, .upper = 40});
+      model.contacts[0].pairing =
+          nodes ? model::PairingMethod::node : model::PairingMethod::segment;
       const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
       const double spacing = type == base::ElementType::quam4 ? 0.05 : 0.025;
       for (double a = 0.5; a < 0.5 + spacing; a += 0.2 * spacing) {
@@ -118,8 +119,8 @@ TEST(PushOnly, RecoveredPressureOfARandomPairNeverPulls) {
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (const bool nodes : {false, true}) {
     model::Model model = test::two_blocks(
-        {.state = model::State::plane_stress, .lower = 10, .upper = nodes ? 10 : 7});
-    model.contacts[0].pairing = nodes ? model::Pairing::node : model::Pairing::segment;
+        {.state = model::StressState::plane_stress, .lower = 10, .upper = nodes ? 10 : 7});
+    model.contacts[0].pairing = nodes ? model::PairingMethod::node : model::PairingMethod::segment;
     const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
     for (int k = 0; k < 100; ++k) {
       Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
@@ -143,7 +144,7 @@ TEST(PushOnly, RecoveredPressureOfARandomPairNeverPulls) {
 
 // What is glued may pull.
 TEST(PushOnly, BondedPairsPull) {
-  const model::Model model = test::two_blocks({.state = model::State::plane_stress});
+  const model::Model model = test::two_blocks({.state = model::StressState::plane_stress});
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =

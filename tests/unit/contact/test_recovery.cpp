@@ -43,7 +43,7 @@ TEST(Recovery, NodePairsGiveUniformPressureFromConsistentForces) {
                          std::sin(turn) * x.x() + std::cos(turn) * x.y(), 0.0};
     }
   }
-  model.contacts[0].pairing = model::Pairing::node;
+  model.contacts[0].pairing = model::PairingMethod::node;
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   ASSERT_TRUE(pair.found && pair.trouble.empty()) << pair.trouble;
   const auto n = static_cast<Eigen::Index>(pair.normal.size());

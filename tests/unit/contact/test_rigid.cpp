@@ -28,7 +28,7 @@ using test::TwoBlocks;
 TwoBlocks plane(ElementType type) {
   TwoBlocks spec;
   spec.type = type;
-  spec.state = model::State::plane_strain;
+  spec.state = model::StressState::plane_strain;
   return spec;
 }
 
@@ -105,7 +105,7 @@ TEST(RigidTarget, FacesNothingOnItsOtherSideOrBeyondItsEnds) {
 
 TEST(RigidTarget, NodePairsStandOnTheirFeet) {
   model::Model model = block_on(plane(ElementType::quamc8), line(-1.0, 0.9, 3.0, 0.9));
-  model.contacts[0].pairing = model::Pairing::node;
+  model.contacts[0].pairing = model::PairingMethod::node;
   const contact::PairRows pair = pair_of(model);
   ASSERT_TRUE(pair.found && pair.trouble.empty());
   EXPECT_EQ(pair.normal.size(), 11U);
@@ -241,11 +241,11 @@ TEST(SharpEnd, IsAlsoTheMouthOfACrack) {
     model::Model model = test::two_rings(16, outer_edges, ElementType::quamc8, modulus);
     model::Mesh& mesh = model.mesh;
     const model::FaceSet& set =
-        mesh.set(inner ? model.contacts[0].slave : model.contacts[0].master);
+        mesh.set_with_id(inner ? model.contacts[0].slave : model.contacts[0].master);
     const std::size_t e = set.faces.front().element.index();
     const base::NodeId shared = [&] { // of the first face's element and the next one's, on r = 2
-      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
-        const auto next = mesh.nodes_of(set.faces[1].element);
+      for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
+        const auto next = mesh.element_nodes(set.faces[1].element);
         if (std::abs(mesh.x[n.index()].norm() - 2.0) < 1e-9 &&
             std::find(next.begin(), next.end(), n) != next.end()) {
           return n;

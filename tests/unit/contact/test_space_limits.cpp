@@ -45,7 +45,7 @@ double opening(const contact::ConstraintRow& row, const base::Vector& u) {
 
 const base::NetId up{std::size_t{0}};
 
-model::Model block_on(model::Rigid rigid) {
+model::Model block_on(model::RigidTarget rigid) {
   test::StackSpec spec;
   spec.upper_type = ElementType::tet10;
   model::Model model = test::stacked_solids(spec);
@@ -57,8 +57,8 @@ model::Model block_on(model::Rigid rigid) {
 }
 
 TEST(RigidInSpace, PlaneMeetsAllOfABlockAtItsDistance) {
-  model::Rigid floor;
-  floor.shape = model::RigidShape::plane;
+  model::RigidTarget floor;
+  floor.shape = model::RigidTargetShape::plane;
   floor.first = {1.0, 2.0, -0.25};
   floor.second = {1.0, 2.0, 5.0};
   const model::Model model = block_on(floor);
@@ -80,8 +80,8 @@ TEST(RigidInSpace, PlaneMeetsAllOfABlockAtItsDistance) {
 }
 
 TEST(RigidInSpace, BallIsMetByItsDistance) {
-  model::Rigid ball;
-  ball.shape = model::RigidShape::sphere;
+  model::RigidTarget ball;
+  ball.shape = model::RigidTargetShape::sphere;
   ball.first = {0.0, 0.0, -50.0};
   ball.radius = 50.0;
   const model::Model model = block_on(ball);
@@ -93,8 +93,8 @@ TEST(RigidInSpace, BallIsMetByItsDistance) {
 }
 
 TEST(RigidInSpace, AConeWithoutTheBodyInItIsNotMet) {
-  model::Rigid cone;
-  cone.shape = model::RigidShape::cone;
+  model::RigidTarget cone;
+  cone.shape = model::RigidTargetShape::cone;
   cone.first = {0.0, 0.0, 40.0};
   cone.second = {0.0, 0.0, 80.0};
   cone.radius = 1.0;
@@ -247,7 +247,7 @@ TEST_P(NodePairs, OfAUniformPressureAreTheSameEverywhere) {
   spec.upper_cells = spec.lower_cells = 3;
   spec.turn = 0.0;
   model::Model model = test::stacked_solids(spec);
-  model.contacts[0].pairing = model::Pairing::node;
+  model.contacts[0].pairing = model::PairingMethod::node;
   const contact::PairRows pair = pair_of(model);
   ASSERT_TRUE(pair.trouble.empty()) << pair.trouble;
   // The forces of a pressure of 2: what it puts on each node through the shape functions.
@@ -288,12 +288,12 @@ TEST(NodePairsInSpace, AreRefusedWhereAPressurePullsAtCornersOrNodesDoNotMatch) 
   spec.upper_cells = spec.lower_cells = 3;
   spec.turn = 0.0;
   model::Model model = test::stacked_solids(spec);
-  model.contacts[0].pairing = model::Pairing::node;
+  model.contacts[0].pairing = model::PairingMethod::node;
   EXPECT_NE(pair_of(model).trouble.find("8 nodes"), std::string::npos);
   spec.upper_type = spec.lower_type = ElementType::hexec27;
   spec.upper_cells = 4;
   model = test::stacked_solids(spec);
-  model.contacts[0].pairing = model::Pairing::node;
+  model.contacts[0].pairing = model::PairingMethod::node;
   EXPECT_NE(pair_of(model).trouble.find("opposite each slave node"), std::string::npos);
 }
 
@@ -302,7 +302,7 @@ TEST(CornerMultipliers, HaveOneRowForEachCorner) {
   test::StackSpec spec;
   spec.turn = 0.0;
   model::Model model = test::stacked_solids(spec);
-  model.contacts[0].multiplier = model::Multiplier::corners;
+  model.contacts[0].multiplier = model::MultiplierNodes::corners;
   const contact::PairRows pair = pair_of(model);
   EXPECT_EQ(pair.normal.size(), 25U); // 4 x 4 faces of the foot
   double area = 0.0;

@@ -29,9 +29,9 @@ double opening(const contact::ConstraintRow& row, const model::Mesh& mesh,
 
 const base::NetId up{std::size_t{0}};
 
-using Pairing = std::tuple<ElementType, ElementType, bool, bool>;
+using PairingMethod = std::tuple<ElementType, ElementType, bool, bool>;
 
-class SpaceRows : public testing::TestWithParam<Pairing> {
+class SpaceRows : public testing::TestWithParam<PairingMethod> {
 protected:
   void SetUp() override {
     const auto [upper, lower, upper_is_slave, soft_upper] = GetParam();
@@ -105,7 +105,7 @@ TEST_P(SpaceRows, AUnitOfPressureIsTheLoadOfTheFoot) {
   }
   EXPECT_LT((force - Vec3(0.0, 0.0, 36.0)).norm(), 1e-10);
   const ElementType type = std::get<0>(GetParam());
-  if (base::info(type).quadratic) {
+  if (base::element_info(type).quadratic) {
     EXPECT_NEAR(second, 216.0, 1e-9); // a b (a^2 + b^2) / 12
   }
 }

@@ -10,7 +10,7 @@ namespace spricka::test {
 
 struct TwoBlocks {
   base::ElementType type = base::ElementType::quamc8;
-  model::State state = model::State::axisymmetric;
+  model::StressState state = model::StressState::axisymmetric;
   int lower = 5, upper = 5;    ///< elements along x
   double from = 0.0, to = 2.0; ///< of the upper block along x; the lower one is 0 to 2
 };
@@ -39,7 +39,7 @@ inline model::Model two_blocks(const TwoBlocks& spec) {
   block.nx = spec.upper;
   mesh::generate_block(model.mesh, base::NetId(std::size_t{1}), "UP.", block);
   model.materials = {{"A", 1.0, 0.3, 0.0, 0.0, {}}};
-  model::Property property;
+  model::ElementProperty property;
   property.material = base::MaterialId(std::size_t{0});
   property.state = spec.state;
   property.thickness = 5.0;
@@ -56,7 +56,7 @@ inline model::Model two_blocks(const TwoBlocks& spec) {
 }
 
 /// The same, the upper block against a rigid target instead of the lower one.
-inline model::Model block_on(const TwoBlocks& spec, const model::Rigid& rigid) {
+inline model::Model block_on(const TwoBlocks& spec, const model::RigidTarget& rigid) {
   model::Model model = two_blocks(spec);
   model.rigids = {rigid};
   model.contacts[0].master = {};
@@ -64,16 +64,16 @@ inline model::Model block_on(const TwoBlocks& spec, const model::Rigid& rigid) {
   return model;
 }
 
-inline model::Rigid line(double x0, double y0, double x1, double y1) {
-  model::Rigid rigid;
+inline model::RigidTarget line(double x0, double y0, double x1, double y1) {
+  model::RigidTarget rigid;
   rigid.first = {x0, y0, 0.0};
   rigid.second = {x1, y1, 0.0};
   return rigid;
 }
 
-inline model::Rigid arc(double x, double y, double radius) {
-  model::Rigid rigid;
-  rigid.shape = model::RigidShape::arc;
+inline model::RigidTarget arc(double x, double y, double radius) {
+  model::RigidTarget rigid;
+  rigid.shape = model::RigidTargetShape::arc;
   rigid.first = {x, y, 0.0};
   rigid.radius = radius;
   return rigid;

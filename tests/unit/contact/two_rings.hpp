@@ -35,12 +35,12 @@ inline model::Model two_rings(int inner, int outer, base::ElementType type, doub
     return base::ElementSetId();
   };
   for (std::size_t i = 0; i < 2; ++i) {
-    model::Property property;
+    model::ElementProperty property;
     property.elements = set(i == 0 ? "IN.BODY" : "OUT.BODY");
     property.material = base::MaterialId(i);
     property.thickness = 5.0;
     model.properties.push_back(property);
-    for (const base::ElementId e : model.mesh.set(property.elements).elements) {
+    for (const base::ElementId e : model.mesh.set_with_id(property.elements).elements) {
       model.mesh.property[e.index()] = base::PropertyId(i);
     }
   }

@@ -134,7 +134,7 @@ Tube::Tube(const mesh::FrontCurve& curve, const TubeSpec& spec) {
   model.materials = {{"M", 1000.0, spec.nu, 0.0, 1e-3, {}}};
   model.properties = {{base::ElementSetId(std::size_t{0}),
                        base::MaterialId(std::size_t{0}),
-                       model::State::solid,
+                       model::StressState::solid,
                        1.0,
                        {}}};
   model::Mesh& mesh = model.mesh;

@@ -35,7 +35,7 @@ struct Plate {
     model.materials = {{"M", 1000.0, 0.3, 0.0, 0.0, {}}};
     model.properties = {{base::ElementSetId(std::size_t{0}),
                          base::MaterialId(std::size_t{0}),
-                         model::State::plane_strain,
+                         model::StressState::plane_strain,
                          thickness,
                          {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
@@ -46,7 +46,7 @@ struct Plate {
     mesh::TipMesh tip = mesh::choose_tip_mesh(model.mesh, line, nullptr);
     tip.quarter_point = quarter;
     base::Diagnostics diagnostics;
-    const std::vector<base::Span> spans(1);
+    const std::vector<base::SourceSpan> spans(1);
     auto made = mesh::insert_cracks(model.mesh, {&line, 1}, {&tip, 1}, spans, diagnostics);
     EXPECT_TRUE(made.has_value());
     cracked = std::move(*made);
@@ -116,7 +116,7 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
         }
         const base::Matrix rows =
             crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
-                                             {field}, model::CrackState::automatic, plate.faces);
+                                             {field}, model::TipConstraint::automatic, plate.faces);
         const base::Vector pressed = rows.transpose() * plate.forces(0.0, 3.0);
         const base::Vector sheared = rows.transpose() * plate.forces(3.0, 0.0);
         const double K = 3.0 * closed_form(R, S);
@@ -137,12 +137,12 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
   const crack::CrackFaceForces crack_faces{plate.faces, plate.forces(-0.7, 1.3)};
   crack::VceRequest request;
   request.crack_faces = &crack_faces;
-  request.state = model::CrackState::stress;
+  request.state = model::TipConstraint::stress;
   const crack::StressIntensity K = crack::stress_intensity(
       plate.model, plate.cracked, plate.cracked.fronts[1], plate.fields, request, none, {});
   const base::Vector of_rows =
       crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
-                                       plate.fields, model::CrackState::stress, plate.faces)
+                                       plate.fields, model::TipConstraint::stress, plate.faces)
           .transpose() *
       crack_faces.force;
   EXPECT_NEAR(K.K1, of_rows[0], 1e-12 * std::abs(of_rows[0]));

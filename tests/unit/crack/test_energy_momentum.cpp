@@ -11,10 +11,11 @@ namespace spricka::crack::test_energy_momentum {
 namespace {
 
 template <int dim> fe::Elasticity<dim> steel() {
-  model::Material material;
+  model::ElasticMaterial material;
   material.E = 210.0;
   material.nu = 0.3;
-  return fe::elasticity<dim>(material, dim == 3 ? model::State::solid : model::State::plane_strain);
+  return fe::elasticity<dim>(material, dim == 3 ? model::StressState::solid
+                                                : model::StressState::plane_strain);
 }
 
 /// Nodal values without a pattern, a reproducible part of one.
@@ -30,7 +31,7 @@ template <int dim> fe::AnyNodeVectors<dim> rough(const fe::AnyElement<dim>& elem
 template <int dim> fe::AnyNodeVectors<dim> skewed(const fe::AnyElement<dim>& element) {
   fe::AnyNodeVectors<dim> X = 0.04 * rough(element, 0.3);
   for (int i = 0; i < element.nodes; ++i) {
-    X.col(i) += element.node(i);
+    X.col(i) += element.node_coordinates(i);
   }
   return X;
 }
@@ -70,7 +71,7 @@ using Shapes = testing::Types<shape::Trimc6, shape::Quamc8, shape::Tet10, shape:
 TYPED_TEST_SUITE(EnergyMomentum, Shapes);
 
 TYPED_TEST(EnergyMomentum, IsWhatMovingNodesRelease) {
-  const auto& element = shape::reference<TypeParam>();
+  const auto& element = shape::as_reference_element<TypeParam>();
   using Vectors = fe::AnyNodeVectors<TypeParam::dim>;
   const Vectors X = skewed(element);
   const Vectors U = rough(element, 1.1);
@@ -85,7 +86,7 @@ TYPED_TEST(EnergyMomentum, IsWhatMovingNodesRelease) {
 // Two displacements: the release of their sum less those of each.
 TYPED_TEST(EnergyMomentum, OfTwoIsTheBilinearForm) {
   constexpr int dim = TypeParam::dim;
-  const auto& element = shape::reference<TypeParam>();
+  const auto& element = shape::as_reference_element<TypeParam>();
   const Tensor<dim> Hu = rough(element, 0.2).template leftCols<dim>();
   const Tensor<dim> Hv = rough(element, 0.7).template leftCols<dim>();
   const Tensor<dim> H = Hu + Hv;

@@ -14,25 +14,25 @@
 namespace spricka::test_front_energy {
 namespace {
 
-using base::Op;
+using base::OpCode;
 using base::Vec3;
 using test::Tube;
 
-base::Instruction number(double v) {
-  return {Op::number, v};
+base::ExpressionInstruction number(double v) {
+  return {OpCode::number, v};
 }
 
 /// c + a x + b z, as the deck would give it.
-base::Expression field(double c, double a, double b) {
+base::CompiledExpression field(double c, double a, double b) {
   return {{number(c),
            number(a),
-           {Op::x, 0.0},
-           {Op::multiply, 0.0},
-           {Op::add, 0.0},
+           {OpCode::x, 0.0},
+           {OpCode::multiply, 0.0},
+           {OpCode::add, 0.0},
            number(b),
-           {Op::z, 0.0},
-           {Op::multiply, 0.0},
-           {Op::add, 0.0}}};
+           {OpCode::z, 0.0},
+           {OpCode::multiply, 0.0},
+           {OpCode::add, 0.0}}};
 }
 
 double linear_temperature(const Vec3& x) {
@@ -107,7 +107,8 @@ private:
     const fe::AnyElement<3>& shape = shape::reference_element<3>(mesh.type[e.index()]);
     const fe::AnyNodeVectors<3> X = fe::coordinates(shape, mesh, e);
     const fe::AnyNodeVectors<3> U = fe::gather(shape, mesh, e, u);
-    const fe::Elasticity<3> D = fe::elasticity<3>(tube_.model.materials[0], model::State::solid);
+    const fe::Elasticity<3> D =
+        fe::elasticity<3>(tube_.model.materials[0], model::StressState::solid);
     const double beta = fe::heat_modulus(fe::law_of(tube_.model, mesh, e));
     double sum = 0.0;
     const auto known = degree_.find(e); // that of the nodal forces, so that they are its slopes

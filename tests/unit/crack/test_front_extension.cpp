@@ -99,7 +99,7 @@ TEST(FrontExtension, TiedNodesFollowTheirMasters) {
   Tube tube(test::straight_front(1.0), {.segments = 4});
   const base::NodeId a = tube.front().points[1].node;
   const base::NodeId b = tube.front().points[2].node;
-  const base::NodeId slave = tube.mesh().nodes_of(base::ElementId(std::size_t{0}))[1];
+  const base::NodeId slave = tube.mesh().element_nodes(base::ElementId(std::size_t{0}))[1];
   tube.cracked.ties = {{slave, {a, b}, {0.25, 0.75}, base::CrackId(std::size_t{0})}};
   const crack::FrontFields fields = tube.fields({1});
   const auto q = fields.points[2].front().q();

@@ -24,7 +24,7 @@ constexpr double mu = 1000.0 / 2.6; // of the tubes' material
 constexpr std::array<double, 3> K_given{3.0, -1.25, 2.0};
 
 crack::FrontBody body_of(const Tube& tube) {
-  const fe::Lame k = fe::lame(tube.model.materials[0], model::State::solid);
+  const fe::Lame k = fe::lame(tube.model.materials[0], model::StressState::solid);
   return {k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
 }
 
@@ -212,7 +212,7 @@ TEST_F(PressedPenny, TakesPressureBetweenItsFaces) {
   contact.contact = pressure();
   model::Load load;
   load.type = model::LoadType::pressure;
-  load.value = {{{base::Instruction{base::Op::number, 1.0}}}};
+  load.value = {{{base::ExpressionInstruction{base::OpCode::number, 1.0}}}};
   crack::FrontLoads given;
   crack::ActingLoad acting{&load, 1.0, {}, tube.cracked.faces.front().left_sides};
   for (const model::Face& face : tube.cracked.faces.front().right_sides) {

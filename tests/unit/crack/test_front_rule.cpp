@@ -19,7 +19,7 @@ struct RuledPenny : testing::Test {
   Tube tube{test::penny_front(1.0), {.segments = 24, .radii = {0.03, 0.06, 0.12, 0.19}}};
 
   [[nodiscard]] bool at_front(base::ElementId e) const {
-    return std::ranges::any_of(tube.mesh().nodes_of(e), [&](base::NodeId n) {
+    return std::ranges::any_of(tube.mesh().element_nodes(e), [&](base::NodeId n) {
       const Vec3& x = tube.mesh().x[n.index()];
       return std::hypot(std::hypot(x.x(), x.y()) - 1.0, x.z()) < 1e-3;
     });
@@ -72,7 +72,7 @@ TEST_F(RuledBend, IsFinerTowardsTheCentresOfCurvature) {
     double least = 1.0;
     for (const auto& [e, of_rule] : own.degree) {
       Vec3 centre = Vec3::Zero();
-      for (const base::NodeId n : tube.mesh().nodes_of(e)) {
+      for (const base::NodeId n : tube.mesh().element_nodes(e)) {
         centre += tube.mesh().x[n.index()] / 20.0;
       }
       if ((centre - x).norm() < least) {
@@ -90,7 +90,7 @@ TEST_F(RuledBend, IsFinerTowardsTheCentresOfCurvature) {
 // the 30 % by which these elements miss K2 and K3 here, and 0.8 % if the centres did not count.
 TEST_F(RuledBend, FinerRulesLeaveKAlone) {
   const crack::FrontAxes axes(*tube.front().curve);
-  const fe::Lame k = fe::lame(tube.model.materials[0], model::State::solid);
+  const fe::Lame k = fe::lame(tube.model.materials[0], model::StressState::solid);
   const crack::FrontBody body{k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
   const base::Vector u = tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
     const crack::FrontPlace at = axes.place(x, side);

@@ -23,7 +23,7 @@ struct Faces {
   mesh::Front front;
   base::Vector u = base::Vector::Zero(10);
 
-  explicit Faces(model::State state, bool tip_first) {
+  explicit Faces(model::StressState state, bool tip_first) {
     model.materials = {{"M", 1000.0, 0.3, 0.0, 0.0, {}}};
     model.properties = {
         {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 1.0, {}}};
@@ -70,7 +70,8 @@ struct Faces {
 };
 
 TEST(OpeningIntensity, OfTheNearTipFieldIsItsOwnK) {
-  for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
+  for (const model::StressState state :
+       {model::StressState::plane_stress, model::StressState::plane_strain}) {
     for (const bool tip_first : {false, true}) {
       const std::optional<std::array<double, 2>> K = Faces(state, tip_first).intensity();
       ASSERT_TRUE(K.has_value());
@@ -82,7 +83,7 @@ TEST(OpeningIntensity, OfTheNearTipFieldIsItsOwnK) {
 
 // Of a half on a line of symmetry the other face is the mirror image.
 TEST(OpeningIntensity, OfASymmetricHalfCountsBothFaces) {
-  Faces half(model::State::plane_strain, false);
+  Faces half(model::StressState::plane_strain, false);
   half.cracked.faces[0].right.clear();
   half.front.symmetric_half = true;
   const std::optional<std::array<double, 2>> K = half.intensity();

@@ -23,7 +23,7 @@ TipFrame turned(double angle) {
   return tip;
 }
 
-class PointForce : public testing::TestWithParam<model::State> {
+class PointForce : public testing::TestWithParam<model::StressState> {
 protected:
   [[nodiscard]] Eigen::Matrix2d stress(const TipFrame& tip, const base::Vec2& x) const {
     const Eigen::Matrix2d H =
@@ -31,7 +31,7 @@ protected:
     const fe::Strain<2> s = fe::elasticity<2>(material, GetParam()) * fe::strain<2>(H);
     return fe::stress_tensor<2>(s);
   }
-  model::Material material{"M", 210.0, 0.3, 0.0, 0.0, {}};
+  model::ElasticMaterial material{"M", 210.0, 0.3, 0.0, 0.0, {}};
 };
 
 TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
@@ -118,7 +118,8 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
 }
 
 INSTANTIATE_TEST_SUITE_P(States, PointForce,
-                         testing::Values(model::State::plane_stress, model::State::plane_strain));
+                         testing::Values(model::StressState::plane_stress,
+                                         model::StressState::plane_strain));
 
 } // namespace
 } // namespace spricka::test_point_force

@@ -24,7 +24,7 @@ struct Annulus {
   std::vector<crack::ExtensionField> fields;
   base::Vector u;
 
-  Annulus(int nr, int nt, model::State state, base::ElementType type) {
+  Annulus(int nr, int nt, model::StressState state, base::ElementType type) {
     mesh::RingSpec spec;
     spec.type = type;
     spec.ri = 0.5;
@@ -64,7 +64,8 @@ struct Annulus {
   }
 };
 
-class NearTipField : public testing::TestWithParam<std::tuple<model::State, base::ElementType>> {};
+class NearTipField
+    : public testing::TestWithParam<std::tuple<model::StressState, base::ElementType>> {};
 
 TEST_P(NearTipField, GivesItsOwnK) {
   const auto [state, type] = GetParam();
@@ -108,14 +109,16 @@ TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
   EXPECT_NEAR(error[0] / error[1], 100.0, 5.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    States, NearTipField,
-    testing::Combine(testing::Values(model::State::plane_stress, model::State::plane_strain),
-                     testing::Values(base::ElementType::quamc8, base::ElementType::quamc9)));
+INSTANTIATE_TEST_SUITE_P(States, NearTipField,
+                         testing::Combine(testing::Values(model::StressState::plane_stress,
+                                                          model::StressState::plane_strain),
+                                          testing::Values(base::ElementType::quamc8,
+                                                          base::ElementType::quamc9)));
 
 TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
-  for (const model::CrackState state : {model::CrackState::automatic, model::CrackState::strain}) {
-    Annulus a(4, 24, model::State::plane_stress, base::ElementType::quamc8);
+  for (const model::TipConstraint state :
+       {model::TipConstraint::automatic, model::TipConstraint::strain}) {
+    Annulus a(4, 24, model::StressState::plane_stress, base::ElementType::quamc8);
     crack::ExtensionField narrow = a.fields.front(); // a second domain
     for (crack::NodeMotion& moved : narrow.motion) {
       moved.q *= moved.q;
@@ -137,9 +140,9 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
 }
 
 TEST(StressIntensity, StateOfTheCrackRescalesK) {
-  const Annulus a(4, 32, model::State::plane_stress, base::ElementType::quamc8);
+  const Annulus a(4, 32, model::StressState::plane_stress, base::ElementType::quamc8);
   crack::VceRequest strain;
-  strain.state = model::CrackState::strain;
+  strain.state = model::TipConstraint::strain;
   const double own = crack::stress_intensity(a.model, a.cracked, a.front, a.fields, {}, a.u, {}).K1;
   const double other =
       crack::stress_intensity(a.model, a.cracked, a.front, a.fields, strain, a.u, {}).K1;

@@ -15,18 +15,18 @@
 namespace spricka::test_tip_terms {
 namespace {
 
-using base::Op;
+using base::OpCode;
 
-const base::Instruction x{Op::x, 0.0};
-const base::Instruction y{Op::y, 0.0};
-const base::Instruction plus{Op::add, 0.0};
-const base::Instruction times{Op::multiply, 0.0};
-base::Instruction number(double v) {
-  return {Op::number, v};
+const base::ExpressionInstruction x{OpCode::x, 0.0};
+const base::ExpressionInstruction y{OpCode::y, 0.0};
+const base::ExpressionInstruction plus{OpCode::add, 0.0};
+const base::ExpressionInstruction times{OpCode::multiply, 0.0};
+base::ExpressionInstruction number(double v) {
+  return {OpCode::number, v};
 }
 
 /// 1 + a x + b y + c x y, as the deck would give it.
-base::Expression field(double a, double b, double c) {
+base::CompiledExpression field(double a, double b, double c) {
   return {{number(1.0), number(a), x, times, plus, number(b), y, times, plus, number(c), x, y,
            times, times, plus}};
 }
@@ -40,7 +40,7 @@ struct Plate {
   std::vector<crack::ExtensionField> fields;
   base::Vector u;
 
-  explicit Plate(model::State state) {
+  explicit Plate(model::StressState state) {
     const base::NetId net(std::size_t{0});
     mesh::BlockSpec spec;
     spec.type = base::ElementType::quamc8;
@@ -59,9 +59,9 @@ struct Plate {
     line.points = {{0.0, 2.0, 0.0}, {1.5, 2.4, 0.0}};
     base::Diagnostics diagnostics;
     const std::vector<mesh::TipMesh> tips{mesh::choose_tip_mesh(model.mesh, line, nullptr)};
-    cracked =
-        mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::Span>(1), diagnostics)
-            .value();
+    cracked = mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::SourceSpan>(1),
+                                  diagnostics)
+                  .value();
     crack_faces = mesh::crack_sides(cracked.mesh, cracked.faces.front());
     std::vector<int> left_out;
     fields = crack::Neighbourhood(cracked.mesh).fields(cracked, front(), {2, 4}, left_out);
@@ -122,8 +122,8 @@ crack::TipLoads acting(const Plate& plate, const model::Load& load, double facto
     loads.temperature =
         base::Vector::Zero(static_cast<Eigen::Index>(plate.cracked.mesh.nodes.size()));
     for (std::size_t e = 0; e < plate.cracked.mesh.element_count(); ++e) {
-      const auto nodes = plate.cracked.mesh.nodes_of(base::ElementId(e));
-      const int corners = base::info(plate.cracked.mesh.type[e]).corners;
+      const auto nodes = plate.cracked.mesh.element_nodes(base::ElementId(e));
+      const int corners = base::element_info(plate.cracked.mesh.type[e]).corners;
       for (int i = 0; i < corners; ++i) { // linear: what the projection finds
         loads.temperature[plate.cracked.mesh.first[e] + i] =
             factor *
@@ -134,7 +134,7 @@ crack::TipLoads acting(const Plate& plate, const model::Load& load, double facto
   return loads;
 }
 
-class TipTerm : public testing::TestWithParam<std::tuple<model::State, What>> {};
+class TipTerm : public testing::TestWithParam<std::tuple<model::StressState, What>> {};
 
 // G against the energy itself, differenced on both sides: with every load, also with one whose
 // force at the tip is not balanced by the other crack face's.
@@ -172,7 +172,8 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   const model::Load load = load_of(what);
   const crack::TipLoads loads = acting(plate, load, 1e3);
   const auto& [model, cracked, crack_faces, fields, u] = plate;
-  for (const model::CrackState wish : {model::CrackState::automatic, model::CrackState::stress}) {
+  for (const model::TipConstraint wish :
+       {model::TipConstraint::automatic, model::TipConstraint::stress}) {
     crack::VceRequest request;
     request.state = wish;
     const crack::StressIntensity K =
@@ -189,30 +190,30 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<model::State, What>>& info) {
+std::string name_of(const testing::TestParamInfo<std::tuple<model::StressState, What>>& info) {
   const auto [state, what] = info.param;
   const std::string names[] = {"Body", "Pressure", "Traction", "Temperature"};
   return names[static_cast<std::size_t>(what)] +
-         (state == model::State::plane_stress ? "Stress" : "Strain");
+         (state == model::StressState::plane_stress ? "Stress" : "Strain");
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, TipTerm,
-                         testing::Combine(testing::Values(model::State::plane_stress,
-                                                          model::State::plane_strain),
+                         testing::Combine(testing::Values(model::StressState::plane_stress,
+                                                          model::StressState::plane_strain),
                                           testing::Values(What::body, What::pressure,
                                                           What::traction, What::temperature)),
                          name_of);
 
 // Crack faces of the plate: as many sides on each, opposite each other, ending at the tip.
 TEST(CrackSides, LieOppositeEachOther) {
-  const Plate plate(model::State::plane_stress);
+  const Plate plate(model::StressState::plane_stress);
   ASSERT_EQ(plate.crack_faces.left.size(), plate.crack_faces.right.size());
   EXPECT_EQ(2 * plate.crack_faces.left.size() + 1, plate.cracked.faces.front().left.size());
   double length = 0.0;
   for (const model::Face& face : plate.crack_faces.left) {
-    const auto nodes = plate.cracked.mesh.nodes_of(face.element);
-    const auto corners =
-        static_cast<std::size_t>(base::info(plate.cracked.mesh.type[face.element.index()]).corners);
+    const auto nodes = plate.cracked.mesh.element_nodes(face.element);
+    const auto corners = static_cast<std::size_t>(
+        base::element_info(plate.cracked.mesh.type[face.element.index()]).corners);
     const auto i = static_cast<std::size_t>(face.side);
     const base::Vec3 d = plate.cracked.mesh.x[nodes[(i + 1) % corners].index()] -
                          plate.cracked.mesh.x[nodes[i].index()];

@@ -20,16 +20,16 @@ TipFrame turned(double angle) {
   return tip;
 }
 
-class Williams : public testing::TestWithParam<std::tuple<int, model::State>> {
+class Williams : public testing::TestWithParam<std::tuple<int, model::StressState>> {
 protected:
   [[nodiscard]] int mode() const { return std::get<0>(GetParam()); }
-  [[nodiscard]] model::State state() const { return std::get<1>(GetParam()); }
+  [[nodiscard]] model::StressState state() const { return std::get<1>(GetParam()); }
   [[nodiscard]] Eigen::Matrix2d stress(const TipFrame& tip, const base::Vec2& x) const {
     const Eigen::Matrix2d H = crack::auxiliary_gradient(tip, x, mode(), material, state());
     const fe::Strain<2> s = fe::elasticity<2>(material, state()) * fe::strain<2>(H);
     return fe::stress_tensor<2>(s);
   }
-  model::Material material{"M", 210.0, 0.3, 0.0, 0.0, {}};
+  model::ElasticMaterial material{"M", 210.0, 0.3, 0.0, 0.0, {}};
 };
 
 TEST_P(Williams, GradientIsTheDerivativeOfTheDisplacement) {
@@ -77,8 +77,8 @@ TEST_P(Williams, StressAheadDefinesK) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, Williams,
                          testing::Combine(testing::Values(1, 2),
-                                          testing::Values(model::State::plane_stress,
-                                                          model::State::plane_strain)));
+                                          testing::Values(model::StressState::plane_stress,
+                                                          model::StressState::plane_strain)));
 
 } // namespace
 } // namespace spricka::test_williams

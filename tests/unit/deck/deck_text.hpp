@@ -35,7 +35,7 @@ public:
 
 /// Reads a deck given as text; keeps what it said.
 struct Reading {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<model::Model> model;
 
@@ -43,7 +43,7 @@ struct Reading {
     folder.write("test.deck", text);
     model = read_deck(folder.path / "test.deck", options, sources, diagnostics);
   }
-  [[nodiscard]] std::string messages() const { return base::format(sources, diagnostics); }
+  [[nodiscard]] std::string messages() const { return base::format_messages(sources, diagnostics); }
   /// Codes of all errors in order of place, separated by blanks.
   [[nodiscard]] std::string codes() const {
     std::string all;

@@ -12,7 +12,7 @@ namespace spricka::deck::test_bind {
 namespace {
 
 struct Binder {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   grammar::Scope scope;
 
@@ -23,12 +23,12 @@ struct Binder {
   }
   BoundCard bind(const std::string& header) {
     diagnostics = {};
-    const auto cards = grammar::parse_cards(sources, sources.add("card", header), diagnostics);
+    const auto cards = grammar::parse_cards(sources, sources.add_text("card", header), diagnostics);
     return bind_card(cards.front(), *grammar::find_card(cards.front().name), scope, diagnostics);
   }
   std::string code(const std::string& header) {
     EXPECT_TRUE(bind(header).bad) << header;
-    return diagnostics.all().empty() ? "" : diagnostics.all().front().code;
+    return diagnostics.messages().empty() ? "" : diagnostics.messages().front().code;
   }
 };
 
@@ -36,7 +36,7 @@ TEST(Bind, ValuesAndDefaults) {
   Binder b;
   const BoundCard card =
       b.bind("$CONTACT NAME=fit SLAVE=PIN.OUTER MASTER=HUB.INNER DIAMETRAL=(2*delta) PAIRING=node");
-  EXPECT_FALSE(card.bad) << base::format(b.sources, b.diagnostics);
+  EXPECT_FALSE(card.bad) << base::format_messages(b.sources, b.diagnostics);
   EXPECT_EQ(card.word("NAME"), "FIT");
   EXPECT_EQ(card.reference("SLAVE").name, "PIN.OUTER");
   EXPECT_EQ(card.number("DIAMETRAL"), 0.168);

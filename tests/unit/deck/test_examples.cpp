@@ -20,7 +20,7 @@ TEST(Examples, BindWithoutAMistake) {
     folder.write("lug_model.inc", "");
     folder.write("lug.geo", "");
     const Reading reading(folder, text);
-    for (const base::Diagnostic& d : reading.diagnostics.all()) {
+    for (const base::Diagnostic& d : reading.diagnostics.messages()) {
       EXPECT_FALSE(d.code.starts_with("E1") || d.code.starts_with("E2")) << card.name << ":\n"
                                                                          << reading.messages();
     }

@@ -78,10 +78,10 @@ TEST(Meshes, AnInputFileBringsMaterialAndProperty) {
   ASSERT_EQ(model.materials.size(), 2U);
   EXPECT_EQ(model.materials[1].name, "A.ALU");
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-    EXPECT_EQ(model.material_of(model.mesh, base::ElementId(e)).E, 70000.0);
+    EXPECT_EQ(model.element_material(model.mesh, base::ElementId(e)).E, 70000.0);
   }
-  EXPECT_EQ(model.property_of(model.mesh, base::ElementId(std::size_t{0})).state,
-            model::State::plane_strain);
+  EXPECT_EQ(model.element_property(model.mesh, base::ElementId(std::size_t{0})).state,
+            model::StressState::plane_strain);
   EXPECT_TRUE(model.unavailable.empty());
 }
 
@@ -108,7 +108,7 @@ TEST(Meshes, WhatAnInputFileMayNotSayIsToldAtTheCard) {
   const Reading tied(folder, deck);
   ASSERT_TRUE(tied.model) << tied.messages();
   ASSERT_EQ(tied.model->mpcs.size(), 1U);
-  const auto& equation = std::get<model::Equation>(tied.model->mpcs[0]);
+  const auto& equation = std::get<model::ConstraintEquation>(tied.model->mpcs[0]);
   ASSERT_EQ(equation.terms.size(), 2U);
   EXPECT_EQ(equation.terms[1].coefficient, -1.0);
   const Reading raised(folder, k_head + "$IMPORT FILE='p.inp' FORMAT=INP TYPE=QUADRATIC\n$END\n");

@@ -24,8 +24,8 @@ TEST(ReadDeck, ASmallDeckBecomesAModel) {
   EXPECT_EQ(m.units.stress_name(), "MPa");
   EXPECT_EQ(m.mesh.node_count(), 4U);
   ASSERT_EQ(m.mesh.element_count(), 1U);
-  EXPECT_EQ(m.material_of(m.mesh, base::ElementId(0)).E, 210000.0);
-  EXPECT_EQ(m.property_of(m.mesh, base::ElementId(0)).thickness, 1.0);
+  EXPECT_EQ(m.element_material(m.mesh, base::ElementId(0)).E, 210000.0);
+  EXPECT_EQ(m.element_property(m.mesh, base::ElementId(0)).thickness, 1.0);
   EXPECT_EQ(m.freedoms.at(0).cls, model::FreedomClass::prescribed);
   EXPECT_EQ(m.freedoms.at(0).dof, (std::array<bool, 3>{true, true, false}));
   const model::Load& load = m.cases.at(0).loads.at(0);
@@ -34,7 +34,7 @@ TEST(ReadDeck, ASmallDeckBecomesAModel) {
   EXPECT_EQ(m.steps.at(0).substeps, 2);
   EXPECT_EQ(std::get<model::ApplyLoad>(m.steps.at(0).actions.at(0)).factor, 0.5);
   EXPECT_EQ(m.outputs.at(0).requests.at(0).name, "PLATE");
-  const model::Check& check = m.checks.at(0);
+  const model::ResultCheck& check = m.checks.at(0);
   EXPECT_EQ(check.quantity, "S.XX.MIN");
   EXPECT_EQ(std::get<std::string>(check.arguments.at(1)), "PULL");
   EXPECT_EQ(check.source, "exact");
@@ -222,9 +222,9 @@ TEST(ReadDeck, NetsQualifyNames) {
                               "$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0\n$END\n");
   ASSERT_TRUE(r.model) << r.messages();
   const model::Model& m = *r.model;
-  EXPECT_EQ(m.mesh.set(m.contacts[0].slave).name, "PIN.OUTER");
-  EXPECT_EQ(m.mesh.set(m.contacts[0].master).name, "HUB.INNER");
-  EXPECT_EQ(m.property_of(m.mesh, base::ElementId(0)).state, model::State::plane_strain);
+  EXPECT_EQ(m.mesh.set_with_id(m.contacts[0].slave).name, "PIN.OUTER");
+  EXPECT_EQ(m.mesh.set_with_id(m.contacts[0].master).name, "HUB.INNER");
+  EXPECT_EQ(m.element_property(m.mesh, base::ElementId(0)).state, model::StressState::plane_strain);
 }
 
 TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
@@ -236,7 +236,7 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
                                      "$CONTROL TOL=1e-9\n$END\n");
   ASSERT_TRUE(r.model) << r.messages();
   std::vector<std::string> what;
-  for (const model::Unavailable& u : r.model->unavailable) {
+  for (const model::UnavailableAnalysis& u : r.model->unavailable) {
     what.push_back(u.what);
     EXPECT_TRUE(u.span.valid());
   }
@@ -275,7 +275,7 @@ TEST(ReadDeck, AFreeCrackOfOnePointAndGrowth) {
                                      "$CHECK\n K1(C.2, S, (0.1*3)) = 1 ABS 1\n$END\n");
   ASSERT_TRUE(r.model) << r.messages();
   const model::Model& m = *r.model;
-  EXPECT_EQ(m.cracks.at(0).kind, model::CrackKind::free);
+  EXPECT_EQ(m.cracks.at(0).kind, model::CrackDefinitionKind::free);
   EXPECT_EQ(m.cracks[0].points.size(), 1U);
   EXPECT_DOUBLE_EQ(*m.cracks[0].angle, 1.5707963267948966);
   EXPECT_EQ(m.vces.at(0).domains, (std::vector<int>{1, 2, 3}));
@@ -301,7 +301,7 @@ TEST(ReadDeck, ChecksAtAPoint) {
 }
 
 TEST(ReadDeck, ADeckThatCannotBeReadThrows) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   EXPECT_THROW(read_deck("/nowhere/at/all.deck", {}, sources, diagnostics), std::system_error);
   EXPECT_THROW(read_deck("/", {}, sources, diagnostics), std::system_error);

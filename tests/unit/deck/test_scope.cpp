@@ -30,7 +30,7 @@ std::vector<std::string> notes(const Reading& r) {
   std::vector<std::string> what;
   EXPECT_TRUE(r.model) << r.messages();
   if (r.model) {
-    for (const model::Unavailable& u : r.model->unavailable) {
+    for (const model::UnavailableAnalysis& u : r.model->unavailable) {
       EXPECT_TRUE(u.span.valid());
       what.push_back(u.what);
     }
@@ -82,7 +82,7 @@ TEST(Scope, HeatedMaterialsWithoutAlphaAreToldOnce) {
                                 "$END\n");
     EXPECT_TRUE(r.model) << r.messages();
     std::string told;
-    for (const base::Diagnostic& d : r.diagnostics.all()) {
+    for (const base::Diagnostic& d : r.diagnostics.messages()) {
       told += d.code + ": " + d.text + "\n";
     }
     return told;

@@ -117,12 +117,12 @@ TEST(SetItems, FacesAndNodesStandForEachOther) {
   ASSERT_TRUE(r.model) << r.messages();
   const model::Mesh& mesh = r.model->mesh;
   ASSERT_EQ(r.model->freedoms.size(), 1U);
-  EXPECT_EQ(mesh.set(r.model->freedoms[0].nodes).nodes.size(), 2U);
+  EXPECT_EQ(mesh.set_with_id(r.model->freedoms[0].nodes).nodes.size(), 2U);
   const auto& loads = r.model->cases.at(0).loads;
   ASSERT_EQ(loads.size(), 2U);
-  ASSERT_EQ(mesh.set(loads[0].faces).faces.size(), 1U);
-  EXPECT_EQ(mesh.set(loads[0].faces).faces[0].side, 0);
-  EXPECT_EQ(mesh.set(loads[1].faces).faces[0].side, 1);
+  ASSERT_EQ(mesh.set_with_id(loads[0].faces).faces.size(), 1U);
+  EXPECT_EQ(mesh.set_with_id(loads[0].faces).faces[0].side, 0);
+  EXPECT_EQ(mesh.set_with_id(loads[1].faces).faces[0].side, 1);
   EXPECT_FALSE(loads[1].value[0].is_constant());
 }
 

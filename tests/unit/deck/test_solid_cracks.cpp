@@ -22,12 +22,12 @@ TEST(SolidCrack, AnEllipseHasAxesByItsNormal) {
   const Folder folder;
   const Reading r(folder, solid_deck("$CRACK NAME=C NET=A A=1 C=0.5 X0=1 Y0=2 Z0=3 NORMAL=Y\n"));
   ASSERT_TRUE(r.model) << r.messages();
-  const model::Crack& crack = r.model->cracks.front();
-  EXPECT_EQ(crack.kind, model::CrackKind::ellipse);
+  const model::CrackDefinition& crack = r.model->cracks.front();
+  EXPECT_EQ(crack.kind, model::CrackDefinitionKind::ellipse);
   EXPECT_EQ(crack.plane.place, Vec3(1, 2, 3));
   EXPECT_EQ(crack.plane.normal, Vec3::UnitY());
   EXPECT_EQ(crack.plane.along, Vec3::UnitZ());
-  EXPECT_EQ(crack.plane.across(), Vec3::UnitX());
+  EXPECT_EQ(crack.plane.transverse_axis(), Vec3::UnitX());
   EXPECT_EQ(crack.plane.a, 1.0);
   EXPECT_EQ(crack.plane.c, 0.5);
 }
@@ -38,7 +38,7 @@ TEST(SolidCrack, AnyPlaneByTwoPoints) {
                   solid_deck("$CRACK NAME=C NET=A A=1 X0=1 Y0=0 Z0=0 X1=1 Y1=3 Z1=4 X2=1 Y2=4 "
                              "Z2=7\n"));
   ASSERT_TRUE(r.model) << r.messages();
-  const model::CrackPlane& plane = r.model->cracks.front().plane;
+  const model::PlanarCrack& plane = r.model->cracks.front().plane;
   EXPECT_LT((plane.normal - Vec3(0, 0.6, 0.8)).norm(), 1e-15);
   EXPECT_LT((plane.along - Vec3(0, -0.8, 0.6)).norm(), 1e-14);
   EXPECT_EQ(plane.c, 1.0); // a circle
@@ -52,8 +52,8 @@ TEST(SolidCrack, AFrontLiesInThePlaneOfItsPoints) {
   const Reading good(folder, solid_deck("$CRACK NAME=C NET=A X0=0.1 Y0=1 Z0=1\n 1 1 0\n 1.5 1 2\n"
                                         " 1 1 4\n"));
   ASSERT_TRUE(good.model) << good.messages();
-  const model::Crack& crack = good.model->cracks.front();
-  EXPECT_EQ(crack.kind, model::CrackKind::drawn);
+  const model::CrackDefinition& crack = good.model->cracks.front();
+  EXPECT_EQ(crack.kind, model::CrackDefinitionKind::drawn);
   EXPECT_NEAR(std::abs(crack.plane.normal.y()), 1.0, 1e-12);
   EXPECT_EQ(crack.points.size(), 3U);
 }

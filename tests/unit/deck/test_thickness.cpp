@@ -25,7 +25,7 @@ const std::string force = "$LOAD CASE=L TYPE=RESULTANT\n TOP.BODY 0 -1\n";
 
 std::string warnings(const Reading& r) {
   std::string codes;
-  for (const base::Diagnostic& d : r.diagnostics.all()) {
+  for (const base::Diagnostic& d : r.diagnostics.messages()) {
     codes += (codes.empty() ? "" : " ") + d.code;
   }
   return codes;

@@ -16,7 +16,7 @@ namespace {
 TEST(ContactLoad, ALinearPressureWorksOnTheModesAsInTheIntegral) {
   for (const auto& [lower, upper] : {std::pair{4, 5}, std::pair{7, 8}, std::pair{3, 4}}) {
     test::TwoBlocks spec;
-    spec.state = model::State::plane_stress;
+    spec.state = model::StressState::plane_stress;
     spec.lower = lower;
     spec.upper = upper;
     const model::Model model = test::two_blocks(spec);

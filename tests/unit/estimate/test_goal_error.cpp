@@ -44,7 +44,7 @@ struct Strip {
     model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-5, {}}};
     model.properties = {{base::ElementSetId(std::size_t{0}),
                          base::MaterialId(std::size_t{0}),
-                         model::State::plane_strain,
+                         model::StressState::plane_strain,
                          0.7,
                          {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
@@ -56,7 +56,7 @@ struct Strip {
     const std::vector<mesh::CrackLine> lines{line};
     mesh::TipMesh tip{0.12, 0.05, 3, 8, quarter_point, true};
     auto found = mesh::insert_cracks(model.mesh, lines, std::vector{tip},
-                                     std::vector<base::Span>(1), diagnostics);
+                                     std::vector<base::SourceSpan>(1), diagnostics);
     if (!found) {
       throw std::runtime_error("no cracked mesh");
     }
@@ -117,7 +117,7 @@ struct Strip {
     const auto& sets = cracked.mesh.face_sets;
     const auto top = std::ranges::find(sets, "YMAX", &model::FaceSet::name);
     load.faces = base::FaceSetId(static_cast<std::size_t>(top - sets.begin()));
-    load.value = {base::Expression::constant(x), base::Expression::constant(y)};
+    load.value = {base::CompiledExpression::constant(x), base::CompiledExpression::constant(y)};
     return {"PULL", {load}};
   }
 
@@ -153,9 +153,9 @@ Found estimate_of(const Strip& s, const model::LoadCase& load) {
       estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
   const mesh::Front& front = s.cracked.fronts[0];
   const base::Matrix g =
-      crack::intensity_rows(s.model, s.cracked, front, s.fields, model::CrackState::automatic);
-  const base::Matrix g_e = modes.functional(
-      crack::intensity_points(s.model, s.cracked, front, s.fields, model::CrackState::automatic));
+      crack::intensity_rows(s.model, s.cracked, front, s.fields, model::TipConstraint::automatic);
+  const base::Matrix g_e = modes.functional(crack::intensity_points(
+      s.model, s.cracked, front, s.fields, model::TipConstraint::automatic));
   const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(modes, load);
   const Eigen::LDLT<base::Matrix> factor(s.K);
@@ -225,8 +225,8 @@ std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
   std::vector<bool> straight(static_cast<std::size_t>(modes.freedoms()), true);
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    const auto nodes = mesh.nodes_of(e);
-    const auto corners = static_cast<std::size_t>(base::info(mesh.type[i]).corners);
+    const auto nodes = mesh.element_nodes(e);
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[i]).corners);
     // Eight nodes hold quadratics on parallelograms only.
     bool bent = corners == 4 && (mesh.x[nodes[0].index()] + mesh.x[nodes[2].index()] -
                                  mesh.x[nodes[1].index()] - mesh.x[nodes[3].index()])
@@ -279,7 +279,7 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   model::LoadCase load{"BEND", {}};
   const std::vector<std::pair<std::string, base::Vec2>> sides{
       {"XMIN", {-1, 0}}, {"XMAX", {1, 0}}, {"YMIN", {0, -1}}, {"YMAX", {0, 1}}};
-  using base::Op;
+  using base::OpCode;
   for (const auto& [name, normal] : sides) {
     model::Load one = strip.pull(0.0, 0.0).loads[0];
     const auto& sets = strip.cracked.mesh.face_sets;
@@ -288,9 +288,9 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
     for (Eigen::Index c = 0; c < 2; ++c) {
       const double t = s * e1.dot(normal) * e1[c];
       one.value[static_cast<std::size_t>(c)].code = {
-          {Op::x, 0.0},   {Op::number, t * e2.x()},      {Op::multiply, 0.0},
-          {Op::y, 0.0},   {Op::number, t * e2.y()},      {Op::multiply, 0.0},
-          {Op::add, 0.0}, {Op::number, t * tip.dot(e2)}, {Op::subtract, 0.0}};
+          {OpCode::x, 0.0},   {OpCode::number, t * e2.x()},      {OpCode::multiply, 0.0},
+          {OpCode::y, 0.0},   {OpCode::number, t * e2.y()},      {OpCode::multiply, 0.0},
+          {OpCode::add, 0.0}, {OpCode::number, t * tip.dot(e2)}, {OpCode::subtract, 0.0}};
     }
     load.loads.push_back(one);
   }

@@ -25,7 +25,7 @@ TEST_P(ModeMemory, KeptMatricesAreThoseMadeAnew) {
   model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-5, {}}};
   model.properties = {{base::ElementSetId(std::size_t{0}),
                        base::MaterialId(std::size_t{0}),
-                       model::State::plane_strain,
+                       model::StressState::plane_strain,
                        0.7,
                        {}}};
   model::Mesh& mesh = model.mesh;

@@ -31,14 +31,15 @@ template <shape::PlaneShape S> std::vector<shape::Point<2>> inner_points() {
 
 // From corner s to the next one at t.
 template <shape::PlaneShape S> shape::Point<2> on_side(int s, double t) {
-  const shape::Point<2> a = shape::node<S>(s);
-  const shape::Point<2> b = shape::node<S>((s + 1) % Modes<S>::sides);
+  const shape::Point<2> a = shape::node_coordinates<S>(s);
+  const shape::Point<2> b = shape::node_coordinates<S>((s + 1) % Modes<S>::sides);
   return 0.5 * (1.0 - t) * a + 0.5 * (1.0 + t) * b;
 }
 
 TYPED_TEST(CubicModes, VanishAtAllNodes) {
   for (int n = 0; n < TypeParam::nodes; ++n) {
-    EXPECT_LT(Modes<TypeParam>::psi(shape::node<TypeParam>(n)).cwiseAbs().maxCoeff(), 1e-16);
+    EXPECT_LT(Modes<TypeParam>::psi(shape::node_coordinates<TypeParam>(n)).cwiseAbs().maxCoeff(),
+              1e-16);
   }
 }
 
@@ -83,7 +84,7 @@ TYPED_TEST(CubicModes, CompleteTheCubics) {
   EXPECT_EQ(qr.rank(), A.cols()); // hierarchical: none is a combination of the others
   for (int a = 0; a <= 3; ++a) {
     for (int b = 0; b <= 3; ++b) {
-      if (S::domain == shape::Domain::triangle && a + b > 3) {
+      if (S::domain == shape::ReferenceDomain::triangle && a + b > 3) {
         continue;
       }
       Eigen::VectorXd f(rows);
@@ -116,7 +117,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-    const auto nodes = mesh.nodes_of(e);
+    const auto nodes = mesh.element_nodes(e);
     SideState sides;
     for (int s = 0; s < Modes<S>::sides; ++s) {
       sides.sign[static_cast<std::size_t>(s)] =
@@ -129,7 +130,8 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
       const Eigen::Matrix2d J = X * S::dN(r);
       const auto G = estimate::mode_gradients(PlaneModes::of(S::type), X, r, J, sides);
       const base::Vec2 along =
-          sign * J * (shape::node<S>((s + 1) % Modes<S>::sides) - shape::node<S>(s));
+          sign * J *
+          (shape::node_coordinates<S>((s + 1) % Modes<S>::sides) - shape::node_coordinates<S>(s));
       Seen found;
       for (int k = 0; k < 2; ++k) {
         const Eigen::Vector4d g = G.col(2 * s + k);

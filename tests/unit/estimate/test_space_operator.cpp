@@ -50,7 +50,7 @@ struct Block {
     model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-5, {}}};
     model.properties = {{base::ElementSetId(std::size_t{0}),
                          base::MaterialId(std::size_t{0}),
-                         model::State::solid,
+                         model::StressState::solid,
                          1.0,
                          {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
@@ -89,7 +89,7 @@ private:
     const auto count = element.nodes + static_cast<Eigen::Index>(modes.modes().size());
     std::vector<Eigen::Index> at;
     std::vector<double> sign;
-    for (const base::NodeId n : model.mesh.nodes_of(e)) {
+    for (const base::NodeId n : model.mesh.element_nodes(e)) {
       at.push_back(3 * static_cast<Eigen::Index>(n.index()));
       sign.push_back(1.0);
     }
@@ -182,7 +182,9 @@ TEST_P(SpaceOperatorOf, HasItsDiagonal) {
 INSTANTIATE_TEST_SUITE_P(Types, SpaceOperatorOf,
                          testing::Values(ElementType::tet10, ElementType::pentac15,
                                          ElementType::hexec20),
-                         [](const auto& type) { return std::string(base::info(type.param).name); });
+                         [](const auto& type) {
+                           return std::string(base::element_info(type.param).name);
+                         });
 
 } // namespace
 } // namespace spricka::estimate::test_space_operator

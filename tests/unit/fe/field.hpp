@@ -7,17 +7,18 @@
 namespace spricka::test {
 
 struct Field {
-  base::Expression code;
+  base::CompiledExpression code;
 
-  Field(double value) : code(base::Expression::constant(value)) {} // NOLINT: numbers are fields
-  explicit Field(base::Op variable) : code{{{variable, 0.0}}} {}
+  Field(double value)
+      : code(base::CompiledExpression::constant(value)) {} // NOLINT: numbers are fields
+  explicit Field(base::OpCode variable) : code{{{variable, 0.0}}} {}
 
-  Field& append(const Field& b, base::Op op) {
+  Field& append(const Field& b, base::OpCode op) {
     code.code.insert(code.code.end(), b.code.code.begin(), b.code.code.end());
     code.code.push_back({op, 0.0});
     return *this;
   }
-  [[nodiscard]] Field apply(base::Op op) const {
+  [[nodiscard]] Field apply(base::OpCode op) const {
     Field f = *this;
     f.code.code.push_back({op, 0.0});
     return f;
@@ -25,27 +26,27 @@ struct Field {
 };
 
 inline Field operator+(Field a, const Field& b) {
-  return a.append(b, base::Op::add);
+  return a.append(b, base::OpCode::add);
 }
 inline Field operator-(Field a, const Field& b) {
-  return a.append(b, base::Op::subtract);
+  return a.append(b, base::OpCode::subtract);
 }
 inline Field operator*(Field a, const Field& b) {
-  return a.append(b, base::Op::multiply);
+  return a.append(b, base::OpCode::multiply);
 }
 inline Field operator/(Field a, const Field& b) {
-  return a.append(b, base::Op::divide);
+  return a.append(b, base::OpCode::divide);
 }
 inline Field sin(const Field& a) {
-  return a.apply(base::Op::sin);
+  return a.apply(base::OpCode::sin);
 }
 inline Field cos(const Field& a) {
-  return a.apply(base::Op::cos);
+  return a.apply(base::OpCode::cos);
 }
 
-inline const Field x_field{base::Op::x};
-inline const Field y_field{base::Op::y};
-inline const Field rho_field{base::Op::rho};
-inline const Field theta_field{base::Op::theta};
+inline const Field x_field{base::OpCode::x};
+inline const Field y_field{base::OpCode::y};
+inline const Field rho_field{base::OpCode::rho};
+inline const Field theta_field{base::OpCode::theta};
 
 } // namespace spricka::test

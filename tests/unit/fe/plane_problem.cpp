@@ -40,7 +40,7 @@ public:
 
   void add(const std::vector<NodeId>& corners) {
     std::vector<NodeId> nodes = corners;
-    if (base::info(type_).quadratic) {
+    if (base::element_info(type_).quadratic) {
       for (std::size_t s = 0; s < corners.size(); ++s) {
         nodes.push_back(middle(corners[s], corners[(s + 1) % corners.size()]));
       }
@@ -80,13 +80,13 @@ private:
 
 } // namespace
 
-model::Model plane_model(double E, double nu, model::State state, double thickness) {
+model::Model plane_model(double E, double nu, model::StressState state, double thickness) {
   model::Model model;
-  model::Material material;
+  model::ElasticMaterial material;
   material.E = E;
   material.nu = nu;
   model.materials.push_back(material);
-  model::Property property;
+  model::ElementProperty property;
   property.material = base::MaterialId(0);
   property.state = state;
   property.thickness = thickness;
@@ -129,7 +129,7 @@ model::Mesh make_mesh(base::ElementType type, const Cells& cells, const Map& map
     for (const int n : cell) {
       corners.emplace_back(at(n));
     }
-    if (base::info(type).corners == 4) {
+    if (base::element_info(type).corners == 4) {
       maker.add(corners);
     } else {
       maker.add({corners[0], corners[1], corners[2]});
@@ -144,8 +144,8 @@ model::Mesh make_mesh(base::ElementType type, const Cells& cells, const Map& map
 
 void make_quarter_points(model::Mesh& mesh, NodeId tip) {
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
-    const base::ElementInfo& info = base::info(mesh.type[i]);
-    const std::span<const NodeId> nodes = mesh.nodes_of(ElementId(i));
+    const base::ElementInfo& info = base::element_info(mesh.type[i]);
+    const std::span<const NodeId> nodes = mesh.element_nodes(ElementId(i));
     if (!info.quadratic || std::ranges::find(nodes, tip) == nodes.end()) {
       continue;
     }
@@ -174,9 +174,10 @@ std::vector<model::Face> boundary(const model::Mesh& mesh, const Where& where) {
   std::vector<std::pair<model::Face, Edge>> sides;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
-    for (int s = 0; s < base::info(mesh.type[i]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[i]).sides; ++s) {
       const std::span<const int> local = shape::side_nodes(mesh.type[i], s);
-      const Edge key = edge(mesh.nodes_of(e)[at(local[0])], mesh.nodes_of(e)[at(local[1])]);
+      const Edge key =
+          edge(mesh.element_nodes(e)[at(local[0])], mesh.element_nodes(e)[at(local[1])]);
       ++uses[key];
       sides.push_back({{e, s}, key});
     }
@@ -186,8 +187,9 @@ std::vector<model::Face> boundary(const model::Mesh& mesh, const Where& where) {
     const model::Face& face = side.first;
     const std::span<const int> local =
         shape::side_nodes(mesh.type[face.element.index()], face.side);
-    const bool inside = std::ranges::all_of(
-        local, [&](int n) { return where(mesh.x[mesh.nodes_of(face.element)[at(n)].index()]); });
+    const bool inside = std::ranges::all_of(local, [&](int n) {
+      return where(mesh.x[mesh.element_nodes(face.element)[at(n)].index()]);
+    });
     if (uses[side.second] == 1 && inside) {
       faces.push_back(face);
     }
@@ -217,7 +219,7 @@ base::ElementSetId all_elements(model::Model& model) {
 }
 
 void set_freedom(model::Model& model, model::FreedomClass cls, const Where& where, bool x, bool y) {
-  model::Freedom freedom;
+  model::FreedomAssignment freedom;
   freedom.cls = cls;
   freedom.dof = {x, y, false};
   freedom.nodes = node_set(model, where);
@@ -260,17 +262,17 @@ base::Vector solve(const model::Model& model, const model::LoadCase& load_case,
   return u;
 }
 
-base::Expression linear(double c, double cx, double cy) {
-  using base::Op;
-  return {{{Op::number, c},
-           {Op::number, cx},
-           {Op::x},
-           {Op::multiply},
-           {Op::add},
-           {Op::number, cy},
-           {Op::y},
-           {Op::multiply},
-           {Op::add}}};
+base::CompiledExpression linear(double c, double cx, double cy) {
+  using base::OpCode;
+  return {{{OpCode::number, c},
+           {OpCode::number, cx},
+           {OpCode::x},
+           {OpCode::multiply},
+           {OpCode::add},
+           {OpCode::number, cy},
+           {OpCode::y},
+           {OpCode::multiply},
+           {OpCode::add}}};
 }
 
 std::vector<ElementId> every_element(const model::Mesh& mesh) {

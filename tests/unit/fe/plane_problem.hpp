@@ -15,7 +15,7 @@ using base::Vec2;
 using base::Vec3;
 
 /// A model with one material and one property; the mesh is model.mesh.
-model::Model plane_model(double E, double nu, model::State state, double thickness = 1.0);
+model::Model plane_model(double E, double nu, model::StressState state, double thickness = 1.0);
 
 /// Quadrilateral cells (anticlockwise) over corner points.
 struct Cells {
@@ -60,7 +60,7 @@ base::Vector solve(const model::Model& model, const model::LoadCase& load_case,
                    base::Vector* reaction = nullptr);
 
 /// Expressions of test fields.
-base::Expression linear(double c, double cx, double cy);
+base::CompiledExpression linear(double c, double cx, double cy);
 
 std::vector<base::ElementId> every_element(const model::Mesh& mesh);
 

@@ -19,13 +19,13 @@ using base::Vector;
 // Two kinds of elements, curved edges, a support, an external edge: the general case in small.
 class Assembly : public testing::Test {
 protected:
-  Assembly() : model(test::plane_model(70e3, 0.33, model::State::plane_strain, 1.5)) {
+  Assembly() : model(test::plane_model(70e3, 0.33, model::StressState::plane_strain, 1.5)) {
     model::Mesh& mesh = model.mesh;
     mesh = test::make_mesh(ElementType::quamc8, test::unit_grid(3, 2), [](const Vec2& p) {
       return Vec2(p.x() + 0.1 * p.y() * p.y(), p.y() * (1.0 + 0.3 * p.x()));
     });
     // One more element, a triangle, on the right edge of the lower right cell.
-    const std::span<const base::NodeId> cell = mesh.nodes_of(base::ElementId(2));
+    const std::span<const base::NodeId> cell = mesh.element_nodes(base::ElementId(2));
     const base::NodeId a = cell[2];
     const base::NodeId b = cell[1];
     const base::NodeId c = model::add_node(mesh, Vec3(1.6, 0.3, 0.0), 900, base::NetId(0));
@@ -144,7 +144,7 @@ TEST_F(Assembly, strain_energy_is_half_uKu) {
 
 // A quadrilateral with a node named twice is the triangle that is left (Q4 collapsed to T3).
 TEST(assemble_stiffness, takes_elements_with_a_node_named_twice) {
-  model::Model model = test::plane_model(3.0, 0.2, model::State::plane_stress);
+  model::Model model = test::plane_model(3.0, 0.2, model::StressState::plane_stress);
   model::Mesh& mesh = model.mesh;
   std::vector<base::NodeId> nodes;
   for (const Vec2& p : {Vec2(0, 0), Vec2(2, 0.1), Vec2(0.4, 1.5)}) {

@@ -13,8 +13,8 @@
 namespace spricka::fe::test_bearing {
 namespace {
 
+using base::CompiledExpression;
 using base::ElementType;
-using base::Expression;
 using base::Vec2;
 using base::Vec3;
 using base::Vector;
@@ -27,7 +27,7 @@ const Vec2 centre(12.0, -7.0);
 // A ring of two layers of 4 length round the centre, from the radius outwards (a bore) or inwards
 // (a shaft).
 model::Model ring(ElementType type, int sectors, bool shaft) {
-  model::Model model = test::plane_model(72e3, 0.3, model::State::plane_stress, thickness);
+  model::Model model = test::plane_model(72e3, 0.3, model::StressState::plane_stress, thickness);
   Cells cells;
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < sectors; ++i) {
@@ -76,7 +76,7 @@ protected:
     });
   }
   Vector apply(const Vec2& F) {
-    load.value = {Expression::constant(F.x()), Expression::constant(F.y())};
+    load.value = {CompiledExpression::constant(F.x()), CompiledExpression::constant(F.y())};
     return nodal_load(model, model.mesh, {"", {load}});
   }
   static Vec2 sum(const Vector& f) {
@@ -111,12 +111,12 @@ std::vector<Case> every_case() {
 }
 
 INSTANTIATE_TEST_SUITE_P(load, Bearing, testing::ValuesIn(every_case()), [](const auto& c) {
-  return std::string(base::info(c.param.type).name) + (c.param.shaft ? "_shaft" : "_bore") +
+  return std::string(base::element_info(c.param.type).name) + (c.param.shaft ? "_shaft" : "_bore") +
          (c.param.shape == model::BearingShape::cosine ? "_cosine" : "_uniform");
 });
 
 TEST_P(Bearing, circle_is_found) {
-  const Bore bore = fit_bore(model.mesh, model.mesh.set(load.faces).faces);
+  const Bore bore = fit_bore(model.mesh, model.mesh.set_with_id(load.faces).faces);
   EXPECT_LT((bore.centre - centre).norm(), 1e-11);
   EXPECT_NEAR(bore.radius, radius, 1e-11);
   EXPECT_EQ(bore.side, GetParam().shaft ? -1.0 : 1.0);
@@ -161,7 +161,7 @@ TEST_P(Bearing, has_the_shape_asked_for) {
   }
   const bool cosine = GetParam().shape == model::BearingShape::cosine;
   // The field is interpolated over 15 deg.
-  const double tolerance = base::info(GetParam().type).quadratic ? 2e-4 * F : 2e-2 * F;
+  const double tolerance = base::element_info(GetParam().type).quadratic ? 2e-4 * F : 2e-2 * F;
   EXPECT_NEAR(first, F, tolerance);
   EXPECT_NEAR(second, (cosine ? 8.0 / (3.0 * std::numbers::pi) : 0.25 * std::numbers::pi) * F,
               tolerance);
@@ -174,7 +174,7 @@ TEST_P(Bearing, half_a_bore_is_enough_and_the_other_half_too_little) {
   EXPECT_LT((sum(apply(up)) - up).norm(), 1e-10);
 
   load.faces = on_circle([&](const Vec2& arm) { return side * arm.y() < -0.2 * radius; });
-  load.value = {Expression::constant(0.0), Expression::constant(1000.0)};
+  load.value = {CompiledExpression::constant(0.0), CompiledExpression::constant(1000.0)};
   Vector f = Vector::Zero(2 * static_cast<Eigen::Index>(model.mesh.node_count()));
   EXPECT_FALSE(add_bearing(model, model.mesh, load, f));
   EXPECT_EQ(f.norm(), 0.0);

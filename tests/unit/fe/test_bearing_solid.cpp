@@ -16,8 +16,8 @@
 namespace spricka::fe::test_bearing_solid {
 namespace {
 
+using base::CompiledExpression;
 using base::ElementType;
-using base::Expression;
 using base::Vec3;
 using base::Vector;
 
@@ -43,10 +43,10 @@ protected:
   static constexpr double start = 0.1;
 
   SolidBearing() {
-    solid = test::plane_model(72e3, 0.3, model::State::solid);
+    solid = test::plane_model(72e3, 0.3, model::StressState::solid);
     solid.mesh.dim = 3;
     fill(solid, GetParam().solid, mesh::generate_solid_block);
-    plane = test::plane_model(72e3, 0.3, model::State::plane_stress, depth);
+    plane = test::plane_model(72e3, 0.3, model::StressState::plane_stress, depth);
     fill(plane, GetParam().plane, mesh::generate_block);
     load.type = model::LoadType::bearing;
   }
@@ -83,7 +83,7 @@ protected:
     load.faces = bore_of(model);
     load.value.clear();
     for (int c = 0; c < model.mesh.dim; ++c) {
-      load.value.push_back(Expression::constant(F[c]));
+      load.value.push_back(CompiledExpression::constant(F[c]));
     }
     return nodal_load(model, model.mesh, {"", {load}});
   }
@@ -106,7 +106,9 @@ INSTANTIATE_TEST_SUITE_P(load, SolidBearing,
                                          Case{ElementType::hexec27, ElementType::quamc9},
                                          Case{ElementType::pentac15, ElementType::trimc6},
                                          Case{ElementType::tet10, ElementType::trimc6}),
-                         [](const auto& c) { return std::string(base::info(c.param.solid).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param.solid).name);
+                         });
 
 // In any direction in space: the ring is turned along with the load.
 TEST_P(SolidBearing, resultant_is_exact_and_without_moment) {
@@ -169,8 +171,8 @@ TEST_P(SolidBearing, pillars_carry_the_forces_of_the_plane) {
 TEST_P(SolidBearing, nothing_is_pushed_along_the_axis) {
   load.faces = bore_of(solid);
   for (const Vec3& F : {Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 1e-3), Vec3(-1.0, 2.0, -1.0)}) {
-    load.value = {Expression::constant(F.x()), Expression::constant(F.y()),
-                  Expression::constant(F.z())};
+    load.value = {CompiledExpression::constant(F.x()), CompiledExpression::constant(F.y()),
+                  CompiledExpression::constant(F.z())};
     Vector f = Vector::Zero(3 * static_cast<Eigen::Index>(solid.mesh.node_count()));
     EXPECT_FALSE(add_solid_bearing(solid, solid.mesh, load, f)) << F.transpose();
     EXPECT_EQ(f.norm(), 0.0);
@@ -182,7 +184,7 @@ TEST_P(SolidBearing, meets_the_loaded_half_only) {
   auto& faces = solid.mesh.face_sets[bore_of(solid).index()].faces;
   std::erase_if(faces, [&](const model::Face& face) {
     Vec3 mean = Vec3::Zero();
-    const auto nodes = solid.mesh.nodes_of(face.element);
+    const auto nodes = solid.mesh.element_nodes(face.element);
     for (const base::NodeId n : nodes) {
       mean += solid.mesh.x[n.index()] / static_cast<double>(nodes.size());
     }
@@ -197,13 +199,13 @@ TEST_P(SolidBearing, meets_the_loaded_half_only) {
   EXPECT_LT((sum - up).norm(), 1e-10 * up.norm());
   std::erase_if(faces, [&](const model::Face& face) { // the sides alone are left: too little
     Vec3 mean = Vec3::Zero();
-    const auto nodes = solid.mesh.nodes_of(face.element);
+    const auto nodes = solid.mesh.element_nodes(face.element);
     for (const base::NodeId n : nodes) {
       mean += solid.mesh.x[n.index()] / static_cast<double>(nodes.size());
     }
     return mean.y() < centre.y() + 0.2 * bore;
   });
-  load.value[1] = Expression::constant(-1000.0);
+  load.value[1] = CompiledExpression::constant(-1000.0);
   Vector g = Vector::Zero(f.size());
   EXPECT_FALSE(add_solid_bearing(solid, solid.mesh, load, g));
   EXPECT_EQ(g.norm(), 0.0);

@@ -17,7 +17,7 @@ using model::FreedomClass;
 constexpr auto everywhere = [](const Vec3&) { return true; };
 
 model::Model square(int n = 2) {
-  model::Model model = test::plane_model(1.0, 0.3, model::State::plane_stress);
+  model::Model model = test::plane_model(1.0, 0.3, model::StressState::plane_stress);
   model.mesh = test::make_mesh(ElementType::quam4, test::unit_grid(n, n));
   return model;
 }

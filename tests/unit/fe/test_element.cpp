@@ -11,15 +11,15 @@
 namespace spricka::fe::test_element {
 namespace {
 
-model::Material steel() {
-  model::Material material;
+model::ElasticMaterial steel() {
+  model::ElasticMaterial material;
   material.E = 210e3;
   material.nu = 0.3;
   return material;
 }
 
-Law law(model::State state, double thickness = 1.0) {
-  model::Property property;
+Law law(model::StressState state, double thickness = 1.0) {
+  model::ElementProperty property;
   property.state = state;
   property.thickness = thickness;
   return law_of(steel(), property, base::ElementType::quamc8);
@@ -35,7 +35,7 @@ template <class S> struct Sample {
 template <class S> std::vector<Sample<S>> samples() {
   NodeVectors<S> X;
   for (int i = 0; i < S::nodes; ++i) {
-    X.col(i) = shape::node<S>(i);
+    X.col(i) = shape::node_coordinates<S>(i);
   }
   std::vector<Sample<S>> all{{"regular", X}};
 
@@ -47,7 +47,7 @@ template <class S> std::vector<Sample<S>> samples() {
   }
   all.push_back({"distorted", skew});
   if constexpr (S::Side::nodes == 3) {
-    constexpr int corners = base::info(S::type).corners;
+    constexpr int corners = base::element_info(S::type).corners;
     NodeVectors<S> curved = skew;
     curved(1, corners) += 0.08;
     curved(0, corners + 1) -= 0.06;
@@ -61,7 +61,7 @@ template <class S> std::vector<Sample<S>> samples() {
     }
     all.push_back({"quarter-point", quarter});
   }
-  if constexpr (S::domain == shape::Domain::quadrilateral) {
+  if constexpr (S::domain == shape::ReferenceDomain::quadrilateral) {
     NodeVectors<S> collapsed = X;
     for (int i = 0; i < S::nodes; ++i) {
       collapsed(1, i) *= 0.5 * (1.0 + X(0, i));
@@ -78,7 +78,8 @@ TYPED_TEST_SUITE(EveryElement, AllElements);
 
 TYPED_TEST(EveryElement, stiffness_is_the_integral_of_BtDB) {
   using S = TypeParam;
-  for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
+  for (const model::StressState state :
+       {model::StressState::plane_stress, model::StressState::plane_strain}) {
     const Elasticity<2> D = elasticity<2>(steel(), state);
     for (const Sample<S>& sample : samples<S>()) {
       base::Matrix expected = base::Matrix::Zero(2 * S::nodes, 2 * S::nodes);
@@ -96,7 +97,8 @@ TYPED_TEST(EveryElement, stiffness_is_the_integral_of_BtDB) {
 
 TYPED_TEST(EveryElement, has_three_rigid_modes_and_no_other_zero) {
   using S = TypeParam;
-  for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
+  for (const model::StressState state :
+       {model::StressState::plane_stress, model::StressState::plane_strain}) {
     for (const Sample<S>& sample : samples<S>()) {
       const base::Matrix Ke = element_stiffness<S>(sample.X, law(state));
       const base::Vector values = Eigen::SelfAdjointEigenSolver<base::Matrix>(Ke).eigenvalues();
@@ -109,12 +111,12 @@ TYPED_TEST(EveryElement, has_three_rigid_modes_and_no_other_zero) {
 
 TYPED_TEST(EveryElement, rigid_rotation_makes_no_force) {
   using S = TypeParam;
-  const Elasticity<2> D = elasticity<2>(steel(), model::State::plane_strain);
+  const Elasticity<2> D = elasticity<2>(steel(), model::StressState::plane_strain);
   for (const Sample<S>& sample : samples<S>()) {
     NodeVectors<S> U;
     U.row(0) = -sample.X.row(1);
     U.row(1) = sample.X.row(0);
-    EXPECT_LT(element_force<S>(sample.X, law(model::State::plane_strain), U).norm(),
+    EXPECT_LT(element_force<S>(sample.X, law(model::StressState::plane_strain), U).norm(),
               1e-12 * D.norm() * U.norm())
         << sample.name;
   }
@@ -123,15 +125,15 @@ TYPED_TEST(EveryElement, rigid_rotation_makes_no_force) {
 // Compiled for the shape and with the shape as data: one function of the same points.
 TYPED_TEST(EveryElement, known_when_run_it_has_the_same_forces) {
   using S = TypeParam;
-  const shape::ReferenceElement<2>& element = shape::reference<S>();
-  Law projected = law(model::State::plane_strain);
+  const shape::ReferenceElement<2>& element = shape::as_reference_element<S>();
+  Law projected = law(model::StressState::plane_strain);
   projected.projected = true;
   for (const Sample<S>& sample : samples<S>()) {
     const NodeVectors<S> U =
         (sample.X.array() * sample.X.array() + 0.3 * sample.X.array()).matrix();
     NodeVectors<S> X = sample.X;
     X.row(0).array() += 5.0; // off the axis
-    for (const Law& one : {law(model::State::axisymmetric), projected}) {
+    for (const Law& one : {law(model::StressState::axisymmetric), projected}) {
       const NodeVectors<S> compiled = element_force<S>(X, one, U);
       const NodeVectors<S> run =
           element_force(element, AnyNodeVectors<2>(X), one, AnyNodeVectors<2>(U));
@@ -142,7 +144,7 @@ TYPED_TEST(EveryElement, known_when_run_it_has_the_same_forces) {
 
 TYPED_TEST(EveryElement, force_is_stiffness_times_displacement) {
   using S = TypeParam;
-  const Law thin = law(model::State::plane_stress, 0.7);
+  const Law thin = law(model::StressState::plane_stress, 0.7);
   for (const Sample<S>& sample : samples<S>()) {
     NodeVectors<S> U;
     for (int i = 0; i < U.size(); ++i) {
@@ -157,7 +159,7 @@ TYPED_TEST(EveryElement, force_is_stiffness_times_displacement) {
 
 TYPED_TEST(EveryElement, jacobian_determinant_integrates_to_the_area) {
   using S = TypeParam;
-  const double reference = S::domain == shape::Domain::triangle ? 0.5 : 4.0;
+  const double reference = S::domain == shape::ReferenceDomain::triangle ? 0.5 : 4.0;
   // The affine part of the map has determinant 1.3 * 0.7 + 0.2 * 0.4; the bilinear part adds the
   // integral of d(det), zero on the quadrilateral by symmetry.
   const NodeVectors<S> X = samples<S>()[1].X;
@@ -165,7 +167,7 @@ TYPED_TEST(EveryElement, jacobian_determinant_integrates_to_the_area) {
   for (const auto& point : shape::quadrature<S>()) {
     area += point.weight * jacobian<S>(X, point.r).det;
   }
-  if (S::domain == shape::Domain::quadrilateral) {
+  if (S::domain == shape::ReferenceDomain::quadrilateral) {
     EXPECT_NEAR(area, 0.99 * reference, 1e-13);
   } else {
     EXPECT_GT(area, 0.9 * reference);
@@ -180,12 +182,12 @@ TYPED_TEST(EveryElement, inverse_map_finds_points_inside_on_sides_and_at_nodes) 
     }
     std::vector<shape::Point<2>> places{shape::centre<S>(), {0.2, 0.3}, {0.0, 0.5}, {0.4, 0.0}};
     for (int i = 0; i < S::nodes; ++i) {
-      places.push_back(shape::node<S>(i));
-      places.push_back(0.999 * shape::node<S>(i) + 0.001 * shape::centre<S>());
+      places.push_back(shape::node_coordinates<S>(i));
+      places.push_back(0.999 * shape::node_coordinates<S>(i) + 0.001 * shape::centre<S>());
     }
     for (const shape::Point<2>& r : places) {
       const Eigen::Vector2d x = sample.X * S::N(r);
-      const auto found = inverse_map<2>(shape::reference<S>(), sample.X, x);
+      const auto found = inverse_map<2>(shape::as_reference_element<S>(), sample.X, x);
       ASSERT_TRUE(found.has_value()) << sample.name << ' ' << r.transpose();
       EXPECT_LT((*found - r).norm(), 1e-6) << sample.name << ' ' << r.transpose();
       EXPECT_LT((sample.X * S::N(*found) - x).norm(), 1e-12) << sample.name;
@@ -197,9 +199,9 @@ TEST(quarter_point, det_is_zero_at_the_tip_only) {
   using S = shape::Trimc6;
   const NodeVectors<S> X = samples<S>().back().X;
   const double scale = jacobian<S>(X, shape::centre<S>()).det;
-  EXPECT_NEAR(jacobian<S>(X, shape::node<S>(0)).det, 0.0, 1e-14 * scale);
+  EXPECT_NEAR(jacobian<S>(X, shape::node_coordinates<S>(0)).det, 0.0, 1e-14 * scale);
   for (int i = 1; i < S::nodes; ++i) {
-    EXPECT_GT(jacobian<S>(X, shape::node<S>(i)).det, 0.1 * scale) << i;
+    EXPECT_GT(jacobian<S>(X, shape::node_coordinates<S>(i)).det, 0.1 * scale) << i;
   }
 }
 
@@ -222,10 +224,10 @@ TEST(quarter_point, represents_the_square_root_along_rays) {
 // Uniaxial tension: sigma_xx = E eps_xx with lateral contraction free in plane stress; in plane
 // strain E and nu are replaced by E / (1 - nu^2) and nu / (1 - nu).
 TEST(elasticity, closed_forms) {
-  const model::Material m = steel();
-  const Elasticity<2> stress = elasticity<2>(m, model::State::plane_stress);
-  const Elasticity<2> strain = elasticity<2>(m, model::State::plane_strain);
-  const Elasticity<3> solid = elasticity<3>(m, model::State::solid);
+  const model::ElasticMaterial m = steel();
+  const Elasticity<2> stress = elasticity<2>(m, model::StressState::plane_stress);
+  const Elasticity<2> strain = elasticity<2>(m, model::StressState::plane_strain);
+  const Elasticity<3> solid = elasticity<3>(m, model::StressState::solid);
   const Eigen::Vector3d tension = stress * Eigen::Vector3d(1.0, -m.nu, 0.0);
   EXPECT_NEAR(tension[0], m.E, 1e-9 * m.E);
   EXPECT_NEAR(tension[1], 0.0, 1e-9 * m.E);
@@ -239,8 +241,8 @@ TEST(elasticity, closed_forms) {
   for (const double shear : {stress(2, 2), strain(2, 2), solid(5, 5)}) {
     EXPECT_NEAR(shear, m.E / (2.0 * (1.0 + m.nu)), 1e-9 * m.E);
   }
-  EXPECT_DOUBLE_EQ(effective_modulus(m, model::State::plane_stress), m.E);
-  EXPECT_DOUBLE_EQ(effective_modulus(m, model::State::plane_strain), m.E / 0.91);
+  EXPECT_DOUBLE_EQ(effective_modulus(m, model::StressState::plane_stress), m.E);
+  EXPECT_DOUBLE_EQ(effective_modulus(m, model::StressState::plane_strain), m.E / 0.91);
 }
 
 TEST(strain, follows_the_strain_matrix_in_space) {

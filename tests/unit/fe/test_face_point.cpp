@@ -25,7 +25,7 @@ double raster_distance(const AnyElement<dim>& side, const SpaceNodes<dim>& X, co
       r[0] = 2.0 * a - 1.0;
       if constexpr (dim == 2) {
         r[1] = 2.0 * b - 1.0;
-        if (side.domain == shape::Domain::triangle) {
+        if (side.domain == shape::ReferenceDomain::triangle) {
           r = {a * (1.0 - b), b};
         }
       }
@@ -44,7 +44,7 @@ template <int dim> void expect_nearest_points(const AnyElement<dim>& side) {
     const Vec3 across(2.0 * number(), 0.6, 0.4 * number());
     SpaceNodes<dim> X(3, side.nodes);
     for (int i = 0; i < side.nodes; ++i) {
-      const shape::Point<dim> r = side.node(i);
+      const shape::Point<dim> r = side.node_coordinates(i);
       Vec3 x(r[0], 0.0, 0.0);
       if constexpr (dim == 2) {
         x += r[1] * across;
@@ -56,7 +56,7 @@ template <int dim> void expect_nearest_points(const AnyElement<dim>& side) {
     for (int c = 0; c < dim; ++c) {
       at[c] = 1.2 * number();
     }
-    if (side.domain == shape::Domain::triangle) {
+    if (side.domain == shape::ReferenceDomain::triangle) {
       at = (0.5 * (at.array() + 1.0)).matrix();
     }
     const Vec3 x = X * side.N(into_side<dim>(side, at)) +
@@ -74,7 +74,7 @@ TEST(FacePoint, IsTheNearestOfEverySide) {
   for (const base::ElementType type :
        {base::ElementType::trim3, base::ElementType::trimc6, base::ElementType::quam4,
         base::ElementType::quamc8, base::ElementType::quamc9}) {
-    SCOPED_TRACE(base::info(type).name);
+    SCOPED_TRACE(base::element_info(type).name);
     expect_nearest_points(shape::reference_element<2>(type));
   }
 }

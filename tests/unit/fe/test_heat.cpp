@@ -17,13 +17,13 @@
 namespace spricka::test_heat {
 namespace {
 
-using base::Op;
+using base::OpCode;
 
-constexpr base::Instruction x{Op::x, 0.0};
-constexpr base::Instruction y{Op::y, 0.0};
+constexpr base::ExpressionInstruction x{OpCode::x, 0.0};
+constexpr base::ExpressionInstruction y{OpCode::y, 0.0};
 
-base::Instruction number(double v) {
-  return {Op::number, v};
+base::ExpressionInstruction number(double v) {
+  return {OpCode::number, v};
 }
 
 /// A plate of 4 x 4 with an oblique edge crack, left of x = 1.6 a set of its elements.
@@ -43,13 +43,13 @@ struct Plate {
     model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-3, {}}};
     model.properties = {{base::ElementSetId(std::size_t{0}),
                          base::MaterialId(std::size_t{0}),
-                         model::State::plane_strain,
+                         model::StressState::plane_strain,
                          2.5,
                          {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
     model::ElementSet left{"LEFT", {}, {}};
     for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-      if (model.mesh.x[model.mesh.nodes_of(base::ElementId(e))[0].index()].x() < 1.6 - 1e-9) {
+      if (model.mesh.x[model.mesh.element_nodes(base::ElementId(e))[0].index()].x() < 1.6 - 1e-9) {
         left.elements.emplace_back(e);
       }
     }
@@ -60,12 +60,12 @@ struct Plate {
     line.points = {{0.0, 2.0, 0.0}, {1.5, 2.4, 0.0}};
     base::Diagnostics diagnostics;
     const std::vector<mesh::TipMesh> tips{mesh::choose_tip_mesh(model.mesh, line, nullptr)};
-    cracked =
-        mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::Span>(1), diagnostics)
-            .value();
+    cracked = mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::SourceSpan>(1),
+                                  diagnostics)
+                  .value();
   }
 
-  [[nodiscard]] fe::CaseHeat heat(base::Expression T, std::size_t set) const {
+  [[nodiscard]] fe::CaseHeat heat(base::CompiledExpression T, std::size_t set) const {
     model::Load load;
     load.type = model::LoadType::temperature;
     load.elements = base::ElementSetId(set);
@@ -93,7 +93,7 @@ struct Plate {
 TEST(Heat, ElementsTakeALinearTemperatureWhole) {
   const Plate plate;
   const fe::CaseHeat heat =
-      plate.heat({{number(3.0), x, {Op::multiply, 0.0}, y, {Op::subtract, 0.0}}}, 0);
+      plate.heat({{number(3.0), x, {OpCode::multiply, 0.0}, y, {OpCode::subtract, 0.0}}}, 0);
   EXPECT_TRUE(heat.points.empty());
   EXPECT_NEAR(plate.integral(heat), (3.0 * 2.0 - 2.0) * 16.0, 1e-9);
 }
@@ -101,7 +101,7 @@ TEST(Heat, ElementsTakeALinearTemperatureWhole) {
 // The rim runs through elements of the patch: each bears its share, to 1e-4 of an element.
 TEST(Heat, AHeatedSetKeepsItsPlaceInAPatch) {
   const Plate plate;
-  const fe::CaseHeat heat = plate.heat(base::Expression::constant(7.0), plate.left());
+  const fe::CaseHeat heat = plate.heat(base::CompiledExpression::constant(7.0), plate.left());
   EXPECT_TRUE(heat.field.cut());
   EXPECT_FALSE(heat.points.empty());
   EXPECT_NEAR(plate.integral(heat), 7.0 * 1.6 * 4.0, 7.0 * 1.6 * 4.0 * 1e-4);
@@ -109,7 +109,7 @@ TEST(Heat, AHeatedSetKeepsItsPlaceInAPatch) {
 
 TEST(Heat, AJumpInsideElementsIsIntegrated) {
   const Plate plate;
-  const fe::CaseHeat heat = plate.heat({{x, number(1.234), {Op::less, 0.0}}}, 0);
+  const fe::CaseHeat heat = plate.heat({{x, number(1.234), {OpCode::less, 0.0}}}, 0);
   EXPECT_NEAR(plate.integral(heat), 1.234 * 4.0, 1.234 * 4.0 * 1e-4);
 }
 
@@ -118,12 +118,13 @@ TEST(Heat, AJumpInsideElementsIsIntegrated) {
 TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
   const Plate plate;
   const mesh::Front& front = plate.cracked.fronts.front();
-  std::vector<base::Instruction> code{
-      x, number(front.tip().x.x()), {Op::subtract, 0.0}, number(2.0), {Op::power, 0.0}};
-  for (const base::Instruction& i :
-       {y, number(front.tip().x.y()), base::Instruction{Op::subtract, 0.0}, number(2.0),
-        base::Instruction{Op::power, 0.0}, base::Instruction{Op::add, 0.0}, number(0.25),
-        base::Instruction{Op::power, 0.0}}) {
+  std::vector<base::ExpressionInstruction> code{
+      x, number(front.tip().x.x()), {OpCode::subtract, 0.0}, number(2.0), {OpCode::power, 0.0}};
+  for (const base::ExpressionInstruction& i :
+       {y, number(front.tip().x.y()), base::ExpressionInstruction{OpCode::subtract, 0.0},
+        number(2.0), base::ExpressionInstruction{OpCode::power, 0.0},
+        base::ExpressionInstruction{OpCode::add, 0.0}, number(0.25),
+        base::ExpressionInstruction{OpCode::power, 0.0}}) {
     code.push_back(i);
   }
   const fe::CaseHeat heat = plate.heat({code}, 0);
@@ -131,7 +132,7 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
   int found = 0;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    const auto nodes = mesh.nodes_of(e);
+    const auto nodes = mesh.element_nodes(e);
     const auto at = std::ranges::find(nodes, front.tip().node);
     if (at == nodes.end() || mesh.type[i] != base::ElementType::trimc6) {
       continue;
@@ -149,7 +150,7 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
       exact += 0.4 * std::pow(height / sine, 2.5) * angle / steps;
     }
     double sum = 0.0;
-    const auto& element = shape::reference<shape::Trimc6>();
+    const auto& element = shape::as_reference_element<shape::Trimc6>();
     const auto X = fe::coordinates(element, mesh, e);
     const fe::Law law = fe::law_of(plate.model, mesh, e);
     const auto T = fe::corner_temperature(element, mesh, e, heat.temperature);

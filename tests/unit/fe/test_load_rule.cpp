@@ -16,8 +16,8 @@
 namespace spricka::fe::test_load_rule {
 namespace {
 
+using base::CompiledExpression;
 using base::ElementType;
-using base::Expression;
 using base::Vec2;
 using base::Vec3;
 using base::Vector;
@@ -34,7 +34,7 @@ protected:
   static Field along() { return std::cos(angle) * X + std::sin(angle) * Y; }  // 0 .. 4
   static Field across() { return std::cos(angle) * Y - std::sin(angle) * X; } // 0 .. 1
 
-  Sides() : model(test::plane_model(1.0, 0.3, model::State::plane_stress, 1.0)) {
+  Sides() : model(test::plane_model(1.0, 0.3, model::StressState::plane_stress, 1.0)) {
     model.mesh = test::make_mesh(GetParam(), test::unit_grid(6, 3), turned);
   }
   /// Work of a load on the displacements 1 and (distance along the strip), both along x.
@@ -71,7 +71,9 @@ INSTANTIATE_TEST_SUITE_P(load, Sides,
                          testing::Values(ElementType::trim3, ElementType::trimc6,
                                          ElementType::quam4, ElementType::quamc8,
                                          ElementType::quamc9),
-                         [](const auto& c) { return std::string(base::info(c.param).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param).name);
+                         });
 
 // Closed forms of the integrals of a step, a bend and a peak, wherever they lie between nodes.
 TEST_P(Sides, a_step_of_traction_is_integrated_up_to_its_place) {
@@ -149,7 +151,7 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
       card.elements = test::all_elements(model);
       const CaseHeat heat = case_heat(model, {model.mesh, model.mesh, nullptr, {}}, {"", {card}});
       double sum = 0.0;
-      const int corners = base::info(GetParam()).corners;
+      const int corners = base::element_info(GetParam()).corners;
       for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
         sum += heat.temperature.segment(model.mesh.first[e], corners).mean() * 4.0 /
                static_cast<double>(model.mesh.element_count());
@@ -180,7 +182,7 @@ TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
   EXPECT_GT(off(along() > 2.3), 0.4);
   EXPECT_GT(off(exp(-(((along() - 2.3571) / 0.03) ^ 2.0))), 0.01);
   const double h = 2.0 / 3.0; // a kink in the middle of an edge, off by h / 2 between two nodes
-  if (base::info(GetParam()).quadratic) {
+  if (base::element_info(GetParam()).quadratic) {
     EXPECT_LT(off(along() ^ 2.0), 1e-12);
     EXPECT_NEAR(off(abs(along() - 1.5 * h)), h / 8.0, 0.01 * h);
   } else {
@@ -201,10 +203,10 @@ TEST_P(Sides, a_smooth_load_keeps_the_usual_points) {
 // Volumes that planes cut off reference elements, and the number of evaluations that takes: a step
 // askew is integrated up to its place, and costs no more than a bound.
 TEST(LoadRule, StepsAskewEndAtTheirPlane) {
-  using shape::Domain;
+  using shape::ReferenceDomain;
   long evaluations = 0;
-  const auto volume = [&]<int dim>(Domain domain, const shape::Point<dim>& normal, double at,
-                                   double tolerance) {
+  const auto volume = [&]<int dim>(ReferenceDomain domain, const shape::Point<dim>& normal,
+                                   double at, double tolerance) {
     evaluations = 0;
     const ReferenceField<dim> step = [&](const shape::Point<dim>& r) {
       ++evaluations;
@@ -221,18 +223,21 @@ TEST(LoadRule, StepsAskewEndAtTheirPlane) {
   };
   using Plane = shape::Point<2>;
   using Solid = shape::Point<3>;
-  EXPECT_NEAR(volume.operator()<2>(Domain::quadrilateral, Plane(1.0, 0.3), 0.0, 1e-7), 2.0, 1e-7);
-  EXPECT_NEAR(volume.operator()<2>(Domain::quadrilateral, Plane(1.0, 1.0), 1.3, 1e-7), 0.245, 1e-6);
-  EXPECT_NEAR(volume.operator()<2>(Domain::triangle, Plane(0.0, 1.0), 0.3, 1e-7), 0.245, 1e-6);
+  EXPECT_NEAR(volume.operator()<2>(ReferenceDomain::quadrilateral, Plane(1.0, 0.3), 0.0, 1e-7), 2.0,
+              1e-7);
+  EXPECT_NEAR(volume.operator()<2>(ReferenceDomain::quadrilateral, Plane(1.0, 1.0), 1.3, 1e-7),
+              0.245, 1e-6);
+  EXPECT_NEAR(volume.operator()<2>(ReferenceDomain::triangle, Plane(0.0, 1.0), 0.3, 1e-7), 0.245,
+              1e-6);
   EXPECT_LT(evaluations, 200000);
-  EXPECT_NEAR(volume.operator()<3>(Domain::hexahedron, Solid(1.0, -0.3, 0.1), 0.0, 1e-4), 4.0,
-              1e-4);
-  EXPECT_NEAR(volume.operator()<3>(Domain::hexahedron, Solid(1.0, 1.0, 1.0), 1.0, 1e-4), 4.0 / 3.0,
-              3e-3);
-  EXPECT_NEAR(volume.operator()<3>(Domain::tetrahedron, Solid(0.0, 0.0, 1.0), 0.3, 1e-4),
+  EXPECT_NEAR(volume.operator()<3>(ReferenceDomain::hexahedron, Solid(1.0, -0.3, 0.1), 0.0, 1e-4),
+              4.0, 1e-4);
+  EXPECT_NEAR(volume.operator()<3>(ReferenceDomain::hexahedron, Solid(1.0, 1.0, 1.0), 1.0, 1e-4),
+              4.0 / 3.0, 3e-3);
+  EXPECT_NEAR(volume.operator()<3>(ReferenceDomain::tetrahedron, Solid(0.0, 0.0, 1.0), 0.3, 1e-4),
               0.343 / 6.0, 1e-4);
-  EXPECT_NEAR(volume.operator()<3>(Domain::prism, Solid(0.0, 0.5, 1.0), 0.0, 1e-4), 7.0 / 12.0,
-              1e-3);
+  EXPECT_NEAR(volume.operator()<3>(ReferenceDomain::prism, Solid(0.0, 0.5, 1.0), 0.0, 1e-4),
+              7.0 / 12.0, 1e-3);
   EXPECT_LT(evaluations, 200000);
 }
 

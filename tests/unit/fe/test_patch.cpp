@@ -25,24 +25,25 @@ enum class Form { straight, curved_inside, quarter_point };
 struct Case {
   ElementType type;
   Form form;
-  model::State state;
+  model::StressState state;
 };
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {
   const char* form = info.param.form == Form::straight        ? "_straight"
                      : info.param.form == Form::curved_inside ? "_curved"
                                                               : "_quarter_point";
-  const char* state = info.param.state == model::State::plane_stress ? "_stress" : "_strain";
-  return std::string(base::info(info.param.type).name) + form + state;
+  const char* state = info.param.state == model::StressState::plane_stress ? "_stress" : "_strain";
+  return std::string(base::element_info(info.param.type).name) + form + state;
 }
 
 std::vector<Case> every_case() {
   std::vector<Case> cases;
-  for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
+  for (const model::StressState state :
+       {model::StressState::plane_stress, model::StressState::plane_strain}) {
     for (const ElementType type : {ElementType::trim3, ElementType::quam4, ElementType::trimc6,
                                    ElementType::quamc8, ElementType::quamc9}) {
       cases.push_back({type, Form::straight, state});
-      if (base::info(type).quadratic) {
+      if (base::element_info(type).quadratic) {
         cases.push_back({type, Form::curved_inside, state});
         cases.push_back({type, Form::quarter_point, state});
       }
@@ -80,7 +81,7 @@ protected:
   Patch() : model(test::plane_model(E, nu, GetParam().state, 0.5)) {
     model.mesh = patch_mesh(GetParam());
     // Both normal strains are 1e-3, gamma is 1e-3.
-    const bool stress = GetParam().state == model::State::plane_stress;
+    const bool stress = GetParam().state == model::StressState::plane_stress;
     const double s = 1e-3 * E / (stress ? 1.0 - nu : (1.0 + nu) * (1.0 - 2.0 * nu));
     expected << s, s, stress ? 0.0 : 2.0 * nu * s, 1e-3 * E / (2.0 * (1.0 + nu)), 0.0, 0.0;
   }
@@ -138,8 +139,8 @@ TEST_P(Patch, tractions_on_the_rim) {
     load.faces = test::face_set(model, [&](const Vec3& x) {
       return std::abs(n.dot(x.head<2>()) - std::max(n.sum(), 0.0)) < 1e-12;
     });
-    load.value = {base::Expression::constant(expected[0] * n.x() + expected[3] * n.y()),
-                  base::Expression::constant(expected[3] * n.x() + expected[1] * n.y())};
+    load.value = {base::CompiledExpression::constant(expected[0] * n.x() + expected[3] * n.y()),
+                  base::CompiledExpression::constant(expected[3] * n.x() + expected[1] * n.y())};
     load_case.loads.push_back(load);
   }
   expect_constant_stress(test::solve(model, load_case));

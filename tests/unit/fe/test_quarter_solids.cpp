@@ -37,8 +37,8 @@ struct Case {
 // theirs.
 void make_quarter_points(model::Mesh& mesh, const std::vector<bool>& tip) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
-    const int corners = base::info(mesh.type[e]).corners;
+    const auto nodes = mesh.element_nodes(base::ElementId(e));
+    const int corners = base::element_info(mesh.type[e]).corners;
     for (int m = 0; m < shape::edge_count(mesh.type[e]); ++m) {
       const auto [a, b] = shape::edge_corners(mesh.type[e], m);
       const NodeId p = nodes[static_cast<std::size_t>(a)];
@@ -54,7 +54,7 @@ void make_quarter_points(model::Mesh& mesh, const std::vector<bool>& tip) {
 
 // A cube of 2 x 2 x 2 cells whose inner node, or inner line of nodes, is the tip.
 model::Model quarter_cube(const Case& c) {
-  model::Model model = test::plane_model(E, nu, model::State::solid);
+  model::Model model = test::plane_model(E, nu, model::StressState::solid);
   model::Mesh& mesh = model.mesh;
   mesh.dim = 3;
   mesh::BlockSpec spec;
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(K01, QuarterSolids,
                                          Case{ElementType::hexec20, Tip::point},
                                          Case{ElementType::hexec20, Tip::front}),
                          [](const auto& c) {
-                           return std::string(base::info(c.param.type).name) +
+                           return std::string(base::element_info(c.param.type).name) +
                                   (c.param.tip == Tip::point ? "_point" : "_front");
                          });
 
@@ -104,7 +104,7 @@ TEST_P(QuarterSolids, are_accepted) {
 // u = 1e-3 (2x+y+z, x+2y+z, x+y+2z)/2 on the rim: s = 2000, t = 400 everywhere, at the tip too.
 TEST_P(QuarterSolids, pass_constant_strain) {
   model::Model model = quarter_cube(GetParam());
-  model::Freedom held;
+  model::FreedomAssignment held;
   held.cls = model::FreedomClass::prescribed;
   held.dof = {true, true, true};
   held.nodes = base::NodeSetId(model.mesh.node_sets.size() - 1);
@@ -112,8 +112,8 @@ TEST_P(QuarterSolids, pass_constant_strain) {
   model::Load move;
   move.type = model::LoadType::displacement;
   move.nodes = held.nodes;
-  const test::Field sum = test::x_field + test::y_field + test::Field{base::Op::z};
-  for (const test::Field& x : {test::x_field, test::y_field, test::Field{base::Op::z}}) {
+  const test::Field sum = test::x_field + test::y_field + test::Field{base::OpCode::z};
+  for (const test::Field& x : {test::x_field, test::y_field, test::Field{base::OpCode::z}}) {
     move.value.push_back((test::Field(0.5e-3) * (sum + x)).code);
   }
   base::Vector reaction;
@@ -138,7 +138,7 @@ TEST_P(QuarterSolids, pass_constant_strain) {
 TEST_P(QuarterSolids, have_six_rigid_modes_and_no_other_zero) {
   const model::Model model = quarter_cube(GetParam());
   for (const double ratio : {0.3, 0.4999}) {
-    model::Material material = model.materials[0];
+    model::ElasticMaterial material = model.materials[0];
     material.nu = ratio;
     const Law law = law_of(material, model.properties[0], GetParam().type);
     for_blocks(model.mesh, test::every_element(model.mesh),

@@ -19,14 +19,14 @@ namespace {
 
 using base::Vec3;
 
-model::Model one_property(double E, double nu, model::State state) {
+model::Model one_property(double E, double nu, model::StressState state) {
   model::Model model;
-  model::Material material;
+  model::ElasticMaterial material;
   material.E = E;
   material.nu = nu;
   material.alpha = 1e-5;
   model.materials.push_back(material);
-  model::Property property;
+  model::ElementProperty property;
   property.material = base::MaterialId(0);
   property.state = state;
   model.properties.push_back(property);
@@ -37,18 +37,18 @@ model::Model one_property(double E, double nu, model::State state) {
 template <class S> NodeVectors<S> distorted() {
   NodeVectors<S> X;
   for (int i = 0; i < S::nodes; ++i) {
-    const shape::Point<S::dim> r = shape::node<S>(i);
+    const shape::Point<S::dim> r = shape::node_coordinates<S>(i);
     X.col(i) = 1.3 * r;
     X(0, i) += 4.0 + 0.2 * r[0] * r[1] + 0.1 * r[S::dim - 1];
     X(1, i) += 0.15 * r[0] * r[S::dim - 1] - 0.3 * r[0];
-    if (i >= base::info(S::type).corners) {
+    if (i >= base::element_info(S::type).corners) {
       X(i % S::dim, i) += 0.02 * std::sin(7.0 * i);
     }
   }
   return X;
 }
 
-template <class S> model::Model one_element(double nu, model::State state) {
+template <class S> model::Model one_element(double nu, model::StressState state) {
   model::Model model = one_property(1000.0, nu, state);
   model.mesh.dim = S::dim;
   std::vector<base::NodeId> nodes;
@@ -78,9 +78,9 @@ TYPED_TEST_SUITE(EverySolid, Solids);
 TYPED_TEST(EverySolid, has_six_rigid_modes_and_no_other_zero) {
   using S = TypeParam;
   for (const double nu : {0.3, 0.4999}) {
-    const model::Model model = one_property(1000.0, nu, model::State::solid);
+    const model::Model model = one_property(1000.0, nu, model::StressState::solid);
     const Law law = law_of(model.materials[0], model.properties[0], S::type);
-    EXPECT_EQ(law.projected, nu > (base::info(S::type).quadratic ? 0.49 : 0.4));
+    EXPECT_EQ(law.projected, nu > (base::element_info(S::type).quadratic ? 0.49 : 0.4));
     EXPECT_EQ(zero_eigenvalues(element_stiffness<S>(distorted<S>(), law)), 6) << nu;
   }
 }
@@ -88,7 +88,7 @@ TYPED_TEST(EverySolid, has_six_rigid_modes_and_no_other_zero) {
 TYPED_TEST(EverySolid, force_is_stiffness_times_displacement) {
   using S = TypeParam;
   for (const double nu : {0.3, 0.499}) {
-    const model::Model model = one_property(1000.0, nu, model::State::solid);
+    const model::Model model = one_property(1000.0, nu, model::StressState::solid);
     const Law law = law_of(model.materials[0], model.properties[0], S::type);
     NodeVectors<S> U;
     for (int i = 0; i < U.size(); ++i) {
@@ -102,11 +102,11 @@ TYPED_TEST(EverySolid, force_is_stiffness_times_displacement) {
 
 // Free and heated by the linear field T = c.x: u is quadratic and known, and no stress is left
 // where the element can follow (straight sides are needed, so the affine image is taken).
-template <class S> void expect_free_expansion(model::State state) {
+template <class S> void expect_free_expansion(model::StressState state) {
   model::Model model = one_element<S>(0.3, state);
   for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
     Vec3 x = Vec3::Zero();
-    const shape::Point<S::dim> r = shape::node<S>(static_cast<int>(n));
+    const shape::Point<S::dim> r = shape::node_coordinates<S>(static_cast<int>(n));
     x.template head<S::dim>() = r;
     model.mesh.x[n] = Vec3(2.0 * x.x() + 0.3 * x.y(), x.y() - 0.4 * x.x() + 0.2 * x.z(),
                            1.5 * x.z() + (S::dim == 3 ? 0.1 * x.y() : 0.0));
@@ -116,7 +116,7 @@ template <class S> void expect_free_expansion(model::State state) {
   load.type = model::LoadType::temperature;
   load.elements = base::ElementSetId(0);
   const Vec3 c = S::dim == 3 ? Vec3(3.0, -2.0, 1.0) : Vec3(3.0, -2.0, 0.0);
-  const test::Field z{base::Op::z};
+  const test::Field z{base::OpCode::z};
   load.value = {(test::Field(c.x()) * test::x_field + test::Field(c.y()) * test::y_field +
                  test::Field(c.z()) * z + test::Field(5.0))
                     .code};
@@ -144,13 +144,13 @@ template <class S> void expect_free_expansion(model::State state) {
 }
 
 TEST(ThermalStrain, linear_temperature_leaves_quadratic_elements_without_stress) {
-  expect_free_expansion<shape::Trimc6>(model::State::plane_stress);
-  expect_free_expansion<shape::Quamc8>(model::State::plane_stress);
-  expect_free_expansion<shape::Quamc9>(model::State::plane_stress);
-  expect_free_expansion<shape::Tet10>(model::State::solid);
-  expect_free_expansion<shape::Pentac15>(model::State::solid);
-  expect_free_expansion<shape::Hexec20>(model::State::solid);
-  expect_free_expansion<shape::Hexec27>(model::State::solid);
+  expect_free_expansion<shape::Trimc6>(model::StressState::plane_stress);
+  expect_free_expansion<shape::Quamc8>(model::StressState::plane_stress);
+  expect_free_expansion<shape::Quamc9>(model::StressState::plane_stress);
+  expect_free_expansion<shape::Tet10>(model::StressState::solid);
+  expect_free_expansion<shape::Pentac15>(model::StressState::solid);
+  expect_free_expansion<shape::Hexec20>(model::StressState::solid);
+  expect_free_expansion<shape::Hexec27>(model::StressState::solid);
 }
 
 template <class S> class EveryRing : public testing::Test {};
@@ -161,7 +161,7 @@ TYPED_TEST_SUITE(EveryRing, Rings);
 TYPED_TEST(EveryRing, moves_freely_along_the_axis_only) {
   using S = TypeParam;
   for (const double nu : {0.3, 0.4999}) {
-    const model::Model model = one_property(1000.0, nu, model::State::axisymmetric);
+    const model::Model model = one_property(1000.0, nu, model::StressState::axisymmetric);
     const Law law = law_of(model.materials[0], model.properties[0], S::type);
     const base::Matrix Ke = element_stiffness<S>(distorted<S>(), law);
     EXPECT_EQ(zero_eigenvalues(Ke), 1) << nu;
@@ -177,7 +177,7 @@ TYPED_TEST(EveryRing, constant_strain_is_exact) {
   const double a = 2e-3;
   const double b = -1e-3;
   for (const double nu : {0.3, 0.4999}) {
-    model::Model model = one_element<S>(nu, model::State::axisymmetric);
+    model::Model model = one_element<S>(nu, model::StressState::axisymmetric);
     const Law law = law_of(model.materials[0], model.properties[0], S::type);
     base::Vector u(2 * S::nodes);
     double ring = 0.0; // volume

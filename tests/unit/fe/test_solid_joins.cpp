@@ -41,7 +41,7 @@ struct Cracked {
 
 Cracked cracked_block(ElementType type, const Map& map) {
   Cracked made;
-  made.model = test::plane_model(E, nu, model::State::solid);
+  made.model = test::plane_model(E, nu, model::StressState::solid);
   model::Mesh& host = made.model.mesh;
   host.dim = 3;
   mesh::BlockSpec spec;
@@ -65,10 +65,10 @@ Cracked cracked_block(ElementType type, const Map& map) {
   }
   base::Diagnostics diagnostics;
   const std::vector<mesh::TubeMesh> tubes(1);
-  const std::vector<base::Span> spans(1);
+  const std::vector<base::SourceSpan> spans(1);
   auto result = mesh::insert_solid_cracks(host, std::span(&crack, 1), tubes, spans, diagnostics);
   if (!result) {
-    ADD_FAILURE() << diagnostics.all().front().text;
+    ADD_FAILURE() << diagnostics.messages().front().text;
     return made;
   }
   for (std::size_t e = 0; e < result->mesh.element_count(); ++e) {
@@ -113,7 +113,7 @@ double force_left(const Cracked& cracked, const std::function<Vec3(const Vec3&)>
     base::Vector own = base::Vector::Zero(u.size());
     add_internal_force(cracked.model, mesh, std::span(&e, 1), u, own);
     scale = std::max(scale, own.cwiseAbs().maxCoeff());
-    for (const NodeId n : mesh.nodes_of(e)) {
+    for (const NodeId n : mesh.element_nodes(e)) {
       if (!cracked.surface.contains(n)) {
         worst = std::max(worst, left.col(0).segment<3>(at(n)).norm());
       }
@@ -154,7 +154,9 @@ TEST_P(SolidJoins, LetLinearStressesPass) {
 INSTANTIATE_TEST_SUITE_P(Hosts, SolidJoins,
                          testing::Values(ElementType::hexec20, ElementType::hexec27,
                                          ElementType::pentac15),
-                         [](const auto& at) { return std::string(base::info(at.param).name); });
+                         [](const auto& at) {
+                           return std::string(base::element_info(at.param).name);
+                         });
 
 // Of hexahedra: diagonals of the pentahedra would become curves.
 TEST(SolidJoinsOfHexahedra, LetConstantStressesPassTrapezia) {

@@ -39,7 +39,7 @@ Vec2 bending(const Vec3& x) {
 
 class Quadratic : public testing::TestWithParam<ElementType> {
 protected:
-  Quadratic() : model(test::plane_model(E, nu, model::State::plane_stress)) {
+  Quadratic() : model(test::plane_model(E, nu, model::StressState::plane_stress)) {
     // Parallelograms: QUAMC8 is complete to degree 2 on them.
     model.mesh = test::make_mesh(GetParam(), test::unit_grid(3, 2), [](const Vec2& p) {
       return Vec2(2.0 * p.x() + 0.3 * p.y(), p.y() - 0.2 * p.x());
@@ -53,7 +53,9 @@ protected:
 INSTANTIATE_TEST_SUITE_P(stress, Quadratic,
                          testing::Values(ElementType::trimc6, ElementType::quamc8,
                                          ElementType::quamc9),
-                         [](const auto& c) { return std::string(base::info(c.param).name); });
+                         [](const auto& c) {
+                           return std::string(base::element_info(c.param).name);
+                         });
 
 TEST_P(Quadratic, recovers_a_linear_stress_exactly) {
   const std::vector<Stress> by_element = element_node_stress(model, model.mesh, u);
@@ -84,7 +86,7 @@ TEST_P(Quadratic, is_empty_outside_the_body) {
 }
 
 TEST(stress, plane_strain_has_the_stress_across) {
-  model::Model model = test::plane_model(E, nu, model::State::plane_strain);
+  model::Model model = test::plane_model(E, nu, model::StressState::plane_strain);
   model.mesh = test::make_mesh(ElementType::trim3, test::unit_grid(1, 1));
   const Vector u = interpolate(model.mesh, [](const Vec3& x) { return Vec2(x.x(), 0.0); });
   const Stress s = element_node_stress(model, model.mesh, u).front();
@@ -96,7 +98,7 @@ TEST(stress, plane_strain_has_the_stress_across) {
 
 TEST(stress, is_finite_at_a_quarter_point_tip_and_elsewhere_exact) {
   for (const ElementType type : {ElementType::trimc6, ElementType::quamc8, ElementType::quamc9}) {
-    model::Model model = test::plane_model(E, nu, model::State::plane_stress);
+    model::Model model = test::plane_model(E, nu, model::StressState::plane_stress);
     model.mesh = test::make_mesh(type, test::unit_grid(2, 2));
     const base::NodeId tip(4);
     test::make_quarter_points(model.mesh, tip);
@@ -123,7 +125,7 @@ TEST(stress, is_finite_at_a_quarter_point_tip_and_elsewhere_exact) {
 }
 
 TEST(stress, nodes_between_two_properties_have_a_value_of_each) {
-  model::Model model = test::plane_model(E, nu, model::State::plane_stress);
+  model::Model model = test::plane_model(E, nu, model::StressState::plane_stress);
   model.materials.push_back(model.materials[0]);
   model.materials[1].E = 10.0 * E;
   model.properties.push_back(model.properties[0]);
@@ -151,8 +153,8 @@ TEST(stress, nodes_between_two_properties_have_a_value_of_each) {
 TEST_P(Quadratic, mean_of_an_element_is_the_integral_over_it) {
   const std::vector<Stress> mean = mean_stress(model, model.mesh, u);
   for (std::size_t e = 0; e < mean.size(); ++e) {
-    const auto nodes = model.mesh.nodes_of(base::ElementId(e));
-    const auto corners = static_cast<std::size_t>(base::info(model.mesh.type[e]).corners);
+    const auto nodes = model.mesh.element_nodes(base::ElementId(e));
+    const auto corners = static_cast<std::size_t>(base::element_info(model.mesh.type[e]).corners);
     double y = 0.0;
     for (std::size_t i = 0; i < corners; ++i) {
       y += model.mesh.x[nodes[i].index()].y() / static_cast<double>(corners);
@@ -163,7 +165,7 @@ TEST_P(Quadratic, mean_of_an_element_is_the_integral_over_it) {
 
 // Two bodies that touch (a contact, or the faces of a crack) share a place but no node.
 TEST(stress, is_never_mixed_from_two_bodies) {
-  model::Model model = test::plane_model(E, nu, model::State::plane_stress);
+  model::Model model = test::plane_model(E, nu, model::StressState::plane_stress);
   Cells cells = test::unit_grid(1, 1);
   for (int i = 0; i < 4; ++i) {
     cells.points.push_back(cells.points[static_cast<std::size_t>(i)] + Vec2(1.0, 0.0));
@@ -180,7 +182,7 @@ TEST(stress, is_never_mixed_from_two_bodies) {
 }
 
 TEST(stress, takes_points_of_an_arc_between_the_nodes) {
-  model::Model model = test::plane_model(E, nu, model::State::plane_stress);
+  model::Model model = test::plane_model(E, nu, model::StressState::plane_stress);
   model.mesh = test::make_mesh(ElementType::quam4, test::unit_grid(8, 2), [](const Vec2& p) {
     const double angle = 1.5 * (1.0 - p.x());
     return Vec2((1.0 + p.y()) * Vec2(std::cos(angle), std::sin(angle)));

@@ -67,17 +67,17 @@ public:
 
   // Straight sides (planes, for quadrilaterals too), or mid nodes and corners off their places.
   Master(base::ElementType type, bool curved) {
-    const int dim = base::info(type).dim;
+    const int dim = base::element_info(type).dim;
     mesh().dim = dim;
     std::vector<NodeId> nodes;
     Eigen::Matrix3d A;
     A << 1.7, 0.3, 0.2, -0.2, 1.1, 0.1, 0.1, -0.3, 1.4;
-    for (int i = 0; i < base::info(type).nodes; ++i) {
+    for (int i = 0; i < base::element_info(type).nodes; ++i) {
       Vec3 r = Vec3::Zero();
       if (dim == 2) {
-        r.head<2>() = shape::reference_element<2>(type).node(i);
+        r.head<2>() = shape::reference_element<2>(type).node_coordinates(i);
       } else {
-        r = shape::reference_element<3>(type).node(i);
+        r = shape::reference_element<3>(type).node_coordinates(i);
       }
       Vec3 x = A.leftCols(dim) * r.head(dim) + Vec3(0.5, -2.0, 1.0);
       if (curved) {
@@ -90,12 +90,12 @@ public:
     }
     model::add_element(mesh(), type, nodes, 1, base::NetId(0));
     model::FaceSet sides;
-    for (int s = 0; s < base::info(type).sides; ++s) {
+    for (int s = 0; s < base::element_info(type).sides; ++s) {
       sides.faces.push_back({base::ElementId(0), s});
     }
     mesh().face_sets.push_back(sides);
     mesh().node_sets.emplace_back();
-    model.mpcs.emplace_back(model::Transition{base::NodeSetId(0), base::FaceSetId(0), {}});
+    model.mpcs.emplace_back(model::TransitionTie{base::NodeSetId(0), base::FaceSetId(0), {}});
   }
 
   model::Mesh& mesh() { return model.mesh; }
@@ -114,9 +114,9 @@ public:
         for (const double a : {0.13, 0.4}) {
           for (const double b : {0.21, 0.55}) {
             shape::Point<d> r;
-            r[0] = side.domain == shape::Domain::triangle ? a : 2.0 * a - 1.0;
+            r[0] = side.domain == shape::ReferenceDomain::triangle ? a : 2.0 * a - 1.0;
             if constexpr (d == 2) {
-              r[1] = side.domain == shape::Domain::triangle ? b : 2.0 * b - 1.0;
+              r[1] = side.domain == shape::ReferenceDomain::triangle ? b : 2.0 * b - 1.0;
             }
             f(side, face, X, r);
           }
@@ -140,10 +140,12 @@ private:
 
 class EveryMaster : public testing::TestWithParam<base::ElementType> {
 protected:
-  [[nodiscard]] static int dim() { return base::info(GetParam()).dim; }
+  [[nodiscard]] static int dim() { return base::element_info(GetParam()).dim; }
 };
 INSTANTIATE_TEST_SUITE_P(Elements, EveryMaster, testing::ValuesIn(test::all_types),
-                         [](const auto& type) { return std::string(base::info(type.param).name); });
+                         [](const auto& type) {
+                           return std::string(base::element_info(type.param).name);
+                         });
 
 TEST_P(EveryMaster, transition_passes_constant_strain_on_straight_sides) {
   Master master(GetParam(), false);
@@ -169,7 +171,7 @@ TEST_P(EveryMaster, transition_follows_the_sides_own_field) {
     const int dim = EveryMaster::dim();
     Random random;
     std::vector<Vec3> U;
-    for (int i = 0; i < base::info(GetParam()).nodes; ++i) {
+    for (int i = 0; i < base::element_info(GetParam()).nodes; ++i) {
       U.push_back(random.vec(dim));
     }
     master.for_points([&]<int d>(const AnyElement<d>& side, const model::Face& face,
@@ -191,7 +193,7 @@ TEST_P(EveryMaster, transition_follows_the_sides_own_field) {
     }
     EXPECT_LT(residual(ties, u), 1e-12) << (curved ? "curved" : "straight");
     for (const Tie& tie : ties) { // it is the slave that follows
-      EXPECT_GE(tie.terms.front().freedom, dim * base::info(GetParam()).nodes);
+      EXPECT_GE(tie.terms.front().freedom, dim * base::element_info(GetParam()).nodes);
     }
   }
 }
@@ -359,7 +361,7 @@ TEST(RigidTie, OfOneNodeTiesNothing) {
 TEST(Equation, NamesFreedomsOfNodes) {
   model::Model model = rigid_model({"two", 3, {Vec3::Zero(), Vec3::UnitX()}, 5}, 1.0);
   model.mpcs.clear();
-  model.mpcs.emplace_back(model::Equation{
+  model.mpcs.emplace_back(model::ConstraintEquation{
       {{2.0, NodeId(std::size_t{1}), 2}, {-1.0, NodeId(std::size_t{0}), 1}}, 0.25, {}});
   std::vector<TieTrouble> troubles;
   const std::vector<Tie> ties = make_ties(model, model.mesh, troubles);

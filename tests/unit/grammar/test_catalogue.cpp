@@ -47,7 +47,7 @@ TEST(Catalogue, NamesAreUniqueAndDocumented) {
 }
 
 TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   Scope scope;
   scope.sources = &sources;
@@ -60,7 +60,7 @@ TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
         EXPECT_TRUE(has_word(key.words, key.default_value)) << card.name << ' ' << key.name;
         continue;
       }
-      const auto file = sources.add("default", std::string(key.default_value));
+      const auto file = sources.add_text("default", std::string(key.default_value));
       const auto parsed = parse_expression(
           sources, {file, 0, static_cast<std::uint32_t>(key.default_value.size())}, diagnostics);
       ASSERT_TRUE(parsed) << card.name << ' ' << key.name;

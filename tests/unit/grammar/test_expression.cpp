@@ -15,7 +15,7 @@ namespace {
 
 /// One expression read on its own, with a few parameters.
 struct Reader {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   Scope scope;
 
@@ -24,21 +24,22 @@ struct Reader {
     scope.units = *base::make_unit_system("mm", "N");
     scope.values = {{"A", 20.0}, {"R", 36.0}};
   }
-  std::optional<base::Expression> read(const std::string& text, Fields fields = Fields::none) {
-    const auto file = sources.add("expression", text);
+  std::optional<base::CompiledExpression> read(const std::string& text,
+                                               Fields fields = Fields::none) {
+    const auto file = sources.add_text("expression", text);
     const auto parsed =
         parse_expression(sources, {file, 0, static_cast<std::uint32_t>(text.size())}, diagnostics);
     return parsed ? compile(*parsed, scope, fields, diagnostics) : std::nullopt;
   }
   double value(const std::string& text) {
     const auto expression = read(text);
-    EXPECT_TRUE(expression) << text << '\n' << base::format(sources, diagnostics);
+    EXPECT_TRUE(expression) << text << '\n' << base::format_messages(sources, diagnostics);
     return expression ? (*expression)(base::Vec3::Zero()) : std::nan("");
   }
   std::string code(const std::string& text, Fields fields = Fields::none) {
     diagnostics = {};
     EXPECT_FALSE(read(text, fields)) << text;
-    return diagnostics.all().empty() ? "" : diagnostics.all().front().code;
+    return diagnostics.messages().empty() ? "" : diagnostics.messages().front().code;
   }
 };
 
@@ -141,7 +142,7 @@ TEST(Expression, MessagesAreFreeOfMangledNames) {
        {"2 +", "(", "f(", "f(1,", "1 <", "2[", "^", "1 and", "sin 2", ")"}) {
     Reader r;
     EXPECT_FALSE(r.read(text)) << text;
-    const std::string message = base::format(r.sources, r.diagnostics);
+    const std::string message = base::format_messages(r.sources, r.diagnostics);
     EXPECT_EQ(message.find("boost"), std::string::npos) << message;
     EXPECT_EQ(message.find("N7spricka"), std::string::npos) << message;
   }

@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string formatted(const std::string& text) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const auto result = format_deck(sources, sources.add("test.deck", text), diagnostics);
-  return result.value_or("refused:\n" + base::format(sources, diagnostics));
+  const auto result = format_deck(sources, sources.add_text("test.deck", text), diagnostics);
+  return result.value_or("refused:\n" + base::format_messages(sources, diagnostics));
 }
 
 /// The meaning of a file as text: everything the parser found, places left out.
@@ -31,7 +31,7 @@ class Meaning {
 public:
   explicit Meaning(const std::string& text) {
     base::Diagnostics diagnostics;
-    const std::int32_t file = sources_.add("test.deck", text);
+    const std::int32_t file = sources_.add_text("test.deck", text);
     for (const Card& card : parse_cards(sources_, file, diagnostics)) {
       out_ << '$' << card.name;
       for (const Parameter& p : card.parameters) {
@@ -64,7 +64,7 @@ private:
   }
 
   // Tables have no tree: their words, line by line.
-  void words(base::Span span) {
+  void words(base::SourceSpan span) {
     std::istringstream lines{std::string(sources_.text(span))};
     for (std::string line; std::getline(lines, line);) {
       std::istringstream row(line.substr(0, line.find('!')));
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  base::Sources sources_;
+  base::SourceTexts sources_;
   std::ostringstream out_;
 };
 

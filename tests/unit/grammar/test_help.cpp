@@ -30,11 +30,11 @@ TEST(Help, EveryCardHasAnExampleInCanonicalLayout) {
   for (const CardSpec& card : catalogue()) {
     ASSERT_FALSE(card.example.empty()) << card.name;
     EXPECT_TRUE(has(std::string(card.example), "$" + std::string(card.name))) << card.name;
-    base::Sources sources;
+    base::SourceTexts sources;
     base::Diagnostics diagnostics;
-    const auto file = sources.add("example", std::string(card.example));
+    const auto file = sources.add_text("example", std::string(card.example));
     EXPECT_EQ(format_deck(sources, file, diagnostics), card.example)
-        << base::format(sources, diagnostics);
+        << base::format_messages(sources, diagnostics);
   }
 }
 
@@ -84,11 +84,11 @@ TEST(Help, FunctionsAreWrittenAsTheyAreRead) {
   for (const WordText& function : function_texts()) {
     std::string call = std::regex_replace(std::string(function.form), std::regex(", \\.\\."), "");
     call = std::regex_replace(call, std::regex("\\b[xyab]\\b"), "0.5");
-    base::Sources sources;
+    base::SourceTexts sources;
     base::Diagnostics diagnostics;
     Scope scope;
     scope.sources = &sources;
-    const auto file = sources.add("call", call);
+    const auto file = sources.add_text("call", call);
     const auto parsed =
         parse_expression(sources, {file, 0, static_cast<std::uint32_t>(call.size())}, diagnostics);
     ASSERT_TRUE(parsed) << call;

@@ -10,14 +10,14 @@ namespace spricka::grammar::test_parse {
 namespace {
 
 struct Reader {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
 
   std::vector<Card> cards(const std::string& text) {
-    return parse_cards(sources, sources.add("deck", text), diagnostics);
+    return parse_cards(sources, sources.add_text("deck", text), diagnostics);
   }
   std::vector<Row> rows(const std::string& text) {
-    const auto file = sources.add("rows", text);
+    const auto file = sources.add_text("rows", text);
     return parse_rows(sources, {file, 0, static_cast<std::uint32_t>(text.size())}, diagnostics);
   }
 };
@@ -26,7 +26,7 @@ TEST(Parse, HeadersHoldKeysOfEveryKind) {
   Reader r;
   const auto cards = r.cards("$vce crack=C1  Domains = 1, 2,3 TITLE='a ! b' A0=(0.05*R)[mm] ! end\n"
                              "  1 2\n$END");
-  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format(r.sources, r.diagnostics);
+  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics);
   ASSERT_EQ(cards.size(), 2U);
   EXPECT_EQ(cards[0].name, "VCE");
   ASSERT_EQ(cards[0].parameters.size(), 4U);
@@ -43,7 +43,7 @@ TEST(Parse, RowsHoldFieldsOfEveryKind) {
   Reader r;
   const auto rows = r.rows("1  3 : 9:2  -LEFT  LUG.BORE, (x+1)  -2.5[mm]  'a text'\n"
                            "K(C1.1, LOAD, 0.1*R) = 474  REL 0.05\n");
-  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format(r.sources, r.diagnostics);
+  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics);
   ASSERT_EQ(rows.size(), 2U);
   const auto& f = rows[0].fields;
   ASSERT_EQ(f.size(), 7U);
@@ -79,7 +79,7 @@ TEST(Parse, ABadHeaderDoesNotHideTheNext) {
   const auto cards = r.cards("$A X=\n$B Y=1.0d0\n$C Z=(1\n$D =\n$ E\n$F G=1 H\n$END\n");
   EXPECT_EQ(r.diagnostics.error_count(), 6U);
   EXPECT_EQ(cards.size(), 7U);
-  const std::string message = base::format(r.sources, r.diagnostics);
+  const std::string message = base::format_messages(r.sources, r.diagnostics);
   EXPECT_EQ(message.find("boost"), std::string::npos) << message;
 }
 
@@ -91,7 +91,7 @@ TEST(Parse, ADollarInsideALineIsNoCard) {
 TEST(Parse, AssignmentsKeepTheNameAsWritten) {
   Reader r;
   const std::string text = "K_ref = 2*pi ! mean\nbad = 2 *\n";
-  const auto file = r.sources.add("parameters", text);
+  const auto file = r.sources.add_text("parameters", text);
   const auto all = parse_assignments(r.sources, {file, 0, static_cast<std::uint32_t>(text.size())},
                                      r.diagnostics);
   ASSERT_EQ(all.size(), 2U);

@@ -15,18 +15,18 @@ namespace spricka::grammar::test_table {
 namespace {
 
 struct Reader {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   Scope scope;
   TableForm form;
-  base::Span data;
+  base::SourceSpan data;
 
   explicit Reader(const std::string& text, std::size_t columns) {
     scope.sources = &sources;
     scope.units = *base::make_unit_system("mm", "N");
     scope.values = {{"R", 36.0}};
     form.columns = columns;
-    data = {sources.add("table", text), 0, static_cast<std::uint32_t>(text.size())};
+    data = {sources.add_text("table", text), 0, static_cast<std::uint32_t>(text.size())};
   }
   Table<double> coordinates() {
     Table<double> all;
@@ -49,11 +49,11 @@ struct Reader {
   /// Code and column of the only message.
   std::string message() {
     coordinates();
-    if (diagnostics.all().size() != 1) {
-      return fmt::format("{} messages", diagnostics.all().size());
+    if (diagnostics.messages().size() != 1) {
+      return fmt::format("{} messages", diagnostics.messages().size());
     }
-    const base::Diagnostic& d = diagnostics.all().front();
-    const base::Location at = sources.locate(d.span.file, d.span.begin);
+    const base::Diagnostic& d = diagnostics.messages().front();
+    const base::SourceLocation at = sources.locate(d.span.file, d.span.begin);
     return fmt::format("{} {}:{}", d.code, at.line, at.column);
   }
 };
@@ -76,7 +76,7 @@ TEST(Table, DoublesSurviveTheRoundTripBitwise) {
   }
   Reader r(text, 3);
   const Table<double> table = r.coordinates();
-  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format(r.sources, r.diagnostics, 3);
+  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics, 3);
   ASSERT_EQ(table.value.size(), written.size());
   for (std::size_t i = 0; i < written.size(); ++i) {
     ASSERT_EQ(std::bit_cast<std::uint64_t>(table.value[i]),
@@ -88,7 +88,7 @@ TEST(Table, SeparatorsCommentsAndContinuations) {
   Reader r(
       "1, 0.5,+1.5 ! a comment\r\n\r\n! one more\n\t2\t-0.\t.5e1\n 3  7 !\n  ! between\n & 8\n", 2);
   const Table<double> table = r.coordinates();
-  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format(r.sources, r.diagnostics);
+  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics);
   EXPECT_EQ(table.label, (std::vector<base::Label>{1, 2, 3}));
   EXPECT_EQ(table.value, (std::vector<double>{0.5, 1.5, 0.0, 5.0, 7.0, 8.0}));
   EXPECT_TRUE(std::signbit(table.value[2]));
@@ -98,7 +98,7 @@ TEST(Table, SeparatorsCommentsAndContinuations) {
 TEST(Table, ParenthesesAndUnitsTakeTheSlowWay) {
   Reader r("1 (R/2) 1[in]\n2 (2 * (R - 1))[mm] 1e-3[m]", 2);
   const Table<double> table = r.coordinates();
-  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format(r.sources, r.diagnostics);
+  EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics);
   EXPECT_EQ(table.value, (std::vector<double>{18.0, 25.4, 70.0, 1.0}));
   EXPECT_EQ(r.sources.text(table_field(r.sources, r.data, table.offset[1], 1)),
             "(2 * (R - 1))[mm]");

@@ -53,14 +53,14 @@ struct Block {
     model.nets.push_back({"", {}});
     model.properties.emplace_back();
     model.growth.emplace();
-    model.growth->law = model::GrowthLaw::paris;
+    model.growth->law = model::CrackGrowthLaw::paris;
     model.growth->tolerance = 1e-3;
   }
 
   void ellipse(const Vec3& centre, double a, double c, const std::string& name = "C") {
-    model::Crack crack;
+    model::CrackDefinition crack;
     crack.name = name;
-    crack.kind = model::CrackKind::ellipse;
+    crack.kind = model::CrackDefinitionKind::ellipse;
     crack.net = base::NetId(0);
     crack.plane = {.place = centre,
                    .normal = Vec3::UnitZ(),

@@ -26,7 +26,7 @@ struct Grown {
   std::string end;
   std::size_t met = 0; ///< times
 
-  [[nodiscard]] const model::CrackPlane& plane() const {
+  [[nodiscard]] const model::PlanarCrack& plane() const {
     return last.solids[growth::is_gone(last.solids[0]) ? 1 : 0].plane;
   }
 };

@@ -17,7 +17,7 @@ using namespace spricka::test;
 
 /// An embedded ellipse of `ratio` by 1 that grows freely by da/dN = K^m until its longer axis is
 /// `last`, and what tests/bench/free_front.py has for it.
-struct Free {
+struct HashStateDeleter {
   double ratio, m, last;
   double cycles, shape;       ///< the truth
   double of_cycles, of_shape; ///< parts that may be missed with TOL=0.02
@@ -25,9 +25,9 @@ struct Free {
   bool half = false;
 };
 
-mesh::FrontCurve curve_of(const model::Crack& crack, bool half) {
+mesh::FrontCurve curve_of(const model::CrackDefinition& crack, bool half) {
   std::vector<Vec3> points = crack.points;
-  if (crack.kind == model::CrackKind::ellipse) {
+  if (crack.kind == model::CrackDefinitionKind::ellipse) {
     for (int i = 0; i < 240; ++i) {
       const double phi = 2.0 * std::numbers::pi * i / 240;
       points.emplace_back(crack.plane.c * std::cos(phi), crack.plane.a * std::sin(phi), 0.0);
@@ -37,7 +37,7 @@ mesh::FrontCurve curve_of(const model::Crack& crack, bool half) {
     std::vector<Vec3> in;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3& x = points[i];
-      const bool ellipse = crack.kind == model::CrackKind::ellipse;
+      const bool ellipse = crack.kind == model::CrackDefinitionKind::ellipse;
       if (i > 0 && !ellipse && (x.y() > 0.0) != (points[i - 1].y() > 0.0)) {
         const Vec3& y = points[i - 1];
         in.emplace_back(x + x.y() / (x.y() - y.y()) * (y - x));
@@ -56,7 +56,7 @@ mesh::FrontCurve curve_of(const model::Crack& crack, bool half) {
   return {points, normals, true};
 }
 
-void grows_as(const Free& truth) {
+void grows_as(const HashStateDeleter& truth) {
   Block block({-20, truth.half ? 0.0 : -20.0, -20}, {20, 20, 20}, 4);
   block.ellipse(Vec3::Zero(), truth.ratio, 1.0);
   block.model.growth->last_length = truth.last;

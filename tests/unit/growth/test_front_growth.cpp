@@ -35,7 +35,7 @@ double K_of_ellipse(double a, double c, double phi) {
 }
 
 double K_at_ellipse(const growth::CrackState& cracks, const Vec3& x) {
-  const model::CrackPlane& p = cracks.solids[0].plane;
+  const model::PlanarCrack& p = cracks.solids[0].plane;
   const Vec3 off = x - p.place;
   const double phi = std::atan2(off.y() / p.a, off.x() / p.c);
   return K_of_ellipse(p.a, p.c, phi);
@@ -106,7 +106,7 @@ TEST(EllipseWays, ArmsOfOneAxisGrowApart) {
   ASSERT_EQ(tips.size(), 4U);
   EXPECT_NEAR(tips[2].a, 1.3, 1e-9);
   EXPECT_NEAR(tips[3].a, 1.1, 1e-6);
-  const model::CrackPlane& plane = last.solids[0].plane;
+  const model::PlanarCrack& plane = last.solids[0].plane;
   EXPECT_NEAR(plane.place.x(), 0.1, 1e-6);
   EXPECT_NEAR(plane.c, 1.2, 1e-6);
   EXPECT_NEAR(plane.a, 1.1, 1e-6);

@@ -54,7 +54,7 @@ template <class Ways> Grown grown(Block block, double last_length) {
 template <class Ways> void grow_apart() {
   const Grown both = grown<Ways>(plate_with({{0.6, 0.5}, {0.5, 0.4}}), 2.6);
   EXPECT_EQ(both.end, "AMAX") << both.reason;
-  for (const model::Crack& crack : both.last.solids) {
+  for (const model::CrackDefinition& crack : both.last.solids) {
     EXPECT_FALSE(growth::is_gone(crack));
   }
   for (std::size_t i = 0; i < both.last.aims.size(); ++i) {
@@ -89,7 +89,7 @@ Block stiffened_plate() {
     model::add_node(mesh, whole.x[i], static_cast<base::Label>(i) + 1, base::NetId(0));
   }
   for (std::size_t e = 0; e < whole.element_count(); ++e) {
-    const auto nodes = whole.nodes_of(base::ElementId(e));
+    const auto nodes = whole.element_nodes(base::ElementId(e));
     const Vec3 low = whole.x[nodes[0].index()];
     if (low.y() < 1.5 || std::abs(low.x() + 0.5) < 1.0) {
       model::add_element(mesh, base::ElementType::hexe8, nodes, static_cast<base::Label>(e) + 1,

@@ -44,15 +44,15 @@ struct Plate {
     model.nets.push_back({"", {}});
     model.properties.emplace_back();
     model.growth.emplace();
-    model.growth->law = model::GrowthLaw::paris;
+    model.growth->law = model::CrackGrowthLaw::paris;
     model.growth->tolerance = 1e-4;
   }
 
   // A straight crack along x; between two points inside it has two tips.
   void crack(const std::string& name, double from, double to, double y = 0.0) {
-    model::Crack crack;
+    model::CrackDefinition crack;
     crack.name = name;
-    crack.kind = model::CrackKind::free;
+    crack.kind = model::CrackDefinitionKind::free;
     crack.net = base::NetId(0);
     crack.points = {{from, y, 0.0}, {to, y, 0.0}};
     model.cracks.push_back(crack);

@@ -77,7 +77,7 @@ struct Marched {
 Marched march_to_the_end(double least) {
   model::Model model;
   model.growth.emplace();
-  model.growth->law = model::GrowthLaw::paris;
+  model.growth->law = model::CrackGrowthLaw::paris;
   model.growth->tolerance = 1e-6;
   model.growth->last_length = last_arm;
   const growth::Law paris = [](double K_max, double K_min) {

@@ -179,8 +179,8 @@ TEST(SplitFronts, WavesDieAway) {
   const double number = 3.0 * std::numbers::pi; // radians for a length: three waves in the plate
   Block block = plate(-1.0);
   block.ellipse(Vec3::Zero(), 1.0, 1.0);
-  model::Crack& crack = block.model.cracks.front();
-  crack.kind = model::CrackKind::drawn;
+  model::CrackDefinition& crack = block.model.cracks.front();
+  crack.kind = model::CrackDefinitionKind::drawn;
   for (const double side : {1.0, -1.0}) {
     for (int i = -22; i <= 22; ++i) {
       const double y = side * 0.05 * i;

@@ -54,7 +54,7 @@ TEST(TurningFronts, APennyBecomesACone) {
     EXPECT_NEAR(off_cone(x), 0.0, 1e-4);
     EXPECT_NEAR((x - x.normalized()).norm(), 0.5, 0.03); // from the first front
   }
-  const model::CrackWake& wake = last.solids[0].wake;
+  const model::FrontHistory& wake = last.solids[0].front_history;
   ASSERT_EQ(wake.fronts.size(), march.state().stations.size());
   for (const std::vector<Vec3>& front : wake.fronts) {
     EXPECT_EQ(front.front(), front.back());
@@ -88,8 +88,8 @@ TEST(TurningFronts, GoOnAsTheyWere) {
   ASSERT_TRUE(one && other);
   EXPECT_EQ(one->aims, other->aims);
   EXPECT_EQ(one->solids[0].points, other->solids[0].points);
-  EXPECT_EQ(one->solids[0].wake.fronts, other->solids[0].wake.fronts);
-  EXPECT_EQ(one->solids[0].wake.normals, other->solids[0].wake.normals);
+  EXPECT_EQ(one->solids[0].front_history.fronts, other->solids[0].front_history.fronts);
+  EXPECT_EQ(one->solids[0].front_history.normals, other->solids[0].front_history.normals);
 }
 
 TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {

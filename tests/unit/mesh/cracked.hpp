@@ -68,20 +68,21 @@ inline std::vector<base::NodeId> nodes_where(const model::Mesh& mesh, auto&& pre
 inline std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
                                                const std::vector<mesh::CrackLine>& lines,
                                                base::Diagnostics& diagnostics,
-                                               const model::TipNet* wishes = nullptr) {
+                                               const model::TipMeshSettings* wishes = nullptr) {
   std::vector<mesh::TipMesh> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(host, line, wishes, lines));
   }
-  return mesh::insert_cracks(host, lines, tips, std::vector<base::Span>(lines.size()), diagnostics);
+  return mesh::insert_cracks(host, lines, tips, std::vector<base::SourceSpan>(lines.size()),
+                             diagnostics);
 }
 
 inline mesh::CrackedMesh insert(const model::Mesh& host, const std::vector<mesh::CrackLine>& lines,
-                                const model::TipNet* wishes = nullptr) {
+                                const model::TipMeshSettings* wishes = nullptr) {
   base::Diagnostics diagnostics;
   auto result = insert(host, lines, diagnostics, wishes);
-  for (const base::Diagnostic& d : diagnostics.all()) {
+  for (const base::Diagnostic& d : diagnostics.messages()) {
     ADD_FAILURE() << d.code << ": " << d.text;
   }
   if (!result) {
@@ -98,7 +99,7 @@ inline void expect_conforming(const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
   std::map<Ends, base::NodeId> mid;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const auto n = nodes_of(mesh, {base::ElementId(e), s});
       EXPECT_TRUE(mid.try_emplace({n[0], n[1]}, n.size() == 3 ? n[2] : base::NodeId()).second);
     }
@@ -198,7 +199,7 @@ inline int expect_quarter_points(const mesh::CrackedMesh& cracked, base::NodeId 
   const model::Mesh& mesh = cracked.mesh;
   int count = 0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const auto n = nodes_of(mesh, {base::ElementId(e), s});
       if (n[0] == tip || n[1] == tip) {
         const base::Vec3& x = mesh.x[tip.index()];

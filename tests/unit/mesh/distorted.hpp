@@ -21,7 +21,7 @@ inline model::Mesh distorted_block(base::ElementType type) {
   spec.type = type;
   spec.size = {1.3, 0.9, 1.1};
   spec.nx = spec.ny = spec.nz = 2;
-  const bool solid = base::info(type).dim == 3;
+  const bool solid = base::element_info(type).dim == 3;
   (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, base::NetId(std::size_t{0}), "",
                                                               spec);
   for (base::Vec3& p : mesh.x) {
@@ -33,7 +33,7 @@ inline model::Mesh distorted_block(base::ElementType type) {
   const auto e = [](std::size_t i) { return base::ElementId(i); };
   mesh.element_sets.push_back({"SOME", {e(0), e(1)}, {}});
   mesh.element_sets.push_back({"MORE", {e(1), e(2), e(3)}, {}});
-  const auto n = mesh.nodes_of(e(2));
+  const auto n = mesh.element_nodes(e(2));
   mesh.node_sets.push_back({"LINE", {n[0], n[1], n[2]}, {}});
   std::sort(mesh.node_sets[0].nodes.begin(), mesh.node_sets[0].nodes.end());
   return mesh;

@@ -21,7 +21,7 @@ template <int dim> double area(const model::Mesh& mesh, base::ElementId e) {
     Eigen::Matrix<double, dim, dim> J = Eigen::Matrix<double, dim, dim>::Zero();
     const auto d = element.dN(q.r);
     Eigen::Index i = 0;
-    for (const base::NodeId n : mesh.nodes_of(e)) {
+    for (const base::NodeId n : mesh.element_nodes(e)) {
       J += d.row(i++).transpose() * mesh.x[n.index()].template head<dim>().transpose();
     }
     sum += q.weight * J.determinant();
@@ -35,7 +35,7 @@ inline double area(const model::Mesh& mesh) {
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId id(e);
-    sum += base::info(mesh.type[e]).dim == 2 ? area<2>(mesh, id) : area<3>(mesh, id);
+    sum += base::element_info(mesh.type[e]).dim == 2 ? area<2>(mesh, id) : area<3>(mesh, id);
   }
   return sum;
 }
@@ -52,7 +52,7 @@ inline const model::FaceSet& faces(const model::Mesh& mesh, const std::string& n
 inline std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
   std::vector<base::NodeId> result;
   for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-    result.push_back(mesh.nodes_of(face.element)[static_cast<std::size_t>(i)]);
+    result.push_back(mesh.element_nodes(face.element)[static_cast<std::size_t>(i)]);
   }
   return result;
 }

@@ -41,7 +41,7 @@ inline model::Mesh moved(const model::Mesh& from,
   }
   for (std::size_t e = 0; e < from.element_count(); ++e) {
     std::vector<base::NodeId> nodes;
-    for (const base::NodeId n : from.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : from.element_nodes(base::ElementId(e))) {
       nodes.push_back(number[n.index()]);
     }
     model::add_element(mesh, from.type[e], nodes, from.element_label[e], base::NetId(0));

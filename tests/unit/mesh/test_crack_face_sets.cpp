@@ -79,7 +79,7 @@ TEST(CrackFaceSets, NodesOfTheNetsOwnMeshAlike) {
   mesh::TipMesh tip = mesh::choose_tip_mesh(around, line, nullptr);
   tip.patch = false;
   base::Diagnostics diagnostics;
-  const base::Span span;
+  const base::SourceSpan span;
   const auto cracked = mesh::insert_cracks(around, std::span(&line, 1), std::span(&tip, 1),
                                            std::span(&span, 1), diagnostics);
   ASSERT_TRUE(cracked.has_value());

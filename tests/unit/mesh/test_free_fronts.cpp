@@ -62,8 +62,8 @@ struct Attempt {
 Attempt cut(const model::Mesh& host, const mesh::SolidCrack& crack, const mesh::TubeMesh& wish) {
   Attempt made;
   made.cracked = mesh::insert_solid_cracks(host, std::vector{crack}, std::vector{wish},
-                                           std::vector<base::Span>(1), made.diagnostics);
-  for (const base::Diagnostic& d : made.diagnostics.all()) {
+                                           std::vector<base::SourceSpan>(1), made.diagnostics);
+  for (const base::Diagnostic& d : made.diagnostics.messages()) {
     GTEST_LOG_(INFO) << d.code << " " << d.text;
   }
   return made;
@@ -80,7 +80,7 @@ std::pair<std::size_t, std::size_t> quarter_points(const mesh::CrackedMesh& crac
   std::set<NodeId> seen;
   std::pair<std::size_t, std::size_t> count{0, 0};
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.nodes_of(ElementId(e));
+    const auto nodes = mesh.element_nodes(ElementId(e));
     for (int m = 0; mesh.type[e] == ElementType::tet10 && m < 6; ++m) {
       const auto ends = shape::edge_corners(mesh.type[e], m);
       NodeId a = nodes[static_cast<std::size_t>(ends[0])];
@@ -142,7 +142,7 @@ TEST(FreeFronts, AreMeshedByWish) {
                                       {disc({-4, -4, 0.1}, 1.0, 0.7), 0.175 * pi}}) {
       const Attempt made = cut(host, crack, no_tube());
       ASSERT_TRUE(made.cracked);
-      EXPECT_TRUE(made.diagnostics.all().empty());
+      EXPECT_TRUE(made.diagnostics.messages().empty());
       expect_whole(host, *made.cracked, area);
       const auto [quarter, half] = quarter_points(*made.cracked);
       EXPECT_LT(half, (quarter + half) / 50);
@@ -168,9 +168,9 @@ TEST(FreeFronts, StandInForATube) {
     const model::Mesh host = block(type, 4);
     const Attempt made = cut(host, disc({0, -4 + 0.95, 0.1}, 1.0, 1.0), {});
     ASSERT_TRUE(made.cracked);
-    ASSERT_EQ(made.diagnostics.all().size(), 1U);
-    EXPECT_EQ(made.diagnostics.all()[0].code, "W423");
-    EXPECT_NE(made.diagnostics.all()[0].text.find("at 18 degrees only"), std::string::npos);
+    ASSERT_EQ(made.diagnostics.messages().size(), 1U);
+    EXPECT_EQ(made.diagnostics.messages()[0].code, "W423");
+    EXPECT_NE(made.diagnostics.messages()[0].text.find("at 18 degrees only"), std::string::npos);
     const double segment = std::acos(0.95) - 0.95 * std::sqrt(1 - 0.95 * 0.95); // beyond the face
     expect_whole(host, *made.cracked, pi - segment);
   }
@@ -182,8 +182,8 @@ TEST(FreeFronts, DoNotTakeThePlaceOfATubeThatIsAskedFor) {
   wide.radius = 0.6; // the front curves by 0.5
   const Attempt made = cut(block(ElementType::tet10, 4), disc({0, 0, 0.1}, 0.5, 0.5), wide);
   EXPECT_FALSE(made.cracked);
-  ASSERT_FALSE(made.diagnostics.all().empty());
-  EXPECT_EQ(made.diagnostics.all()[0].code, "E423");
+  ASSERT_FALSE(made.diagnostics.messages().empty());
+  EXPECT_EQ(made.diagnostics.messages()[0].code, "E423");
 }
 
 } // namespace

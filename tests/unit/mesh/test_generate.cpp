@@ -55,7 +55,7 @@ double sector_area(double r, double angle, int n, bool quadratic) {
 
 class Generate : public testing::TestWithParam<ElementType> {
 protected:
-  [[nodiscard]] bool quadratic() const { return base::info(GetParam()).quadratic; }
+  [[nodiscard]] bool quadratic() const { return base::element_info(GetParam()).quadratic; }
 };
 
 TEST_P(Generate, Block) {
@@ -186,7 +186,9 @@ INSTANTIATE_TEST_SUITE_P(AllTypes, Generate,
                          testing::Values(ElementType::trim3, ElementType::trimc6,
                                          ElementType::quam4, ElementType::quamc8,
                                          ElementType::quamc9),
-                         [](const auto& p) { return std::string(base::info(p.param).name); });
+                         [](const auto& p) {
+                           return std::string(base::element_info(p.param).name);
+                         });
 
 TEST(GenerateInOneNet, LabelsContinue) {
   model::Mesh mesh;
@@ -236,8 +238,8 @@ TEST_P(GenerateSolid, ManyCellsShareTheirSides) {
   spec.nx = spec.ny = spec.nz = 12;
   mesh::generate_solid_block(mesh, base::NetId(std::size_t{0}), "", spec);
   EXPECT_NEAR(test::area(mesh), 1.0, 1e-12);
-  const std::size_t sides = base::info(GetParam()).corners == 4 ? 2 : 1;
-  const std::size_t ends = base::info(GetParam()).corners == 8 ? 1 : 2;
+  const std::size_t sides = base::element_info(GetParam()).corners == 4 ? 2 : 1;
+  const std::size_t ends = base::element_info(GetParam()).corners == 8 ? 1 : 2;
   EXPECT_EQ(mesh::boundary_faces(mesh).size(), 144 * (4 * sides + 2 * ends));
 }
 

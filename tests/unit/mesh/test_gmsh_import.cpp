@@ -267,13 +267,14 @@ TEST_F(GmshImport, MissingFile) {
   mesh::ImportRequest request;
   request.file = folder_ / "none.geo";
   EXPECT_FALSE(import(request));
-  EXPECT_NE(diagnostics_.all()[0].text.find("none.geo"), std::string::npos);
+  EXPECT_NE(diagnostics_.messages()[0].text.find("none.geo"), std::string::npos);
 }
 
 TEST_F(GmshImport, ScriptErrorsInGmshsWords) {
   EXPECT_FALSE(import(write("bad.geo", "Point(1) = {0, 0, 0, lc};\nLine(1) = {1, 2;\n")));
   ASSERT_GE(diagnostics_.error_count(), 2U);
-  EXPECT_NE(diagnostics_.all()[0].text.find("line 1: Unknown variable 'lc'"), std::string::npos);
+  EXPECT_NE(diagnostics_.messages()[0].text.find("line 1: Unknown variable 'lc'"),
+            std::string::npos);
   EXPECT_EQ(mesh_.node_count(), 0U);
   // and the library works on afterwards
   base::Diagnostics fresh;
@@ -296,7 +297,7 @@ TEST_F(GmshImport, UnknownGroupIsNamed) {
   mesh::ImportRequest request = write("a.geo", quarter_disc);
   request.renames = {{"ark", "RIM"}};
   EXPECT_FALSE(import(request));
-  EXPECT_NE(diagnostics_.all()[0].hint.find("arc"), std::string::npos);
+  EXPECT_NE(diagnostics_.messages()[0].hint.find("arc"), std::string::npos);
 }
 
 TEST_F(GmshImport, OutOfPlane) {

@@ -45,7 +45,7 @@ protected:
   /// All messages, one a line.
   [[nodiscard]] std::string messages() const {
     std::string all;
-    for (const base::Diagnostic& d : diagnostics_.all()) {
+    for (const base::Diagnostic& d : diagnostics_.messages()) {
       all += d.code + " " + d.text + " = " + d.hint + "\n";
     }
     return all;
@@ -82,11 +82,11 @@ TEST_F(Inp, EveryTypeComesBackBitForBit) {
       EXPECT_TRUE(type == base::ElementType::quamc9 || type == base::ElementType::hexec27);
       continue;
     }
-    SCOPED_TRACE(base::info(type).name);
+    SCOPED_TRACE(base::element_info(type).name);
     ASSERT_TRUE(import(mesh::inp_text(wanted, nullptr))) << messages();
     EXPECT_EQ(messages(), "");
     const model::Mesh& found = model_.mesh;
-    EXPECT_EQ(found.dim, base::info(type).dim);
+    EXPECT_EQ(found.dim, base::element_info(type).dim);
     EXPECT_EQ(found.x, wanted.mesh.x);
     EXPECT_EQ(found.node_label, wanted.mesh.node_label);
     EXPECT_EQ(found.type, wanted.mesh.type);
@@ -165,7 +165,7 @@ TEST_F(Inp, MaterialsAndSectionsBecomeProperties) {
   EXPECT_EQ(model_.materials[0].alpha, 1.2e-5);
   ASSERT_EQ(model_.properties.size(), 1U);
   EXPECT_EQ(model_.properties[0].thickness, 25.0);
-  EXPECT_EQ(model_.properties[0].state, model::State::plane_stress);
+  EXPECT_EQ(model_.properties[0].state, model::StressState::plane_stress);
   EXPECT_TRUE(model_.mesh.property[1].valid());
   EXPECT_EQ(elements("PLATE.STARBOARD").elements.size(), 1U);
   EXPECT_NE(messages().find("W337"), std::string::npos);
@@ -232,12 +232,13 @@ TEST_F(Inp, EquationsTieFreedoms) {
                                  " 3\n 1, 2, 1.\n 2, 2, 1., 2, 2, -1.\n"))
       << messages();
   ASSERT_EQ(model_.mpcs.size(), 2U);
-  const auto& first = std::get<model::Equation>(model_.mpcs[0]);
+  const auto& first = std::get<model::ConstraintEquation>(model_.mpcs[0]);
   ASSERT_EQ(first.terms.size(), 2U);
   EXPECT_EQ(model_.mesh.node_label[first.terms[1].node.index()], 3);
   EXPECT_EQ(first.terms[1].dof, 1);
   EXPECT_EQ(first.terms[1].coefficient, -2.0);
-  EXPECT_EQ(std::get<model::Equation>(model_.mpcs[1]).terms.size(), 1U); // those of node 2 cancel
+  EXPECT_EQ(std::get<model::ConstraintEquation>(model_.mpcs[1]).terms.size(),
+            1U); // those of node 2 cancel
 }
 
 TEST_F(Inp, MistakesNameTheirLine) {

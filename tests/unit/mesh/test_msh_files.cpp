@@ -47,7 +47,7 @@ class MshFiles : public testing::TestWithParam<base::ElementType> {
 protected:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("spricka-msh-" + std::to_string(::getpid()) + "-" +
-                                           std::string(base::info(GetParam()).name));
+                                           std::string(base::element_info(GetParam()).name));
     fs::create_directories(folder_);
     mesh_ = test::distorted_block(GetParam());
     std::ofstream(folder_ / "own.msh") << mesh::msh_text(mesh_);
@@ -67,7 +67,7 @@ protected:
     model::Mesh found;
     base::Diagnostics diagnostics;
     mesh::import_mesh(found, request(name), diagnostics);
-    ASSERT_TRUE(diagnostics.all().empty()) << diagnostics.all()[0].text;
+    ASSERT_TRUE(diagnostics.messages().empty()) << diagnostics.messages()[0].text;
     ASSERT_EQ(found.element_count(), mesh_.element_count());
     ASSERT_EQ(found.node_count(), mesh_.node_count());
     EXPECT_NEAR(test::area(found), test::area(mesh_), 1e-14);
@@ -111,9 +111,9 @@ protected:
   /// The element all of whose nodes, in their order, lie where those of element e do.
   [[nodiscard]] base::ElementId twin_of(const model::Mesh& found, base::ElementId e,
                                         double tolerance) const {
-    const auto wanted = mesh_.nodes_of(e);
+    const auto wanted = mesh_.element_nodes(e);
     for (std::size_t f = 0; f < found.element_count(); ++f) {
-      const auto nodes = found.nodes_of(base::ElementId(f));
+      const auto nodes = found.element_nodes(base::ElementId(f));
       if (found.type[f] == mesh_.type[e.index()] &&
           std::equal(nodes.begin(), nodes.end(), wanted.begin(),
                      [&](base::NodeId m, base::NodeId n) {
@@ -130,8 +130,9 @@ protected:
   model::Mesh mesh_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Types, MshFiles, testing::ValuesIn(test::all_types),
-                         [](const auto& type) { return std::string(base::info(type.param).name); });
+INSTANTIATE_TEST_SUITE_P(Types, MshFiles, testing::ValuesIn(test::all_types), [](const auto& type) {
+  return std::string(base::element_info(type.param).name);
+});
 
 TEST_P(MshFiles, OwnFileComesBackBitForBit) {
   EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
@@ -167,7 +168,7 @@ TEST_P(MshFiles, RaisedToQuadratic) {
   mesh::import_mesh(found, quadratic, diagnostics);
   ASSERT_FALSE(diagnostics.has_errors());
   EXPECT_TRUE(std::all_of(found.type.begin(), found.type.end(),
-                          [](base::ElementType t) { return base::info(t).quadratic; }));
+                          [](base::ElementType t) { return base::element_info(t).quadratic; }));
   EXPECT_NEAR(test::area(found), test::area(mesh_) * std::pow(2.0, mesh_.dim), 1e-12);
   EXPECT_EQ(test::faces(found, "XMAX").faces.size(), test::faces(mesh_, "XMAX").faces.size());
 }
@@ -181,8 +182,8 @@ TEST_P(MshFiles, DamagedFilesAreRefusedInWords) {
     base::Diagnostics diagnostics;
     mesh::import_mesh(found, request("bad.msh"), diagnostics);
     ASSERT_TRUE(diagnostics.has_errors()) << words;
-    EXPECT_NE(diagnostics.all()[0].text.find(words), std::string::npos)
-        << diagnostics.all()[0].text;
+    EXPECT_NE(diagnostics.messages()[0].text.find(words), std::string::npos)
+        << diagnostics.messages()[0].text;
     EXPECT_EQ(found.element_count(), 0U);
   };
   const auto with = [&](const std::string& from, const std::string& to) {

@@ -29,7 +29,7 @@ TEST(Patch, EdgeCrackInABlock) {
   // the left crack face is above
   double above = 0.0;
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
-    const auto nodes = cracked.mesh.nodes_of(base::ElementId(e));
+    const auto nodes = cracked.mesh.element_nodes(base::ElementId(e));
     if (std::find(nodes.begin(), nodes.end(), cracked.faces[0].left[1]) != nodes.end()) {
       for (const base::NodeId n : nodes) {
         above += cracked.mesh.x[n.index()].y() - 4.0;
@@ -48,8 +48,8 @@ TEST(Patch, HostNodesAndRimStay) {
   }
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
     if (cracked.host[e].valid()) {
-      const auto a = cracked.mesh.nodes_of(base::ElementId(e));
-      const auto b = host.nodes_of(cracked.host[e]);
+      const auto a = cracked.mesh.element_nodes(base::ElementId(e));
+      const auto b = host.element_nodes(cracked.host[e]);
       EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
     }
   }
@@ -233,7 +233,7 @@ TEST(Patch, SameInputSameMesh) {
 
 TEST(Patch, WishesAreObeyed) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  model::TipNet wishes;
+  model::TipMeshSettings wishes;
   wishes.radius = 0.9;
   wishes.size = 0.25;
   wishes.rings = 3;
@@ -245,7 +245,7 @@ TEST(Patch, WishesAreObeyed) {
   const Vec3 tip(3, 4, 0);
   std::set<long> radii;
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
-    const auto nodes = cracked.mesh.nodes_of(base::ElementId(e));
+    const auto nodes = cracked.mesh.element_nodes(base::ElementId(e));
     tip_elements +=
         std::count(nodes.begin(), nodes.end(), cracked.fronts[0].tip().node) > 0 ? 1 : 0;
     if (cracked.mesh.type[e] == base::ElementType::quamc8 && !cracked.host[e].valid()) {

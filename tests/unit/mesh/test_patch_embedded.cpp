@@ -82,7 +82,7 @@ TEST(PatchEmbedded, RefusesWhatIsNoEmbeddedCrack) {
   const auto code = [&](std::vector<Vec3> points) {
     base::Diagnostics diagnostics;
     EXPECT_FALSE(test::insert(host, {inside(std::move(points))}, diagnostics).has_value());
-    return diagnostics.all().empty() ? std::string() : diagnostics.all().front().code;
+    return diagnostics.messages().empty() ? std::string() : diagnostics.messages().front().code;
   };
   EXPECT_EQ(code({{0.01, 4, 0}, {3, 4, 0}}), "E421"); // meant to start on the boundary
   EXPECT_EQ(code({{-2, 4, 0}, {3, 4, 0}}), "E421");   // outside

@@ -119,9 +119,9 @@ TEST(PatchNear, LinesThatCannotBe) {
   const auto text = [&](const std::vector<mesh::CrackLine>& lines) {
     base::Diagnostics diagnostics;
     EXPECT_FALSE(test::insert(host, lines, diagnostics).has_value());
-    EXPECT_EQ(diagnostics.all().size(), 1U);
-    EXPECT_EQ(diagnostics.all().at(0).code, "E430");
-    return diagnostics.all().at(0).text;
+    EXPECT_EQ(diagnostics.messages().size(), 1U);
+    EXPECT_EQ(diagnostics.messages().at(0).code, "E430");
+    return diagnostics.messages().at(0).text;
   };
   const auto long_one = inside({{2, 4, 0}, {6, 4, 0}}, 0);
   EXPECT_NE(text({long_one, inside({{4, 2, 0}, {4, 6, 0}}, 1)}).find("(4, 4)"), std::string::npos);
@@ -137,15 +137,15 @@ TEST(PatchNear, LinesThatCannotBe) {
 
 TEST(PatchNear, GivenRadiiMustNotReachAnotherCrack) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  model::TipNet wide;
+  model::TipMeshSettings wide;
   wide.radius = 0.4;
   base::Diagnostics diagnostics;
   EXPECT_FALSE(
       test::insert(host, {inside({{2, 4, 0}, {4, 4, 0}}, 0), inside({{4.5, 4, 0}, {7, 4, 0}}, 1)},
                    diagnostics, &wide)
           .has_value());
-  ASSERT_FALSE(diagnostics.all().empty());
-  EXPECT_EQ(diagnostics.all()[0].code, "E423");
+  ASSERT_FALSE(diagnostics.messages().empty());
+  EXPECT_EQ(diagnostics.messages()[0].code, "E423");
 }
 
 /// Every tie puts its node where it lies; outside them the mesh is conforming.
@@ -172,8 +172,8 @@ void expect_tied_rim(const model::Mesh& host, const mesh::CrackedMesh& cracked) 
 }
 
 TEST(PatchTransition, RimLiesOnTheHostsEdges) {
-  model::TipNet wishes;
-  wishes.join = model::Join::transition;
+  model::TipMeshSettings wishes;
+  wishes.join = model::PatchCoupling::transition;
   const model::Mesh blocks = test::block(10.0, 8.0, 10, 8);
   const model::Mesh round = test::lug(6, 36);
   for (const double a : {0.02, 0.3, 3.0}) {

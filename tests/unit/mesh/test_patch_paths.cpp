@@ -21,15 +21,15 @@ mesh::CrackLine path_crack(const model::Mesh& mesh, double y, double a, bool hal
   return line;
 }
 
-model::TipNet no_patch() {
-  model::TipNet wishes;
+model::TipMeshSettings no_patch() {
+  model::TipMeshSettings wishes;
   wishes.patch = false;
   return wishes;
 }
 
 TEST(PathCrack, WithoutPatchNodesAreDoubled) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  const model::TipNet wishes = no_patch();
+  const model::TipMeshSettings wishes = no_patch();
   const auto cracked = test::insert(host, {path_crack(host, 4.0, 3.0, false)}, &wishes);
   test::expect_crack_faces(cracked, 0, 3.0);
   test::expect_conforming(cracked);
@@ -44,7 +44,7 @@ TEST(PathCrack, WithoutPatchNodesAreDoubled) {
 
 TEST(PathCrack, WithoutPatchInLinearElements) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8, base::ElementType::quam4);
-  const model::TipNet wishes = no_patch();
+  const model::TipMeshSettings wishes = no_patch();
   const auto cracked = test::insert(host, {path_crack(host, 4.0, 3.0, false)}, &wishes);
   EXPECT_EQ(cracked.mesh.node_count(), host.node_count() + 3);
   test::expect_crack_faces(cracked, 0, 3.0);
@@ -52,7 +52,7 @@ TEST(PathCrack, WithoutPatchInLinearElements) {
 
 TEST(PathCrack, WithoutPatchOnASymmetryLineNothingIsDoubled) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  const model::TipNet wishes = no_patch();
+  const model::TipMeshSettings wishes = no_patch();
   const auto cracked = test::insert(host, {path_crack(host, 0.0, 3.0, true)}, &wishes);
   EXPECT_EQ(cracked.mesh.node_count(), host.node_count());
   EXPECT_EQ(cracked.faces[0].left.size(), 7U);
@@ -66,18 +66,18 @@ TEST(PathCrack, WithoutPatchOnASymmetryLineNothingIsDoubled) {
 
 TEST(PathCrack, WithoutPatchTheTipMustBeANode) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  const model::TipNet wishes = no_patch();
+  const model::TipMeshSettings wishes = no_patch();
   base::Diagnostics diagnostics;
   EXPECT_FALSE(test::insert(host, {path_crack(host, 4.0, 3.3, false)}, diagnostics, &wishes));
   ASSERT_EQ(diagnostics.error_count(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].code, "E427");
+  EXPECT_EQ(diagnostics.messages()[0].code, "E427");
 }
 
 TEST(PathCrack, APathMustFollowEdges) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
   mesh::CrackLine line = path_crack(host, 4.0, 3.0, false);
   std::swap(line.path[2], line.path[6]);
-  const model::TipNet wishes = no_patch();
+  const model::TipMeshSettings wishes = no_patch();
   base::Diagnostics diagnostics;
   EXPECT_FALSE(test::insert(host, {line}, diagnostics, &wishes));
 }
@@ -145,16 +145,17 @@ TEST(PathCrack, HalfCrackFromInsideALine) {
 
 TEST(CrackErrors, AreReported) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  const auto code = [&](const std::vector<mesh::CrackLine>& lines, const model::TipNet* wishes) {
+  const auto code = [&](const std::vector<mesh::CrackLine>& lines,
+                        const model::TipMeshSettings* wishes) {
     base::Diagnostics diagnostics;
     EXPECT_FALSE(test::insert(host, lines, diagnostics, wishes).has_value());
-    return diagnostics.all().empty() ? std::string() : diagnostics.all()[0].code;
+    return diagnostics.messages().empty() ? std::string() : diagnostics.messages()[0].code;
   };
   EXPECT_EQ(code({test::crack({{1, 4, 0}, {2, 4, 0}})}, nullptr), "E421");   // inside the body
   EXPECT_EQ(code({test::crack({{30, 40, 0}, {2, 4, 0}})}, nullptr), "E421"); // far away
   EXPECT_EQ(code({test::crack({{0, 4, 0}, {-2, 4, 0}})}, nullptr), "E425");  // away from the body
   EXPECT_EQ(code({test::crack({{0, 4, 0}, {12, 4, 0}})}, nullptr), "E425");  // through the body
-  model::TipNet wide;
+  model::TipMeshSettings wide;
   wide.radius = 3.5;
   EXPECT_EQ(code({test::crack({{0, 4, 0}, {3, 4, 0}})}, &wide), "E423");
   // half cracks from both ends of a line of symmetry, whose patches would meet
@@ -168,7 +169,7 @@ TEST(CrackErrors, LinearHost) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8, base::ElementType::quam4);
   base::Diagnostics diagnostics;
   EXPECT_FALSE(test::insert(host, {test::crack({{0, 4, 0}, {3, 4, 0}})}, diagnostics).has_value());
-  EXPECT_EQ(diagnostics.all()[0].code, "E426");
+  EXPECT_EQ(diagnostics.messages()[0].code, "E426");
 }
 
 } // namespace

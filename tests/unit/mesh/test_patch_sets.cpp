@@ -75,9 +75,9 @@ TEST(PatchSets, NewElementsBelongToTheSetsWhereTheyLie) {
   const auto& up = cracked.mesh.element_sets[1].elements;
   const std::set<base::ElementId> in(up.begin(), up.end());
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
-    const auto nodes = cracked.mesh.nodes_of(base::ElementId(e));
+    const auto nodes = cracked.mesh.element_nodes(base::ElementId(e));
     double y = 0.0;
-    const auto corners = static_cast<std::size_t>(base::info(cracked.mesh.type[e]).corners);
+    const auto corners = static_cast<std::size_t>(base::element_info(cracked.mesh.type[e]).corners);
     for (std::size_t i = 0; i < corners; ++i) {
       y += cracked.mesh.x[nodes[i].index()].y() / static_cast<double>(corners);
     }
@@ -103,7 +103,7 @@ TEST(PatchSets, PropertiesBesideThePatchAreKept) {
   const auto cracked = test::insert(host, {test::crack({{0, 4.0, 0}, {1.5, 4.0, 0}})});
   test::expect_sound(host, cracked);
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
-    const auto nodes = cracked.mesh.nodes_of(base::ElementId(e));
+    const auto nodes = cracked.mesh.element_nodes(base::ElementId(e));
     double x = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       x += cracked.mesh.x[nodes[i].index()].x() / 3.0;
@@ -114,7 +114,7 @@ TEST(PatchSets, PropertiesBesideThePatchAreKept) {
   EXPECT_FALSE(
       test::insert(host, {test::crack({{0, 4.0, 0}, {3.5, 4.0, 0}})}, diagnostics).has_value());
   ASSERT_EQ(diagnostics.error_count(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].code, "E424");
+  EXPECT_EQ(diagnostics.messages()[0].code, "E424");
 }
 
 } // namespace

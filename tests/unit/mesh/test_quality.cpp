@@ -73,7 +73,7 @@ model::Mesh reference(base::ElementType type, const std::function<base::Vec3(bas
   shape::with_shape(type, [&]<shape::ElementShape S>(S) {
     for (int i = 0; i < S::nodes; ++i) {
       base::Vec3 at = base::Vec3::Zero();
-      at.template head<S::dim>() = shape::node<S>(i);
+      at.template head<S::dim>() = shape::node_coordinates<S>(i);
       x.push_back(f(at));
     }
   });
@@ -97,7 +97,7 @@ TEST(Quality, SolidsGoodTurnedAndFlat) {
 // The determinant is positive at all integration points and corners, but not everywhere.
 TEST(Quality, MidNodeBeyondTheQuarterPointOfASolidIsBad) {
   for (const base::ElementType type : solids) {
-    const base::ElementInfo& info = base::info(type);
+    const base::ElementInfo& info = base::element_info(type);
     if (!info.quadratic) {
       continue;
     }

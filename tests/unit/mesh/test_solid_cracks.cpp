@@ -66,9 +66,9 @@ std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
                                         const mesh::TubeMesh& tube = {}) {
   base::Diagnostics diagnostics;
   const std::vector<mesh::TubeMesh> tubes(cracks.size(), tube);
-  const std::vector<base::Span> spans(cracks.size());
+  const std::vector<base::SourceSpan> spans(cracks.size());
   auto result = mesh::insert_solid_cracks(host, cracks, tubes, spans, diagnostics);
-  for (const auto& d : diagnostics.all()) {
+  for (const auto& d : diagnostics.messages()) {
     if (d.severity == base::Severity::error) {
       ADD_FAILURE() << d.code << " " << d.text;
     }
@@ -89,7 +89,8 @@ void expect_sound(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
     EXPECT_EQ(mesh.element_net[e], host.element_net[0]);
     EXPECT_EQ(mesh.property[e], host.property[0]);
     if (cracked.host[e].valid()) {
-      EXPECT_TRUE(std::ranges::equal(mesh.nodes_of(ElementId(e)), host.nodes_of(cracked.host[e])));
+      EXPECT_TRUE(std::ranges::equal(mesh.element_nodes(ElementId(e)),
+                                     host.element_nodes(cracked.host[e])));
     }
   }
 }
@@ -258,7 +259,8 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair(ElementType::hexe8, 8), std::pair(ElementType::hexec20, 4),
                     std::pair(ElementType::hexec20, 9), std::pair(ElementType::hexec27, 6)),
     [](const auto& at) {
-      return std::string(base::info(at.param.first).name) + "_" + std::to_string(at.param.second);
+      return std::string(base::element_info(at.param.first).name) + "_" +
+             std::to_string(at.param.second);
     });
 
 TEST(SolidCracks, EllipsesInRandomPlanes) {
@@ -369,7 +371,7 @@ INSTANTIATE_TEST_SUITE_P(SolidCracks, OpenCracks, testing::ValuesIn(open_cases()
                          [](const auto& at) {
                            std::string name = at.param.name;
                            std::ranges::replace(name, ' ', '_');
-                           return name + "_" + std::string(base::info(at.param.type).name);
+                           return name + "_" + std::string(base::element_info(at.param.type).name);
                          });
 
 /// A thick ring, or a part of one: radius 1 to 4, height 2, from the block's coordinates.
@@ -452,7 +454,7 @@ TEST(SolidCracks, SetsAndNeighbours) {
   model::ElementSet half{"HALF", {}, {}};
   for (std::size_t e = 0; e < host.element_count(); ++e) {
     Vec3 middle = Vec3::Zero();
-    for (const NodeId n : host.nodes_of(ElementId(e)).first(8)) {
+    for (const NodeId n : host.element_nodes(ElementId(e)).first(8)) {
       middle += host.x[n.index()] / 8.0;
     }
     if (middle.x() > 0.0) {
@@ -484,8 +486,8 @@ TEST(SolidCracks, SetsAndNeighbours) {
   EXPECT_EQ(mesh.element_sets[0].elements.size(), mesh.element_count());
   for (const ElementId e : mesh.element_sets[1].elements) {
     Vec3 middle = Vec3::Zero();
-    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
-    for (const NodeId n : mesh.nodes_of(e).first(corners)) {
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
+    for (const NodeId n : mesh.element_nodes(e).first(corners)) {
       middle += mesh.x[n.index()] / static_cast<double>(corners);
     }
     EXPECT_GT(middle.x(), -1e-9);
@@ -504,10 +506,10 @@ TEST(SolidCracks, RefusalsNameThePlace) {
   const auto told = [&](const mesh::SolidCrack& crack, const mesh::TubeMesh& tube) {
     base::Diagnostics diagnostics;
     EXPECT_FALSE(mesh::insert_solid_cracks(host, std::vector{crack}, std::vector{tube},
-                                           std::vector<base::Span>(1), diagnostics));
-    EXPECT_EQ(diagnostics.all().size(), 1U);
-    text = diagnostics.all().empty() ? "" : diagnostics.all()[0].text;
-    return diagnostics.all().empty() ? "" : diagnostics.all()[0].code;
+                                           std::vector<base::SourceSpan>(1), diagnostics));
+    EXPECT_EQ(diagnostics.messages().size(), 1U);
+    text = diagnostics.messages().empty() ? "" : diagnostics.messages()[0].text;
+    return diagnostics.messages().empty() ? "" : diagnostics.messages()[0].code;
   };
   const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity();
   EXPECT_EQ(told(ellipse({9, 0, 0}, flat, 0.5, 0.5), {}), "E425");
@@ -536,9 +538,9 @@ TEST(SolidCracks, OfTwoBodiesThatTouchNeitherIsChosen) {
     base::Diagnostics diagnostics;
     const auto cracked = mesh::insert_solid_cracks(
         host, std::vector{ellipse(centre, Eigen::Matrix3d::Identity(), 1.0, 1.0)},
-        std::vector<mesh::TubeMesh>(1), std::vector<base::Span>(1), diagnostics);
+        std::vector<mesh::TubeMesh>(1), std::vector<base::SourceSpan>(1), diagnostics);
     EXPECT_NE(cracked.has_value(), diagnostics.has_errors());
-    return diagnostics.all().empty() ? std::string() : diagnostics.all()[0].text;
+    return diagnostics.messages().empty() ? std::string() : diagnostics.messages()[0].text;
   };
   EXPECT_NE(told({0, -4, 0}).find("in another one of its net, at ("), std::string::npos);
   EXPECT_EQ(told({0, 0, 0}).find("in another one of its net, at ("), std::string::npos);
@@ -560,7 +562,7 @@ TEST(SolidCracks, WithAHoleInside) {
          {std::tuple(ellipse({0.05, 0.02, 2.9}, flat, 1.8, 1.8), pi * (1.8 * 1.8 - 1.0),
                      mesh::CrackKind::surface),
           {ellipse({-4, 0, 2.9}, flat, 5.9, 5.9), segment - pi, mesh::CrackKind::through}}) {
-      SCOPED_TRACE(std::string(base::info(type).name) + mesh::name_of(kind));
+      SCOPED_TRACE(std::string(base::element_info(type).name) + mesh::name_of(kind));
       if (type == ElementType::tet10 && kind == mesh::CrackKind::through) {
         continue; // a curved tetrahedron of the coarse rim folds: refused with its place (E429)
       }
@@ -676,10 +678,10 @@ TEST(SolidCracks, EllipsesThatComeOutAnywhere) {
     base::Diagnostics diagnostics;
     const auto cracked =
         mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
-                                  std::vector<base::Span>(1), diagnostics);
+                                  std::vector<base::SourceSpan>(1), diagnostics);
     if (!cracked) { // fronts that meet the surface too flat, of which a few are told by folded
                     // tubes
-      for (const auto& d : diagnostics.all()) {
+      for (const auto& d : diagnostics.messages()) {
         EXPECT_TRUE(d.code == "E423" || d.code == "E429") << d.text;
       }
       ++refused;

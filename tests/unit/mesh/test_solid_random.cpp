@@ -93,11 +93,11 @@ Host corner(ElementType type, int n) {
   kept.node_net = host.mesh.node_net;
   for (std::size_t e = 0; e < host.mesh.element_count(); ++e) {
     Vec3 low = Vec3::Constant(1e9);
-    for (const NodeId node : host.mesh.nodes_of(ElementId(e))) {
+    for (const NodeId node : host.mesh.element_nodes(ElementId(e))) {
       low = low.cwiseMin(host.mesh.x[node.index()]);
     }
     if (low.x() < -1e-9 || low.y() < -1e-9) {
-      model::add_element(kept, host.mesh.type[e], host.mesh.nodes_of(ElementId(e)),
+      model::add_element(kept, host.mesh.type[e], host.mesh.element_nodes(ElementId(e)),
                          host.mesh.element_label[e], base::NetId(0));
     }
   }
@@ -372,18 +372,19 @@ TEST(SolidRandom, CracksAreCutSoundlyOrRefusedWithThePlace) {
     const Host& host = all[static_cast<std::size_t>(i * 7 + i / 9) % all.size()];
     const Case made = makers[static_cast<std::size_t>(i) % makers.size()](host, dice);
     const std::string name = std::to_string(i) + " " + made.kind + " in " + host.name + " of " +
-                             std::string(base::info(host.mesh.type[0]).name);
+                             std::string(base::element_info(host.mesh.type[0]).name);
     SCOPED_TRACE(name);
     base::Diagnostics diagnostics;
     const auto cracked = mesh::insert_solid_cracks(
         host.mesh, made.cracks, std::vector<mesh::TubeMesh>(made.cracks.size()),
-        std::vector<base::Span>(made.cracks.size()), diagnostics);
+        std::vector<base::SourceSpan>(made.cracks.size()), diagnostics);
     Count& count = counts[made.kind];
     ++count.tried;
     if (cracked) {
-      const bool shifted =
-          std::ranges::any_of(diagnostics.all(), [](const auto& d) { return d.code == "W425"; });
-      free += std::ranges::any_of(diagnostics.all(), [](const auto& d) { return d.code == "W423"; })
+      const bool shifted = std::ranges::any_of(diagnostics.messages(),
+                                               [](const auto& d) { return d.code == "W425"; });
+      free += std::ranges::any_of(diagnostics.messages(),
+                                  [](const auto& d) { return d.code == "W423"; })
                   ? 1
                   : 0;
       count.moved += shifted ? 1 : 0;
@@ -391,8 +392,8 @@ TEST(SolidRandom, CracksAreCutSoundlyOrRefusedWithThePlace) {
       continue;
     }
     ++count.refused;
-    ASSERT_FALSE(diagnostics.all().empty());
-    for (const auto& d : diagnostics.all()) {
+    ASSERT_FALSE(diagnostics.messages().empty());
+    for (const auto& d : diagnostics.messages()) {
       GTEST_LOG_(INFO) << name << ": " << d.code << " " << d.text;
       EXPECT_NE(d.text.find('('), std::string::npos) << d.text; // the place
     }
@@ -432,9 +433,9 @@ TEST(SolidSets, NodeSetsOfAPartOfAFaceKeepTheirBorders) {
     base::Diagnostics diagnostics;
     const auto cracked =
         mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
-                                  std::vector<base::Span>(1), diagnostics);
+                                  std::vector<base::SourceSpan>(1), diagnostics);
     ASSERT_TRUE(cracked);
-    EXPECT_TRUE(diagnostics.all().empty());
+    EXPECT_TRUE(diagnostics.messages().empty());
     const model::Mesh& mesh = cracked->mesh;
     double lowest = 8.0;
     for (const NodeId n : mesh.node_sets[0].nodes) {
@@ -488,17 +489,18 @@ TEST(SolidSets, NodesHeldAlongEdgesAreHeldAlongNewOnes) {
       base::Diagnostics diagnostics;
       const auto cracked = mesh::insert_solid_cracks(
           mesh::SolidHost(host, use), std::vector{*line.crack}, std::vector<mesh::TubeMesh>(1),
-          std::vector<base::Span>(1), diagnostics);
+          std::vector<base::SourceSpan>(1), diagnostics);
       ASSERT_TRUE(cracked);
-      EXPECT_TRUE(diagnostics.all().empty());
-      EXPECT_TRUE(cracked->lost[0].empty()) << base::info(type).name << line.from.transpose();
+      EXPECT_TRUE(diagnostics.messages().empty());
+      EXPECT_TRUE(cracked->lost[0].empty())
+          << base::element_info(type).name << line.from.transpose();
       const std::vector<NodeId>& now = cracked->mesh.node_sets[0].nodes;
       std::set<NodeId> there = on_line(cracked->mesh, line.from, line.to);
       for (const mesh::RimTie& tie : cracked->ties) { // between linear elements' nodes
         there.erase(tie.slave);
       }
       EXPECT_EQ(std::set<NodeId>(now.begin(), now.end()), there)
-          << base::info(type).name << " " << line.from.transpose();
+          << base::element_info(type).name << " " << line.from.transpose();
     }
   }
 }
@@ -519,7 +521,7 @@ TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
   base::Diagnostics diagnostics;
   const auto cracked = mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
                                                  std::vector<mesh::TubeMesh>(1),
-                                                 std::vector<base::Span>(1), diagnostics);
+                                                 std::vector<base::SourceSpan>(1), diagnostics);
   ASSERT_TRUE(cracked);
   const std::vector<bool> used = model::nodes_in_use(cracked->mesh);
   for (std::size_t s = 0; s < 3; ++s) {
@@ -536,11 +538,11 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
   base::Diagnostics diagnostics;
   const auto cracked =
       mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
-                                std::vector<base::Span>(1), diagnostics);
+                                std::vector<base::SourceSpan>(1), diagnostics);
   ASSERT_TRUE(cracked);
-  ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].code, "W425");
-  EXPECT_NE(diagnostics.all()[0].text.find("PART"), std::string::npos);
+  ASSERT_EQ(diagnostics.messages().size(), 1U);
+  EXPECT_EQ(diagnostics.messages()[0].code, "W425");
+  EXPECT_NE(diagnostics.messages()[0].text.find("PART"), std::string::npos);
   // Moved, but no further than an element's length, some 0.3.
   const double area =
       flat_area(cracked->mesh, on_skin(cracked->mesh, cracked->mesh.node_sets[0].nodes));
@@ -551,9 +553,9 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
   use.faces = {true};
   base::Diagnostics quiet;
   EXPECT_TRUE(mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
-                                        std::vector<mesh::TubeMesh>(1), std::vector<base::Span>(1),
-                                        quiet));
-  EXPECT_TRUE(quiet.all().empty());
+                                        std::vector<mesh::TubeMesh>(1),
+                                        std::vector<base::SourceSpan>(1), quiet));
+  EXPECT_TRUE(quiet.messages().empty());
 }
 
 } // namespace

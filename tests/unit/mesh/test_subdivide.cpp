@@ -74,7 +74,7 @@ TEST_P(Subdivide, ElementSetsCoverWhatTheirParentsCovered) {
     part.nodes.clear();
     part.first.clear();
     for (const ElementId e : set.elements) {
-      model::add_element(part, whole.type[e.index()], whole.nodes_of(e), 1, base::NetId(0));
+      model::add_element(part, whole.type[e.index()], whole.element_nodes(e), 1, base::NetId(0));
     }
     return test::area(part);
   };
@@ -114,7 +114,7 @@ TEST_P(Subdivide, NodeSetsGainWhatLiesBetweenTheirNodes) {
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     all.emplace_back(n);
   }
-  const std::span<const NodeId> first = mesh.nodes_of(ElementId(0));
+  const std::span<const NodeId> first = mesh.element_nodes(ElementId(0));
   corners.push_back(first[0]);
   mesh.node_sets = {{"ONE", corners, {}},
                     {"ALL", all, {}},
@@ -131,7 +131,9 @@ INSTANTIATE_TEST_SUITE_P(Types, Subdivide,
                          testing::Values(ElementType::trim3, ElementType::trimc6,
                                          ElementType::quam4, ElementType::quamc8,
                                          ElementType::quamc9),
-                         [](const auto& type) { return std::string(base::info(type.param).name); });
+                         [](const auto& type) {
+                           return std::string(base::element_info(type.param).name);
+                         });
 
 // New nodes of a round edge lie on the quadratic arc: off the circle by the fourth power of the
 // angle, whatever is divided.
@@ -160,7 +162,7 @@ TEST(Subdivide, OtherNetsStayAsTheyAre) {
   const model::Mesh before = mesh;
   mesh::subdivide(mesh, {false, true});
   EXPECT_EQ(mesh.element_count(), 5U);
-  EXPECT_EQ(mesh.nodes_of(ElementId(0)).front(), before.nodes_of(ElementId(0)).front());
+  EXPECT_EQ(mesh.element_nodes(ElementId(0)).front(), before.element_nodes(ElementId(0)).front());
   EXPECT_EQ(test::faces(mesh, "A.XMIN").faces, test::faces(before, "A.XMIN").faces);
   EXPECT_EQ(std::count(mesh.node_net.begin(), mesh.node_net.end(), base::NetId(0)), 8);
 }

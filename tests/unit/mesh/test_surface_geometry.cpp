@@ -47,7 +47,7 @@ TEST(SurfaceGeometry, BoreIsOnePieceHoweverCoarse) {
   for (const ElementType type : solids) {
     // Sixteen facets turn by 22.5 degrees; the square outline has four sides.
     const SurfaceGeometry surface(test::hole_plate(type, {}));
-    EXPECT_EQ(surface.piece_count(), 7U) << base::info(type).name;
+    EXPECT_EQ(surface.piece_count(), 7U) << base::element_info(type).name;
     const std::vector<FeatureChain> chains = surface.feature_chains();
     EXPECT_EQ(std::ranges::count_if(chains, &FeatureChain::closed), 2);
     EXPECT_EQ(chains.size(), 14U);

@@ -87,9 +87,9 @@ TEST(SurfaceRemesh, HoleCornerCrackOnCoarseAndFineBores) {
       for (const auto& [piece, area] : areas.host) {
         // of the plate's face the rim of the bore belongs to its area
         EXPECT_NEAR(areas.made[piece] + areas.caps[piece], area, 2e-3 * area)
-            << base::info(type).name << ' ' << around;
+            << base::element_info(type).name << ' ' << around;
       }
-      EXPECT_GT(least_angle(cut.made), 8.0) << base::info(type).name << ' ' << around;
+      EXPECT_GT(least_angle(cut.made), 8.0) << base::element_info(type).name << ' ' << around;
     }
   }
 }

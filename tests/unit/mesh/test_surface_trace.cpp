@@ -84,7 +84,7 @@ TEST(SurfaceTrace, FromNodeToNode) {
           for (const auto& [way, length] :
                {std::pair(Vec3(Vec3::UnitX()), 2.0 * a), {-Vec3::UnitX(), 8.0 - 2.0 * a}}) {
             const Traced traced = trace(surface, plane, from, to, way);
-            ASSERT_FALSE(traced.trouble) << traced.trouble.why << base::info(type).name;
+            ASSERT_FALSE(traced.trouble) << traced.trouble.why << base::element_info(type).name;
             EXPECT_NEAR(traced.trace.front().length(), length, 1e-12);
             expect_on_plane_and_faces(surface, plane, traced.trace.front());
             EXPECT_EQ(std::ranges::count_if(traced.trace.front().points(),

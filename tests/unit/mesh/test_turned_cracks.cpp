@@ -90,9 +90,9 @@ std::optional<mesh::CrackedMesh> insert(const model::Mesh& host, const mesh::Sol
   base::Diagnostics diagnostics;
   const std::vector<mesh::SolidCrack> cracks{crack};
   const std::vector<mesh::TubeMesh> tubes(1);
-  const std::vector<base::Span> spans(1);
+  const std::vector<base::SourceSpan> spans(1);
   auto result = mesh::insert_solid_cracks(host, cracks, tubes, spans, diagnostics);
-  for (const auto& d : diagnostics.all()) {
+  for (const auto& d : diagnostics.messages()) {
     ADD_FAILURE() << d.code << " " << d.text << "; " << d.hint;
   }
   return result;

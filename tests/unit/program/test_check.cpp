@@ -69,7 +69,7 @@ $LOAD CASE=SIDE TYPE=RESULTANT
 
 const std::string press = "$STEP NAME=PRESS\n  LOAD PUSH 1\n";
 
-TEST(Check, GapOfConcentricRings) {
+TEST(ResultCheck, GapOfConcentricRings) {
   const Folder folder;
   const Checked c = check_text(folder, rings(0.0, "DIAMETRAL=0.08"));
   ASSERT_EQ(c.outcome.exit_code, 0) << c.outcome.messages;
@@ -84,7 +84,7 @@ TEST(Check, GapOfConcentricRings) {
   EXPECT_EQ(pair["master"]["facing"], 48);
 }
 
-TEST(Check, GapAndNormalsOfEccentricRings) {
+TEST(ResultCheck, GapAndNormalsOfEccentricRings) {
   const Folder folder;
   const Checked c = check_text(folder, rings(0.25, ""));
   ASSERT_EQ(c.outcome.exit_code, 0) << c.outcome.messages;
@@ -97,7 +97,7 @@ TEST(Check, GapAndNormalsOfEccentricRings) {
   EXPECT_NEAR(pair["normals_angle"].get<double>(), angle, 0.05 * angle);
 }
 
-TEST(Check, OverhangIsWhatSeesNoTarget) {
+TEST(ResultCheck, OverhangIsWhatSeesNoTarget) {
   const Folder folder;
   const Checked c = check_text(folder, plates(press));
   ASSERT_EQ(c.outcome.exit_code, 0) << c.outcome.messages;
@@ -109,7 +109,7 @@ TEST(Check, OverhangIsWhatSeesNoTarget) {
   EXPECT_NEAR(pair["gap"]["high"].get<double>(), 0.25, 1e-12);
 }
 
-TEST(Check, RigidModesAreCountedAndNamed) {
+TEST(ResultCheck, RigidModesAreCountedAndNamed) {
   const Folder folder;
   const auto body = [&](const std::string& deck, std::size_t b) {
     return check_text(folder, deck).found["bodies"][b]["modes"];
@@ -130,7 +130,7 @@ TEST(Check, RigidModesAreCountedAndNamed) {
   EXPECT_EQ(pin["nothing"], json::array({"rotation"}));
 }
 
-TEST(Check, WhatNothingHoldsIsRefusedInTheWordsOfTheRun) {
+TEST(ResultCheck, WhatNothingHoldsIsRefusedInTheWordsOfTheRun) {
   for (const char* steps : {"$STEP NAME=SHOVE\n  LOAD SIDE 1\n", // nothing stops it sideways
                             "$STEP NAME=PRESS\n  LOAD PUSH 1\n$STEP NAME=LIFT\n  LOAD PUSH -1\n"}) {
     const Folder folder;
@@ -144,7 +144,7 @@ TEST(Check, WhatNothingHoldsIsRefusedInTheWordsOfTheRun) {
   }
 }
 
-TEST(Check, MistakesOfCardsAreThree) {
+TEST(ResultCheck, MistakesOfCardsAreThree) {
   const Folder folder;
   const Checked apart =
       check_text(folder, plates(press, "$CONTACT NAME=FACE SLAVE=TOP.YMAX MASTER=LOW.YMIN\n"));
@@ -156,7 +156,7 @@ TEST(Check, MistakesOfCardsAreThree) {
   EXPECT_NE(long_crack.outcome.messages.find("test.deck:"), std::string::npos);
 }
 
-TEST(Check, WorstElementIsNamedWithItsPlace) {
+TEST(ResultCheck, WorstElementIsNamedWithItsPlace) {
   const Folder folder;
   const Checked c = check_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $COOR DIM=2
@@ -195,7 +195,7 @@ $END
   EXPECT_NEAR(of("aspect")["at"][0].get<double>(), 1.75, 1e-12);
 }
 
-TEST(Check, GrowthPlanShowsEveryLength) {
+TEST(ResultCheck, GrowthPlanShowsEveryLength) {
   const Folder folder;
   const Checked c = check_text(folder, growing_crack(40, "1 2 3.5"));
   ASSERT_EQ(c.outcome.exit_code, 0) << c.outcome.messages;
@@ -208,7 +208,7 @@ TEST(Check, GrowthPlanShowsEveryLength) {
   EXPECT_EQ(lengths[1]["nets_reused"], 1); // what no length touches is factorised once
 }
 
-TEST(Check, CracksInSolidsHaveTheirKind) {
+TEST(ResultCheck, CracksInSolidsHaveTheirKind) {
   const Folder folder;
   const auto deck = [](const std::string& crack) {
     return R"($DECK VERSION=1 LENGTH=mm FORCE=N
@@ -247,7 +247,7 @@ $END
   EXPECT_EQ(through.found["lengths"][0]["fronts"][0]["kind"], "through");
 }
 
-TEST(Check, PointsOfASweepAreLookedAt) {
+TEST(ResultCheck, PointsOfASweepAreLookedAt) {
   const Folder folder;
   std::string deck = growing_crack(6, "1 (last)");
   deck.replace(deck.find("$MESH"), 5,
@@ -260,7 +260,7 @@ TEST(Check, PointsOfASweepAreLookedAt) {
 }
 
 // Two bars of one element each, tied by their 4 + 4 nodes: dependent freedoms have a column.
-TEST(Check, ListingCountsDependentFreedoms) {
+TEST(ResultCheck, ListingCountsDependentFreedoms) {
   const Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << R"($DECK VERSION=1 LENGTH=mm FORCE=N
@@ -308,7 +308,7 @@ $END
 }
 
 // Growths by a law, in space: `check` shows the first front, as of any deck.
-TEST(Check, FrontsThatGrow) {
+TEST(ResultCheck, FrontsThatGrow) {
   for (const std::string shape : {"FREE", "ELLIPSE"}) {
     const test::Folder folder;
     const test::Checked checked = test::check_text(

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-deck::DeckText text_of(const fs::path& file, base::Sources& sources) {
+deck::DeckText text_of(const fs::path& file, base::SourceTexts& sources) {
   base::Diagnostics diagnostics;
   auto text = deck::read_deck_text(file, sources, diagnostics);
   EXPECT_TRUE(text) << file;
@@ -24,7 +24,7 @@ deck::DeckText text_of(const fs::path& file, base::Sources& sources) {
 }
 
 std::optional<model::Model> model_of(const fs::path& file) {
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   return deck::read_deck(file, {}, sources, diagnostics);
 }
@@ -46,7 +46,7 @@ protected:
 TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
   for (const char* name : {"lug_single.deck", "edge_crack.deck", "press_fit_hub.deck",
                            "penny_solid.deck", "lug_load_path.deck", "lug_friction.deck"}) {
-    base::Sources sources;
+    base::SourceTexts sources;
     const fs::path file = fs::path(test::decks_folder()) / name;
     const auto before = model_of(file);
     const auto after = model_of(written(text_of(file, sources)));
@@ -60,7 +60,7 @@ TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
 }
 
 TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
-  base::Sources sources;
+  base::SourceTexts sources;
   deck::DeckText text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
   program::drop_requests(text);
   EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
@@ -74,7 +74,7 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
 }
 
 TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
-  base::Sources sources;
+  base::SourceTexts sources;
   const deck::DeckText text = text_of(fs::path(test::decks_folder()) / "edge_crack.deck", sources);
   const auto uses = program::uses_of_parameters(text, sources);
   EXPECT_FALSE(uses.at("FINE").elsewhere);

@@ -240,14 +240,14 @@ TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
     const auto outcome = static_cast<base::Outcome>(i);
     const int code = base::exit_code(outcome);
     EXPECT_EQ(base::exit_texts.at(i).outcome, outcome) << i;
-    EXPECT_EQ(base::outcome_of(code), outcome) << code;
+    EXPECT_EQ(base::exit_outcome(code), outcome) << code;
     EXPECT_NE(page.find("\n| " + std::to_string(code) + " | "), std::string::npos) << code;
     if (i > 0) { // the worst outcome of a sweep's points has the largest code
       EXPECT_GT(code, base::exit_texts.at(i - 1).code);
     }
   }
   EXPECT_EQ(base::exit_texts.back().outcome, base::Outcome::defect);
-  EXPECT_EQ(base::outcome_of(8), std::nullopt);
+  EXPECT_EQ(base::exit_outcome(8), std::nullopt);
 }
 
 } // namespace

@@ -162,10 +162,10 @@ TEST(Locale, CoordinatesComeBackBitwise) {
   deck += "$ELEMENT TYPE=QUAM4 ESET=E\n 1 1 2 3 4\n$MATERIAL NAME=M E=1 NU=0.25\n"
           "$PROPERTY ESET=E MATERIAL=M STATE=STRESS\n$END\n";
   std::ofstream(folder.path() / "round.deck", std::ios::binary) << deck;
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto model = deck::read_deck(folder.path() / "round.deck", {}, sources, diagnostics);
-  ASSERT_TRUE(model) << base::format(sources, diagnostics);
+  ASSERT_TRUE(model) << base::format_messages(sources, diagnostics);
   for (std::size_t i = 0; i < values.size(); ++i) {
     EXPECT_EQ(model->mesh.x[i + 4].x(), values[i]);
     EXPECT_EQ(model->mesh.x[i + 4].y(), -values[i]);

@@ -45,7 +45,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
   std::ofstream(file) << deck;
   const program::ReadyDeck ready =
       program::read_ready(file, {}, program::Log(program::LogFormat::text));
-  base::Sources sources;
+  base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto text = deck::read_deck_text(file, sources, diagnostics);
   if (!ready.model || !text) {
@@ -181,13 +181,13 @@ $LOAD CASE=F TYPE=PRESSURE
   std::ofstream(file) << written(section_of(deck, "STRESS"));
   const program::ReadyDeck plane = program::read_silently(file, {});
   ASSERT_TRUE(plane.model);
-  const model::Rigid& floor = plane.model->rigids.at(0);
+  const model::RigidTarget& floor = plane.model->rigids.at(0);
   const base::Vec3 way = (floor.second - floor.first).normalized();
   const base::Vec3 left(-way.y(), way.x(), 0.0); // the body is there
   EXPECT_LT((left - base::Vec3(0.3, 1.0, 0.0).normalized()).norm(), 1e-9);
   EXPECT_NEAR(left.dot(base::Vec3(0.0, -1.0, 0.0) - floor.first), 0.0, 1e-9);
-  const model::Rigid& shaft = plane.model->rigids.at(1);
-  EXPECT_EQ(shaft.shape, model::RigidShape::arc);
+  const model::RigidTarget& shaft = plane.model->rigids.at(1);
+  EXPECT_EQ(shaft.shape, model::RigidTargetShape::arc);
   EXPECT_LT((shaft.first - base::Vec3(2.0, 12.0, 0.0)).norm(), 1e-9);
   EXPECT_EQ(shaft.radius, -10.0);
 }

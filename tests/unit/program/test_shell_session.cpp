@@ -183,7 +183,7 @@ TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
   ASSERT_TRUE(run);
   const ShellOnText shell(deck);
   good(shell->load("PULL", 2.0));
-  model::Check check;
+  model::ResultCheck check;
   check.relative = false;
   check.quantity = "K1";
   double value = 0.0;

@@ -179,7 +179,7 @@ TEST(Tolerance, OtherMeshesAreDivided) {
   tables += "$ELEMENT TYPE=QUAMC8 ESET=BODY\n";
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     tables += fmt::format("{}", mesh.element_label[e]);
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
       tables += fmt::format(" {}", mesh.node_label[n.index()]);
     }
     tables += "\n";

@@ -120,7 +120,7 @@ model::Model make_model() {
   model.materials = {{"ALU", youngs, 0.33, 0.0, 0.0, {}}, {"STEEL", 206000.0, 0.3, 0.0, 0.0, {}}};
   for (std::size_t p = 0; p < 2; ++p) {
     model.properties.push_back(
-        {base::ElementSetId(p), base::MaterialId(p), model::State::plane_stress, 14.0, {}});
+        {base::ElementSetId(p), base::MaterialId(p), model::StressState::plane_stress, 14.0, {}});
   }
   model::Contact contact;
   contact.name = "BUSH";
@@ -128,12 +128,12 @@ model::Model make_model() {
   contact.master = base::FaceSetId(0);
   contact.gap = -0.042;
   model.contacts = {contact};
-  model::Crack crack;
+  model::CrackDefinition crack;
   crack.name = "C1";
   crack.a0 = lengths[0];
   model.cracks = {crack};
   model.steps = {{"PRESS", 1, {}, {}}, {"LOAD", 4, {}, {}}, {"UNLOAD", 4, {}, {}}};
-  model::Growth growth;
+  model::CrackGrowthSettings growth;
   growth.kmax = base::StepId(1);
   growth.kmin = base::StepId(2);
   growth.lengths.assign(lengths.begin(), lengths.end());
@@ -249,7 +249,7 @@ double pressure(double theta) {
 
 Sample make_sample() {
   Sample sample;
-  sample.sources.add("sample.deck", "! a sample\r\n$DECK VERSION=1\n\n$END");
+  sample.sources.add_text("sample.deck", "! a sample\r\n$DECK VERSION=1\n\n$END");
   sample.model = make_model();
   results::Run& run = sample.run;
   for (std::size_t i = 0; i < lengths.size(); ++i) {

@@ -26,7 +26,7 @@ double k1(double a);
 double pressure(double theta);
 
 struct Sample {
-  base::Sources sources;
+  base::SourceTexts sources;
   model::Model model;
   results::Run run;
 };

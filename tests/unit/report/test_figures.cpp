@@ -174,7 +174,7 @@ TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
   }
   const std::vector<PlacedNote> notes = collect_notes(run);
   ASSERT_EQ(notes.size(), 3U);
-  EXPECT_EQ(notes[0].first.doubt, base::Doubt::less_exact);
+  EXPECT_EQ(notes[0].first.doubt, base::ResultConcern::less_exact);
   EXPECT_EQ(words_of(notes[0]), "increment 1, step LOAD: K1 = 1.000e-03 is doubtful (alike 2 more "
                                 "times, last in increment 3, step LOAD)");
   EXPECT_EQ(notes[1].times, 2);
@@ -310,7 +310,7 @@ TEST(Page, IsSelfContainedAndAlwaysTheSame) {
 }
 
 TEST(Page, AndListingDoWithoutResults) {
-  const base::Sources sources;
+  const base::SourceTexts sources;
   const model::Model model;
   const results::Run run;
   EXPECT_NE(html_report(sources, model, run).find("</html>"), std::string::npos);

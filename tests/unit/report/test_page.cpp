@@ -238,9 +238,9 @@ TEST(ModelMarks, ShowWhatIsHeated) {
 }
 
 TEST(ParameterUnit, IsThatOfTheNumberInTheDeck) {
-  base::Sources sources;
-  sources.add("a.deck", "$PARAMETER\n  Delta = 84[um] ! old: delta = 3[kN]\n n = 3\n"
-                        "! phi = 3[mm]\r\n phi=-30[deg]\r\n two = 2*3[mm]\n p = 1e3 [psi]\n");
+  base::SourceTexts sources;
+  sources.add_text("a.deck", "$PARAMETER\n  Delta = 84[um] ! old: delta = 3[kN]\n n = 3\n"
+                             "! phi = 3[mm]\r\n phi=-30[deg]\r\n two = 2*3[mm]\n p = 1e3 [psi]\n");
   const base::UnitSystem system;
   EXPECT_EQ(parameter_unit(sources, system, "delta"), "mm");
   EXPECT_EQ(parameter_unit(sources, system, "n"), "");
@@ -252,7 +252,7 @@ TEST(ParameterUnit, IsThatOfTheNumberInTheDeck) {
 
 TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   test::Sample sample = test::make_sample();
-  sample.sources.add("more.inc", "$PARAMETER\n delta = 0.1[mm]\n");
+  sample.sources.add_text("more.inc", "$PARAMETER\n delta = 0.1[mm]\n");
   results::Sweep sweep{{"delta"}, 3, {}};
   for (const double delta : {0.1, 0.2}) {
     results::SweepPoint point;

@@ -15,7 +15,7 @@ using base::ElementType;
 
 /// Corners of the unit triangle, square, tetrahedron, wedge or cube.
 std::vector<base::Vec3> corners_of(ElementType type) {
-  const base::ElementInfo& info = base::info(type);
+  const base::ElementInfo& info = base::element_info(type);
   const double x0 = 2.0 * static_cast<double>(type); // side by side
   std::vector<base::Vec3> x{{x0, 0, 0}, {x0 + 1, 0, 0}, {x0, 1, 0}, {x0, 0, 1}};
   if (info.dim == 2 && info.corners == 4) {
@@ -31,7 +31,7 @@ std::vector<base::Vec3> corners_of(ElementType type) {
 /// One element of a quadratic type; where its further nodes lie follows from the sides they belong
 /// to. `quarter`: mid nodes of the edges at the first corner stand at the quarter next to it.
 void add_unit(model::Mesh& mesh, ElementType type, bool quarter) {
-  const base::ElementInfo& info = base::info(type);
+  const base::ElementInfo& info = base::element_info(type);
   std::vector<base::Vec3> x = corners_of(type);
   const base::Vec3 centre = 0.25 * (x[0] + x[1] + x[2] + x[3]);
   x.resize(static_cast<std::size_t>(info.nodes), centre); // a QUAMC9 has it; others overwrite

@@ -19,9 +19,10 @@ TEST(Note, IsMarkedInFilesOnly) {
 
 // A code of a note is one of the kind that the note has, or the order of warnings would tell lies.
 TEST(Note, HasACodeOfItsKind) {
-  for (const base::Doubt doubt :
-       {base::Doubt::no_answer, base::Doubt::less_exact, base::Doubt::odd}) {
-    EXPECT_EQ(base::doubt_of(code_of(doubt)), doubt);
+  for (const base::ResultConcern doubt :
+       {base::ResultConcern::no_answer, base::ResultConcern::less_exact,
+        base::ResultConcern::odd}) {
+    EXPECT_EQ(base::warning_concern(code_of(doubt)), doubt);
   }
 }
 

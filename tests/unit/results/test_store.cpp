@@ -52,8 +52,9 @@ public:
   }
   void operator()(const char* n, Note& v) {
     (*this)(n, v.text);
-    constexpr std::array<std::optional<base::Doubt>, 4> doubts{
-        std::nullopt, base::Doubt::odd, base::Doubt::less_exact, base::Doubt::no_answer};
+    constexpr std::array<std::optional<base::ResultConcern>, 4> doubts{
+        std::nullopt, base::ResultConcern::odd, base::ResultConcern::less_exact,
+        base::ResultConcern::no_answer};
     v.doubt = doubts[engine_() % doubts.size()];
   }
   template <class Tag> void operator()(const char*, base::Id<Tag>& v) {
@@ -127,7 +128,7 @@ using AllRecords =
                      PathPoint, PathFront, FrontSensitivity, FrontSensitivities, PathContact,
                      PathChange, LoadPath, LogLine, CheckResult, ToleranceRound, GrowingTip,
                      GrowthStation, LifePoint, ScaledLife, Growth, TestPoint, GrowthTest,
-                     base::Span, model::NodeSet, model::ElementSet, model::FaceSet>;
+                     base::SourceSpan, model::NodeSet, model::ElementSet, model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);
 
 // A member that somebody adds and no file keeps would be lost in a restart.

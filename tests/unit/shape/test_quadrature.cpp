@@ -75,11 +75,11 @@ TEST_P(EveryDegree, triangle_is_exact) {
 TEST_P(EveryDegree, weights_are_positive_and_points_inside) {
   for (const QuadraturePoint<1>& q : line_rule(GetParam())) {
     EXPECT_GT(q.weight, 0.0);
-    EXPECT_LT(outside<Line2>(q.r), 0.0);
+    EXPECT_LT(distance_outside<Line2>(q.r), 0.0);
   }
   for (const QuadraturePoint<2>& q : triangle_rule(GetParam())) {
     EXPECT_GT(q.weight, 0.0);
-    EXPECT_LT(outside<Trim3>(q.r), 0.0);
+    EXPECT_LT(distance_outside<Trim3>(q.r), 0.0);
   }
 }
 
@@ -142,17 +142,17 @@ TEST_P(EverySolidDegree, weights_sum_to_the_volume_and_are_positive_and_points_i
   double sum = 0.0;
   for (const QuadraturePoint<3>& q : tetrahedron_rule(GetParam())) {
     EXPECT_GT(q.weight, 0.0);
-    EXPECT_LT(outside<Tet4>(q.r), 0.0);
+    EXPECT_LT(distance_outside<Tet4>(q.r), 0.0);
     sum += q.weight;
   }
   EXPECT_NEAR(sum, 1.0 / 6.0, 1e-15);
   for (const QuadraturePoint<3>& q : prism_rule(GetParam())) {
     EXPECT_GT(q.weight, 0.0);
-    EXPECT_LT(outside<Penta6>(q.r), 0.0);
+    EXPECT_LT(distance_outside<Penta6>(q.r), 0.0);
   }
   for (const QuadraturePoint<3>& q : hexahedron_rule(GetParam())) {
     EXPECT_GT(q.weight, 0.0);
-    EXPECT_LT(outside<Hexe8>(q.r), 0.0);
+    EXPECT_LT(distance_outside<Hexe8>(q.r), 0.0);
   }
 }
 

@@ -62,14 +62,14 @@ template <class S> std::vector<Point<S::dim>> sample() {
 // The shape as data is the shape.
 TYPED_TEST(EveryShape, has_a_reference_element) {
   using S = TypeParam;
-  const ReferenceElement<S::dim>& element = reference<S>();
+  const ReferenceElement<S::dim>& element = as_reference_element<S>();
   ASSERT_EQ(element.nodes, S::nodes);
   EXPECT_EQ(element.quadratic, element.nodes > element.corners);
   EXPECT_EQ(element.centre(), centre<S>());
   for (int i = 0; i < S::nodes; ++i) {
-    EXPECT_EQ(element.node(i), node<S>(i));
+    EXPECT_EQ(element.node_coordinates(i), node_coordinates<S>(i));
     if constexpr (S::dim > 1) { // its linear relative has the same corners
-      const auto L = element.linear().N(node<S>(i));
+      const auto L = element.linear_element().N(node_coordinates<S>(i));
       EXPECT_EQ(L.size(), element.corners);
       EXPECT_TRUE(i >= element.corners || std::abs(L[i] - 1.0) < 1e-15);
     }
@@ -77,7 +77,7 @@ TYPED_TEST(EveryShape, has_a_reference_element) {
   for (const auto& r : sample<S>()) {
     EXPECT_EQ(element.N(r), S::N(r));
     EXPECT_EQ(element.dN(r), S::dN(r));
-    EXPECT_EQ(element.outside(r), outside<S>(r));
+    EXPECT_EQ(element.distance_outside(r), distance_outside<S>(r));
   }
 }
 
@@ -90,7 +90,8 @@ TYPED_TEST(EveryShape, sums_to_one) {
 
 TYPED_TEST(EveryShape, is_one_at_its_node_and_zero_at_the_others) {
   for (int i = 0; i < TypeParam::nodes; ++i) {
-    const Eigen::Matrix<double, TypeParam::nodes, 1> n = TypeParam::N(node<TypeParam>(i));
+    const Eigen::Matrix<double, TypeParam::nodes, 1> n =
+        TypeParam::N(node_coordinates<TypeParam>(i));
     for (int j = 0; j < TypeParam::nodes; ++j) {
       EXPECT_NEAR(n[j], i == j ? 1.0 : 0.0, 1e-15) << i << ' ' << j;
     }
@@ -103,8 +104,8 @@ TYPED_TEST(EveryShape, reproduces_the_reference_coordinates) {
     Eigen::Matrix<double, TypeParam::dim, TypeParam::dim> J;
     J.setZero();
     for (int i = 0; i < TypeParam::nodes; ++i) {
-      x += node<TypeParam>(i) * TypeParam::N(r)[i];
-      J += node<TypeParam>(i) * TypeParam::dN(r).row(i);
+      x += node_coordinates<TypeParam>(i) * TypeParam::N(r)[i];
+      J += node_coordinates<TypeParam>(i) * TypeParam::dN(r).row(i);
     }
     EXPECT_LT((x - r).norm(), 1e-14);
     EXPECT_LT((J - decltype(J)::Identity()).norm(), 1e-14);
@@ -126,19 +127,19 @@ TYPED_TEST(EveryShape, derivatives_agree_with_central_differences) {
 
 TYPED_TEST(EveryShape, nodes_lie_on_the_domain_and_the_centre_inside) {
   for (int i = 0; i < TypeParam::nodes; ++i) {
-    EXPECT_LE(outside<TypeParam>(node<TypeParam>(i)), 0.0);
+    EXPECT_LE(distance_outside<TypeParam>(node_coordinates<TypeParam>(i)), 0.0);
   }
-  EXPECT_LE(outside<TypeParam>(centre<TypeParam>()), -0.25);
-  const double simplex = TypeParam::domain == Domain::tetrahedron ? 2.75 : 1.5;
-  const bool oblique = TypeParam::domain == Domain::triangle ||
-                       TypeParam::domain == Domain::tetrahedron ||
-                       TypeParam::domain == Domain::prism;
-  EXPECT_NEAR(outside<TypeParam>(Point<TypeParam::dim>::Constant(1.25)), oblique ? simplex : 0.25,
-              1e-15);
+  EXPECT_LE(distance_outside<TypeParam>(centre<TypeParam>()), -0.25);
+  const double simplex = TypeParam::domain == ReferenceDomain::tetrahedron ? 2.75 : 1.5;
+  const bool oblique = TypeParam::domain == ReferenceDomain::triangle ||
+                       TypeParam::domain == ReferenceDomain::tetrahedron ||
+                       TypeParam::domain == ReferenceDomain::prism;
+  EXPECT_NEAR(distance_outside<TypeParam>(Point<TypeParam::dim>::Constant(1.25)),
+              oblique ? simplex : 0.25, 1e-15);
 }
 
 TYPED_TEST(EveryElement, agrees_with_the_library_table) {
-  const base::ElementInfo& info = base::info(TypeParam::type);
+  const base::ElementInfo& info = base::element_info(TypeParam::type);
   EXPECT_EQ(info.nodes, TypeParam::nodes);
   EXPECT_EQ(info.dim, TypeParam::dim);
   const int nodes = with_shape(TypeParam::type, []<ElementShape S>(S) { return S::nodes; });
@@ -148,7 +149,7 @@ TYPED_TEST(EveryElement, agrees_with_the_library_table) {
 // Every polynomial up to the order of the element, in real coordinates.
 TYPED_TEST(EveryElement, is_complete) {
   using S = TypeParam;
-  const int order = base::info(S::type).quadratic ? 2 : 1;
+  const int order = base::element_info(S::type).quadratic ? 2 : 1;
   const auto monomial = [](const Point<S::dim>& r, std::array<int, 3> p) {
     double value = 1.0;
     for (int k = 0; k < S::dim; ++k) {
@@ -161,7 +162,7 @@ TYPED_TEST(EveryElement, is_complete) {
       for (int c = 0; a + b + c <= (S::dim == 3 ? order : 0); ++c) {
         Eigen::Matrix<double, S::nodes, 1> nodal;
         for (int i = 0; i < S::nodes; ++i) {
-          nodal[i] = monomial(node<S>(i), {a, b, c});
+          nodal[i] = monomial(node_coordinates<S>(i), {a, b, c});
         }
         for (const auto& r : sample<S>()) {
           EXPECT_NEAR(S::N(r).dot(nodal), monomial(r, {a, b, c}), 1e-14) << a << b << c;
@@ -173,7 +174,7 @@ TYPED_TEST(EveryElement, is_complete) {
 
 TYPED_TEST(EveryElement, edges_are_those_of_the_sides_and_mid_nodes_lie_on_them) {
   using S = TypeParam;
-  const base::ElementInfo& info = base::info(S::type);
+  const base::ElementInfo& info = base::element_info(S::type);
   for (int m = 0; m < edge_count(S::type); ++m) {
     const auto [a, b] = edge_corners(S::type, m);
     int sides = 0;
@@ -185,22 +186,22 @@ TYPED_TEST(EveryElement, edges_are_those_of_the_sides_and_mid_nodes_lie_on_them)
     }
     EXPECT_EQ(sides, S::dim == 2 ? 1 : 2) << m;
     if (info.quadratic) {
-      const Point<S::dim> mid = 0.5 * (node<S>(a) + node<S>(b));
-      EXPECT_EQ((node<S>(info.corners + m) - mid).norm(), 0.0) << m;
+      const Point<S::dim> mid = 0.5 * (node_coordinates<S>(a) + node_coordinates<S>(b));
+      EXPECT_EQ((node_coordinates<S>(info.corners + m) - mid).norm(), 0.0) << m;
     }
   }
 }
 
 TYPED_TEST(EveryPlane, restricted_to_a_side_is_the_shape_of_the_side) {
   using Side = typename TypeParam::Side;
-  for (int s = 0; s < base::info(TypeParam::type).sides; ++s) {
+  for (int s = 0; s < base::element_info(TypeParam::type).sides; ++s) {
     const std::span<const int> local = side_nodes(TypeParam::type, s);
     ASSERT_EQ(local.size(), static_cast<std::size_t>(Side::nodes));
     for (const double t : {-0.7, 0.1, 0.85}) {
       const Eigen::Matrix<double, Side::nodes, 1> n = Side::N(Point<1>(t));
       Point<2> r = Point<2>::Zero();
       for (int i = 0; i < Side::nodes; ++i) {
-        r += n[i] * node<TypeParam>(local[static_cast<std::size_t>(i)]);
+        r += n[i] * node_coordinates<TypeParam>(local[static_cast<std::size_t>(i)]);
       }
       Eigen::Matrix<double, TypeParam::nodes, 1> expected;
       expected.setZero();
@@ -215,18 +216,19 @@ TYPED_TEST(EveryPlane, restricted_to_a_side_is_the_shape_of_the_side) {
 // The side's shape on the side's nodes, in their order, is the element's own on that side.
 TYPED_TEST(EverySolid, restricted_to_a_side_is_the_shape_of_the_side) {
   using S = TypeParam;
-  for (int s = 0; s < base::info(S::type).sides; ++s) {
+  for (int s = 0; s < base::element_info(S::type).sides; ++s) {
     const std::span<const int> local = side_nodes(S::type, s);
-    with_plane_shape(solid_side(S::type, s), [&]<PlaneShape Side>(Side) {
+    with_plane_shape(solid_side_type(S::type, s), [&]<PlaneShape Side>(Side) {
       ASSERT_EQ(local.size(), static_cast<std::size_t>(Side::nodes));
-      EXPECT_EQ(side_corners(S::type, s), static_cast<std::size_t>(base::info(Side::type).corners));
+      EXPECT_EQ(side_corners(S::type, s),
+                static_cast<std::size_t>(base::element_info(Side::type).corners));
       for (const Point<2>& t : sample<Side>()) {
         const Eigen::Matrix<double, Side::nodes, 1> n = Side::N(t);
         Point<3> r = Point<3>::Zero();
         Eigen::Matrix<double, S::nodes, 1> expected;
         expected.setZero();
         for (int i = 0; i < Side::nodes; ++i) {
-          r += n[i] * node<S>(local[static_cast<std::size_t>(i)]);
+          r += n[i] * node_coordinates<S>(local[static_cast<std::size_t>(i)]);
           expected[local[static_cast<std::size_t>(i)]] = n[i];
         }
         EXPECT_LT((S::N(r) - expected).cwiseAbs().maxCoeff(), 1e-13);
@@ -238,13 +240,14 @@ TYPED_TEST(EverySolid, restricted_to_a_side_is_the_shape_of_the_side) {
 // Exactly the nodes in the plane of a side belong to it, and its normal points away from the rest.
 TYPED_TEST(EverySolid, sides_face_outwards_and_hold_all_their_nodes) {
   using S = TypeParam;
-  for (int s = 0; s < base::info(S::type).sides; ++s) {
+  for (int s = 0; s < base::element_info(S::type).sides; ++s) {
     const std::span<const int> local = side_nodes(S::type, s);
-    const Point<3> at = node<S>(local[0]);
-    const Point<3> normal = (node<S>(local[1]) - at).cross(node<S>(local[2]) - at);
+    const Point<3> at = node_coordinates<S>(local[0]);
+    const Point<3> normal =
+        (node_coordinates<S>(local[1]) - at).cross(node_coordinates<S>(local[2]) - at);
     for (int i = 0; i < S::nodes; ++i) {
       const bool listed = std::find(local.begin(), local.end(), i) != local.end();
-      const double height = normal.dot(node<S>(i) - at);
+      const double height = normal.dot(node_coordinates<S>(i) - at);
       EXPECT_EQ(listed, std::abs(height) < 1e-14) << s << ' ' << i;
       EXPECT_LT(height, 1e-14) << s << ' ' << i;
     }
@@ -259,15 +262,15 @@ TYPED_TEST(EverySolid, sides_enclose_the_reference_volume) {
     volume += q.weight;
   }
   double flux = 0.0;
-  for (int s = 0; s < base::info(S::type).sides; ++s) {
+  for (int s = 0; s < base::element_info(S::type).sides; ++s) {
     const std::span<const int> local = side_nodes(S::type, s);
-    with_plane_shape(solid_side(S::type, s), [&]<PlaneShape Side>(Side) {
+    with_plane_shape(solid_side_type(S::type, s), [&]<PlaneShape Side>(Side) {
       for (const auto& q : quadrature<Side>(5)) {
         Point<3> x = Point<3>::Zero();
         Eigen::Matrix<double, 3, 2> T;
         T.setZero();
         for (int i = 0; i < Side::nodes; ++i) {
-          const Point<3> xi = node<S>(local[static_cast<std::size_t>(i)]);
+          const Point<3> xi = node_coordinates<S>(local[static_cast<std::size_t>(i)]);
           x += Side::N(q.r)[i] * xi;
           T += xi * Side::dN(q.r).row(i);
         }

@@ -28,7 +28,7 @@ std::size_t corners_of_side(const base::ElementInfo& info, std::span<const int> 
 }
 
 TEST_P(EveryType, corners_come_first_and_no_node_twice) {
-  const base::ElementInfo& info = base::info(GetParam());
+  const base::ElementInfo& info = base::element_info(GetParam());
   for (int s = 0; s < info.sides; ++s) {
     const std::span<const int> side = side_nodes(GetParam(), s);
     const std::size_t corners = corners_of_side(info, side);
@@ -42,7 +42,7 @@ TEST_P(EveryType, corners_come_first_and_no_node_twice) {
 // A closed surface: every edge of a solid is run through once in each direction, by the two sides
 // that meet there, which agree on its mid node.
 TEST_P(EveryType, sides_close_and_agree_on_mid_nodes) {
-  const base::ElementInfo& info = base::info(GetParam());
+  const base::ElementInfo& info = base::element_info(GetParam());
   std::map<std::pair<int, int>, int> middle;
   std::map<int, int> ends;
   for (int s = 0; s < info.sides; ++s) {

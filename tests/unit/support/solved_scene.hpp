@@ -41,7 +41,7 @@ struct SolvedScene {
     const analysis::RegionPlan plan = analysis::plan_region(*deck.model, {0.0}, diagnostics);
     std::optional<analysis::Scene> made = analysis::make_scene(*deck.model, 0.0, plan, diagnostics);
     if (!made) {
-      for (const base::Diagnostic& d : diagnostics.all()) {
+      for (const base::Diagnostic& d : diagnostics.messages()) {
         ADD_FAILURE() << d.text;
       }
       return;
