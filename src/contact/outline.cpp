@@ -66,7 +66,7 @@ void Outline::add_chain(std::vector<Vec2> points, bool closed) {
   }
 }
 
-Outline::Cell Outline::cell_of(const Vec2& x) const {
+Outline::QuadratureCell Outline::cell_of(const Vec2& x) const {
   return {std::lround(std::floor((x.x() - low_.x()) / size_)),
           std::lround(std::floor((x.y() - low_.y()) / size_))};
 }
@@ -82,8 +82,8 @@ void Outline::sort_in() {
   // Two mean pieces: a piece lies in few cells, and a cell holds few pieces.
   size_ = pieces_.empty() ? 1.0 : 2.0 * length / static_cast<double>(pieces_.size());
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Cell a = cell_of(pieces_[i].a.cwiseMin(pieces_[i].b));
-    const Cell b = cell_of(pieces_[i].a.cwiseMax(pieces_[i].b));
+    const QuadratureCell a = cell_of(pieces_[i].a.cwiseMin(pieces_[i].b));
+    const QuadratureCell b = cell_of(pieces_[i].a.cwiseMax(pieces_[i].b));
     for (long x = a.first; x <= b.first; ++x) {
       for (long y = a.second; y <= b.second; ++y) {
         cells_[{x, y}].push_back(i);
@@ -114,8 +114,8 @@ std::optional<OutlinePlace> Outline::nearest(const Vec2& x, double reach) const 
   std::optional<OutlinePlace> found;
   double best = reach;
   const Vec2 r = Vec2::Constant(reach);
-  const Cell from = cell_of((x - r).cwiseMax(low_).cwiseMin(high_));
-  const Cell to = cell_of((x + r).cwiseMin(high_).cwiseMax(low_));
+  const QuadratureCell from = cell_of((x - r).cwiseMax(low_).cwiseMin(high_));
+  const QuadratureCell to = cell_of((x + r).cwiseMin(high_).cwiseMax(low_));
   const double cells = static_cast<double>(to.first - from.first + 1) *
                        static_cast<double>(to.second - from.second + 1);
   // With a long reach the pieces are fewer than the cells to be asked.

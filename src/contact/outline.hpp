@@ -33,8 +33,8 @@ private:
     Vec2 at_a, at_b;   ///< sums of the normals that meet at its ends
     double turn = 0.0; ///< to its neighbours, corners left out [rad]
   };
-  using Cell = std::pair<long, long>;
-  [[nodiscard]] Cell cell_of(const Vec2& x) const;
+  using QuadratureCell = std::pair<long, long>;
+  [[nodiscard]] QuadratureCell cell_of(const Vec2& x) const;
   void look(const Vec2& x, std::size_t i, double& best, std::optional<OutlinePlace>& found) const;
   void add_chain(std::vector<Vec2> points, bool closed);
   void sort_in();
@@ -42,7 +42,7 @@ private:
   std::vector<Piece> pieces_;
   Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();
   double size_ = 1.0; ///< of a cell
-  std::map<Cell, std::vector<std::size_t>> cells_;
+  std::map<QuadratureCell, std::vector<std::size_t>> cells_;
 };
 
 } // namespace spricka::contact

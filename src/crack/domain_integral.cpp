@@ -40,7 +40,7 @@ public:
     if (set.loads.temperature.size() > 0) {
       T_ = fe::corner_temperature(element_, set.mesh, e, set.loads.temperature);
     }
-    if ((T_.array() != 0.0).any() && fe::FreeExpansion::wanted(element_, X_, k_.law)) {
+    if ((T_.array() != 0.0).any() && fe::FreeExpansion::is_required(element_, X_, k_.law)) {
       free_ = fe::FreeExpansion(element_, X_, k_.law, T_);
       carried_ = true;
     }
@@ -146,7 +146,7 @@ private:
   // What the partners of K and T meet: the same displacements under the affine temperature.
   [[nodiscard]] Here under_affine(const Here& own, const base::Vec2& x) const {
     Here here = own;
-    const double beta = fe::heat_modulus(k_.law);
+    const double beta = fe::thermal_modulus(k_.law);
     warm(here, beta * (*set_.affine)(set_.tip, x) - own.beta_T);
     here.beta_grad_T = beta * set_.affine->slope;
     return here;
@@ -154,11 +154,11 @@ private:
 
   void heat(const fe::Jacobian<PlaneElement>& at, const shape::Point<2>& r, const base::Vec2& x,
             Here& here) const {
-    const double beta = fe::heat_modulus(k_.law);
+    const double beta = fe::thermal_modulus(k_.law);
     if (carried_) {
       const Tensor<2> expansion = free_.gradient(x);
       here.beta_T = beta * free_.temperature(x);
-      here.beta_grad_T = beta * free_.slope();
+      here.beta_grad_T = beta * free_.temperature_gradient();
       here.free_strain = expansion(0, 0);
       here.strained -= free_.at_nodes(X_).lazyProduct(at.dNdx);
       here.H = here.strained + expansion;

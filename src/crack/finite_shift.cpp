@@ -29,13 +29,13 @@ struct Moved {
   const PlaneElement& element;
   PlaneVectors X;
   PlaneVectors U;
-  fe::Law law;
+  fe::ConstitutiveLaw law;
 
   Moved(const Shift& shift, base::ElementId e_)
       : e(e_), element(plane_element(shift.set.mesh, e)),
         X(fe::coordinates(element, shift.set.mesh, e)),
         U(fe::gather(element, shift.set.mesh, e, shift.u)),
-        law(fe::law_of(shift.set.model, shift.set.mesh, e)) {
+        law(fe::constitutive_law(shift.set.model, shift.set.mesh, e)) {
     const PlaneValues moved = extension_at(shift.set.mesh, e, shift.q);
     X += (shift.s * shift.set.tip.e1) * moved.transpose();
     law.thickness = 1.0; // G counts per unit of it
@@ -70,7 +70,7 @@ double heated_energy(const Shift& shift, const Moved& moved) {
   const fe::CornerValues<2> T = fe::corner_temperature(element, set.mesh, e, set.loads.temperature);
   const double beta = law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu);
   double thermal = 0.0;
-  if (fe::FreeExpansion::wanted(element, before, law)) {
+  if (fe::FreeExpansion::is_required(element, before, law)) {
     // The expansion of the element where it was, at the places that its nodes have now.
     const fe::FreeExpansion free(element, before, law, T);
     for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {

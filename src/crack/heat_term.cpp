@@ -64,9 +64,9 @@ public:
           const base::Vector& u)
       : set_(set), e_(e), element_(plane_element(set.mesh, e)),
         X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
-        law_(fe::law_of(set.model, set.mesh, e)),
+        law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::corner_temperature(element_, set.mesh, e, set.loads.temperature)),
-        carried_(fe::FreeExpansion::wanted(element_, X_, law_)),
+        carried_(fe::FreeExpansion::is_required(element_, X_, law_)),
         moved_(extension_at(set.mesh, e, q)), strained_((moved_.array() != 1.0).any()) {
     if (carried_) {
       free_ = fe::FreeExpansion(element_, X_, law_, T_);
@@ -75,7 +75,7 @@ public:
 
   [[nodiscard]] ElementId id() const { return e_; }
   [[nodiscard]] Vec2 x(const shape::Point<2>& r) const { return X_ * element_.N(r); }
-  [[nodiscard]] double beta() const { return fe::heat_modulus(law_); }
+  [[nodiscard]] double beta() const { return fe::thermal_modulus(law_); }
   /// What the element takes of the temperature.
   [[nodiscard]] double taken(const shape::Point<2>& r) const {
     return carried_ ? free_.temperature(x(r)) : T_.dot(element_.linear_element().N(r));
@@ -145,14 +145,15 @@ public:
     // What the element takes less the affine temperature, times partners that are singular at the
     // tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip().node};
-    for (const fe::Chart& chart : fe::charts(element_, fe::corner_at(set_.mesh, e_, tips))) {
+    for (const fe::ReferenceChart& chart :
+         fe::charts(element_, fe::find_tip_corner(set_.mesh, e_, tips))) {
       fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
         const double area = weight * map(r).det;
         add_to_K(r, area, taken(r) - (*set_.affine)(set_.tip, x(r)), sum);
       });
     }
-    for (const fe::ActingHeat& acting : set_.loads.heat) {
-      for (const fe::HeatPoint& p : acting.heat->of(e_)) {
+    for (const fe::ScaledTemperature& acting : set_.loads.heat) {
+      for (const fe::ResidualTemperaturePoint& p : acting.heat->element_points(e_)) {
         add_to_K(p.r, p.area, acting.factor * p.T, sum);
         sum[0] += wants_G ? of_G(p.r, p.area, acting.factor * p.T) : 0.0;
       }
@@ -171,7 +172,7 @@ private:
   const PlaneElement& element_;
   PlaneVectors X_;
   PlaneVectors U_;
-  fe::Law law_;
+  fe::ConstitutiveLaw law_;
   fe::CornerValues<2> T_;
   bool carried_; ///< the nodes, through the free expansion
   fe::FreeExpansion free_;
@@ -181,7 +182,7 @@ private:
 
 double temperature_at(const TipLoads& loads, ElementId e, const Vec2& x) {
   double T = 0.0;
-  for (const fe::ActingHeat& acting : loads.heat) {
+  for (const fe::ScaledTemperature& acting : loads.heat) {
     T += acting.factor * acting.heat->field(e, x);
   }
   return T;
@@ -275,8 +276,10 @@ private:
   // knows, that, also where a sliver at its edge has another one that no point has seen.
   [[nodiscard]] double temperature_beside(const Element& element, const shape::Point<2>& r) const {
     const ElementId e = element.id();
-    const bool takes_all = std::ranges::all_of(
-        set_.loads.heat, [&](const fe::ActingHeat& acting) { return acting.heat->of(e).empty(); });
+    const bool takes_all =
+        std::ranges::all_of(set_.loads.heat, [&](const fe::ScaledTemperature& acting) {
+          return acting.heat->element_points(e).empty();
+        });
     return takes_all ? element.taken(r)
                      : temperature_at(set_.loads, e, beside(element.x(r), element.middle()));
   }
@@ -292,8 +295,9 @@ private:
 // Whether the temperature that the elements of a domain take is the same on both sides of all
 // edges, and all that there is.
 bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
-  for (const fe::ActingHeat& acting : set.loads.heat) {
-    if (std::ranges::any_of(all, [&](ElementId e) { return !acting.heat->of(e).empty(); })) {
+  for (const fe::ScaledTemperature& acting : set.loads.heat) {
+    if (std::ranges::any_of(all,
+                            [&](ElementId e) { return !acting.heat->element_points(e).empty(); })) {
       return false;
     }
   }
@@ -350,8 +354,8 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& 
 }
 
 bool jumps_in(const TipSetting& set, const ExtensionField& field) {
-  return std::ranges::any_of(set.loads.heat, [&](const fe::ActingHeat& acting) {
-    const std::vector<bool>& rough = acting.heat->rough;
+  return std::ranges::any_of(set.loads.heat, [&](const fe::ScaledTemperature& acting) {
+    const std::vector<bool>& rough = acting.heat->discontinuous;
     return !rough.empty() &&
            std::ranges::any_of(all_elements(field), [&](ElementId e) { return rough[e.index()]; });
   });

@@ -31,7 +31,7 @@ void for_body_forces(const TipSetting& set, const std::vector<BodyField>& fields
     if (!std::ranges::binary_search(acting.elements, e)) {
       continue;
     }
-    const fe::ElementShare* share = field.shares.of(e);
+    const fe::ElementShare* share = field.shares.find_share(e);
     for (const auto& point : fe::body_load_rule<2>(element, X, *acting.load, field.scale).points) {
       base::Vec3 x = base::Vec3::Zero();
       x.head<2>() = X * element.N(point.r);

@@ -8,10 +8,10 @@ namespace spricka::crack {
 /// Elastic constants of an element of a domain.
 struct Stiffness {
   fe::Elasticity<2> D; ///< in the section
-  fe::Law law;
+  fe::ConstitutiveLaw law;
 
   Stiffness(const TipSetting& set, base::ElementId e)
-      : D(set.elasticity(e)), law(fe::law_of(set.model, set.mesh, e)) {}
+      : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
 };
 
 /// A displacement at a point of a section: gradient and stress there, and about an axis those round

@@ -90,9 +90,9 @@ double largest_jump(const TipSetting& set, const ExtensionField& field) {
         const auto [met, fresh] = of_node.try_emplace(nodes[static_cast<std::size_t>(c)], T);
         most = std::max(most, std::abs(met->second - T));
       }
-      for (const fe::ActingHeat& acting : set.loads.heat) {
-        if (!acting.heat->rough.empty() && acting.heat->rough[e.index()]) {
-          for (const fe::HeatPoint& p : acting.heat->of(e)) {
+      for (const fe::ScaledTemperature& acting : set.loads.heat) {
+        if (!acting.heat->discontinuous.empty() && acting.heat->discontinuous[e.index()]) {
+          for (const fe::ResidualTemperaturePoint& p : acting.heat->element_points(e)) {
             // What an element does not take of a jump is about half of it on either side.
             most = std::max(most, 2.0 * std::abs(acting.factor * p.T));
           }

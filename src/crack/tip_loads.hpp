@@ -22,7 +22,7 @@ struct ActingLoad {
 struct TipLoads {
   std::vector<ActingLoad> loads;
   base::Vector temperature; ///< of elements [connectivity index], see fe/thermal.hpp; or empty
-  std::vector<fe::ActingHeat> heat = {}; ///< of the same; empty: elements take all of it
+  std::vector<fe::ScaledTemperature> heat = {}; ///< of the same; empty: elements take all of it
 
   /// Whether some element feels a force per volume or a temperature.
   [[nodiscard]] bool fill_elements() const;

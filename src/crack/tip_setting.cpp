@@ -107,14 +107,14 @@ void for_domain_points(const TipSetting& set, base::ElementId e,
                        const std::function<void(const shape::Point<2>& r, double weight)>& visit) {
   const PlaneElement& element = plane_element(set.mesh, e);
   const std::array<base::NodeId, 1> tips{set.tip_node};
-  const int corner = set.axial() ? fe::corner_at(set.mesh, e, tips) : -1;
+  const int corner = set.axial() ? fe::find_tip_corner(set.mesh, e, tips) : -1;
   if (corner < 0) {
     for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {
       visit(point.r, point.weight);
     }
     return;
   }
-  for (const fe::Chart& chart : fe::charts(element, corner)) {
+  for (const fe::ReferenceChart& chart : fe::charts(element, corner)) {
     fe::for_chart_points(chart, {0.0, 0.0, 1.0}, visit);
   }
 }

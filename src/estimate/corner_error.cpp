@@ -126,7 +126,7 @@ private:
   // The matrix of (estimate.2) of an element, modes first.
   [[nodiscard]] base::Matrix stiffness(base::ElementId e) const {
     const model::Mesh& mesh = request_.enrichment.mesh();
-    const fe::Law law = fe::law_of(request_.enrichment.model(), mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(request_.enrichment.model(), mesh, e);
     base::Matrix Ke;
     with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
       const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
@@ -219,7 +219,8 @@ namespace {
 // 8 % at nu = 0.4 in plane strain, by 32 % at 0.49, read off strips in bending and tension.
 double volume_factor(const CornerRequest& request, base::ElementId e) {
   constexpr double measured_at = 1.75; // nu = 0.3 in plane strain, that of the bar's constants
-  const fe::Law law = fe::law_of(request.enrichment.model(), request.enrichment.mesh(), e);
+  const fe::ConstitutiveLaw law =
+      fe::constitutive_law(request.enrichment.model(), request.enrichment.mesh(), e);
   const double stiffer = (law.lambda + 2.0 * law.mu) / (2.0 * law.mu) / measured_at;
   return stiffer > 1.0 ? 1.0 + 0.12 * std::log(stiffer) : 1.0;
 }
@@ -230,7 +231,8 @@ bool counts(const CornerRequest& request, const Corner& corner,
             const std::vector<GoalError>& errors, const std::vector<double>& sums) {
   double most = 0.0;
   for (const base::ElementId e : corner.elements) {
-    const fe::Law law = fe::law_of(request.enrichment.model(), request.enrichment.mesh(), e);
+    const fe::ConstitutiveLaw law =
+        fe::constitutive_law(request.enrichment.model(), request.enrichment.mesh(), e);
     most = std::max(most, (law.lambda + 2.0 * law.mu) / law.mu);
   }
   for (std::size_t k = 0; k < errors.size(); ++k) {

@@ -63,9 +63,9 @@ public:
       left_out_[n.index()] = true;
     }
     // Nodes of ties are no free wedges and none that are held, but where `tied` says so.
-    for (const fe::Dependence::Row& row : set_.ties.rows()) {
+    for (const fe::ConstraintTransformation::DependentRow& row : set_.ties.rows()) {
       leave_out(static_cast<std::size_t>(row.freedom) / 2);
-      for (const fe::Term& term : row.terms) {
+      for (const fe::FreedomTerm& term : row.terms) {
         leave_out(static_cast<std::size_t>(term.freedom) / 2);
       }
     }
@@ -231,7 +231,7 @@ private:
     return both;
   }
 
-  [[nodiscard]] static bool same_law(const fe::Law& a, const fe::Law& b) {
+  [[nodiscard]] static bool same_law(const fe::ConstitutiveLaw& a, const fe::ConstitutiveLaw& b) {
     const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
     return close(a.lambda, b.lambda) && close(a.mu, b.mu) && close(a.thickness, b.thickness);
   }
@@ -254,7 +254,7 @@ private:
     wedge.whole = whole;
     double at = list.front().from;
     for (const Slice& slice : list) {
-      const fe::Law law = fe::law_of(set_.model, set_.mesh, slice.element);
+      const fe::ConstitutiveLaw law = fe::constitutive_law(set_.model, set_.mesh, slice.element);
       // Angles are added up, so that they ascend past pi.
       const double to = at + slice.to - slice.from;
       if (!wedge.sectors.empty() && same_law(wedge.sectors.back().law, law)) {

@@ -27,7 +27,7 @@ struct CornerSetting {
   const model::Mesh& mesh;
   const EdgeTable& edges;
   const std::vector<model::FreedomClass>& cls;
-  const fe::Dependence& ties;
+  const fe::ConstraintTransformation& ties;
   const std::vector<base::NodeId>& tips; ///< of cracks: their elements follow u ~ sqrt(r)
   /// [node] held by another body or a rigid one; null: none
   const std::vector<bool>* tied = nullptr;

@@ -26,7 +26,7 @@ std::size_t matrix_numbers(base::ElementType type) {
 }
 
 // What the matrices of an element depend on, beside its type.
-std::vector<double> all_that_counts(const fe::AnyNodeVectors<2>& X, const fe::Law& law,
+std::vector<double> all_that_counts(const fe::AnyNodeVectors<2>& X, const fe::ConstitutiveLaw& law,
                                     const SideState& side) {
   std::vector<double> of(X.data(), X.data() + X.size());
   of.insert(of.end(), {law.lambda, law.mu, law.thickness});
@@ -46,7 +46,7 @@ std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
     if (!has_modes(mesh.type[e])) {
       return "some elements are linear";
     }
-    if (fe::law_of(model, mesh, id).projected) {
+    if (fe::constitutive_law(model, mesh, id).projected) {
       return "a material is nearly incompressible";
     }
   }
@@ -105,7 +105,7 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
 
 void Enrichment::add_matrix(base::ElementId e, const KeptModes& kept, double*& next_own) {
   const base::ElementType type = mesh_.type[e.index()];
-  const fe::Law law = fe::law_of(model_, mesh_, e);
+  const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
   const SideState side = sides(e);
   const base::ElementId host = kept.host_of(e);
   double* at = next_own;

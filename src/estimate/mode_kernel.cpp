@@ -75,7 +75,7 @@ template <int freedoms> Eigen::Matrix<double, 3, freedoms> strains_of(const Mode
 } // namespace
 
 template <shape::PlaneShape S>
-EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::Law& law,
+EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
                                         const SideState& sides) {
   // Moments know modes along x and y only; in a frame the directions change from point to point.
   if (law.axisymmetric) {
@@ -88,7 +88,7 @@ EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::L
 }
 
 template <shape::PlaneShape S>
-void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Law& law,
+void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
                                       const SideState& sides) {
   Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
   D.topLeftCorner<2, 2>().setConstant(law.lambda);
@@ -112,7 +112,7 @@ void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Law
 
 // As by_strains, with the strain round the axis as the fourth.
 template <shape::PlaneShape S>
-void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Law& law,
+void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
                                       const SideState& sides) {
   Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
   D.topLeftCorner<2, 2>().setConstant(law.lambda);
@@ -146,7 +146,7 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Law
 // As fe::element_stiffness: with the moments M_pq = integral of d_p d_q^T dV of the gradients the
 // block of directions a, b is lambda M_ab + mu M_ba + mu delta_ab sum_p M_pp.
 template <shape::PlaneShape S>
-void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::Law& law,
+void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
                                       const SideState& sides) {
   using Square = Eigen::Matrix<double, modes, modes>;
   using Mixed = Eigen::Matrix<double, modes, S::nodes>;

@@ -64,12 +64,16 @@ template <shape::PlaneShape S> struct EnrichedStiffness {
   Eigen::Matrix<double, mode_freedoms<S>, mode_freedoms<S>> ee;
   Eigen::Matrix<double, mode_freedoms<S>, 2 * S::nodes> ep;
 
-  EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
+  EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
+                    const SideState& sides);
 
 private:
-  void by_strains(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
-  void about_axis(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
-  void by_moments(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
+  void by_strains(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
+                  const SideState& sides);
+  void about_axis(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
+                  const SideState& sides);
+  void by_moments(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
+                  const SideState& sides);
 };
 
 } // namespace spricka::estimate

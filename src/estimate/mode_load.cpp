@@ -73,13 +73,13 @@ ModeNumbers pressed(const ModeElement& element, const shape::Point<2>& r, const 
 
 // What the temperature that an element takes does to its modes. Where a part expands it freely the
 // nodes bear what their displacements make of that, and so do the modes: nothing is missed of it.
-ModeNumbers taken_forces(const ModeElement& element, const fe::Law& law,
+ModeNumbers taken_forces(const ModeElement& element, const fe::ConstitutiveLaw& law,
                          const fe::CornerValues<2>& T) {
   const fe::AnyElement<2>& shape = element.shape;
   const fe::AnyNodeVectors<2>& X = element.X;
   const fe::ThermalStress<2> thermal(shape, X, law, T);
   // (fe.38): stress of the expansion at the nodes, int B_e^T D B u_T dV.
-  const bool carried = fe::FreeExpansion::wanted(shape, X, law);
+  const bool carried = fe::FreeExpansion::is_required(shape, X, law);
   fe::AnyNodeVectors<2> U;
   if (carried) {
     U = fe::FreeExpansion(shape, X, law, T).at_nodes(X);
@@ -107,22 +107,22 @@ ModeNumbers taken_forces(const ModeElement& element, const fe::Law& law,
 }
 
 // A temperature presses on the volume change of the modes, also with what elements do not take.
-void add_thermal(const Enrichment& enrichment, const fe::CaseHeat& heat, base::Vector& f) {
+void add_thermal(const Enrichment& enrichment, const fe::CaseTemperature& heat, base::Vector& f) {
   const model::Mesh& mesh = enrichment.mesh();
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     const fe::CornerValues<2> T = fe::corner_temperature(shape::reference_element<2>(mesh.type[i]),
                                                          mesh, e, heat.temperature);
-    const std::span<const fe::HeatPoint> points = heat.of(e);
+    const std::span<const fe::ResidualTemperaturePoint> points = heat.element_points(e);
     if ((T.array() == 0.0).all() && points.empty()) {
       continue;
     }
     const ModeElement element(enrichment, e);
-    const fe::Law law = fe::law_of(enrichment.model(), mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(enrichment.model(), mesh, e);
     // What the element takes, then the rest at its points (fe.39).
     ModeNumbers F = taken_forces(element, law, T);
-    const double beta = law.thickness * fe::heat_modulus(law);
-    for (const fe::HeatPoint& p : points) {
+    const double beta = law.thickness * fe::thermal_modulus(law);
+    for (const fe::ResidualTemperaturePoint& p : points) {
       const Eigen::Matrix2d J = element.X.lazyProduct(element.shape.dN(p.r));
       F += pressed(element, p.r, J, beta * p.area * p.T * Eigen::Matrix2d::Identity());
     }
@@ -135,7 +135,7 @@ void add_thermal(const Enrichment& enrichment, const fe::CaseHeat& heat, base::V
 } // namespace
 
 base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load_case,
-                       const fe::CaseHeat* heat) {
+                       const fe::CaseTemperature* heat) {
   const model::Model& model = enrichment.model();
   const model::Mesh& mesh = enrichment.mesh();
   base::Vector f = base::Vector::Zero(enrichment.freedoms());
@@ -154,9 +154,10 @@ base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load
   for (const model::Load& load : load_case.loads) {
     fe::for_load_points(model, mesh, load, {on_side, inside});
   }
-  const fe::CaseHeat own =
-      heat == nullptr ? fe::case_heat(model, {mesh, mesh, nullptr, {}}, load_case) : fe::CaseHeat();
-  const fe::CaseHeat& all = heat == nullptr ? own : *heat;
+  const fe::CaseTemperature own =
+      heat == nullptr ? fe::make_case_temperature(model, {mesh, mesh, nullptr, {}}, load_case)
+                      : fe::CaseTemperature();
+  const fe::CaseTemperature& all = heat == nullptr ? own : *heat;
   if (all.temperature.size() > 0) {
     add_thermal(enrichment, all, f);
   }

@@ -3,7 +3,7 @@
 #include "estimate/enrichment.hpp"
 
 namespace spricka::fe {
-struct CaseHeat;
+struct CaseTemperature;
 }
 
 namespace spricka::estimate {
@@ -12,6 +12,6 @@ namespace spricka::estimate {
 /// bearings and body forces at the points that nodal_load takes them at, and what its temperatures
 /// press. Forces at nodes do no work there.
 base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load_case,
-                       const fe::CaseHeat* heat = nullptr);
+                       const fe::CaseTemperature* heat = nullptr);
 
 } // namespace spricka::estimate

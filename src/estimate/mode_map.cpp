@@ -16,11 +16,11 @@ std::int32_t freedom_of(base::NodeId n, int c) {
 }
 
 // Nodes whose displacements take part in a tie, as the one that follows or as one followed.
-std::vector<bool> tied_nodes(const model::Mesh& mesh, const fe::Dependence& ties) {
+std::vector<bool> tied_nodes(const model::Mesh& mesh, const fe::ConstraintTransformation& ties) {
   std::vector<bool> tied(mesh.node_count(), false);
-  for (const fe::Dependence::Row& row : ties.rows()) {
+  for (const fe::ConstraintTransformation::DependentRow& row : ties.rows()) {
     tied[static_cast<std::size_t>(row.freedom) / 2] = true;
-    for (const fe::Term& term : row.terms) {
+    for (const fe::FreedomTerm& term : row.terms) {
       tied[static_cast<std::size_t>(term.freedom) / 2] = true;
     }
   }
@@ -28,16 +28,16 @@ std::vector<bool> tied_nodes(const model::Mesh& mesh, const fe::Dependence& ties
 }
 
 // The node that another follows in both directions as it is; invalid: it follows otherwise.
-base::NodeId leader(base::NodeId n, const fe::Dependence& ties) {
+base::NodeId leader(base::NodeId n, const fe::ConstraintTransformation& ties) {
   base::NodeId found;
   for (int c = 0; c < 2; ++c) {
-    const fe::Dependence::Row* row = ties.row_of(freedom_of(n, c));
+    const fe::ConstraintTransformation::DependentRow* row = ties.find_row(freedom_of(n, c));
     if (row == nullptr) {
       return {};
     }
     // Weights that only round-off keeps from zero come from points that are nodes.
-    const fe::Term* only = nullptr;
-    for (const fe::Term& term : row->terms) {
+    const fe::FreedomTerm* only = nullptr;
+    for (const fe::FreedomTerm& term : row->terms) {
       if (std::abs(term.coefficient) > 1e-9) {
         if (only != nullptr) {
           return {};
@@ -80,7 +80,7 @@ base::Matrix ModeMap::reduce(const base::Matrix& f) const {
 
 ModeSupports mode_supports(const Enrichment& enrichment,
                            const std::vector<model::FreedomClass>& cls,
-                           const fe::Dependence& ties) {
+                           const fe::ConstraintTransformation& ties) {
   const std::vector<Edge>& edges = enrichment.edges().edges;
   ModeSupports supports;
   supports.held.assign(static_cast<std::size_t>(enrichment.freedoms()), false);

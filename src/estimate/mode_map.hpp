@@ -34,7 +34,8 @@ struct ModeSupports {
 };
 /// cls [dim * node]
 ModeSupports mode_supports(const Enrichment& enrichment,
-                           const std::vector<model::FreedomClass>& cls, const fe::Dependence& ties);
+                           const std::vector<model::FreedomClass>& cls,
+                           const fe::ConstraintTransformation& ties);
 
 /// With the closed contact edges of a step (manual, estimate.10): on matching edges the normal mode
 /// of both bodies is one; on others it is held, or carries the pressure where it is `loaded`;

@@ -21,7 +21,7 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
   Held held{base::Matrix::Zero(2, z.cols()), 0.0};
   const model::Mesh& mesh = setting.mesh;
   for (const base::ElementId e : corner.elements) {
-    const fe::Law law = fe::law_of(setting.model, mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(setting.model, mesh, e);
     const fe::AnyElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
     const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     // On an axis a ring as wide as the elements stands for the point.

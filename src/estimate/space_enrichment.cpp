@@ -19,7 +19,7 @@ std::string not_enriched_in_space(const model::Model& model, const model::Mesh& 
       return base::element_info(mesh.type[e]).quadratic ? "some elements are HEXEC27"
                                                         : "some elements are linear";
     }
-    if (fe::law_of(model, mesh, base::ElementId(e)).projected) {
+    if (fe::constitutive_law(model, mesh, base::ElementId(e)).projected) {
       return "a material is nearly incompressible";
     }
   }
@@ -28,7 +28,7 @@ std::string not_enriched_in_space(const model::Model& model, const model::Mesh& 
 
 SpaceEnrichment::SpaceEnrichment(const model::Model& model, const model::Mesh& mesh,
                                  const std::vector<model::FreedomClass>& cls,
-                                 const fe::Dependence& ties)
+                                 const fe::ConstraintTransformation& ties)
     : model_(model), mesh_(mesh), operator_(model, mesh, number_modes(mesh, cls, ties)) {
   std::vector<Eigen::Matrix3d> block = operator_.diagonal();
   for (std::size_t m = 0; m < block.size(); ++m) {
@@ -86,7 +86,7 @@ void SpaceEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, 
 }
 
 // A temperature presses on the volume change of the modes.
-void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseHeat& heat,
+void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& heat,
                                   base::Vector& f) const {
   const fe::AnyElement<3>& element = shape::reference_element<3>(mesh_.type[e.index()]);
   const fe::CornerValues<3> T = fe::corner_temperature(element, mesh_, e, heat.temperature);
@@ -95,11 +95,11 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseHeat& heat,
     return;
   }
   const fe::AnyNodeVectors<3> X = fe::coordinates(element, mesh_, e);
-  const fe::Law law = fe::law_of(model_, mesh_, e);
+  const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
   const fe::ThermalStress<3> thermal(element, X, law, T);
   const SpaceModes& modes = SpaceModes::of(mesh_.type[e.index()]);
   base::Matrix F = base::Matrix::Zero(static_cast<Eigen::Index>(modes.modes().size()), 3);
-  const double beta = fe::heat_modulus(law);
+  const double beta = fe::thermal_modulus(law);
   const int degree = varies ? fe::load_degree : element.degree;
   for (const auto& point : shape::quadrature<3>(element.domain, degree)) {
     const Eigen::Matrix3d J = X.lazyProduct(element.dN(point.r));
@@ -118,7 +118,7 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseHeat& heat,
 }
 
 base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
-                                   const fe::CaseHeat& heat) const {
+                                   const fe::CaseTemperature& heat) const {
   base::Vector f = base::Vector::Zero(freedoms());
   const auto on_side = [&](const model::Face& face, std::span<const fe::LoadPoint> points) {
     for (const fe::LoadPoint& p : points) {

@@ -27,7 +27,8 @@ public:
   /// Held are modes along freedoms that supports hold at all nodes of an edge or a face, and modes
   /// of edges and faces that ties join (manual, estimate.22). All must outlive it.
   SpaceEnrichment(const model::Model& model, const model::Mesh& mesh,
-                  const std::vector<model::FreedomClass>& cls, const fe::Dependence& ties);
+                  const std::vector<model::FreedomClass>& cls,
+                  const fe::ConstraintTransformation& ties);
 
   /// Three directions of each mode. [freedoms]
   [[nodiscard]] Eigen::Index freedoms() const { return free().size(); }
@@ -54,7 +55,8 @@ public:
 
   /// Forces on the modes of spread loads of a case, and what its temperature presses: all of it,
   /// also what elements do not take.
-  [[nodiscard]] base::Vector load(const model::LoadCase& load_case, const fe::CaseHeat& heat) const;
+  [[nodiscard]] base::Vector load(const model::LoadCase& load_case,
+                                  const fe::CaseTemperature& heat) const;
   /// Adds what forces at points of faces, as contacts have them, do.
   void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
 
@@ -63,7 +65,7 @@ private:
                    base::Vector& f) const;
   void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,
                   base::Vector& f) const;
-  void add_thermal(base::ElementId e, const fe::CaseHeat& heat, base::Vector& f) const;
+  void add_thermal(base::ElementId e, const fe::CaseTemperature& heat, base::Vector& f) const;
 
   const model::Model& model_;
   const model::Mesh& mesh_;

@@ -28,7 +28,7 @@ struct ModePlace {
 class Numbering {
 public:
   Numbering(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-            const fe::Dependence& ties)
+            const fe::ConstraintTransformation& ties)
       : mesh_(mesh), cls_(cls), ties_(ties) {}
 
   SpaceNumbers make() {
@@ -119,9 +119,9 @@ private:
       }
     }
     std::map<std::vector<NodeId>, std::set<NodeId>> inside; // nodes that follow all of a face
-    for (const fe::Dependence::Row& row : ties_.rows()) {
+    for (const fe::ConstraintTransformation::DependentRow& row : ties_.rows()) {
       std::vector<NodeId> masters;
-      for (const fe::Term& term : row.terms) {
+      for (const fe::FreedomTerm& term : row.terms) {
         masters.emplace_back(static_cast<std::size_t>(term.freedom) / 3);
       }
       masters = sorted(std::move(masters));
@@ -169,7 +169,7 @@ private:
 
   const model::Mesh& mesh_;
   const std::vector<model::FreedomClass>& cls_;
-  const fe::Dependence& ties_;
+  const fe::ConstraintTransformation& ties_;
   std::map<PlaceKey, ModePlace> places_;
   std::int32_t next_ = 0;
   SpaceNumbers numbers_;
@@ -178,7 +178,7 @@ private:
 } // namespace
 
 SpaceNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-                          const fe::Dependence& ties) {
+                          const fe::ConstraintTransformation& ties) {
   return Numbering(mesh, cls, ties).make();
 }
 

@@ -25,6 +25,6 @@ struct SpaceNumbers {
 /// that differs inside the face on both sides would let a linear stress do work on it: an error
 /// where there is none.)
 SpaceNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-                          const fe::Dependence& ties);
+                          const fe::ConstraintTransformation& ties);
 
 } // namespace spricka::estimate

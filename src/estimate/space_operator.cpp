@@ -89,7 +89,7 @@ void add_geometry(const model::Model& model, const model::Mesh& mesh, ElementBlo
   block.inverse.assign(9 * width * points, 0.0);
   for (std::size_t b = 0; b < block.elements.size(); ++b) {
     const base::ElementId e = block.elements[b];
-    const fe::Law law = fe::law_of(model, mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(model, mesh, e);
     block.lambda[b] = law.lambda;
     block.mu[b] = law.mu;
     const std::span<const base::NodeId> nodes = mesh.element_nodes(e);

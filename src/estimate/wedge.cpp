@@ -60,7 +60,7 @@ struct Pencil {
 };
 
 // Strains of r^lambda Phi are r^(lambda - 1) (lambda B1 Phi + B2 Phi').
-void add_element(double from, double to, const fe::Law& law,
+void add_element(double from, double to, const fe::ConstitutiveLaw& law,
                  const std::array<Eigen::Index, nodes>& at, Pencil& pencil) {
   Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
   C(0, 0) = C(1, 1) = law.lambda + 2.0 * law.mu;
@@ -97,7 +97,7 @@ void add_element(double from, double to, const fe::Law& law,
 
 struct Piece {
   double from, to;
-  const fe::Law* law;
+  const fe::ConstitutiveLaw* law;
 };
 
 std::vector<Piece> pieces_of(const Wedge& wedge) {

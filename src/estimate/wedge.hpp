@@ -13,7 +13,7 @@ namespace spricka::estimate {
 struct WedgeSector {
   double from = 0.0; ///< [rad], below `to`
   double to = 0.0;
-  fe::Law law;
+  fe::ConstitutiveLaw law;
 };
 
 /// Materials about a point, the angles ascending, each sector beginning where the one before ends.

@@ -22,11 +22,11 @@ template <int dim> struct RuleSums {
 
 template <int dim>
 RuleSums<dim> sums_of(std::span<const shape::QuadraturePoint<dim>> rule,
-                      const ReferenceField<dim>& value, SeenValues& seen) {
+                      const ReferenceField<dim>& value, ValueRange& seen) {
   RuleSums<dim> sums;
   for (const auto& point : rule) {
     const Vec3 v = value(point.r);
-    seen.add(v);
+    seen.add_value(v);
     sums.moments += moments_at<dim>(point, v);
     sums.amount += point.weight * v.norm();
   }
@@ -36,8 +36,8 @@ RuleSums<dim> sums_of(std::span<const shape::QuadraturePoint<dim>> rule,
 // At so many places spread evenly over the unit cube and over each of its directions (additive
 // recurrence, Roberts 2018); along a line at its ends as well. Adds them to `seen`.
 template <int dim>
-Outlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
-                   SeenValues& seen, double scale, int places) {
+FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
+                        ValueRange& seen, double scale, int places) {
   constexpr double inside = 1e-6;
   constexpr std::array<double, 2> step =
       dim == 3 ? std::array{0.7548776662466927, 0.5698402909980532} // of the plastic number
@@ -57,7 +57,7 @@ Outlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>&
   for (const auto& [t, v] : looks) {
     mean += v / static_cast<double>(looks.size());
   }
-  Outlier most;
+  FieldOutlier most;
   double unlike = -1.0;
   for (const auto& [t, v] : looks) {
     const double excess = seen.excess(v, scale);
@@ -68,7 +68,7 @@ Outlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>&
     }
   }
   for (const auto& [t, v] : looks) {
-    seen.add(v);
+    seen.add_value(v);
   }
   return most;
 }
@@ -80,7 +80,7 @@ AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const Reference
                               const AdaptiveSettings& settings) {
   const int places = dim > 1 && !settings.smooth ? 256 : 64;
   const double between = 1.0 / places; // the part of an element that a place tells of
-  SeenValues seen;
+  ValueRange seen;
   const RuleSums<dim> usual = sums_of<dim>(domain.usual, value, seen);
   const RuleSums<dim> finer = sums_of<dim>(domain.finer, value, seen);
   const double error = (usual.moments - finer.moments).cwiseAbs().maxCoeff();
@@ -89,7 +89,7 @@ AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const Reference
     size += point.weight;
   }
   const double largest = std::max(settings.scale.largest, seen.largest);
-  const Outlier outlier = outlier_of<dim>(domain, value, seen, largest, places);
+  const FieldOutlier outlier = outlier_of<dim>(domain, value, seen, largest, places);
   const double amount = std::max(
       {size * settings.scale.mean, usual.amount, finer.amount, between * size * outlier.excess});
   // of plane and solid loads that are smooth the usual rule is far better than the elements
@@ -103,10 +103,10 @@ AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const Reference
     return {{domain.finer.begin(), domain.finer.end()}, 0.0, finer.amount, false};
   }
   PiecewiseRule<dim> pieces(domain, value, settings, amount, outlier);
-  AdaptedRule<dim> rule = pieces.run();
+  AdaptedRule<dim> rule = pieces.build_rule();
   // what no piece has found of all that was seen is told
-  const double left = std::max(pieces.seen().excess(seen.low, seen.largest),
-                               pieces.seen().excess(seen.high, seen.largest));
+  const double left = std::max(pieces.value_range().excess(seen.low, seen.largest),
+                               pieces.value_range().excess(seen.high, seen.largest));
   rule.missed += between * size * left;
   return rule;
 }

@@ -26,13 +26,13 @@ element_freedoms(const model::Mesh& mesh, base::ElementId e,
 }
 
 // What a block of coefficients acts on, with dependent freedoms replaced.
-std::optional<Dependence::Block> reduced(const DofMap& dofs,
-                                         std::span<const std::int32_t> freedoms) {
-  return dofs.ties ? dofs.ties->block_of(freedoms) : std::nullopt;
+std::optional<ConstraintTransformation::TransformedBlock>
+reduced(const DofMap& dofs, std::span<const std::int32_t> freedoms) {
+  return dofs.ties ? dofs.ties->transform_block(freedoms) : std::nullopt;
 }
 
 void add_rows(std::span<const std::int32_t> freedoms, const DofMap& dofs, BlockRows& blocks) {
-  const std::optional<Dependence::Block> block = reduced(dofs, freedoms);
+  const std::optional<ConstraintTransformation::TransformedBlock> block = reduced(dofs, freedoms);
   std::vector<std::int32_t> rows;
   rows.reserve(freedoms.size());
   for (const std::int32_t freedom :
@@ -46,7 +46,8 @@ void add_rows(std::span<const std::int32_t> freedoms, const DofMap& dofs, BlockR
 template <class Block>
 void add_coefficients(std::span<const std::int32_t> freedoms, const DofMap& dofs, const Block& Ke,
                       std::span<const BlockRow> rows, base::SymmetricCsc& K) {
-  if (const std::optional<Dependence::Block> block = reduced(dofs, freedoms)) {
+  if (const std::optional<ConstraintTransformation::TransformedBlock> block =
+          reduced(dofs, freedoms)) {
     // (fe.34).
     const base::Matrix half = Ke * block->T;
     base::Matrix reduced = block->T.transpose() * half;
@@ -89,16 +90,18 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
 
   // Blocks must come in the order in which their rows were added.
   std::size_t block_number = 0;
-  for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-    for (const base::ElementId e : block) {
-      const ElementMatrix<S> Ke =
-          element_stiffness<S>(coordinates<S>(mesh, e), law_of(model, mesh, e));
-      add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke, blocks.of(block_number), K);
-      ++block_number;
-    }
-  });
+  for_shape_blocks(
+      mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+        for (const base::ElementId e : block) {
+          const ElementMatrix<S> Ke =
+              element_stiffness<S>(coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
+          add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
+                           blocks.block_rows(block_number), K);
+          ++block_number;
+        }
+      });
   for (const Superelement& super : supers) {
-    add_coefficients(super.freedom, dofs, *super.stiffness, blocks.of(block_number), K);
+    add_coefficients(super.freedom, dofs, *super.stiffness, blocks.block_rows(block_number), K);
     ++block_number;
   }
   return K;

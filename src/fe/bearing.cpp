@@ -111,11 +111,11 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
   std::vector<WeightedPoint> points;
   for (const model::Face& face : faces) {
-    for (const base::NodeId n : nodes_of_face(mesh, face)) {
+    for (const base::NodeId n : collect_face_nodes(mesh, face)) {
       points.push_back({mesh.x[n.index()].head<2>(), 1.0});
     }
   }
-  const Circle circle = fit_circle(points);
+  const FittedCircle circle = fit_circle(points);
   Bore bore;
   bore.centre = circle.centre;
   bore.radius = circle.radius;
@@ -131,12 +131,12 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   return bore;
 }
 
-std::array<bool, 3> cuts_by_mirrors(const model::Model& model, const model::Mesh& mesh,
+std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh& mesh,
                                     const model::Load& load) {
   constexpr double in_plane = 1e-6; // of the faces' extent
   std::vector<base::NodeId> nodes;
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
-    std::ranges::copy(nodes_of_face(mesh, face), std::back_inserter(nodes));
+    std::ranges::copy(collect_face_nodes(mesh, face), std::back_inserter(nodes));
   }
   std::array<bool, 3> cuts{};
   for (const model::MirrorPlane& plane : model.mirrors) {
@@ -181,7 +181,7 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
   if (!lu.isInvertible()) {
     return false;
   }
-  const std::array<bool, 3> cuts = cuts_by_mirrors(model, mesh, load);
+  const std::array<bool, 3> cuts = mirror_cut_axes(model, mesh, load);
   const bool balanced = cuts[0] || cuts[1] || cuts[2];
   const Vec2 p = balanced ? Vec2(F.norm() / total.col(0).dot(pin.d), 0.0) : Vec2(lu.solve(F));
   for_points([&](const model::Face& face, double t, const Vec2& main, const Vec2& across) {
@@ -194,7 +194,7 @@ bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model
                  Vector& f) {
   return for_bearing_points(
       model, mesh, load, [&](const model::Face& face, double t, const Vec2& force) {
-        const std::vector<base::NodeId> nodes = nodes_of_face(mesh, face);
+        const std::vector<base::NodeId> nodes = collect_face_nodes(mesh, face);
         const auto N = shape::reference_line(static_cast<int>(nodes.size())).N(shape::Point<1>(t));
         for (std::size_t i = 0; i < nodes.size(); ++i) {
           f.segment<2>(2 * static_cast<Eigen::Index>(nodes[i].index())) +=

@@ -21,7 +21,7 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 
 /// The axes across which planes of symmetry, of which one side is modelled, cut the faces of a
 /// bearing load: there the image balances what the pressure does across the load [x y z].
-std::array<bool, 3> cuts_by_mirrors(const model::Model& model, const model::Mesh& mesh,
+std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh& mesh,
                                     const model::Load& load);
 
 /// Adds the pressure of a pin on a bore, given by its resultant (Fx, Fy) [force], to the nodal

@@ -110,7 +110,7 @@ bool for_solid_bearing_points(const model::Model& model, const model::Mesh& mesh
   if (!lu.isInvertible()) {
     return false;
   }
-  const std::array<bool, 3> cuts = cuts_by_mirrors(model, mesh, load);
+  const std::array<bool, 3> cuts = mirror_cut_axes(model, mesh, load);
   bool balanced = false; // by a plane along the load and the axis; one across the axis does nothing
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     balanced = balanced || (cuts.at(i) && std::abs(pin.across[static_cast<Eigen::Index>(i)]) > 0.5);

@@ -33,7 +33,7 @@ std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load
 
 template <int dim>
 void visit_side(const AnyElement<dim>& side, const SpaceNodes<dim>& X, const model::Load& load,
-                BetweenNodes& worst) {
+                InterpolationError& worst) {
   SpaceNodes<dim> nodal(3, side.nodes);
   for (int n = 0; n < side.nodes; ++n) {
     nodal.col(n) = load_value(load, X.col(n));
@@ -57,8 +57,8 @@ void visit_side(const AnyElement<dim>& side, const SpaceNodes<dim>& X, const mod
 
 } // namespace
 
-BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load) {
-  BetweenNodes worst;
+InterpolationError interpolation_error(const model::Mesh& mesh, const model::Load& load) {
+  InterpolationError worst;
   if (is_constant(load)) {
     return worst;
   }

@@ -6,13 +6,13 @@
 namespace spricka::fe {
 
 /// Where a displacement given as an expression leaves what the nodes make of it.
-struct BetweenNodes {
+struct InterpolationError {
   double off = 0.0; ///< largest distance of a component from the interpolation of its nodal values
   base::Vec3 place = base::Vec3::Zero();
 };
 
 /// Over the sides of elements all of whose nodes the load is given at, by 32 points along an edge
 /// and 64 on a face.
-BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load);
+InterpolationError interpolation_error(const model::Mesh& mesh, const model::Load& load);
 
 } // namespace spricka::fe

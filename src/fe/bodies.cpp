@@ -38,7 +38,7 @@ std::vector<Body> find_bodies(const model::Mesh& mesh) {
 }
 
 std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
-                                           const Dependence& ties,
+                                           const ConstraintTransformation& ties,
                                            const std::vector<model::FreedomClass>& cls) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> body_of(mesh.node_count(), none);
@@ -58,9 +58,9 @@ std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<
   };
   // All links before the groups: body_at adds bodies.
   std::vector<std::pair<std::size_t, std::size_t>> links;
-  for (const Dependence::Row& row : ties.rows()) {
+  for (const ConstraintTransformation::DependentRow& row : ties.rows()) {
     const std::size_t first = body_at(row.freedom);
-    for (const Term& t : row.terms) {
+    for (const FreedomTerm& t : row.terms) {
       // A tie to a freedom that is held or given is a support and joins nothing.
       if (cls[static_cast<std::size_t>(t.freedom)] != model::FreedomClass::suppressed &&
           cls[static_cast<std::size_t>(t.freedom)] != model::FreedomClass::prescribed) {

@@ -7,7 +7,7 @@
 
 namespace spricka::fe {
 
-Circle fit_circle(const std::vector<WeightedPoint>& points) {
+FittedCircle fit_circle(const std::vector<WeightedPoint>& points) {
   base::Vec2 mean = base::Vec2::Zero();
   double count = 0.0;
   for (const WeightedPoint& p : points) {

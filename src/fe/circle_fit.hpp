@@ -12,13 +12,13 @@ struct WeightedPoint {
   double weight = 1.0;
 };
 
-struct Circle {
+struct FittedCircle {
   base::Vec2 centre = base::Vec2::Zero();
   double radius = 0.0;
 };
 
 /// The circle through some points by least squares of |x - c|^2 - R^2 (Kasa 1976); exact where they
 /// lie on one.
-Circle fit_circle(const std::vector<WeightedPoint>& points);
+FittedCircle fit_circle(const std::vector<WeightedPoint>& points);
 
 } // namespace spricka::fe

@@ -9,24 +9,24 @@ namespace spricka::fe {
 /// A part of a plane reference element as the image of the square 0 <= a, b <= 1. A collapsed one
 /// is a triangle with the side a = 0 in its first corner: roots of the distance from that corner
 /// are smooth in a, in quarter-point elements as well (Duffy 1982).
-struct Chart {
+struct ReferenceChart {
   shape::Point<2> corner, along, across; ///< collapsed: the other two corners less the first
   bool collapsed = false;
 
-  [[nodiscard]] shape::Point<2> r(double a, double b) const {
+  [[nodiscard]] shape::Point<2> reference_point(double a, double b) const {
     return collapsed ? shape::Point<2>(corner + a * ((1.0 - b) * along + b * across))
                      : shape::Point<2>(corner + a * along + b * across);
   }
   /// Area of the reference element per that of the square.
-  [[nodiscard]] double area(double a) const {
+  [[nodiscard]] double area_ratio(double a) const {
     const double whole = along.x() * across.y() - along.y() * across.x();
     return collapsed ? a * whole : whole;
   }
 };
 
 /// The corner of an element that is one of some nodes; -1: none.
-inline int corner_at(const model::Mesh& mesh, base::ElementId e,
-                     std::span<const base::NodeId> tips) {
+inline int find_tip_corner(const model::Mesh& mesh, base::ElementId e,
+                           std::span<const base::NodeId> tips) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   for (int c = 0; c < base::element_info(mesh.type[e.index()]).corners; ++c) {
     if (std::ranges::find(tips, nodes[static_cast<std::size_t>(c)]) != tips.end()) {
@@ -37,14 +37,14 @@ inline int corner_at(const model::Mesh& mesh, base::ElementId e,
 }
 
 /// Charts of an element, collapsed into the corner `tip`; -1: nothing is singular.
-inline std::vector<Chart> charts(const AnyElement<2>& element, int tip) {
+inline std::vector<ReferenceChart> charts(const AnyElement<2>& element, int tip) {
   const int corners = element.corners;
   const auto at = [&](int i) { return element.node_coordinates(i % corners); };
   if (corners == 4 && tip < 0) {
     return {{at(0), at(1) - at(0), at(3) - at(0), false}};
   }
   const int c = std::max(tip, 0);
-  std::vector<Chart> result{{at(c), at(c + 1) - at(c), at(c + 2) - at(c), true}};
+  std::vector<ReferenceChart> result{{at(c), at(c + 1) - at(c), at(c + 2) - at(c), true}};
   if (corners == 4) {
     result.push_back({at(c), at(c + 2) - at(c), at(c + 3) - at(c), true});
   }
@@ -54,14 +54,14 @@ inline std::vector<Chart> charts(const AnyElement<2>& element, int tip) {
 /// Calls visit(r, weight) at the points of a product rule on the part [a, a + h] x [b, b + h] of a
 /// chart.
 template <class Visit>
-void for_chart_points(const Chart& chart, const base::Vec3& cell, Visit&& visit) {
+void for_chart_points(const ReferenceChart& chart, const base::Vec3& cell, Visit&& visit) {
   constexpr int degree = 7; // 4 x 4 points
   const double h = cell[2];
   for (const auto& p : shape::line_rule(degree)) {
     const double a = cell[0] + 0.5 * h * (1.0 + p.r[0]);
     for (const auto& q : shape::line_rule(degree)) {
       const double b = cell[1] + 0.5 * h * (1.0 + q.r[0]);
-      visit(chart.r(a, b), 0.25 * h * h * p.weight * q.weight * chart.area(a));
+      visit(chart.reference_point(a, b), 0.25 * h * h * p.weight * q.weight * chart.area_ratio(a));
     }
   }
 }

@@ -25,8 +25,8 @@ bool given(FreedomClass cls) {
 } // namespace
 
 /// Terms and right-hand side being added up.
-struct Dependence::Sum {
-  struct Entry {
+struct ConstraintTransformation::Sum {
+  struct SummedTerm {
     double value = 0.0;
     /// The error of the value is some round-off of its size, which is carried along from tie to
     /// tie: of a product a b it is |a| size_b + |b| size_a, of a quotient likewise. What round-off
@@ -39,26 +39,27 @@ struct Dependence::Sum {
       size += its_size;
       parts += std::abs(c);
     }
-    [[nodiscard]] Entry over(const Entry& divisor) const {
+    [[nodiscard]] SummedTerm over(const SummedTerm& divisor) const {
       const double quotient = value / divisor.value;
       return {quotient, (size + std::abs(quotient) * divisor.size) / std::abs(divisor.value)};
     }
     [[nodiscard]] bool doubtful() const { return std::abs(value) <= round_off * size; }
     [[nodiscard]] bool cancelled() const { return std::abs(value) <= round_off * parts; }
   };
-  std::map<std::int32_t, Entry> terms;
-  Entry constant;
+  std::map<std::int32_t, SummedTerm> terms;
+  SummedTerm constant;
 
-  void add(const Row& row, const Sizes& sizes, const Entry& factor) {
+  void add(const DependentRow& row, const TermMagnitudes& sizes, const SummedTerm& factor) {
     // The error of a product, as Entry::size has it.
     const auto times = [&](double c, double size) {
-      return Entry{factor.value * c, std::abs(factor.value) * size + factor.size * std::abs(c)};
+      return SummedTerm{factor.value * c,
+                        std::abs(factor.value) * size + factor.size * std::abs(c)};
     };
     for (std::size_t i = 0; i < row.terms.size(); ++i) {
-      const Entry part = times(row.terms[i].coefficient, sizes.terms[i]);
+      const SummedTerm part = times(row.terms[i].coefficient, sizes.terms[i]);
       terms[row.terms[i].freedom].add(part.value, part.size);
     }
-    const Entry part = times(row.constant, sizes.constant);
+    const SummedTerm part = times(row.constant, sizes.constant);
     constant.add(part.value, part.size);
   }
   void drop_cancelled() {
@@ -71,13 +72,14 @@ struct Dependence::Sum {
   }
 };
 
-Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomClass>& cls)
+ConstraintTransformation::ConstraintTransformation(const std::vector<Tie>& ties,
+                                                   const std::vector<FreedomClass>& cls)
     : row_of_(cls.size(), -1) {
   for (const Tie& tie : ties) {
     add(tie, cls);
   }
   std::sort(rows_.begin(), rows_.end(),
-            [](const Row& a, const Row& b) { return a.freedom < b.freedom; });
+            [](const DependentRow& a, const DependentRow& b) { return a.freedom < b.freedom; });
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     row_of_[static_cast<std::size_t>(rows_[i].freedom)] = static_cast<std::int32_t>(i);
   }
@@ -86,12 +88,12 @@ Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomCl
 }
 
 // sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
-void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
+void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   Sum sum;
   // All on one side: sum of c u - rhs = 0.
   sum.constant.add(-tie.rhs, std::abs(tie.rhs));
-  for (const Term& t : tie.terms) {
-    const Sum::Entry c{t.coefficient, std::abs(t.coefficient)};
+  for (const FreedomTerm& t : tie.terms) {
+    const Sum::SummedTerm c{t.coefficient, std::abs(t.coefficient)};
     const std::int32_t known = row_of_[static_cast<std::size_t>(t.freedom)];
     // Rows hold no dependent freedoms, so that replacing once is enough.
     if (known >= 0) {
@@ -118,7 +120,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
       return;
     }
     // Only given freedoms are left: whether their values fulfil the tie is seen later.
-    Demand demand{{}, -sum.constant.value, sum.constant.parts, tie.mpc};
+    FullyGivenTie demand{{}, -sum.constant.value, sum.constant.parts, tie.mpc};
     for (const auto& [freedom, entry] : sum.terms) {
       demand.terms.push_back({freedom, entry.value});
     }
@@ -132,19 +134,19 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
     pivot = first->first;
   }
   // Solved for the pivot all other terms change sides, and with that their signs.
-  const Sum::Entry divisor{-sum.terms.at(pivot).value, sum.terms.at(pivot).size};
-  const Sum::Entry constant = sum.constant.over(divisor);
-  Row row{pivot, {}, constant.value, tie.mpc};
-  Sizes sizes{{}, constant.size};
+  const Sum::SummedTerm divisor{-sum.terms.at(pivot).value, sum.terms.at(pivot).size};
+  const Sum::SummedTerm constant = sum.constant.over(divisor);
+  DependentRow row{pivot, {}, constant.value, tie.mpc};
+  TermMagnitudes sizes{{}, constant.size};
   for (const auto& [freedom, entry] : sum.terms) {
     if (freedom != pivot) {
-      const Sum::Entry c = entry.over(divisor);
+      const Sum::SummedTerm c = entry.over(divisor);
       row.terms.push_back({freedom, c.value});
       sizes.terms.push_back(c.size);
     }
   }
   const std::size_t number = rows_.size();
-  for (const Term& t : row.terms) {
+  for (const FreedomTerm& t : row.terms) {
     users_[t.freedom].push_back(number);
   }
   rows_.push_back(std::move(row));
@@ -154,7 +156,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
 }
 
 // Rows that had the new dependent freedom as a master take its masters instead.
-void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
+void ConstraintTransformation::eliminate(std::int32_t freedom, std::size_t by) {
   const auto found = users_.find(freedom);
   if (found == users_.end()) {
     return;
@@ -163,12 +165,12 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
   users_.erase(found);
   // So masters are never dependent: follow and reduce need one pass over the rows.
   for (const std::size_t user : users) {
-    Row& row = rows_[user];
-    Sizes& sizes = sizes_[user];
+    DependentRow& row = rows_[user];
+    TermMagnitudes& sizes = sizes_[user];
     Sum sum;
     sum.constant.add(row.constant, sizes.constant);
     for (std::size_t i = 0; i < row.terms.size(); ++i) {
-      const Sum::Entry c{row.terms[i].coefficient, sizes.terms[i]};
+      const Sum::SummedTerm c{row.terms[i].coefficient, sizes.terms[i]};
       if (row.terms[i].freedom == freedom) {
         sum.add(rows_[by], sizes_[by], c);
       } else {
@@ -176,7 +178,7 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
       }
     }
     sum.drop_cancelled();
-    for (const Term& t : row.terms) {
+    for (const FreedomTerm& t : row.terms) {
       if (t.freedom != freedom) {
         // The masters of the row may be others now: it enters their lists anew below.
         std::erase(users_[t.freedom], user);
@@ -194,41 +196,43 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
   }
 }
 
-bool Dependence::has_constants() const {
-  return std::any_of(rows_.begin(), rows_.end(), [](const Row& r) { return r.constant != 0.0; });
+bool ConstraintTransformation::has_constants() const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [](const DependentRow& r) { return r.constant != 0.0; });
 }
 
-const Dependence::Row* Dependence::row_of(std::int32_t freedom) const {
+const ConstraintTransformation::DependentRow*
+ConstraintTransformation::find_row(std::int32_t freedom) const {
   const std::int32_t at = row_of_[static_cast<std::size_t>(freedom)];
   return at < 0 ? nullptr : &rows_[static_cast<std::size_t>(at)];
 }
 
-void Dependence::follow(Eigen::Ref<base::Vector> u, double scale) const {
-  for (const Row& row : rows_) {
+void ConstraintTransformation::set_dependents(Eigen::Ref<base::Vector> u, double scale) const {
+  for (const DependentRow& row : rows_) {
     double sum = scale * row.constant;
-    for (const Term& t : row.terms) {
+    for (const FreedomTerm& t : row.terms) {
       sum += t.coefficient * u[t.freedom];
     }
     u[row.freedom] = sum;
   }
 }
 
-void Dependence::reduce(base::Matrix& f) const {
-  for (const Row& row : rows_) {
-    for (const Term& t : row.terms) {
+void ConstraintTransformation::transfer_to_masters(base::Matrix& f) const {
+  for (const DependentRow& row : rows_) {
+    for (const FreedomTerm& t : row.terms) {
       f.row(t.freedom) += t.coefficient * f.row(row.freedom);
     }
     f.row(row.freedom).setZero();
   }
 }
 
-std::optional<Dependence::Block>
-Dependence::block_of(std::span<const std::int32_t> freedoms) const {
+std::optional<ConstraintTransformation::TransformedBlock>
+ConstraintTransformation::transform_block(std::span<const std::int32_t> freedoms) const {
   if (std::none_of(freedoms.begin(), freedoms.end(),
-                   [&](std::int32_t f) { return row_of(f) != nullptr; })) {
+                   [&](std::int32_t f) { return find_row(f) != nullptr; })) {
     return std::nullopt;
   }
-  Block block;
+  TransformedBlock block;
   std::map<std::int32_t, int> column;
   const auto column_of = [&](std::int32_t freedom) {
     const auto [at, fresh] = column.emplace(freedom, static_cast<int>(block.freedom.size()));
@@ -240,12 +244,12 @@ Dependence::block_of(std::span<const std::int32_t> freedoms) const {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < freedoms.size(); ++i) {
     const auto at = static_cast<int>(i);
-    const Row* row = row_of(freedoms[i]);
+    const DependentRow* row = find_row(freedoms[i]);
     if (row == nullptr) {
       entries.emplace_back(at, column_of(freedoms[i]), 1.0);
       continue;
     }
-    for (const Term& t : row->terms) {
+    for (const FreedomTerm& t : row->terms) {
       entries.emplace_back(at, column_of(t.freedom), t.coefficient);
     }
   }

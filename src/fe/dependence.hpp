@@ -15,7 +15,7 @@
 namespace spricka::fe {
 
 /// A freedom dim * node + c and its coefficient.
-struct Term {
+struct FreedomTerm {
   std::int32_t freedom = 0;
   double coefficient = 0.0;
 };
@@ -23,7 +23,7 @@ struct Term {
 /// sum coefficient * u = rhs, made from an entry of Model::mpcs. The first term is the freedom that
 /// shall follow the others.
 struct Tie {
-  std::vector<Term> terms;
+  std::vector<FreedomTerm> terms;
   double rhs = 0.0;
   std::size_t mpc = 0;
 };
@@ -32,19 +32,19 @@ struct Tie {
 /// T^T K T and loads become T^T (f - K g): no penalty, no multiplier (Shephard 1984, "Linear
 /// multipoint constraints applied via transformation as part of a direct stiffness assembly
 /// process"). Dependent freedoms follow independent ones, chains are substituted.
-class Dependence {
+class ConstraintTransformation {
 public:
   /// A freedom that follows: u = sum of terms + constant. Its masters are never dependent; those
   /// that are suppressed or prescribed are kept, as they carry reactions.
-  struct Row {
+  struct DependentRow {
     std::int32_t freedom = 0;
-    std::vector<Term> terms;
+    std::vector<FreedomTerm> terms;
     double constant = 0.0;
     std::size_t mpc = 0;
   };
   /// A tie between freedoms that are all given: true or a contradiction.
-  struct Demand {
-    std::vector<Term> terms;
+  struct FullyGivenTie {
+    std::vector<FreedomTerm> terms;
     double rhs = 0.0;
     double scale = 0.0; ///< of the right-hand sides that met in `rhs`
     std::size_t mpc = 0;
@@ -52,43 +52,45 @@ public:
 
   /// Solves the ties one after another in their order. The first term of each is eliminated where
   /// it can be, else the largest coefficient that is left. `cls` is by freedom of the mesh.
-  Dependence(const std::vector<Tie>& ties, const std::vector<model::FreedomClass>& cls);
+  ConstraintTransformation(const std::vector<Tie>& ties,
+                           const std::vector<model::FreedomClass>& cls);
 
-  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-  [[nodiscard]] const std::vector<Demand>& demands() const { return demands_; }
+  [[nodiscard]] const std::vector<DependentRow>& rows() const { return rows_; }
+  [[nodiscard]] const std::vector<FullyGivenTie>& fully_given_ties() const { return demands_; }
   [[nodiscard]] int redundant() const { return redundant_; }
   [[nodiscard]] bool has_constants() const;
   /// The row of a dependent freedom; null for the others.
-  [[nodiscard]] const Row* row_of(std::int32_t freedom) const;
+  [[nodiscard]] const DependentRow* find_row(std::int32_t freedom) const;
 
   /// Gives dependent freedoms their displacements: u_d = sum c u_m + scale * constant.
-  void follow(Eigen::Ref<base::Vector> u, double scale) const;
+  void set_dependents(Eigen::Ref<base::Vector> u, double scale) const;
   /// Hands forces on dependent freedoms over to their masters: f <- T^T f, by columns.
-  void reduce(base::Matrix& f) const;
+  void transfer_to_masters(base::Matrix& f) const;
 
   /// A block of coefficients on some freedoms once dependent ones are replaced: K <- T^T K T.
-  struct Block {
+  struct TransformedBlock {
     std::vector<std::int32_t> freedom; ///< [r]
     Eigen::SparseMatrix<double> T;     ///< [freedoms given, r]
   };
   /// Empty when no freedom of the block is dependent.
-  [[nodiscard]] std::optional<Block> block_of(std::span<const std::int32_t> freedoms) const;
+  [[nodiscard]] std::optional<TransformedBlock>
+  transform_block(std::span<const std::int32_t> freedoms) const;
 
 private:
   struct Sum;
   /// Of what was added up to a row's terms and constant: round-off of those is its error.
-  struct Sizes {
+  struct TermMagnitudes {
     std::vector<double> terms;
     double constant = 0.0;
   };
   void add(const Tie& tie, const std::vector<model::FreedomClass>& cls);
   void eliminate(std::int32_t freedom, std::size_t by);
 
-  std::vector<Row> rows_;
-  std::vector<Sizes> sizes_;         ///< of the rows, while ties are being solved
-  std::vector<std::int32_t> row_of_; ///< [freedom] or -1
+  std::vector<DependentRow> rows_;
+  std::vector<TermMagnitudes> sizes_; ///< of the rows, while ties are being solved
+  std::vector<std::int32_t> row_of_;  ///< [freedom] or -1
   std::map<std::int32_t, std::vector<std::size_t>> users_; ///< rows that have this master
-  std::vector<Demand> demands_;
+  std::vector<FullyGivenTie> demands_;
   int redundant_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace spricka::fe {
 
 // Written out by components: products of so many sizes take the compiler long.
 template <shape::Element S>
-Dilatation<S>::Dilatation(const S& element, const NodeVectors<S>& X, const Law& law)
+Dilatation<S>::Dilatation(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law)
     : C(Volume::Zero(mode_count(element), S::dim * element.nodes)),
       G(Gram::Zero(mode_count(element), mode_count(element))) {
   // (fe.14), by the rule of the stiffness, which the projection is a part of.
@@ -32,7 +32,8 @@ Dilatation<S>::Dilatation(const S& element, const NodeVectors<S>& X, const Law& 
   }
 }
 
-template <shape::Element S> auto Dilatation<S>::of(const NodeVectors<S>& U) const -> Modes {
+template <shape::Element S>
+auto Dilatation<S>::project_volume_change(const NodeVectors<S>& U) const -> Modes {
   Modes integrals = Modes::Zero(C.rows());
   for (Eigen::Index m = 0; m < C.rows(); ++m) {
     for (Eigen::Index i = 0; i < U.cols(); ++i) {

@@ -52,12 +52,12 @@ template <shape::Element S> struct Dilatation {
     return p;
   }
 
-  Dilatation(const S& element, const NodeVectors<S>& X, const Law& law);
+  Dilatation(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law);
 
   /// Coefficients of the function whose integrals with phi these are.
   [[nodiscard]] Modes project(const Modes& integrals) const;
   /// Of the volume change of displacements U [dim, nodes].
-  [[nodiscard]] Modes of(const NodeVectors<S>& U) const;
+  [[nodiscard]] Modes project_volume_change(const NodeVectors<S>& U) const;
 };
 
 } // namespace spricka::fe

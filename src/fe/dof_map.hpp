@@ -35,7 +35,7 @@ std::vector<Body> find_bodies(const model::Mesh& mesh);
 /// Nodes without elements that take part in ties are pieces of their own. Ties to freedoms that are
 /// suppressed or prescribed join nothing.
 std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
-                                           const Dependence& ties,
+                                           const ConstraintTransformation& ties,
                                            const std::vector<model::FreedomClass>& cls);
 
 /// Numbering of one system of equations.
@@ -45,7 +45,7 @@ struct DofMap {
   std::int64_t locals = 0;           ///< rows before the first external
   /// Dependent freedoms, which have no row, act on those of their masters; null: there are none, or
   /// they are unknowns of this system like others.
-  std::shared_ptr<const Dependence> ties;
+  std::shared_ptr<const ConstraintTransformation> ties;
 
   [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(freedom.size()); }
   [[nodiscard]] std::int64_t externals() const { return size() - locals; }
@@ -70,7 +70,7 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
 /// [modes, free] that combine rigid_modes; empty when the body is held. A combination counts as
 /// free when its largest held freedom is below 1e-9 of its largest freedom.
 base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
-                        std::span<const Body> pieces, const Dependence& ties,
+                        std::span<const Body> pieces, const ConstraintTransformation& ties,
                         const std::vector<model::FreedomClass>& cls);
 
 } // namespace spricka::fe

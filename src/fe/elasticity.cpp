@@ -3,7 +3,7 @@
 
 namespace spricka::fe {
 
-Lame lame(const model::ElasticMaterial& material, model::StressState state) {
+LameConstants lame_constants(const model::ElasticMaterial& material, model::StressState state) {
   const double E = material.E;
   const double nu = material.nu;
   const double mu = E / (2.0 * (1.0 + nu));

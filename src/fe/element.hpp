@@ -13,9 +13,9 @@ namespace spricka::fe {
 
 /// eps = B u with u by node [components(dim), dim * nodes].
 template <shape::Shape S>
-Eigen::Matrix<double, components(S::dim), S::dim * S::nodes>
+Eigen::Matrix<double, strain_components(S::dim), S::dim * S::nodes>
 strain_matrix(const Gradients<S>& dNdx) {
-  Eigen::Matrix<double, components(S::dim), S::dim * S::nodes> B;
+  Eigen::Matrix<double, strain_components(S::dim), S::dim * S::nodes> B;
   B.setZero();
   for (int i = 0; i < S::nodes; ++i) {
     const int k = S::dim * i;
@@ -23,7 +23,7 @@ strain_matrix(const Gradients<S>& dNdx) {
       B(c, k + c) = dNdx(i, c);
     }
     // Shear rows: xy, then yz and zx in space.
-    for (int row = S::dim; row < components(S::dim); ++row) {
+    for (int row = S::dim; row < strain_components(S::dim); ++row) {
       const int a = row - S::dim;
       const int b = (a + 1) % S::dim;
       B(row, k + a) = dNdx(i, b);
@@ -37,7 +37,7 @@ strain_matrix(const Gradients<S>& dNdx) {
 template <int dim> Strain<dim> strain(const Eigen::Matrix<double, dim, dim>& H) {
   Strain<dim> eps;
   eps.template head<dim>() = H.diagonal();
-  for (int row = dim; row < components(dim); ++row) {
+  for (int row = dim; row < strain_components(dim); ++row) {
     const int a = row - dim;
     const int b = (a + 1) % dim;
     eps[row] = H(a, b) + H(b, a);
@@ -49,7 +49,7 @@ template <int dim> Strain<dim> strain(const Eigen::Matrix<double, dim, dim>& H) 
 template <int dim> Eigen::Matrix<double, dim, dim> stress_tensor(const Strain<dim>& sigma) {
   Eigen::Matrix<double, dim, dim> T;
   T.diagonal() = sigma.template head<dim>();
-  for (int row = dim; row < components(dim); ++row) {
+  for (int row = dim; row < strain_components(dim); ++row) {
     const int a = row - dim;
     const int b = (a + 1) % dim;
     T(a, b) = T(b, a) = sigma[row];
@@ -63,19 +63,20 @@ template <int dim> Eigen::Matrix<double, dim, dim> stress_tensor(const Strain<di
 /// incompressible ones take lambda with the projected dilatation. Compiled
 /// in element_stiffness.cpp for each element.
 template <shape::ElementShape S>
-ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law);
+ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const ConstitutiveLaw& law);
 
 /// Volume change at each point: div u with the hoop strain, or its projection.
 template <shape::Element S> struct VolumeChange {
   S element;
-  const Law& law;
+  const ConstitutiveLaw& law;
   typename Dilatation<S>::Modes projected;
 
-  VolumeChange(const S& element_, const NodeVectors<S>& X, const Law& law_, const NodeVectors<S>& U)
+  VolumeChange(const S& element_, const NodeVectors<S>& X, const ConstitutiveLaw& law_,
+               const NodeVectors<S>& U)
       : element(element_), law(law_) {
     projected.setZero();
     if (law.projected) {
-      projected = Dilatation<S>(element, X, law).of(U);
+      projected = Dilatation<S>(element, X, law).project_volume_change(U);
     }
   }
   [[nodiscard]] double at(const shape::Point<S::dim>& r, double plain) const {
@@ -87,16 +88,17 @@ template <shape::Element S> struct VolumeChange {
 /// J^-1 and F = w T J^-T dN^T no derivative with respect to x is formed at the nodes. Compiled in
 /// element_force.cpp for each element, and for elements known when run.
 template <shape::Element S>
-NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Law& law,
+NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
                              const NodeVectors<S>& U);
 template <shape::ElementShape S>
-NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
+NodeVectors<S> element_force(const NodeVectors<S>& X, const ConstitutiveLaw& law,
+                             const NodeVectors<S>& U) {
   return element_force(S{}, X, law, U);
 }
 
 /// Calls f(type, block) for each run of equal element types in `elements`, in their order.
 template <class F>
-void for_runs(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
+void for_type_runs(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
   std::size_t begin = 0;
   while (begin < elements.size()) {
     const base::ElementType type = mesh.type[elements[begin].index()];
@@ -112,10 +114,11 @@ void for_runs(const model::Mesh& mesh, std::span<const base::ElementId> elements
 /// Calls f(S{}, block) for each run of equal element types in `elements`, in their order; f is a
 /// generic lambda `[&]<shape::ElementShape S>(S, std::span<const base::ElementId> block)`.
 template <class F>
-void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
-  for_runs(mesh, elements, [&](base::ElementType type, std::span<const base::ElementId> block) {
-    shape::with_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
-  });
+void for_shape_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
+  for_type_runs(mesh, elements,
+                [&](base::ElementType type, std::span<const base::ElementId> block) {
+                  shape::with_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
+                });
 }
 
 /// Calls f with the reference element of an element; f is a generic lambda

@@ -4,7 +4,7 @@
 namespace spricka::fe {
 
 template <shape::Element S>
-NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Law& law,
+NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
                              const NodeVectors<S>& U) {
   using Square = Eigen::Matrix<double, S::dim, S::dim>;
   NodeVectors<S> F = NodeVectors<S>::Zero(S::dim, element.nodes);
@@ -36,8 +36,8 @@ NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const La
 }
 
 #define FORCE(S)                                                                                   \
-  template NodeVectors<S> element_force<S>(const S&, const NodeVectors<S>&, const Law&,            \
-                                           const NodeVectors<S>&);
+  template NodeVectors<S> element_force<S>(const S&, const NodeVectors<S>&,                        \
+                                           const ConstitutiveLaw&, const NodeVectors<S>&);
 SPRICKA_EACH_SHAPE(FORCE)
 FORCE(shape::ReferenceElement<2>)
 FORCE(shape::ReferenceElement<3>)

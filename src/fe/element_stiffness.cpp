@@ -17,7 +17,7 @@ template <shape::ElementShape S> struct Moments {
   Square H;
   std::array<Square, dim> L;
 
-  Moments(const NodeVectors<S>& X, const Law& law) {
+  Moments(const NodeVectors<S>& X, const ConstitutiveLaw& law) {
     for (std::size_t p = 0; p < dim; ++p) {
       for (std::size_t q = p; q < dim; ++q) {
         M[p][q].setZero();
@@ -72,7 +72,7 @@ void add_volume_part(const base::Matrix& A, const base::Matrix& B, Eigen::Ref<ba
 } // namespace
 
 template <shape::ElementShape S>
-ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law) {
+ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const ConstitutiveLaw& law) {
   constexpr int dim = S::dim;
   const Moments<S> moments(X, law);
   const auto& M = moments.M;
@@ -111,7 +111,7 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law) {
 }
 
 #define STIFFNESS(S)                                                                               \
-  template ElementMatrix<S> element_stiffness<S>(const NodeVectors<S>&, const Law&);
+  template ElementMatrix<S> element_stiffness<S>(const NodeVectors<S>&, const ConstitutiveLaw&);
 SPRICKA_EACH_SHAPE(STIFFNESS)
 
 } // namespace spricka::fe

@@ -33,14 +33,15 @@ std::size_t corner_count(const model::Mesh& mesh, std::size_t e) {
 }
 
 /// What the patches are made from.
-struct Recovery {
+struct StressRecovery {
   const model::Mesh& mesh;
   model::PropertyPoints points;
   std::vector<StressSample> samples;
   std::vector<std::size_t> first; ///< [element + 1] into samples
   Lists elements;                 ///< of a point, those with a corner there
 
-  explicit Recovery(const model::Mesh& mesh_) : mesh(mesh_), points(model::property_points(mesh_)) {
+  explicit StressRecovery(const model::Mesh& mesh_)
+      : mesh(mesh_), points(model::property_points(mesh_)) {
     elements.first.assign(points.node.size() + 1, 0);
     for_corners([&](std::size_t point, std::size_t /*e*/) { ++elements.first[point + 1]; });
     for (std::size_t p = 0; p < points.node.size(); ++p) {
@@ -81,7 +82,7 @@ template <shape::ElementShape S> shape::Point<S::dim> reference_lengths() {
   return lengths;
 }
 
-void sample(const model::Model& model, const StateField& field, Recovery& recovery) {
+void sample(const model::Model& model, const StateField& field, StressRecovery& recovery) {
   const model::Mesh& mesh = recovery.mesh;
   recovery.first.assign(1, 0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -103,7 +104,7 @@ void sample(const model::Model& model, const StateField& field, Recovery& recove
 /// Collects patches; holds what is needed anew for each.
 class Patches {
 public:
-  explicit Patches(const Recovery& recovery)
+  explicit Patches(const StressRecovery& recovery)
       : r_(recovery), met_(recovery.mesh.element_count(), -1) {}
 
   // Elements round a point; where their samples do not determine the polynomial, as at the
@@ -149,7 +150,7 @@ private:
     }
   }
 
-  const Recovery& r_;
+  const StressRecovery& r_;
   std::vector<std::int64_t> met_; ///< [element] the point whose patch it joined last
   std::vector<std::size_t> elements_;
   std::vector<const StressSample*> samples_;
@@ -157,7 +158,7 @@ private:
 
 // 1/2 s C s: all six components but in plane stress, where zz is zero and the reduced lambda
 // belongs to two directions.
-double complementary_energy(const Stress& s, const Law& law) {
+double complementary_energy(const Stress& s, const ConstitutiveLaw& law) {
   const double directions = law.plane_stress ? 2.0 : 3.0;
   const double trace = s.head<3>().sum();
   const double square = s.head<3>().squaredNorm() + 2.0 * s.tail<3>().squaredNorm();
@@ -169,7 +170,7 @@ double complementary_energy(const Stress& s, const Law& law) {
 
 ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
                              const StateField& field) {
-  Recovery recovery(mesh);
+  StressRecovery recovery(mesh);
   sample(model, field, recovery);
   std::vector<StressPatch> smooth;
   std::vector<std::size_t> patch_of(recovery.points.node.size(), 0); // mid nodes have none
@@ -195,7 +196,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
         const double w = point.weight * at.det * element.law.depth(x.x());
         const CornerValues<S::dim> L = corners.linear_element().N(point.r);
         // s* - s, with s* blended from the polynomials of the corners (fe.37).
-        Stress off = -element.from(at, point.r);
+        Stress off = -element.stress_from_map(at, point.r);
         for (int c = 0; c < corners.corners; ++c) {
           off += L[c] * smooth[patch_of[recovery.point_of(e, static_cast<std::size_t>(c))]].at(x);
         }

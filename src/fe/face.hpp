@@ -16,7 +16,8 @@ namespace spricka::fe {
 inline constexpr int load_degree = 9;
 
 /// Mesh nodes of a side, corners first.
-inline std::vector<base::NodeId> nodes_of_face(const model::Mesh& mesh, const model::Face& face) {
+inline std::vector<base::NodeId> collect_face_nodes(const model::Mesh& mesh,
+                                                    const model::Face& face) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
   std::vector<base::NodeId> result;
   for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
@@ -32,7 +33,7 @@ template <int dim> struct ElementSide {
   SpaceNodes<dim> X; ///< where they are
 
   ElementSide(const model::Mesh& mesh, const model::Face& face)
-      : nodes(nodes_of_face(mesh, face)),
+      : nodes(collect_face_nodes(mesh, face)),
         shape(shape_of(mesh.type[face.element.index()], face.side, nodes.size())),
         X(3, shape.nodes) {
     Eigen::Index i = 0;

@@ -6,7 +6,7 @@
 namespace spricka::fe {
 
 template <int dim>
-shape::Point<dim> into_side(const AnyElement<dim>& side, const shape::Point<dim>& r) {
+shape::Point<dim> clamp_to_side(const AnyElement<dim>& side, const shape::Point<dim>& r) {
   if (side.domain != shape::ReferenceDomain::triangle) {
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
@@ -39,7 +39,7 @@ shape::Point<dim> foot_on_side(const AnyElement<dim>& side, const SpaceNodes<dim
       break; // a side without area
     }
     step *= std::min(1.0, 0.5 / std::max(length, 1e-300));
-    const shape::Point<dim> next = into_side<dim>(side, r + step);
+    const shape::Point<dim> next = clamp_to_side<dim>(side, r + step);
     const double moved = (next - r).norm();
     r = next;
     if (moved <= 1e-15) {
@@ -80,7 +80,7 @@ shape::Point<dim> nearest_on_side(const AnyElement<dim>& side, const SpaceNodes<
 }
 
 #define NEAREST(dim)                                                                               \
-  template shape::Point<dim> into_side<dim>(const AnyElement<dim>&, const shape::Point<dim>&);     \
+  template shape::Point<dim> clamp_to_side<dim>(const AnyElement<dim>&, const shape::Point<dim>&); \
   template shape::Point<dim> nearest_on_side<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,  \
                                                   const base::Vec3&);
 NEAREST(1)

@@ -18,7 +18,7 @@ inline constexpr double inside_of_panel = 1e-6;
 
 // Lagrange's functions of the points of a panel just inside its low end; in reverse order at its
 // high end.
-inline std::array<double, line_points> at_low_end() {
+inline std::array<double, line_points> lagrange_at_low_end() {
   constexpr double end = 2.0 * inside_of_panel - 1.0;
   std::array<double, line_points> values{};
   const auto rule = shape::line_rule(line_degree);
@@ -34,7 +34,7 @@ inline std::array<double, line_points> at_low_end() {
 }
 
 /// Evaluations of a field in an element that no more halves are made after.
-constexpr int most_evaluations_of(int dim) {
+constexpr int evaluation_limit(int dim) {
   return dim == 1 ? 20000 : (dim == 2 ? 40000 : 80000);
 }
 
@@ -52,12 +52,12 @@ Moments<dim> moments_at(const shape::QuadraturePoint<dim>& p, const base::Vec3& 
 }
 
 /// Values of a field at some points.
-struct SeenValues {
+struct ValueRange {
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
   base::Vec3 high = -low;
   double largest = 0.0;
 
-  void add(const base::Vec3& v) {
+  void add_value(const base::Vec3& v) {
     low = low.cwiseMin(v);
     high = high.cwiseMax(v);
     largest = std::max(largest, v.norm());
@@ -73,13 +73,13 @@ struct SeenValues {
 };
 
 /// Of a field at many places: where it is most unlike the others.
-struct Outlier {
+struct FieldOutlier {
   double excess = 0.0; ///< by how much it leaves the values at the points of usual rules
   UnitPoint place{};
 };
 
 /// What a rule by pieces adds up.
-template <int dim> struct LineSums {
+template <int dim> struct LineIntegrals {
   Moments<dim> moments = Moments<dim>::Zero();
   double amount = 0.0; ///< integral of the magnitude
   double missed = 0.0; ///< estimate of the error along the lines
@@ -88,14 +88,14 @@ template <int dim> struct LineSums {
 
 /// Lines through the unit cube in the direction in which the field changes most, each cut at the
 /// jumps of the field and halved where it bends, until two Gauss rules agree.
-template <int dim> class FieldLines {
+template <int dim> class LineQuadrature {
 public:
   /// `room`: error of a panel; `smooth`: nothing can jump or kink.
-  FieldLines(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value, double room,
-             bool smooth, const Outlier& outlier)
+  LineQuadrature(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value, double room,
+                 bool smooth, const FieldOutlier& outlier)
       : domain_(domain), value_(value), room_(room) {
     along_ = dim == 1 ? 0 : steepest(outlier.place);
-    seen_ = SeenValues(); // what the points of no line have seen is not integrated
+    seen_ = ValueRange(); // what the points of no line have seen is not integrated
     // A line sees nothing of a layer that lies between its points.
     const bool hidden = outlier.excess > 0.0;
     const int panels = (hidden ? 16 : (smooth ? 2 : 8)) / (dim == 3 ? 2 : 1);
@@ -108,40 +108,40 @@ public:
     }
   }
 
-  [[nodiscard]] std::size_t along() const { return along_; }
-  [[nodiscard]] const SeenValues& seen() const { return seen_; }
+  [[nodiscard]] std::size_t line_direction() const { return along_; }
+  [[nodiscard]] const ValueRange& value_range() const { return seen_; }
   [[nodiscard]] int evaluations() const { return evaluations_; }
-  [[nodiscard]] bool jumps() const { return jumps_; }
+  [[nodiscard]] bool has_jumps() const { return jumps_; }
 
-  void add(const UnitPoint& line, double weight, LineSums<dim>& sums) {
+  void integrate_line(const UnitPoint& line, double weight, LineIntegrals<dim>& sums) {
     for (std::size_t i = 1; i < ends_.size(); ++i) {
       add_panel(line, weight, panel(line, ends_[i - 1], ends_[i]), 0, sums);
     }
   }
 
 private:
-  static constexpr int most_evaluations = 2 * most_evaluations_of(dim);
+  static constexpr int most_evaluations = 2 * evaluation_limit(dim);
   static constexpr int deepest = 48; ///< halvings of a panel
 
-  struct Sample {
+  struct LineSample {
     double t = 0.0;
     base::Vec3 v = base::Vec3::Zero();
     shape::QuadraturePoint<dim> p;
   };
-  struct Panel {
+  struct LinePanel {
     double low = 0.0, high = 0.0;
-    std::array<Sample, line_points> samples;
-    Sample first, last; ///< at its ends
+    std::array<LineSample, line_points> samples;
+    LineSample first, last; ///< at its ends
     Moments<dim> moments = Moments<dim>::Zero();
     /// By how much the field at an end leaves what the points tell, times the part of the panel
     /// between them.
     double off_low = 0.0, off_high = 0.0;
   };
-  Sample sample(UnitPoint line, double t) {
+  LineSample sample(UnitPoint line, double t) {
     line[along_] = t;
-    Sample s{t, {}, domain_.map(line)};
+    LineSample s{t, {}, domain_.map(line)};
     s.v = value_(s.p.r);
-    seen_.add(s.v);
+    seen_.add_value(s.v);
     ++evaluations_;
     return s;
   }
@@ -178,11 +178,11 @@ private:
     return change;
   }
 
-  Panel panel(const UnitPoint& line, double low, double high) {
-    static const std::array<double, line_points> at_end = at_low_end();
+  LinePanel panel(const UnitPoint& line, double low, double high) {
+    static const std::array<double, line_points> at_end = lagrange_at_low_end();
     constexpr double beyond = 0.07; // so much of a panel lies between an end and the next point
     const double length = high - low;
-    Panel result;
+    LinePanel result;
     result.low = low;
     result.high = high;
     result.first = sample(line, low + inside_of_panel * length);
@@ -191,7 +191,7 @@ private:
     base::Vec3 from_high = -result.last.p.weight * result.last.v;
     std::size_t i = 0;
     for (const auto& [r, weight] : shape::line_rule(line_degree)) {
-      Sample& s = result.samples[i];
+      LineSample& s = result.samples[i];
       s = sample(line, low + 0.5 * length * (1.0 + r[0]));
       from_low += at_end[i] * s.p.weight * s.v;
       from_high += at_end[line_points - 1 - i] * s.p.weight * s.v;
@@ -204,9 +204,9 @@ private:
     return result;
   }
 
-  void keep(const Panel& panel, double weight, LineSums<dim>& sums) {
+  void keep(const LinePanel& panel, double weight, LineIntegrals<dim>& sums) {
     sums.moments += weight * panel.moments;
-    for (const Sample& s : panel.samples) {
+    for (const LineSample& s : panel.samples) {
       sums.points.push_back(s.p);
       sums.points.back().weight *= weight;
       sums.amount += sums.points.back().weight * s.v.norm();
@@ -214,16 +214,16 @@ private:
   }
 
   // A place between samples at which the field jumps; `otherwise` where it does not.
-  double jump_in(const UnitPoint& line, const Panel& whole, const std::array<Panel, 2>& halves,
-                 double otherwise) {
+  double jump_in(const UnitPoint& line, const LinePanel& whole,
+                 const std::array<LinePanel, 2>& halves, double otherwise) {
     constexpr int steps = dim == 3 ? 36 : 50; // to 1e-11 and 1e-15 of a panel
     constexpr int first_steps = 6; // of a field that does not jump little is left after these
     constexpr double stays = 0.3;
-    std::vector<Sample> samples{whole.first, whole.last};
-    for (const Panel* panel : {&whole, halves.data(), &halves[1]}) {
+    std::vector<LineSample> samples{whole.first, whole.last};
+    for (const LinePanel* panel : {&whole, halves.data(), &halves[1]}) {
       samples.insert(samples.end(), panel->samples.begin(), panel->samples.end());
     }
-    std::ranges::sort(samples, {}, &Sample::t);
+    std::ranges::sort(samples, {}, &LineSample::t);
     std::size_t at = 0;
     double most_change = 0.0;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -233,11 +233,11 @@ private:
         most_change = change;
       }
     }
-    Sample low = samples[at];
-    Sample high = samples[at + 1];
+    LineSample low = samples[at];
+    LineSample high = samples[at + 1];
     double change = most_change;
     for (int k = 0; k < steps; ++k) {
-      const Sample middle = sample(line, 0.5 * (low.t + high.t));
+      const LineSample middle = sample(line, 0.5 * (low.t + high.t));
       ((middle.v - low.v).norm() > (high.v - middle.v).norm() ? high : low) = middle;
       change = (high.v - low.v).norm();
       if (k >= first_steps && change < stays * most_change) {
@@ -257,10 +257,10 @@ private:
   }
 
   // Adds a panel, by pieces where its halves differ from it.
-  void add_panel(const UnitPoint& line, double weight, const Panel& whole, int depth,
-                 LineSums<dim>& sums) {
+  void add_panel(const UnitPoint& line, double weight, const LinePanel& whole, int depth,
+                 LineIntegrals<dim>& sums) {
     double cut = 0.5 * (whole.low + whole.high);
-    std::array<Panel, 2> halves{panel(line, whole.low, cut), panel(line, cut, whole.high)};
+    std::array<LinePanel, 2> halves{panel(line, whole.low, cut), panel(line, cut, whole.high)};
     const double off = std::max(whole.off_low, whole.off_high);
     const double error = std::max(
         {(whole.moments - halves[0].moments - halves[1].moments).cwiseAbs().maxCoeff(),
@@ -289,7 +289,7 @@ private:
   double room_;
   std::vector<double> ends_; ///< of the panels of a line to begin with
   std::size_t along_ = 0;
-  SeenValues seen_;
+  ValueRange seen_;
   int evaluations_ = 0;
   bool jumps_ = false;
 };

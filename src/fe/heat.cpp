@@ -23,10 +23,11 @@ constexpr double heat_round_off = 1e-9;
 
 // The function that an element takes, nearest to the temperature at the points: linear in x where
 // it does not hold quadratic functions, else in its reference coordinates (thermal_kernel.hpp).
-CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
-                           std::span<const HeatPoint> points) {
+CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                           const ConstitutiveLaw& law,
+                           std::span<const ResidualTemperaturePoint> points) {
   const Vec2 centre = X.leftCols(element.corners).rowwise().mean();
-  const bool in_x = FreeExpansion::wanted(element, X, law);
+  const bool in_x = FreeExpansion::is_required(element, X, law);
   const auto functions = [&](const Vec2& x, const shape::Point<2>& r) {
     CornerValues<2> f;
     if (in_x) {
@@ -39,7 +40,7 @@ CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>
   const int terms = in_x ? 3 : element.corners;
   base::Matrix G = base::Matrix::Zero(terms, terms);
   base::Vector right = base::Vector::Zero(terms);
-  for (const HeatPoint& p : points) {
+  for (const ResidualTemperaturePoint& p : points) {
     const base::Vector f = functions(X * element.N(p.r), p.r);
     G += p.area * f * f.transpose();
     right += p.area * p.T * f;
@@ -57,50 +58,52 @@ struct RestElement {
   ElementId e;
   const AnyElement<2>& shape;
   AnyNodeVectors<2> X;
-  Law law;
-  std::span<const HeatPoint> points;
+  ConstitutiveLaw law;
+  std::span<const ResidualTemperaturePoint> points;
 };
 
 // Calls use(element) for all elements that have a rest.
 template <class Use>
-void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseHeat& heat, Use&& use) {
+void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseTemperature& heat,
+              Use&& use) {
   for (std::size_t i = 0; i < mesh.element_count() && !heat.first.empty(); ++i) {
     const ElementId e(i);
-    const std::span<const HeatPoint> points = heat.of(e);
+    const std::span<const ResidualTemperaturePoint> points = heat.element_points(e);
     if (points.empty()) {
       continue;
     }
     const AnyElement<2>& shape = shape::reference_element<2>(mesh.type[i]);
-    use(RestElement{e, shape, coordinates(shape, mesh, e), law_of(model, mesh, e), points});
+    use(RestElement{e, shape, coordinates(shape, mesh, e), constitutive_law(model, mesh, e),
+                    points});
   }
 }
 
 void add_points(const model::Model& model, const PatchedMesh& patched, const FieldScale& scale,
-                CaseHeat& heat, Unresolved* missed) {
+                CaseTemperature& heat, UnresolvedLoad* missed) {
   const model::Mesh& mesh = patched.mesh;
   heat.first.assign(1, 0);
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
-    const Law law = law_of(model, mesh, e);
-    if (takes_rest(law, mesh.dim, base::element_info(mesh.type[i]).quadratic) &&
+    const ConstitutiveLaw law = constitutive_law(model, mesh, e);
+    if (has_residual(law, mesh.dim, base::element_info(mesh.type[i]).quadratic) &&
         heat.field.varies(e)) {
       const AnyElement<2>& element = shape::reference_element<2>(mesh.type[i]);
       const AnyNodeVectors<2> X = coordinates(element, mesh, e);
-      SampledHeat sampled =
-          sample_heat(element, X, heat.field, e, scale, corner_at(mesh, e, patched.tips));
-      std::vector<HeatPoint>& points = sampled.points;
+      SampledTemperature sampled = sample_temperature(element, X, heat.field, e, scale,
+                                                      find_tip_corner(mesh, e, patched.tips));
+      std::vector<ResidualTemperaturePoint>& points = sampled.points;
       if (missed != nullptr) {
         missed->add(sampled.missed, sampled.amount, law.thickness);
       }
-      if (sampled.rough) {
-        heat.rough.resize(mesh.element_count(), false);
-        heat.rough[i] = true;
+      if (sampled.discontinuous) {
+        heat.discontinuous.resize(mesh.element_count(), false);
+        heat.discontinuous[i] = true;
       }
       const CornerValues<2> T = nearest_to(element, X, law, points);
       double most = 0.0;
-      for (HeatPoint& p : points) {
+      for (ResidualTemperaturePoint& p : points) {
         // From here on points hold the rest, T - T_e of (fe.39).
-        p.T -= taken_temperature(element, X, law, T, p.r);
+        p.T -= projected_temperature(element, X, law, T, p.r);
         most = std::max(most, std::abs(p.T));
       }
       // Elsewhere the element keeps what element_temperature found, and has no points.
@@ -118,38 +121,39 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
 
 } // namespace
 
-double taken_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
-                         const CornerValues<2>& T, const shape::Point<2>& r) {
-  if (FreeExpansion::wanted(element, X, law)) {
+double projected_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                             const ConstitutiveLaw& law, const CornerValues<2>& T,
+                             const shape::Point<2>& r) {
+  if (FreeExpansion::is_required(element, X, law)) {
     return FreeExpansion(element, X, law, T).temperature(X * element.N(r));
   }
   return T.dot(element.linear_element().N(r));
 }
 
-double unresolved_heat(const model::Model& model, const model::Mesh& mesh,
-                       const model::Load& load) {
-  Unresolved missed;
+double unresolved_temperature(const model::Model& model, const model::Mesh& mesh,
+                              const model::Load& load) {
+  UnresolvedLoad missed;
   if (!is_constant(load)) {
     const model::LoadCase alone{"", {load}};
     if (mesh.dim == 2) {
-      case_heat(model, {mesh, mesh, nullptr, {}}, alone, &missed);
+      make_case_temperature(model, {mesh, mesh, nullptr, {}}, alone, &missed);
     } else {
       element_temperature(model, mesh, alone, &missed);
     }
   }
-  return missed.share();
+  return missed.missed_share();
 }
 
-CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
-                   const model::LoadCase& load_case, Unresolved* missed) {
-  CaseHeat heat;
+CaseTemperature make_case_temperature(const model::Model& model, const PatchedMesh& patched,
+                                      const model::LoadCase& load_case, UnresolvedLoad* missed) {
+  CaseTemperature heat;
   // In the plane points of their own tell whether a temperature jumps.
-  std::vector<bool>* const jumps = patched.mesh.dim == 3 ? &heat.rough : nullptr;
+  std::vector<bool>* const jumps = patched.mesh.dim == 3 ? &heat.discontinuous : nullptr;
   heat.temperature = element_temperature(model, patched.mesh, load_case, missed, jumps);
   if (heat.temperature.size() == 0) {
     return heat;
   }
-  heat.field = HeatField(patched, load_case);
+  heat.field = TemperatureField(patched, load_case);
   // Loads of a case add up in an element, and so do the sizes that they are measured by.
   FieldScale scale;
   for (const model::Load& load : load_case.loads) {
@@ -166,16 +170,16 @@ CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
   return heat;
 }
 
-void add_rest_load(const model::Model& model, const model::Mesh& mesh, const ActingHeat& acting,
-                   base::MaterialId only, base::Vector& f) {
+void add_residual_load(const model::Model& model, const model::Mesh& mesh,
+                       const ScaledTemperature& acting, base::MaterialId only, base::Vector& f) {
   for_rest(model, mesh, *acting.heat, [&](const RestElement& own) {
     if (only.valid() && model.element_property(mesh, own.e).material != only) {
       return;
     }
     AnyNodeVectors<2> F = AnyNodeVectors<2>::Zero(2, own.shape.nodes);
     // (fe.39).
-    const double beta = acting.factor * own.law.thickness * heat_modulus(own.law);
-    for (const HeatPoint& p : own.points) {
+    const double beta = acting.factor * own.law.thickness * thermal_modulus(own.law);
+    for (const ResidualTemperaturePoint& p : own.points) {
       F += (beta * p.area * p.T) * jacobian(own.shape, own.X, p.r).dNdx.transpose();
     }
     Eigen::Index i = 0;
@@ -187,23 +191,23 @@ void add_rest_load(const model::Model& model, const model::Mesh& mesh, const Act
 
 // 1/2 (alpha T)^T D (alpha T) is half of alpha beta T^2 in each heated direction. Of two cases each
 // has its own points, where the other one's rest is what its field leaves.
-void add_rest_energy(const model::Model& model, const model::Mesh& mesh,
-                     std::span<const ActingHeat> acting, const base::Vector& u,
-                     std::vector<double>& energy) {
-  for (const ActingHeat& one : acting) {
+void add_residual_energy(const model::Model& model, const model::Mesh& mesh,
+                         std::span<const ScaledTemperature> acting, const base::Vector& u,
+                         std::vector<double>& energy) {
+  for (const ScaledTemperature& one : acting) {
     for_rest(model, mesh, *one.heat, [&](const RestElement& own) {
       const AnyNodeVectors<2> U = gather(own.shape, mesh, own.e, u);
-      const double beta = one.factor * own.law.thickness * heat_modulus(own.law);
+      const double beta = one.factor * own.law.thickness * thermal_modulus(own.law);
       const double square = 0.5 * own.law.expansion * own.law.heated_directions();
-      for (const HeatPoint& p : own.points) {
+      for (const ResidualTemperaturePoint& p : own.points) {
         const Vec2 x = own.X * own.shape.N(p.r);
         double all = 0.0;
-        for (const ActingHeat& other : acting) {
-          if (!other.heat->of(own.e).empty()) {
+        for (const ScaledTemperature& other : acting) {
+          if (!other.heat->element_points(own.e).empty()) {
             const CornerValues<2> T =
                 corner_temperature(own.shape, mesh, own.e, other.heat->temperature);
             all += other.factor * (other.heat->field(own.e, x) -
-                                   taken_temperature(own.shape, own.X, own.law, T, p.r));
+                                   projected_temperature(own.shape, own.X, own.law, T, p.r));
           }
         }
         const double div =

@@ -14,57 +14,61 @@
 namespace spricka::fe {
 
 /// The stress that a degree takes out, beta of manual fe.21.
-inline double heat_modulus(const Law& law) {
+inline double thermal_modulus(const ConstitutiveLaw& law) {
   return law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu);
 }
 
 /// Temperatures of one load case on a mesh.
-struct CaseHeat {
-  HeatField field;
-  base::Vector temperature;       ///< what elements take [connectivity index]; empty: no heat
-  std::vector<HeatPoint> points;  ///< the rest, by element; plane quadratic elements only
-  std::vector<std::size_t> first; ///< [element + 1] into points; empty: there are none
-  std::vector<bool> rough;        ///< [element] it jumps inside; empty: nowhere
+struct CaseTemperature {
+  TemperatureField field;
+  base::Vector temperature; ///< what elements take [connectivity index]; empty: no heat
+  std::vector<ResidualTemperaturePoint>
+      points;                      ///< the rest, by element; plane quadratic elements only
+  std::vector<std::size_t> first;  ///< [element + 1] into points; empty: there are none
+  std::vector<bool> discontinuous; ///< [element] it jumps inside; empty: nowhere
 
   /// Whether the temperature is known inside an element by the field: it varies there, and does not
   /// jump.
   [[nodiscard]] bool is_known_inside(base::ElementId e) const {
-    return field.varies(e) && (rough.empty() || !rough[e.index()]);
+    return field.varies(e) && (discontinuous.empty() || !discontinuous[e.index()]);
   }
-  [[nodiscard]] std::span<const HeatPoint> of(base::ElementId e) const {
-    return first.empty() ? std::span<const HeatPoint>()
+  [[nodiscard]] std::span<const ResidualTemperaturePoint> element_points(base::ElementId e) const {
+    return first.empty() ? std::span<const ResidualTemperaturePoint>()
                          : std::span(points).subspan(first[e.index()],
                                                      first[e.index() + 1] - first[e.index()]);
   }
 };
 
-struct Unresolved;
+struct UnresolvedLoad;
 
 /// Rules that differ subdivide an element until they agree (heat_points.hpp). What they could not
 /// follow goes to `missed`.
-CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
-                   const model::LoadCase& load_case, Unresolved* missed = nullptr);
+CaseTemperature make_case_temperature(const model::Model& model, const PatchedMesh& patched,
+                                      const model::LoadCase& load_case,
+                                      UnresolvedLoad* missed = nullptr);
 
 /// Part of a temperature's total magnitude that no rule could follow, 1 at most.
-double unresolved_heat(const model::Model& model, const model::Mesh& mesh, const model::Load& load);
+double unresolved_temperature(const model::Model& model, const model::Mesh& mesh,
+                              const model::Load& load);
 
 /// A case with the factor it has.
-struct ActingHeat {
-  const CaseHeat* heat = nullptr;
+struct ScaledTemperature {
+  const CaseTemperature* heat = nullptr;
   double factor = 0.0;
 };
 
 /// What an element takes at a point; X and x belong to r.
-double taken_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
-                         const CornerValues<2>& T, const shape::Point<2>& r);
+double projected_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                             const ConstitutiveLaw& law, const CornerValues<2>& T,
+                             const shape::Point<2>& r);
 
 /// Adds `factor` times the nodal forces of the rest to f [dim * node]; of one material, or all.
-void add_rest_load(const model::Model& model, const model::Mesh& mesh, const ActingHeat& acting,
-                   base::MaterialId only, base::Vector& f);
+void add_residual_load(const model::Model& model, const model::Mesh& mesh,
+                       const ScaledTemperature& acting, base::MaterialId only, base::Vector& f);
 
 /// Adds what the rest makes of the elastic energy of the elements, see add_thermal_energy.
-void add_rest_energy(const model::Model& model, const model::Mesh& mesh,
-                     std::span<const ActingHeat> acting, const base::Vector& u,
-                     std::vector<double>& energy);
+void add_residual_energy(const model::Model& model, const model::Mesh& mesh,
+                         std::span<const ScaledTemperature> acting, const base::Vector& u,
+                         std::vector<double>& energy);
 
 } // namespace spricka::fe

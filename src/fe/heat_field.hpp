@@ -10,10 +10,10 @@
 namespace spricka::fe {
 
 /// Temperature of one load case anywhere in a mesh, whose patches know what host they stand in.
-class HeatField {
+class TemperatureField {
 public:
-  HeatField() = default; ///< of nothing
-  HeatField(const PatchedMesh& patched, const model::LoadCase& load_case);
+  TemperatureField() = default; ///< of nothing
+  TemperatureField(const PatchedMesh& patched, const model::LoadCase& load_case);
 
   [[nodiscard]] bool empty() const { return parts_.empty(); }
   /// Whether an element may be heated at all, by a temperature that may be more than a constant.
@@ -24,19 +24,19 @@ public:
     return (*this)(e, base::Vec3(x.x(), x.y(), 0.0));
   }
   /// Whether the rim of a heated set crosses the patches.
-  [[nodiscard]] bool cut() const;
+  [[nodiscard]] bool cuts_patches() const;
 
 private:
-  struct Part {
+  struct HeatedSet {
     base::CompiledExpression value;
     std::vector<bool> member; ///< [element]
     bool by_place = false;    ///< of new elements the place decides, not the element
   };
   [[nodiscard]] bool acts(std::size_t part, base::ElementId e, const base::Vec3& x) const;
-  std::vector<Part> parts_;
-  std::vector<std::vector<bool>> host_member_; ///< [part][host element], of those by place
-  std::vector<bool> is_new_;                   ///< [element] of a patch
-  std::shared_ptr<const HostPlaces> places_;   ///< in the plane
+  std::vector<HeatedSet> parts_;
+  std::vector<std::vector<bool>> host_member_;      ///< [part][host element], of those by place
+  std::vector<bool> is_new_;                        ///< [element] of a patch
+  std::shared_ptr<const HostElementFinder> places_; ///< in the plane
 };
 
 } // namespace spricka::fe

@@ -11,14 +11,14 @@ namespace spricka::fe {
 namespace {
 
 // Products of a line's rule over a chart.
-std::vector<shape::QuadraturePoint<2>> chart_rule(const Chart& chart, int degree) {
+std::vector<shape::QuadraturePoint<2>> chart_rule(const ReferenceChart& chart, int degree) {
   std::vector<shape::QuadraturePoint<2>> rule;
   for (const auto& p : shape::line_rule(degree)) {
     const double a = 0.5 * (1.0 + p.r[0]);
     for (const auto& q : shape::line_rule(degree)) {
       shape::QuadraturePoint<2>& point = rule.emplace_back();
-      point.r = chart.r(a, 0.5 * (1.0 + q.r[0]));
-      point.weight = 0.25 * p.weight * q.weight * chart.area(a);
+      point.r = chart.reference_point(a, 0.5 * (1.0 + q.r[0]));
+      point.weight = 0.25 * p.weight * q.weight * chart.area_ratio(a);
     }
   }
   return rule;
@@ -26,20 +26,20 @@ std::vector<shape::QuadraturePoint<2>> chart_rule(const Chart& chart, int degree
 
 } // namespace
 
-SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                        const HeatField& field, base::ElementId e, const FieldScale& scale,
-                        int tip) {
+SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                                      const TemperatureField& field, base::ElementId e,
+                                      const FieldScale& scale, int tip) {
   constexpr int usual_degree = 7; // 4 x 4 points
   constexpr int finer_degree = 15;
   const auto value = [&](const shape::Point<2>& r) {
     return base::Vec3(field(e, base::Vec2(X * element.N(r))), 0.0, 0.0);
   };
-  SampledHeat sampled;
-  for (const Chart& chart : charts(element, tip)) {
+  SampledTemperature sampled;
+  for (const ReferenceChart& chart : charts(element, tip)) {
     const auto map = [&](const UnitPoint& t) {
       shape::QuadraturePoint<2> p;
-      p.r = chart.r(t[0], t[1]);
-      p.weight = chart.area(t[0]);
+      p.r = chart.reference_point(t[0], t[1]);
+      p.weight = chart.area_ratio(t[0]);
       return p;
     };
     const auto usual = chart_rule(chart, usual_degree);
@@ -50,7 +50,7 @@ SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X
     double reference_area = 0.0;
     for (const auto& point : rule.points) {
       const double det = Eigen::Matrix2d(X.lazyProduct(element.dN(point.r))).determinant();
-      HeatPoint& at = sampled.points.emplace_back();
+      ResidualTemperaturePoint& at = sampled.points.emplace_back();
       at.element = e;
       at.r = point.r;
       at.area = point.weight * det;
@@ -58,7 +58,7 @@ SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X
       area += point.weight * det;
       reference_area += point.weight;
     }
-    sampled.rough = sampled.rough || rule.jumps;
+    sampled.discontinuous = sampled.discontinuous || rule.jumps;
     sampled.amount += rule.amount * area / reference_area;
     sampled.missed += rule.missed * area / reference_area;
   }

@@ -9,7 +9,7 @@
 namespace spricka::fe {
 
 /// A point of an element, and how far its temperature is from what the element takes.
-struct HeatPoint {
+struct ResidualTemperaturePoint {
   base::ElementId element;
   shape::Point<2> r = shape::Point<2>::Zero();
   double area = 0.0; ///< weight times det J [length^2]
@@ -17,17 +17,17 @@ struct HeatPoint {
 };
 
 /// Points of a temperature inside a plane element, as many as it takes.
-struct SampledHeat {
-  std::vector<HeatPoint> points;
-  bool rough = false;  ///< it jumps inside
-  double amount = 0.0; ///< integral of the magnitude over the element [temperature * area]
-  double missed = 0.0; ///< what of it may be missed
+struct SampledTemperature {
+  std::vector<ResidualTemperaturePoint> points;
+  bool discontinuous = false; ///< it jumps inside
+  double amount = 0.0;        ///< integral of the magnitude over the element [temperature * area]
+  double missed = 0.0;        ///< what of it may be missed
 };
 
 /// By rules that follow the temperature (adaptive_rule.hpp) over charts, into the corner `tip`; -1:
 /// over the whole element.
-SampledHeat sample_heat(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                        const HeatField& field, base::ElementId e, const FieldScale& scale,
-                        int tip);
+SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                                      const TemperatureField& field, base::ElementId e,
+                                      const FieldScale& scale, int tip);
 
 } // namespace spricka::fe

@@ -76,7 +76,7 @@ double distance(const std::vector<Vec2>& outline, const Vec2& p) {
 
 } // namespace
 
-HostPlaces::HostPlaces(const PatchedMesh& patched) {
+HostElementFinder::HostElementFinder(const PatchedMesh& patched) {
   if (patched.host == nullptr) {
     return;
   }
@@ -91,7 +91,7 @@ HostPlaces::HostPlaces(const PatchedMesh& patched) {
       continue;
     }
     taken_.emplace_back(e);
-    Outline outline{outline_of(patched.host_mesh, base::ElementId(e)), {}, {}};
+    HostElementOutline outline{outline_of(patched.host_mesh, base::ElementId(e)), {}, {}};
     outline.low = outline.high = outline.points.front();
     for (const Vec2& p : outline.points) {
       outline.low = outline.low.cwiseMin(p);
@@ -101,9 +101,9 @@ HostPlaces::HostPlaces(const PatchedMesh& patched) {
   }
 }
 
-base::ElementId HostPlaces::at(const Vec2& x) const {
+base::ElementId HostElementFinder::at(const Vec2& x) const {
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    const Outline& outline = outlines_[i];
+    const HostElementOutline& outline = outlines_[i];
     if ((x.array() >= outline.low.array()).all() && (x.array() <= outline.high.array()).all() &&
         is_inside(outline.points, x)) {
       return taken_[i];
@@ -112,7 +112,7 @@ base::ElementId HostPlaces::at(const Vec2& x) const {
   base::ElementId best; // outside all, by round-off or beside a curved side
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    const Outline& outline = outlines_[i];
+    const HostElementOutline& outline = outlines_[i];
     const double away = std::max((outline.low - x).maxCoeff(), (x - outline.high).maxCoeff());
     if (away > least) {
       continue;

@@ -22,21 +22,21 @@ struct PatchedMesh {
 };
 
 /// Finds the element that the host had at a place, among those that were taken.
-class HostPlaces {
+class HostElementFinder {
 public:
-  explicit HostPlaces(const PatchedMesh& patched);
+  explicit HostElementFinder(const PatchedMesh& patched);
   /// Elements of the host that the mesh does not have, ascending.
-  [[nodiscard]] const std::vector<base::ElementId>& taken() const { return taken_; }
+  [[nodiscard]] const std::vector<base::ElementId>& removed_elements() const { return taken_; }
   /// The one that x lies in, or comes nearest to; invalid where nothing was taken.
   [[nodiscard]] base::ElementId at(const base::Vec2& x) const;
 
 private:
-  struct Outline {
+  struct HostElementOutline {
     std::vector<base::Vec2> points; ///< in order round it; curved sides in pieces
     base::Vec2 low, high;
   };
   std::vector<base::ElementId> taken_;
-  std::vector<Outline> outlines_; ///< [taken]
+  std::vector<HostElementOutline> outlines_; ///< [taken]
 };
 
 } // namespace spricka::fe

@@ -35,7 +35,7 @@ template <int dim> using AnyNodeVectors = NodeVectors<AnyElement<dim>>;
 template <int dim>
 using SpaceNodes = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<dim>>;
 /// Coordinates in the plane or in space with three components.
-template <int dim> SpaceNodes<dim> in_space(const AnyNodeVectors<dim>& X) {
+template <int dim> SpaceNodes<dim> space_coordinates(const AnyNodeVectors<dim>& X) {
   SpaceNodes<dim> x = SpaceNodes<dim>::Zero(3, X.cols());
   x.template topRows<dim>() = X;
   return x;
@@ -95,12 +95,13 @@ Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
 /// The rule that an element is integrated with. About an axis the strains of a TRIM3 are not
 /// constant: one point would leave it a second free mode.
 template <shape::Element S>
-std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const S& element, const Law& law) {
+std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const S& element,
+                                                               const ConstitutiveLaw& law) {
   return shape::quadrature<S::dim>(element.domain,
                                    law.axisymmetric ? std::max(element.degree, 2) : element.degree);
 }
 template <shape::ElementShape S>
-std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const Law& law) {
+std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const ConstitutiveLaw& law) {
   return stiffness_rule(S{}, law);
 }
 
@@ -110,7 +111,8 @@ template <class S> struct Hoop {
   double x = 0.0; ///< first coordinate of the point
   NodeValues<S> h;
 
-  Hoop(const S& element, const NodeVectors<S>& X, const Law& law, const shape::Point<S::dim>& r)
+  Hoop(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
+       const shape::Point<S::dim>& r)
       : h(NodeValues<S>::Zero(element.nodes)) {
     if constexpr (S::dim == 2) { // the only ones that turn about an axis
       if (law.axisymmetric) {
@@ -120,7 +122,7 @@ template <class S> struct Hoop {
       }
     }
   }
-  Hoop(const NodeVectors<S>& X, const Law& law, const shape::Point<S::dim>& r)
+  Hoop(const NodeVectors<S>& X, const ConstitutiveLaw& law, const shape::Point<S::dim>& r)
       : Hoop(S{}, X, law, r) {}
 };
 

@@ -5,10 +5,10 @@
 
 namespace spricka::fe {
 
-Law law_of(const model::ElasticMaterial& material, const model::ElementProperty& property,
-           base::ElementType type) {
-  const Lame k = lame(material, property.state);
-  Law law;
+ConstitutiveLaw constitutive_law(const model::ElasticMaterial& material,
+                                 const model::ElementProperty& property, base::ElementType type) {
+  const LameConstants k = lame_constants(material, property.state);
+  ConstitutiveLaw law;
   law.lambda = k.lambda;
   law.mu = k.mu;
   law.plane_stress = property.state == model::StressState::plane_stress;
@@ -21,9 +21,10 @@ Law law_of(const model::ElasticMaterial& material, const model::ElementProperty&
   return law;
 }
 
-Law law_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
-  return law_of(model.element_material(mesh, e), model.element_property(mesh, e),
-                mesh.type[e.index()]);
+ConstitutiveLaw constitutive_law(const model::Model& model, const model::Mesh& mesh,
+                                 base::ElementId e) {
+  return constitutive_law(model.element_material(mesh, e), model.element_property(mesh, e),
+                          mesh.type[e.index()]);
 }
 
 } // namespace spricka::fe

@@ -12,7 +12,7 @@ namespace spricka::fe {
 /// Everything that an element's kernels need of its material and property, as plain numbers.
 /// Axisymmetric bodies have x as radius, y as axis and are whole: a ring of 2 pi x stands behind
 /// each point, and loads and reactions count the full circumference.
-struct Law {
+struct ConstitutiveLaw {
   double lambda = 0.0;       ///< Lame's constants [stress]; in plane stress the reduced lambda
   double mu = 0.0;           ///< shear modulus [stress]
   double thickness = 1.0;    ///< [length]; 1 in space
@@ -33,10 +33,11 @@ struct Law {
 };
 
 /// Law of a property's elements of one type.
-Law law_of(const model::ElasticMaterial& material, const model::ElementProperty& property,
-           base::ElementType type);
+ConstitutiveLaw constitutive_law(const model::ElasticMaterial& material,
+                                 const model::ElementProperty& property, base::ElementType type);
 
 /// Law of the element `e`.
-Law law_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e);
+ConstitutiveLaw constitutive_law(const model::Model& model, const model::Mesh& mesh,
+                                 base::ElementId e);
 
 } // namespace spricka::fe

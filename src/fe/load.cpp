@@ -38,9 +38,9 @@ void add_body_total(const model::Model& model, const model::Mesh& mesh, const mo
   const SetShares shares = set_shares(model, mesh, load.elements);
   for (const base::ElementId e : shares.elements) {
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
-      const ElementShare* share = shares.of(e);
+      const ElementShare* share = shares.find_share(e);
       const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
-      const Law law = law_of(model, mesh, e);
+      const ConstitutiveLaw law = constitutive_law(model, mesh, e);
       typename AnyElement<dim>::Values own = AnyElement<dim>::Values::Zero(element.nodes);
       for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
         const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
@@ -153,12 +153,12 @@ Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
 
 double unresolved_part(const model::Model& model, const model::Mesh& mesh,
                        const model::Load& load) {
-  Unresolved missed;
+  UnresolvedLoad missed;
   if (!is_constant(load)) {
     const auto nothing = [](const auto& /*where*/, std::span<const LoadPoint> /*points*/) {};
     for_load_points(model, mesh, load, {nothing, nothing}, &missed);
   }
-  return missed.share();
+  return missed.missed_share();
 }
 
 Vector prescribed_displacement(const model::Model& /*model*/, const model::Mesh& mesh,

@@ -27,7 +27,7 @@ struct Spread {
   const model::Model& model;
   const model::Mesh& mesh;
   const model::Load& load;
-  Unresolved* missed = nullptr;
+  UnresolvedLoad* missed = nullptr;
 };
 
 void for_face_points(const Spread& spread, const FaceDensity& density, const OnFace& visit) {
@@ -35,12 +35,12 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
   const model::Model& model = spread.model;
   const model::Mesh& mesh = spread.mesh;
   const model::Load& load = spread.load;
-  Unresolved* const missed = spread.missed;
+  UnresolvedLoad* const missed = spread.missed;
   const FieldScale scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
     with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
-      const Law law = law_of(model, mesh, face.element);
+      const ConstitutiveLaw law = constitutive_law(model, mesh, face.element);
       const AdaptedRule<dim> rule = load_rule<dim>(side, X, load, scale);
       points.clear();
       for (const auto& point : rule.points) {
@@ -67,15 +67,15 @@ void for_body_points(const Spread& spread, const BodyDensity& density, const OnB
   const model::Model& model = spread.model;
   const model::Mesh& mesh = spread.mesh;
   const model::Load& load = spread.load;
-  Unresolved* const missed = spread.missed;
+  UnresolvedLoad* const missed = spread.missed;
   const SetShares shares = set_shares(model, mesh, load.elements);
   const FieldScale scale = load_scale(mesh, load, shares.elements);
   std::vector<LoadPoint> points;
   for (const base::ElementId e : shares.elements) {
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
-      const Law law = law_of(model, mesh, e);
-      const ElementShare* share = shares.of(e);
+      const ConstitutiveLaw law = constitutive_law(model, mesh, e);
+      const ElementShare* share = shares.find_share(e);
       const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
       points.clear();
       for (const auto& point : rule.points) {
@@ -132,7 +132,7 @@ void for_total_points(const Spread& spread, const LoadVisit& visit) {
 } // namespace
 
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     const LoadVisit& visit, Unresolved* missed) {
+                     const LoadVisit& visit, UnresolvedLoad* missed) {
   const Spread spread{model, mesh, load, missed};
   switch (load.type) {
   case model::LoadType::resultant:

@@ -12,7 +12,7 @@
 namespace spricka::fe {
 
 /// What rules could not follow of a load, and its magnitude, over all sides or elements.
-struct Unresolved {
+struct UnresolvedLoad {
   double missed = 0.0;
   double amount = 0.0;
 
@@ -21,7 +21,7 @@ struct Unresolved {
     missed += missed_here * unit;
     amount += amount_here * unit;
   }
-  [[nodiscard]] double share() const {
+  [[nodiscard]] double missed_share() const {
     return missed > 0.0 ? missed / std::max(missed, amount) : 0.0;
   }
 };
@@ -43,6 +43,6 @@ struct LoadVisit {
 /// (load_rule); of elements that the rim of a set cuts their share counts (set_shares.hpp). What
 /// the rules could not follow goes to `missed`.
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     const LoadVisit& visit, Unresolved* missed = nullptr);
+                     const LoadVisit& visit, UnresolvedLoad* missed = nullptr);
 
 } // namespace spricka::fe

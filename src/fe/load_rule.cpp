@@ -20,7 +20,7 @@ void with_part(const model::Mesh& mesh, const model::Load& load,
     with_any_side(mesh, mesh.set_with_id(load.faces).faces[part], f);
   } else {
     with_any_element(mesh, elements[part], [&]<int dim>(const AnyElement<dim>& element) {
-      f(element, in_space<dim>(coordinates(element, mesh, elements[part])));
+      f(element, space_coordinates<dim>(coordinates(element, mesh, elements[part])));
     });
   }
 }
@@ -68,7 +68,7 @@ AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>
 
 template <int dim>
 void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                     const model::Load& load, std::vector<LoadPlace>& places) {
+                     const model::Load& load, std::vector<LoadSample>& places) {
   for (const auto& point : load_rule<dim>(element, X, load, {}).points) {
     const Eigen::Matrix<double, 3, dim> J = X.lazyProduct(element.dN(point.r));
     const double size = std::sqrt((J.transpose() * J).determinant());
@@ -76,8 +76,8 @@ void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
   }
 }
 
-std::vector<LoadPlace> load_places(const model::Mesh& mesh, const model::Load& load) {
-  std::vector<LoadPlace> places;
+std::vector<LoadSample> load_places(const model::Mesh& mesh, const model::Load& load) {
+  std::vector<LoadSample> places;
   if (is_constant(load)) {
     return {{base::Vec3::Zero(), 1.0}};
   }
@@ -105,7 +105,7 @@ std::vector<LoadPlace> load_places(const model::Mesh& mesh, const model::Load& l
   template AdaptedRule<dim> load_rule<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,         \
                                            const model::Load&, const FieldScale&);                 \
   template void add_load_places<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,               \
-                                     const model::Load&, std::vector<LoadPlace>&);
+                                     const model::Load&, std::vector<LoadSample>&);
 LOAD_RULE(1)
 LOAD_RULE(2)
 LOAD_RULE(3)

@@ -51,23 +51,23 @@ AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>
 template <int dim>
 AdaptedRule<dim> body_load_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                 const model::Load& load, const FieldScale& scale) {
-  return load_rule<dim>(element, in_space<dim>(X), load, scale);
+  return load_rule<dim>(element, space_coordinates<dim>(X), load, scale);
 }
 
 /// A place that a load is integrated at, and the length, area or volume that it stands for.
-struct LoadPlace {
+struct LoadSample {
   base::Vec3 x = base::Vec3::Zero();
   double size = 0.0;
 };
 
 /// The places of a load of a deck on its mesh: of nodes themselves, with a size of 1; of a constant
 /// load any one.
-std::vector<LoadPlace> load_places(const model::Mesh& mesh, const model::Load& load);
+std::vector<LoadSample> load_places(const model::Mesh& mesh, const model::Load& load);
 
 /// Adds the places of one side or element. Compiled in load_rule.cpp for each dimension.
 template <int dim>
 void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                     const model::Load& load, std::vector<LoadPlace>& places);
+                     const model::Load& load, std::vector<LoadSample>& places);
 
 /// Part of a load's total magnitude that no rule could follow, 1 at most; 0 where all agree to
 /// load_tolerance.

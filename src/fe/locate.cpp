@@ -97,7 +97,7 @@ std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point,
   return hits;
 }
 
-std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<PointHit>& hits) {
+std::vector<PointSide> separate_sides(const model::Mesh& mesh, const std::vector<PointHit>& hits) {
   double least = boundary_tolerance;
   for (const PointHit& hit : hits) {
     least = std::min(least, hit.outside);

@@ -27,7 +27,7 @@ std::vector<PointHit> elements_at(const model::Mesh& mesh, const base::Vec3& poi
 /// Elements at a point that hang together there. Where faces of a crack or two bodies meet there
 /// are several, in mesh order of their first elements.
 using PointSide = std::vector<PointHit>;
-std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<PointHit>& hits);
+std::vector<PointSide> separate_sides(const model::Mesh& mesh, const std::vector<PointHit>& hits);
 
 /// Whether two elements have a node in common.
 bool share_node(const model::Mesh& mesh, base::ElementId a, base::ElementId b);

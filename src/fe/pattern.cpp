@@ -37,7 +37,7 @@ Incidence blocks_of_rows(std::size_t n, const BlockRows& blocks) {
   lists.block.resize(blocks.rows.size());
   std::vector<std::int64_t> next(lists.start.begin(), lists.start.end() - 1);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (const BlockRow& r : blocks.of(b)) {
+    for (const BlockRow& r : blocks.block_rows(b)) {
       const std::int64_t slot = next[static_cast<std::size_t>(r.row)]++;
       lists.block[static_cast<std::size_t>(slot)] = static_cast<std::int32_t>(b);
     }
@@ -64,7 +64,7 @@ base::SymmetricCsc make_pattern(std::int64_t n, const BlockRows& blocks) {
     column.push_back(row);
     for (std::int64_t k = lists.start[i]; k < lists.start[i + 1]; ++k) {
       const auto b = static_cast<std::size_t>(lists.block[static_cast<std::size_t>(k)]);
-      for (const BlockRow& r : blocks.of(b)) {
+      for (const BlockRow& r : blocks.block_rows(b)) {
         if (r.row >= row) {
           break;
         }

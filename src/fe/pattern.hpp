@@ -20,7 +20,7 @@ struct BlockRows {
   std::vector<BlockRow> rows;
 
   [[nodiscard]] std::size_t size() const { return start.size() - 1; }
-  [[nodiscard]] std::span<const BlockRow> of(std::size_t block) const {
+  [[nodiscard]] std::span<const BlockRow> block_rows(std::size_t block) const {
     return {rows.data() + start[block], static_cast<std::size_t>(start[block + 1] - start[block])};
   }
   /// Adds a block; entry k of `system_rows` is the row of its k-th freedom, or negative for none.

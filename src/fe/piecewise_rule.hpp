@@ -12,67 +12,67 @@ template <int dim> class PiecewiseRule {
 public:
   /// `amount`: of the field, by a first look.
   PiecewiseRule(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
-                const AdaptiveSettings& settings, double amount, const Outlier& outlier)
+                const AdaptiveSettings& settings, double amount, const FieldOutlier& outlier)
       : lines_(domain, value, part_of_line * settings.tolerance * amount, settings.smooth, outlier),
         tolerance_(settings.tolerance), least_amount_(amount) {}
 
-  AdaptedRule<dim> run() {
-    std::vector<Split> heap{split(cell({}, {1.0, 1.0, 1.0}))};
+  AdaptedRule<dim> build_rule() {
+    std::vector<SplitCell> heap{split(cell({}, {1.0, 1.0, 1.0}))};
     double error = heap.front().error;
     while (dim > 1 && error > tolerance_ * std::max(amount_of(heap), least_amount_) &&
-           lines_.evaluations() < most_evaluations_of(dim) && std::isfinite(error)) {
+           lines_.evaluations() < evaluation_limit(dim) && std::isfinite(error)) {
       std::ranges::pop_heap(heap, less);
-      Split worst = std::move(heap.back());
+      SplitCell worst = std::move(heap.back());
       heap.pop_back();
-      for (Cell& half : worst.halves) {
+      for (QuadratureCell& half : worst.halves) {
         heap.push_back(split(std::move(half)));
         std::ranges::push_heap(heap, less);
       }
       error = 0.0;
-      for (const Split& s : heap) {
+      for (const SplitCell& s : heap) {
         error += s.error;
       }
     }
     return gather(heap, error);
   }
 
-  [[nodiscard]] const SeenValues& seen() const { return lines_.seen(); }
+  [[nodiscard]] const ValueRange& value_range() const { return lines_.value_range(); }
 
 private:
   static constexpr double part_of_line = 0.1;
   static constexpr int across_degree = dim == 3 ? 5 : line_degree;
 
   /// A part of the directions across.
-  struct Cell {
+  struct QuadratureCell {
     UnitPoint low{}, size{};
-    LineSums<dim> sums;
+    LineIntegrals<dim> sums;
   };
-  struct Split {
-    Cell whole;
-    std::array<Cell, 2> halves;
+  struct SplitCell {
+    QuadratureCell whole;
+    std::array<QuadratureCell, 2> halves;
     double error = 0.0;
   };
-  static bool less(const Split& a, const Split& b) { return a.error < b.error; }
+  static bool less(const SplitCell& a, const SplitCell& b) { return a.error < b.error; }
 
-  Cell cell(const UnitPoint& low, const UnitPoint& size) {
-    Cell result;
+  QuadratureCell cell(const UnitPoint& low, const UnitPoint& size) {
+    QuadratureCell result;
     result.low = low;
     result.size = size;
     if constexpr (dim == 1) {
-      lines_.add({}, 1.0, result.sums);
+      lines_.integrate_line({}, 1.0, result.sums);
     } else {
-      const std::size_t k = (lines_.along() + 1) % dim;
-      const std::size_t l = (lines_.along() + 2) % dim; // in the plane the lines' own
+      const std::size_t k = (lines_.line_direction() + 1) % dim;
+      const std::size_t l = (lines_.line_direction() + 2) % dim; // in the plane the lines' own
       UnitPoint t{};
       for (const auto& p : shape::line_rule(across_degree)) {
         t[k] = low[k] + 0.5 * size[k] * (1.0 + p.r[0]);
         const double weight = 0.5 * size[k] * p.weight;
         if constexpr (dim == 2) {
-          lines_.add(t, weight, result.sums);
+          lines_.integrate_line(t, weight, result.sums);
         } else {
           for (const auto& q : shape::line_rule(across_degree)) {
             t[l] = low[l] + 0.5 * size[l] * (1.0 + q.r[0]);
-            lines_.add(t, 0.5 * size[l] * q.weight * weight, result.sums);
+            lines_.integrate_line(t, 0.5 * size[l] * q.weight * weight, result.sums);
           }
         }
       }
@@ -81,21 +81,21 @@ private:
   }
 
   // Halved across the lines in the direction that changes the integrals most.
-  Split split(Cell whole) {
-    Split result;
+  SplitCell split(QuadratureCell whole) {
+    SplitCell result;
     result.error = -1.0;
     if constexpr (dim == 1) {
       result.error = whole.sums.missed;
     }
     for (std::size_t k = 0; k < dim && dim > 1; ++k) {
-      if (k == lines_.along()) {
+      if (k == lines_.line_direction()) {
         continue;
       }
       UnitPoint size = whole.size;
       size[k] *= 0.5;
       UnitPoint high = whole.low;
       high[k] += size[k];
-      std::array<Cell, 2> halves{cell(whole.low, size), cell(high, size)};
+      std::array<QuadratureCell, 2> halves{cell(whole.low, size), cell(high, size)};
       // Of an error by bends a quarter is left in halves, of one by jumps a half.
       constexpr double left = 0.5;
       const Moments<dim> change =
@@ -111,31 +111,32 @@ private:
     return result;
   }
 
-  static double amount_of(const std::vector<Split>& heap) {
+  static double amount_of(const std::vector<SplitCell>& heap) {
     double amount = 0.0;
-    for (const Split& s : heap) {
+    for (const SplitCell& s : heap) {
       amount += s.whole.sums.amount;
     }
     return amount;
   }
 
-  AdaptedRule<dim> gather(std::vector<Split>& heap, double error) {
+  AdaptedRule<dim> gather(std::vector<SplitCell>& heap, double error) {
     AdaptedRule<dim> rule;
     rule.amount = amount_of(heap);
     const double room = tolerance_ * std::max(rule.amount, least_amount_);
-    for (Split& s : heap) {
+    for (SplitCell& s : heap) {
       const bool agreed = dim == 1 || !(s.error > 0.01 * room);
-      for (Cell* cell : agreed ? std::vector<Cell*>{&s.whole}
-                               : std::vector<Cell*>{s.halves.data(), &s.halves[1]}) {
+      for (QuadratureCell* cell :
+           agreed ? std::vector<QuadratureCell*>{&s.whole}
+                  : std::vector<QuadratureCell*>{s.halves.data(), &s.halves[1]}) {
         rule.points.insert(rule.points.end(), cell->sums.points.begin(), cell->sums.points.end());
       }
     }
     rule.missed = error > room ? error : 0.0;
-    rule.jumps = lines_.jumps();
+    rule.jumps = lines_.has_jumps();
     return rule;
   }
 
-  FieldLines<dim> lines_;
+  LineQuadrature<dim> lines_;
   double tolerance_;
   double least_amount_;
 };

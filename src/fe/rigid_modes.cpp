@@ -62,7 +62,7 @@ void add_ring(const std::vector<base::NodeId>& nodes, Eigen::Ref<base::Vector> m
 
 // What supports and ties forbid, as rows on the modes.
 base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
-                       std::span<const Body> pieces, const Dependence& ties,
+                       std::span<const Body> pieces, const ConstraintTransformation& ties,
                        const std::vector<model::FreedomClass>& cls) {
   std::vector<double> values;
   const auto add = [&](const Eigen::RowVectorXd& row) {
@@ -75,9 +75,9 @@ base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
         const model::FreedomClass k = cls[static_cast<std::size_t>(freedom)];
         if (k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed) {
           add(modes.row(freedom));
-        } else if (const Dependence::Row* row = ties.row_of(freedom)) {
+        } else if (const ConstraintTransformation::DependentRow* row = ties.find_row(freedom)) {
           Eigen::RowVectorXd broken = modes.row(freedom);
-          for (const Term& t : row->terms) {
+          for (const FreedomTerm& t : row->terms) {
             broken -= t.coefficient * modes.row(t.freedom);
           }
           add(broken);
@@ -121,7 +121,7 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
 }
 
 base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
-                        std::span<const Body> pieces, const Dependence& ties,
+                        std::span<const Body> pieces, const ConstraintTransformation& ties,
                         const std::vector<model::FreedomClass>& cls) {
   const Eigen::Index count = modes.cols();
   const base::Matrix A = forbidden(mesh, modes, pieces, ties, cls);

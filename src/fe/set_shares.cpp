@@ -121,15 +121,15 @@ Vec3 common_moments(const std::vector<Triangle>& one, const std::vector<Triangle
   return sum;
 }
 
-struct Box {
+struct PolygonBox {
   Vec2 low, high;
-  explicit Box(const Polygon& polygon) : low(polygon.front()), high(polygon.front()) {
+  explicit PolygonBox(const Polygon& polygon) : low(polygon.front()), high(polygon.front()) {
     for (const Vec2& p : polygon) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
   }
-  [[nodiscard]] bool meets(const Box& other) const {
+  [[nodiscard]] bool meets(const PolygonBox& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
 };
@@ -164,7 +164,7 @@ public:
   [[nodiscard]] std::vector<ElementShare> shares(const std::vector<bool>& member) const;
 
 private:
-  struct Part {
+  struct HostOverlap {
     ElementId host;
     Vec3 moment; ///< of what both have in common
   };
@@ -172,7 +172,7 @@ private:
     ElementId element;
     Vec2 at;
     Eigen::Matrix3d mass;
-    std::vector<Part> parts;
+    std::vector<HostOverlap> parts;
   };
   const model::Mesh& host_;
   const std::vector<ElementId>& replaced_;
@@ -182,7 +182,7 @@ private:
 Overlap::Overlap(const model::Mesh& host, const std::vector<ElementId>& replaced,
                  const model::Mesh& mesh, std::size_t first_fresh)
     : host_(host), replaced_(replaced) {
-  std::vector<Box> boxes;
+  std::vector<PolygonBox> boxes;
   std::vector<std::vector<Triangle>> fans;
   for (const ElementId e : replaced_) {
     const Polygon polygon = outline(host, e);
@@ -192,7 +192,7 @@ Overlap::Overlap(const model::Mesh& host, const std::vector<ElementId>& replaced
   for (std::size_t i = first_fresh; i < mesh.element_count(); ++i) {
     const ElementId e(i);
     const Polygon polygon = outline(mesh, e);
-    const Box box(polygon);
+    const PolygonBox box(polygon);
     const std::vector<Triangle> own = fan(polygon);
     const Vec2 at = centre_of(polygon);
     Fresh found{e, at, mass_of(mesh, e, at), {}};
@@ -219,7 +219,7 @@ std::vector<ElementShare> Overlap::shares(const std::vector<bool>& member) const
   for (const Fresh& f : fresh_) {
     Vec3 in = Vec3::Zero();
     double all = 0.0;
-    for (const Part& part : f.parts) {
+    for (const HostOverlap& part : f.parts) {
       all += part.moment[0];
       if (member[part.host.index()]) {
         in += part.moment;
@@ -279,7 +279,7 @@ Replaced replaced_elements(const model::Mesh& host, const model::Mesh& mesh) {
 
 } // namespace
 
-const ElementShare* SetShares::of(ElementId e) const {
+const ElementShare* SetShares::find_share(ElementId e) const {
   const auto at = std::ranges::lower_bound(cut, e, {}, &ElementShare::element);
   return at != cut.end() && at->element == e ? &*at : nullptr;
 }

@@ -29,7 +29,7 @@ struct SetShares {
   std::vector<ElementShare> cut;         ///< ascending; all others count as a whole
 
   /// Of an element; null: as a whole.
-  [[nodiscard]] const ElementShare* of(base::ElementId e) const;
+  [[nodiscard]] const ElementShare* find_share(base::ElementId e) const;
 };
 
 /// The shares of a set of the deck on `mesh`, the deck's own or one with cracks in it: there new

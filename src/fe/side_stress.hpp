@@ -7,7 +7,7 @@ namespace spricka::fe {
 
 /// Stress on one side of a point: the mean of its elements there in the material of the nearest.
 /// The side is not empty.
-Stress stress_on(const model::Model& model, const model::Mesh& mesh, const StateField& field,
-                 const PointSide& side);
+Stress side_stress(const model::Model& model, const model::Mesh& mesh, const StateField& field,
+                   const PointSide& side);
 
 } // namespace spricka::fe

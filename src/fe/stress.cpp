@@ -24,17 +24,17 @@ std::vector<base::ElementId> all_elements(const model::Mesh& mesh) {
 std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
                                         const StateField& field) {
   std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
-  for_blocks(mesh, all_elements(mesh),
-             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-               for (const base::ElementId e : block) {
-                 const StressElement<S> element(model, mesh, e, field);
-                 const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
-                 for (int i = 0; i < S::nodes; ++i) {
-                   stress[first + static_cast<std::size_t>(i)] =
-                       element.at(shape::node_coordinates<S>(i));
-                 }
-               }
-             });
+  for_shape_blocks(mesh, all_elements(mesh),
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for (const base::ElementId e : block) {
+                       const StressElement<S> element(model, mesh, e, field);
+                       const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
+                       for (int i = 0; i < S::nodes; ++i) {
+                         stress[first + static_cast<std::size_t>(i)] =
+                             element.at(shape::node_coordinates<S>(i));
+                       }
+                     }
+                   });
   return stress;
 }
 
@@ -58,21 +58,21 @@ std::vector<Stress> nodal_stress(const model::Model& /*model*/, const model::Mes
 std::vector<Stress> mean_stress(const model::Model& model, const model::Mesh& mesh,
                                 const StateField& field) {
   std::vector<Stress> mean(mesh.element_count(), Stress::Zero());
-  for_blocks(mesh, all_elements(mesh),
-             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-               for (const base::ElementId e : block) {
-                 const StressElement<S> element(model, mesh, e, field);
-                 double volume = 0.0;
-                 for (const auto& point : stiffness_rule<S>(element.law)) {
-                   const Jacobian<S> at = jacobian<S>(element.X, point.r);
-                   const double x = element.X.row(0) * S::N(point.r);
-                   const double w = point.weight * at.det * element.law.depth(x);
-                   mean[e.index()] += w * element.from(at, point.r);
-                   volume += w;
-                 }
-                 mean[e.index()] /= volume;
-               }
-             });
+  for_shape_blocks(mesh, all_elements(mesh),
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for (const base::ElementId e : block) {
+                       const StressElement<S> element(model, mesh, e, field);
+                       double volume = 0.0;
+                       for (const auto& point : stiffness_rule<S>(element.law)) {
+                         const Jacobian<S> at = jacobian<S>(element.X, point.r);
+                         const double x = element.X.row(0) * S::N(point.r);
+                         const double w = point.weight * at.det * element.law.depth(x);
+                         mean[e.index()] += w * element.stress_from_map(at, point.r);
+                         volume += w;
+                       }
+                       mean[e.index()] /= volume;
+                     }
+                   });
   return mean;
 }
 

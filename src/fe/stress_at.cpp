@@ -50,8 +50,8 @@ std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& me
   return mean_at(model, mesh, field, hits);
 }
 
-Stress stress_on(const model::Model& model, const model::Mesh& mesh, const StateField& field,
-                 const PointSide& side) {
+Stress side_stress(const model::Model& model, const model::Mesh& mesh, const StateField& field,
+                   const PointSide& side) {
   return mean_at(model, mesh, field, side);
 }
 

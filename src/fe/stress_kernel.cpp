@@ -6,14 +6,15 @@ namespace spricka::fe {
 template <shape::ElementShape S>
 StressElement<S>::StressElement(const model::Model& model, const model::Mesh& mesh,
                                 base::ElementId e, const StateField& field)
-    : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), law(law_of(model, mesh, e)),
-      change(S{}, X, law, U),
+    : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)),
+      law(constitutive_law(model, mesh, e)), change(S{}, X, law, U),
       thermal(shape::as_reference_element<S>(), X, law, held_temperature(mesh, e, field)) {}
 
 // In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
 // strain make of it.
 template <shape::ElementShape S>
-Stress StressElement<S>::from(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
+Stress StressElement<S>::stress_from_map(const Jacobian<S>& at,
+                                         const shape::Point<S::dim>& r) const {
   const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
   const double ring = hoop_strain(H, r);
   // (fe.24).
@@ -33,7 +34,8 @@ Stress StressElement<S>::from(const Jacobian<S>& at, const shape::Point<S::dim>&
 template <shape::ElementShape S> Stress StressElement<S>::at(const shape::Point<S::dim>& r) const {
   const Jacobian<S> here = jacobian<S>(X, r);
   const Jacobian<S> centre = jacobian<S>(X, shape::centre<S>());
-  return here.det > 1e-2 * centre.det ? from(here, r) : from(centre, shape::centre<S>());
+  return here.det > 1e-2 * centre.det ? stress_from_map(here, r)
+                                      : stress_from_map(centre, shape::centre<S>());
 }
 
 // What stays of the temperature once bent elements have expanded freely.
@@ -47,7 +49,7 @@ CornerValues<S::dim> StressElement<S>::held_temperature(const model::Mesh& mesh,
   }
   const CornerValues<S::dim> T = corner_temperature(element, mesh, e, *field.temperature);
   if constexpr (S::dim == 2) {
-    if (FreeExpansion::wanted(element, X, law)) {
+    if (FreeExpansion::is_required(element, X, law)) {
       U -= FreeExpansion(element, X, law, T).at_nodes(X);
       return none;
     }

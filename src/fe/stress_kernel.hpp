@@ -9,7 +9,7 @@ namespace spricka::fe {
 template <shape::ElementShape S> struct StressElement {
   NodeVectors<S> X;
   NodeVectors<S> U;
-  Law law;
+  ConstitutiveLaw law;
   VolumeChange<S> change;
   ThermalStress<S::dim> thermal;
 
@@ -19,7 +19,7 @@ template <shape::ElementShape S> struct StressElement {
   StressElement& operator=(const StressElement&) = delete;
 
   /// By the map at r, whose gradients are finite.
-  [[nodiscard]] Stress from(const Jacobian<S>& at, const shape::Point<S::dim>& r) const;
+  [[nodiscard]] Stress stress_from_map(const Jacobian<S>& at, const shape::Point<S::dim>& r) const;
 
   /// Stress at reference coordinates r; where the map is singular or folds over (a corner that
   /// mesh/quality.hpp lets pass), and gradients are without meaning, that of the centre.

@@ -12,10 +12,10 @@ namespace {
 
 // Energy of an element whose thermal strain is held back altogether.
 template <int dim>
-double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X, const Law& law,
-                   const CornerValues<dim>& T) {
+double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                   const ConstitutiveLaw& law, const CornerValues<dim>& T) {
   if constexpr (dim == 2) {
-    if (FreeExpansion::wanted(element, X, law)) {
+    if (FreeExpansion::is_required(element, X, law)) {
       const AnyNodeVectors<2> U = FreeExpansion(element, X, law, T).at_nodes(X);
       return 0.5 * element_force(element, X, law, U).cwiseProduct(U).sum();
     }
@@ -28,7 +28,7 @@ double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
     const auto at = jacobian(element, X, point.r);
     const Hoop<AnyElement<dim>> hoop(element, X, law, point.r);
     const double t = law.expansion * stress.temperature(point.r);
-    const double v = law.expansion * directions * stress.of_volume(point.r);
+    const double v = law.expansion * directions * stress.volumetric_temperature(point.r);
     energy += 0.5 * point.weight * at.det * law.depth(hoop.x) *
               (law.lambda * v * v + 2.0 * law.mu * directions * t * t);
   }
@@ -37,15 +37,15 @@ double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
 
 /// What the rules of a temperature tell of it.
 struct RuleNews {
-  Unresolved missed;
+  UnresolvedLoad missed;
   bool jumps = false; ///< inside the last element
 };
 
 // A temperature as an element takes it, by the usual points where they do it justice.
 template <int dim>
 CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                           const Law& law, const model::Load& load, const FieldScale& scale,
-                           RuleNews& news) {
+                           const ConstitutiveLaw& law, const model::Load& load,
+                           const FieldScale& scale, RuleNews& news) {
   const Temperature<dim> field = [&](const Eigen::Matrix<double, dim, 1>& x) {
     base::Vec3 at = base::Vec3::Zero();
     at.template head<dim>() = x;
@@ -53,7 +53,7 @@ CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<
   };
   const auto usual = stiffness_rule(element, law);
   // Elements that bear the rest at points of their own need no better linear part here (heat.cpp).
-  if (is_constant(load) || takes_rest(law, dim, element.quadratic)) {
+  if (is_constant(load) || has_residual(law, dim, element.quadratic)) {
     return project_temperature<dim>(element, X, law, usual, field);
   }
   const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
@@ -83,12 +83,12 @@ void for_heated(const model::Mesh& mesh, const base::Vector& temperature, Use&& 
 
 } // namespace
 
-bool takes_rest(const Law& law, int dim, bool quadratic) {
+bool has_residual(const ConstitutiveLaw& law, int dim, bool quadratic) {
   return dim == 2 && quadratic && !law.axisymmetric && !law.projected;
 }
 
 base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case, Unresolved* missed,
+                                 const model::LoadCase& load_case, UnresolvedLoad* missed,
                                  std::vector<bool>* jumps) {
   base::Vector temperature;
   RuleNews news;
@@ -103,8 +103,9 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
     const FieldScale scale = load_scale(mesh, load, elements);
     for (const base::ElementId e : elements) {
       with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
-        temperature.segment(mesh.first[e.index()], element.corners) += taken_by<dim>(
-            element, coordinates(element, mesh, e), law_of(model, mesh, e), load, scale, news);
+        temperature.segment(mesh.first[e.index()], element.corners) +=
+            taken_by<dim>(element, coordinates(element, mesh, e), constitutive_law(model, mesh, e),
+                          load, scale, news);
       });
       if (news.jumps && jumps != nullptr) {
         jumps->resize(mesh.element_count(), false);
@@ -125,8 +126,8 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
   for_heated(
       mesh, temperature,
       [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
-        const AnyNodeVectors<dim> F =
-            thermal_forces<dim>(element, coordinates(element, mesh, e), law_of(model, mesh, e), T);
+        const AnyNodeVectors<dim> F = thermal_forces<dim>(element, coordinates(element, mesh, e),
+                                                          constitutive_law(model, mesh, e), T);
         Eigen::Index i = 0;
         for (const base::NodeId n : mesh.element_nodes(e)) {
           f.segment<dim>(dim * static_cast<Eigen::Index>(n.index())) += F.col(i++);
@@ -141,8 +142,8 @@ double thermal_energy(const model::Model& model, const model::Mesh& mesh,
   for_heated(
       mesh, temperature,
       [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
-        energy +=
-            held_energy<dim>(element, coordinates(element, mesh, e), law_of(model, mesh, e), T);
+        energy += held_energy<dim>(element, coordinates(element, mesh, e),
+                                   constitutive_law(model, mesh, e), T);
       });
   return energy;
 }
@@ -154,7 +155,7 @@ void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
       mesh, temperature,
       [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
         const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
-        const Law law = law_of(model, mesh, e);
+        const ConstitutiveLaw law = constitutive_law(model, mesh, e);
         // 1/2 (eps - eps_T) D (eps - eps_T) = 1/2 u K u - u f + 1/2 eps_T D eps_T (fe.27).
         energy[e.index()] +=
             held_energy<dim>(element, X, law, T) -

@@ -8,8 +8,8 @@
 
 namespace spricka::fe {
 
-struct Law;
-struct Unresolved;
+struct ConstitutiveLaw;
+struct UnresolvedLoad;
 
 /// Thermal strain alpha T. A quadratic element's strains are linear, so a temperature that varies
 /// quadratically inside an element would leave stresses that are none: T is projected onto what
@@ -22,11 +22,11 @@ struct Unresolved;
 /// the sum. What rules could not follow of it goes to `missed` and whether it jumps inside an
 /// element to `jumps` [element], but for elements with a rest.
 base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case, Unresolved* missed = nullptr,
+                                 const model::LoadCase& load_case, UnresolvedLoad* missed = nullptr,
                                  std::vector<bool>* jumps = nullptr);
 
 /// Whether the rest of a temperature acts on an element by itself (heat.hpp).
-bool takes_rest(const Law& law, int dim, bool quadratic);
+bool has_residual(const ConstitutiveLaw& law, int dim, bool quadratic);
 
 /// Consistent nodal forces [dim * node] of a temperature field as above: integral of
 /// B^T D alpha T dV.

@@ -28,7 +28,7 @@ bool holds_quadratics(const AnyElement<2>& element, const AnyNodeVectors<2>& X) 
 } // namespace
 
 FreeExpansion::FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                             const Law& law, const CornerValues<2>& T)
+                             const ConstitutiveLaw& law, const CornerValues<2>& T)
     : centre_(X.leftCols(element.corners).rowwise().mean()),
       strain_(law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu) /
               (2.0 * (law.lambda + law.mu))) {
@@ -41,14 +41,14 @@ FreeExpansion::FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<
   plane_ = normal.ldlt().solve(right);
 }
 
-bool FreeExpansion::wanted(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                           const Law& law) {
+bool FreeExpansion::is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                                const ConstitutiveLaw& law) {
   return element.quadratic && !law.axisymmetric && !law.projected && !holds_quadratics(element, X);
 }
 
 base::Vec2 FreeExpansion::displacement(const base::Vec2& x) const {
   const base::Vec2 d = x - centre_;
-  const base::Vec2 g = slope();
+  const base::Vec2 g = temperature_gradient();
   // (fe.38).
   const double square = 0.5 * (d.x() * d.x() - d.y() * d.y());
   const double product = d.x() * d.y();
@@ -58,7 +58,7 @@ base::Vec2 FreeExpansion::displacement(const base::Vec2& x) const {
 
 Eigen::Matrix2d FreeExpansion::gradient(const base::Vec2& x) const {
   const base::Vec2 d = x - centre_;
-  const double turn = slope().y() * d.x() - slope().x() * d.y();
+  const double turn = temperature_gradient().y() * d.x() - temperature_gradient().x() * d.y();
   const double T = temperature(x);
   Eigen::Matrix2d H;
   // The same strain in all directions, no shear, and a rotation.
@@ -75,7 +75,8 @@ AnyNodeVectors<2> FreeExpansion::at_nodes(const AnyNodeVectors<2>& X) const {
 }
 
 template <int dim>
-HeatFunctions<dim>::HeatFunctions(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X)
+TemperatureFunctions<dim>::TemperatureFunctions(const AnyElement<dim>& element,
+                                                const AnyNodeVectors<dim>& X)
     : element_(&element), X_(X) {
   if (bent()) {
     const auto C = X.leftCols(element.corners);
@@ -86,7 +87,8 @@ HeatFunctions<dim>::HeatFunctions(const AnyElement<dim>& element, const AnyNodeV
   }
 }
 
-template <int dim> CornerValues<dim> HeatFunctions<dim>::at(const shape::Point<dim>& r) const {
+template <int dim>
+CornerValues<dim> TemperatureFunctions<dim>::at(const shape::Point<dim>& r) const {
   CornerValues<dim> L = element_->linear_element().N(r);
   if (bent()) {
     // How far a point is from where the corners put it.
@@ -98,8 +100,8 @@ template <int dim> CornerValues<dim> HeatFunctions<dim>::at(const shape::Point<d
 }
 
 template <int dim>
-CornerGradients<dim> HeatFunctions<dim>::gradients(const Eigen::Matrix<double, dim, dim>& J,
-                                                   const shape::Point<dim>& r) const {
+CornerGradients<dim> TemperatureFunctions<dim>::gradients(const Eigen::Matrix<double, dim, dim>& J,
+                                                          const shape::Point<dim>& r) const {
   using Square = Eigen::Matrix<double, dim, dim>;
   const Square inverse = J.inverse();
   CornerGradients<dim> G = element_->linear_element().dN(r).lazyProduct(inverse);
@@ -112,7 +114,7 @@ CornerGradients<dim> HeatFunctions<dim>::gradients(const Eigen::Matrix<double, d
 
 template <int dim>
 ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                  const Law& law, const CornerValues<dim>& T)
+                                  const ConstitutiveLaw& law, const CornerValues<dim>& T)
     : element_(&element), law_(&law), T_(T), cold_((T.array() == 0.0).all()),
       functions_(element, X) {
   using Volume = Dilatation<AnyElement<dim>>;
@@ -131,9 +133,9 @@ ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeV
 
 template <int dim>
 AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                   const Law& law, const CornerValues<dim>& T) {
+                                   const ConstitutiveLaw& law, const CornerValues<dim>& T) {
   if constexpr (dim == 2) {
-    if (FreeExpansion::wanted(element, X, law)) {
+    if (FreeExpansion::is_required(element, X, law)) {
       // F = K_e u_T of (fe.38).
       return element_force(element, X, law, FreeExpansion(element, X, law, T).at_nodes(X));
     }
@@ -162,10 +164,10 @@ using Functions = std::function<CornerValues<dim>(const Eigen::Matrix<double, di
 // a temperature field(x) at the points of a rule.
 template <int dim>
 CornerValues<dim> nearest_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                      const Law& law, const Rule<dim>& rule,
+                                      const ConstitutiveLaw& law, const Rule<dim>& rule,
                                       const Temperature<dim>& field,
                                       const Functions<dim>& functions) {
-  const HeatFunctions<dim> heat(element, X);
+  const TemperatureFunctions<dim> heat(element, X);
   base::Matrix G;
   base::Vector right;
   for (const auto& point : rule) {
@@ -191,7 +193,7 @@ CornerValues<dim> nearest_temperature(const AnyElement<dim>& element, const AnyN
 
 template <int dim>
 CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                      const Law& law,
+                                      const ConstitutiveLaw& law,
                                       std::span<const shape::QuadraturePoint<dim>> rule,
                                       const Temperature<dim>& field) {
   using Place = Eigen::Matrix<double, dim, 1>;
@@ -202,7 +204,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
       return CornerValues<dim>(CornerValues<dim>::Ones(1));
     };
   } else if constexpr (dim == 2) {
-    if (FreeExpansion::wanted(element, X, law)) {
+    if (FreeExpansion::is_required(element, X, law)) {
       const Place centre = X.leftCols(element.corners).rowwise().mean();
       functions = [centre](const Place& x, const CornerValues<2>&) {
         return CornerValues<2>(Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]));
@@ -213,12 +215,13 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
 }
 
 #define THERMAL(dim)                                                                               \
-  template class HeatFunctions<dim>;                                                               \
+  template class TemperatureFunctions<dim>;                                                        \
   template class ThermalStress<dim>;                                                               \
   template AnyNodeVectors<dim> thermal_forces<dim>(                                                \
-      const AnyElement<dim>&, const AnyNodeVectors<dim>&, const Law&, const CornerValues<dim>&);   \
+      const AnyElement<dim>&, const AnyNodeVectors<dim>&, const ConstitutiveLaw&,                  \
+      const CornerValues<dim>&);                                                                   \
   template CornerValues<dim> project_temperature<dim>(                                             \
-      const AnyElement<dim>&, const AnyNodeVectors<dim>&, const Law&,                              \
+      const AnyElement<dim>&, const AnyNodeVectors<dim>&, const ConstitutiveLaw&,                  \
       std::span<const shape::QuadraturePoint<dim>>, const Temperature<dim>&);
 THERMAL(2)
 THERMAL(3)

@@ -31,15 +31,15 @@ class FreeExpansion {
 public:
   FreeExpansion() = default; ///< of nothing
   /// Of corner values that lie on a plane, or of the plane nearest to them.
-  FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X, const Law& law,
-                const CornerValues<2>& T);
+  FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                const ConstitutiveLaw& law, const CornerValues<2>& T);
   /// Whether an element has to take it out beforehand.
-  [[nodiscard]] static bool wanted(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                                   const Law& law);
+  [[nodiscard]] static bool is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                                        const ConstitutiveLaw& law);
   [[nodiscard]] double temperature(const base::Vec2& x) const {
     return plane_[0] + plane_.tail<2>().dot(x - centre_);
   }
-  [[nodiscard]] base::Vec2 slope() const { return plane_.tail<2>(); }
+  [[nodiscard]] base::Vec2 temperature_gradient() const { return plane_.tail<2>(); }
   [[nodiscard]] base::Vec2 displacement(const base::Vec2& x) const;
   [[nodiscard]] Eigen::Matrix2d gradient(const base::Vec2& x) const;
   [[nodiscard]] AnyNodeVectors<2> at_nodes(const AnyNodeVectors<2>& X) const;
@@ -53,9 +53,9 @@ private:
 /// Functions of the corner temperatures of an element: those of its linear relative, in quadratic
 /// solids with what makes a temperature that is linear in x that in the element too, wherever the
 /// nodes of its edges are (manual, fe.40).
-template <int dim> class HeatFunctions {
+template <int dim> class TemperatureFunctions {
 public:
-  HeatFunctions(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X);
+  TemperatureFunctions(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X);
   [[nodiscard]] CornerValues<dim> at(const shape::Point<dim>& r) const;
   /// Their gradients by x; J of the map at r. [corners, dim]
   [[nodiscard]] CornerGradients<dim> gradients(const Eigen::Matrix<double, dim, dim>& J,
@@ -75,29 +75,30 @@ private:
 /// free to expand would keep stresses else.
 template <int dim> class ThermalStress {
 public:
-  ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X, const Law& law,
-                const CornerValues<dim>& T);
+  ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                const ConstitutiveLaw& law, const CornerValues<dim>& T);
   [[nodiscard]] double temperature(const shape::Point<dim>& r) const {
     return cold_ ? 0.0 : T_.dot(functions_.at(r));
   }
   /// The temperature that drives the volume change.
-  [[nodiscard]] double of_volume(const shape::Point<dim>& r) const {
+  [[nodiscard]] double volumetric_temperature(const shape::Point<dim>& r) const {
     return law_->projected && !cold_
                ? Dilatation<AnyElement<dim>>::phi(*element_, r).dot(projected_)
                : temperature(r);
   }
   [[nodiscard]] double at(const shape::Point<dim>& r) const {
     return cold_ ? 0.0
-                 : law_->expansion * (law_->heated_directions() * law_->lambda * of_volume(r) +
-                                      2.0 * law_->mu * temperature(r));
+                 : law_->expansion *
+                       (law_->heated_directions() * law_->lambda * volumetric_temperature(r) +
+                        2.0 * law_->mu * temperature(r));
   }
 
 private:
   const AnyElement<dim>* element_;
-  const Law* law_;
+  const ConstitutiveLaw* law_;
   CornerValues<dim> T_;
   bool cold_; ///< T is zero
-  HeatFunctions<dim> functions_;
+  TemperatureFunctions<dim> functions_;
   typename Dilatation<AnyElement<dim>>::Modes projected_;
 };
 
@@ -108,13 +109,13 @@ template <int dim>
 using Temperature = std::function<double(const Eigen::Matrix<double, dim, 1>& x)>;
 template <int dim>
 CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                      const Law& law,
+                                      const ConstitutiveLaw& law,
                                       std::span<const shape::QuadraturePoint<dim>> rule,
                                       const Temperature<dim>& field);
 
 /// Consistent forces of an element's temperatures.
 template <int dim>
 AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                   const Law& law, const CornerValues<dim>& T);
+                                   const ConstitutiveLaw& law, const CornerValues<dim>& T);
 
 } // namespace spricka::fe

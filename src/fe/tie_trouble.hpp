@@ -8,7 +8,7 @@ namespace spricka::fe {
 enum class TieSeverity { error, warning, note };
 
 /// What is wrong with an entry of Model::mpcs, or worth knowing.
-struct TieTrouble {
+struct TieFailure {
   std::size_t mpc = 0;
   std::string why;
   TieSeverity severity = TieSeverity::error;

@@ -157,7 +157,7 @@ private:
 } // namespace
 
 std::vector<Tie> make_ties(const model::Model& model, const model::Mesh& mesh,
-                           std::vector<TieTrouble>& troubles) {
+                           std::vector<TieFailure>& troubles) {
   std::vector<Tie> ties;
   for (std::size_t m = 0; m < model.mpcs.size(); ++m) {
     if (const auto* given = std::get_if<model::ConstraintEquation>(&model.mpcs[m])) {

@@ -12,6 +12,6 @@ namespace spricka::fe {
 /// side of the fine mesh lies on one master face; one that spans several is warned of. RIGID: all
 /// nodes move as one rigid body with small rotations, given by up to three of its nodes.
 std::vector<Tie> make_ties(const model::Model& model, const model::Mesh& mesh,
-                           std::vector<TieTrouble>& troubles);
+                           std::vector<TieFailure>& troubles);
 
 } // namespace spricka::fe

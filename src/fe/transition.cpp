@@ -37,15 +37,15 @@ struct Hit {
   double size = 1.0;
 };
 
-struct Ball {
+struct FaceBall {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
 };
 
-Ball ball_of(const model::Mesh& mesh, const model::Face& face) {
+FaceBall ball_of(const model::Mesh& mesh, const model::Face& face) {
   const auto nodes = mesh.element_nodes(face.element);
   const auto side = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  Ball ball;
+  FaceBall ball;
   for (const int i : side) {
     ball.centre += mesh.x[nodes[static_cast<std::size_t>(i)].index()];
   }
@@ -92,7 +92,7 @@ std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
 Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
   Hit hit;
   hit.face = face;
-  hit.nodes = nodes_of_face(mesh, face);
+  hit.nodes = collect_face_nodes(mesh, face);
   with_any_side(mesh, face,
                 [&]<int side_dim>(const AnyElement<side_dim>& side, const SpaceNodes<side_dim>& X) {
                   const auto N = side.N(nearest_on_side<side_dim>(side, X, x));
@@ -151,7 +151,7 @@ void add_ties(const model::Mesh& mesh, base::NodeId slave, const Hit& hit, std::
 
 // The master face nearest to a point, at an infinite distance where there is none.
 Hit nearest(const model::Mesh& mesh, const std::vector<model::Face>& faces,
-            const std::vector<Ball>& balls, const Vec3& x) {
+            const std::vector<FaceBall>& balls, const Vec3& x) {
   Hit best;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     // No point of the face is nearer than its ball.
@@ -189,7 +189,8 @@ std::vector<model::Face> slave_sides(const model::Mesh& mesh,
 // A master face that ends where `best` does but hangs together with it in no node: a crack opens
 // there, or two bodies stand side by side.
 std::optional<Hit> across_mouth(const model::Mesh& mesh, const std::vector<model::Face>& faces,
-                                const std::vector<Ball>& balls, const Vec3& x, const Hit& best) {
+                                const std::vector<FaceBall>& balls, const Vec3& x,
+                                const Hit& best) {
   constexpr double same = 1e-9;
   for (std::size_t f = 0; f < faces.size() && mesh.dim == 2; ++f) {
     const double reach = best.distance + same * best.size;
@@ -207,16 +208,16 @@ std::optional<Hit> across_mouth(const model::Mesh& mesh, const std::vector<model
 }
 
 // At a mouth the slave is tied to the faces that its own sides go along.
-struct Along {
+struct SidesAlongFaces {
   bool best = false, other = false;
 };
 
-Along goes_along(const model::Mesh& mesh, const std::vector<model::Face>& sides, base::NodeId slave,
-                 const Hit& best, const Hit& other) {
+SidesAlongFaces goes_along(const model::Mesh& mesh, const std::vector<model::Face>& sides,
+                           base::NodeId slave, const Hit& best, const Hit& other) {
   const Vec3& x = mesh.x[slave.index()];
   const Vec3 to_best = (ball_of(mesh, best.face).centre - x).normalized();
   const Vec3 to_other = (ball_of(mesh, other.face).centre - x).normalized();
-  Along along;
+  SidesAlongFaces along;
   for (const model::Face& side : sides) {
     if (has_node(mesh, side, slave)) {
       const Vec3 way = ball_of(mesh, side).centre - x;
@@ -229,8 +230,8 @@ Along goes_along(const model::Mesh& mesh, const std::vector<model::Face>& sides,
 // Ties at points hand a constant stress over exactly only where meshes nest: a fine side on two
 // coarse faces sends its forces to the wrong nodes of both.
 void warn_of_straddling(const model::Mesh& mesh, const model::TransitionTie& transition,
-                        std::size_t mpc, const std::vector<Ball>& balls,
-                        const std::vector<model::Face>& sides, std::vector<TieTrouble>& troubles) {
+                        std::size_t mpc, const std::vector<FaceBall>& balls,
+                        const std::vector<model::Face>& sides, std::vector<TieFailure>& troubles) {
   const std::vector<model::Face>& faces = mesh.set_with_id(transition.master).faces;
   int count = 0;
   base::ElementId first;
@@ -260,9 +261,9 @@ void warn_of_straddling(const model::Mesh& mesh, const model::TransitionTie& tra
 } // namespace
 
 void add_transition(const model::Mesh& mesh, const model::TransitionTie& transition,
-                    std::size_t mpc, std::vector<Tie>& ties, std::vector<TieTrouble>& troubles) {
+                    std::size_t mpc, std::vector<Tie>& ties, std::vector<TieFailure>& troubles) {
   const std::vector<model::Face>& faces = mesh.set_with_id(transition.master).faces;
-  std::vector<Ball> balls;
+  std::vector<FaceBall> balls;
   balls.reserve(faces.size());
   for (const model::Face& face : faces) {
     balls.push_back(ball_of(mesh, face));
@@ -291,7 +292,8 @@ void add_transition(const model::Mesh& mesh, const model::TransitionTie& transit
       worst_node = slave;
     }
     const std::optional<Hit> other = across_mouth(mesh, faces, balls, x, best);
-    const Along along = other ? goes_along(mesh, sides, slave, best, *other) : Along{true, false};
+    const SidesAlongFaces along =
+        other ? goes_along(mesh, sides, slave, best, *other) : SidesAlongFaces{true, false};
     if (!along.best && !along.other) {
       troubles.push_back({mpc, fmt::format("the master opens at node {}, and no side of the slave "
                                            "there tells to which part it is tied",

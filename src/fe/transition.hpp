@@ -8,6 +8,6 @@ namespace spricka::fe {
 
 /// Ties of one $MPC TYPE=TRANSITION, see make_ties.
 void add_transition(const model::Mesh& mesh, const model::TransitionTie& transition,
-                    std::size_t mpc, std::vector<Tie>& ties, std::vector<TieTrouble>& troubles);
+                    std::size_t mpc, std::vector<Tie>& ties, std::vector<TieFailure>& troubles);
 
 } // namespace spricka::fe

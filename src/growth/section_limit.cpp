@@ -228,12 +228,12 @@ private:
   }
 
   // A dependent node of the cut belongs to where its masters are, and its forces go there.
-  void join_ties(const fe::Dependence& ties) {
+  void join_ties(const fe::ConstraintTransformation& ties) {
     std::vector<bool> of_cut(mesh_.node_count(), false);
     for (const Piece& cut : cuts_) {
       of_cut[groups_.root(cut.node)] = true;
     }
-    for (const fe::Dependence::Row& row : ties.rows()) {
+    for (const fe::ConstraintTransformation::DependentRow& row : ties.rows()) {
       const auto slave = static_cast<std::size_t>(row.freedom / 3);
       const bool joins = of_cut[groups_.root(slave)];
       for (const auto& term : row.terms) {
@@ -348,7 +348,7 @@ double plastic_part(const CutBodies& in, const mesh::Front& front, const base::V
   base::Vector own = base::Vector::Zero(u.size());
   fe::add_internal_force(in.model, in.cracked.mesh, section.below(), u, own);
   base::Matrix f = own;
-  in.ties.reduce(f);
+  in.ties.transfer_to_masters(f);
   SectionLoad load = section.load(f);
   section.complete(load);
   return plastic_part(section.pieces(), load, flow_stress);

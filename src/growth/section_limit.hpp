@@ -33,7 +33,7 @@ double plastic_part(const std::vector<SectionPiece>& section, const SectionLoad&
 struct CutBodies {
   const model::Model& model;
   const mesh::CrackedMesh& cracked;
-  const fe::Dependence& ties;
+  const fe::ConstraintTransformation& ties;
   const std::vector<model::FreedomClass>& cls; ///< [3 * node]
 };
 

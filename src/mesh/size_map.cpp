@@ -37,7 +37,7 @@ SizeMap::SizeMap(std::vector<Wish> wishes) : given_(std::move(wishes)), wishes_(
   level();
 }
 
-SizeMap::Cell SizeMap::cell_of(const Vec2& p) const {
+SizeMap::QuadratureCell SizeMap::cell_of(const Vec2& p) const {
   const Vec2 at = (p - low_) / pitch_;
   const auto clamped = [](double x) {
     return static_cast<int>(std::clamp(std::floor(x), 0.0, along - 1.0));
@@ -62,8 +62,8 @@ void SizeMap::level() {
       continue;
     }
     const double radius = (largest - source.size) / growth;
-    const Cell from = cell_of(source.at - Vec2(radius, radius));
-    const Cell to = cell_of(source.at + Vec2(radius, radius));
+    const QuadratureCell from = cell_of(source.at - Vec2(radius, radius));
+    const QuadratureCell to = cell_of(source.at + Vec2(radius, radius));
     for (int j = from.second; j <= to.second; ++j) {
       for (int i = from.first; i <= to.first; ++i) {
         for (const std::size_t k : in_cell(i, j)) {

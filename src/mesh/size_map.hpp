@@ -29,8 +29,8 @@ public:
   [[nodiscard]] const std::vector<Wish>& given() const { return given_; }
 
 private:
-  using Cell = std::pair<int, int>;
-  [[nodiscard]] Cell cell_of(const base::Vec2& p) const;
+  using QuadratureCell = std::pair<int, int>;
+  [[nodiscard]] QuadratureCell cell_of(const base::Vec2& p) const;
   [[nodiscard]] const std::vector<std::size_t>& in_cell(int i, int j) const;
   void level();
 

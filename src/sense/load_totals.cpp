@@ -100,7 +100,7 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
     return;
   }
   const double missed = load.type == model::LoadType::temperature
-                            ? fe::unresolved_heat(model, mesh, load)
+                            ? fe::unresolved_temperature(model, mesh, load)
                             : fe::unresolved_part(model, mesh, load);
   // Far below what bars of K are; jumps askew in solids and integrable poles are better known.
   constexpr double little = 5e-4;
@@ -118,7 +118,7 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
 void warn_of_lost_displacement(const model::Mesh& mesh, double largest,
                                const model::LoadCase& load_case, const model::Load& load,
                                base::Diagnostics& diagnostics) {
-  const fe::BetweenNodes lost = fe::between_nodes(mesh, load);
+  const fe::InterpolationError lost = fe::interpolation_error(mesh, load);
   constexpr double little = 0.01;
   if (!(lost.off > little * std::max(largest, lost.off))) {
     return;

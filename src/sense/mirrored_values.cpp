@@ -8,7 +8,7 @@
 namespace spricka::sense {
 
 bool mirrored_values(const Mirror& mirror, const model::Load& one, const model::Load& other,
-                     const std::vector<fe::LoadPlace>& places) {
+                     const std::vector<fe::LoadSample>& places) {
   constexpr double round_off = 1e-9;
   if (one.value.size() != other.value.size()) {
     return false;
@@ -18,7 +18,7 @@ bool mirrored_values(const Mirror& mirror, const model::Load& one, const model::
       one.type == model::LoadType::pressure || one.type == model::LoadType::temperature;
   double size = 0.0;
   double off = 0.0;
-  for (const fe::LoadPlace& place : places) {
+  for (const fe::LoadSample& place : places) {
     for (std::size_t c = 0; c < one.value.size(); ++c) {
       const double sign = !scalar && static_cast<int>(c) == mirror.axis ? -1.0 : 1.0;
       const double here = one.value[c](place.x);

@@ -149,11 +149,11 @@ private:
   }
 
   // A place inside each face or element of a load, off its middle, where loads like to jump.
-  [[nodiscard]] std::vector<fe::LoadPlace> places_inside(const model::Load& load) const {
+  [[nodiscard]] std::vector<fe::LoadSample> places_inside(const model::Load& load) const {
     if (load.nodes.valid()) {
       return fe::load_places(mesh_, load);
     }
-    std::vector<fe::LoadPlace> places;
+    std::vector<fe::LoadSample> places;
     const auto add = [&](const auto& nodes) {
       base::Vec3 centre = base::Vec3::Zero();
       for (const base::NodeId n : nodes) {
@@ -174,7 +174,7 @@ private:
   }
 
   // What the rules of a load cost is paid once for all planes.
-  [[nodiscard]] const std::vector<fe::LoadPlace>& integrated_at(const model::Load& load) const {
+  [[nodiscard]] const std::vector<fe::LoadSample>& integrated_at(const model::Load& load) const {
     const auto [at, fresh] = integrated_.try_emplace(&load);
     if (fresh) {
       at->second = fe::load_places(mesh_, load);
@@ -296,7 +296,7 @@ private:
 
   const model::Model& model_;
   const model::Mesh& mesh_;
-  mutable std::map<const model::Load*, std::vector<fe::LoadPlace>> integrated_;
+  mutable std::map<const model::Load*, std::vector<fe::LoadSample>> integrated_;
   std::vector<Places> bodies_; ///< by material, state and thickness
   std::vector<Places> held_;   ///< [direction]
 };

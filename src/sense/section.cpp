@@ -72,7 +72,7 @@ private:
   [[nodiscard]] Flat flat(const model::Face& face) const {
     bool first = true;
     bool last = true;
-    for (const base::NodeId n : fe::nodes_of_face(mesh_, face)) {
+    for (const base::NodeId n : fe::collect_face_nodes(mesh_, face)) {
       const std::size_t i = n.index();
       first = first && first_[i];
       last = last && last_[i];
@@ -148,7 +148,7 @@ private:
     new_node_.assign(mesh_.node_count(), base::NodeId());
     std::vector<bool> used(mesh_.node_count(), false);
     for (const model::Face& face : faces_) {
-      for (const base::NodeId n : fe::nodes_of_face(mesh_, face)) {
+      for (const base::NodeId n : fe::collect_face_nodes(mesh_, face)) {
         used[n.index()] = true;
       }
     }
@@ -161,7 +161,7 @@ private:
     for (const model::Face& face : faces_) {
       const std::size_t e = face.element.index();
       std::vector<base::NodeId> nodes;
-      for (const base::NodeId n : fe::nodes_of_face(mesh_, face)) {
+      for (const base::NodeId n : fe::collect_face_nodes(mesh_, face)) {
         nodes.push_back(new_node_[n.index()]);
       }
       turn_left(nodes, shape::side_corners(mesh_.type[e], face.side));
@@ -227,7 +227,7 @@ private:
     for (const model::Face& face : set.faces) {
       flat_faces = flat_faces || flat(face) != Flat::none;
       over_side(mesh_, face, [&](const Vec3& /*x*/, const Vec3& part) { area += part.norm(); });
-      const std::vector<base::NodeId> nodes = fe::nodes_of_face(mesh_, face);
+      const std::vector<base::NodeId> nodes = fe::collect_face_nodes(mesh_, face);
       const std::size_t corners = shape::side_corners(mesh_.type[face.element.index()], face.side);
       for (std::size_t c = 0; c < corners; ++c) {
         const base::NodeId a = new_node_[nodes[c].index()];

@@ -29,7 +29,7 @@ template <shape::ElementShape S> void measure(model::StressState state) {
   material.nu = 0.3;
   model::ElementProperty property;
   property.state = state;
-  const fe::Law law = fe::law_of(material, property, S::type);
+  const fe::ConstitutiveLaw law = fe::constitutive_law(material, property, S::type);
   fe::NodeVectors<S> X = distorted<S>();
   constexpr int rounds = 20000;
   double best = 1e300;

@@ -15,7 +15,7 @@ void add_element(const fe::AnyElement<dim>& element, const model::Model& model, 
                  const base::Vector& u, const ExactField& exact, ErrorNorms& square) {
   const fe::AnyNodeVectors<dim> X = fe::coordinates(element, model.mesh, e);
   const fe::AnyNodeVectors<dim> U = fe::gather(element, model.mesh, e, u);
-  const fe::Law law = fe::law_of(model, model.mesh, e);
+  const fe::ConstitutiveLaw law = fe::constitutive_law(model, model.mesh, e);
   for (const auto& point : shape::quadrature<dim>(element.domain, dim == 3 ? 7 : 10)) {
     const auto at = fe::jacobian(element, X, point.r);
     base::Vec3 x = base::Vec3::Zero();

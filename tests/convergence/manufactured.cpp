@@ -50,7 +50,7 @@ const ExactField plane_exact{
 // q = ds/dx = (cos x - s) / x the volume change is (s - cos x) sin y and
 //     b_x = -((lambda - mu) sin x + (lambda + 2 mu) q) sin y
 //     b_y = ((lambda + 5 mu) cos x + (mu - lambda) s) cos y.
-std::vector<base::CompiledExpression> plane_force(const fe::Law& k) {
+std::vector<base::CompiledExpression> plane_force(const fe::ConstitutiveLaw& k) {
   Field x = Field(k.mu - k.lambda) * sin(x_field);
   Field y = Field(k.lambda + 5.0 * k.mu) * cos(x_field);
   if (k.axisymmetric) {
@@ -167,7 +167,7 @@ Manufactured manufactured_plane(ElementType type, StressState state, int n) {
   model::Load body;
   body.type = model::LoadType::body;
   body.elements = all_elements(model);
-  body.value = plane_force(fe::law_of(model.materials[0], model.properties[0], type));
+  body.value = plane_force(fe::constitutive_law(model.materials[0], model.properties[0], type));
   model::Load rim;
   rim.type = model::LoadType::displacement;
   rim.nodes = node_set(model, on_rim);
@@ -178,7 +178,7 @@ Manufactured manufactured_plane(ElementType type, StressState state, int n) {
 
 Manufactured manufactured_solid(ElementType type, double nu, const Vec3& a, int n) {
   model::Model model = solid_model(type, nu, n);
-  const fe::Law k = fe::law_of(model.materials[0], model.properties[0], type);
+  const fe::ConstitutiveLaw k = fe::constitutive_law(model.materials[0], model.properties[0], type);
   model::Load body;
   body.type = model::LoadType::body;
   body.elements = all_elements(model);

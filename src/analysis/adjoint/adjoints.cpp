@@ -50,7 +50,7 @@ void Adjoints::condense_rows() {
     layout.columns(nodal, t) = rows_.back();
   }
   by_force_ = intensity_of_forces(model_, scene_).transpose();
-  scene_.ties->reduce(nodal);
+  scene_.ties->transfer_to_masters(nodal);
   for (const BodyNet& body : bodies_) {
     condensed_.push_back(touches(body.body, cracked.mesh.dim, nodal)
                              ? condense_load(body, *scene_.ties, nodal)

@@ -43,8 +43,8 @@ std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
         scene.cls[i] != model::FreedomClass::local && scene.cls[i] != model::FreedomClass::external;
   }
   // Followers are dependent by their class; here come their masters.
-  for (const fe::Dependence::Row& row : scene.ties->rows()) {
-    for (const fe::Term& term : row.terms) {
+  for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {
+    for (const fe::FreedomTerm& term : row.terms) {
       fixed[static_cast<std::size_t>(term.freedom)] = true;
     }
   }

@@ -40,7 +40,7 @@ std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontFields
   std::set<base::NodeId> nodes;
   for (const crack::FrontSide& side : fields.sides) {
     if (side.on == crack::FaceSide::none) {
-      const std::vector<base::NodeId> own = fe::nodes_of_face(mesh, side.face);
+      const std::vector<base::NodeId> own = fe::collect_face_nodes(mesh, side.face);
       nodes.insert(own.begin(), own.end());
     }
   }

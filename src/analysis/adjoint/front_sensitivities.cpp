@@ -122,10 +122,10 @@ void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctiona
   base::Matrix loads = -step.state.internal;
   if (step.state.temperature.size() > 0) {
     loads += estimate::thermal_loads(model_, scene_.cracked.mesh, step.state.temperature);
-    for (const fe::ActingHeat& acting : acting_heat(scene_, step.state.case_factor)) {
+    for (const fe::ScaledTemperature& acting : acting_heat(scene_, step.state.case_factor)) {
       for (std::size_t m = 0; m < model_.materials.size(); ++m) {
         base::Vector f = base::Vector::Zero(loads.rows());
-        fe::add_rest_load(model_, scene_.cracked.mesh, acting, base::MaterialId(m), f);
+        fe::add_residual_load(model_, scene_.cracked.mesh, acting, base::MaterialId(m), f);
         loads.col(static_cast<Eigen::Index>(m)) += f;
       }
     }

@@ -38,7 +38,7 @@ FrozenChange FrozenSystem::change(base::Matrix loads, const base::Matrix& gaps) 
     return out;
   }
   const Eigen::Index columns = loads.cols();
-  scene_.ties->reduce(loads);
+  scene_.ties->transfer_to_masters(loads);
   std::vector<BodyLoad> condensed;
   for (const BodyNet& body : bodies_) {
     condensed.push_back(condense_load(body, *scene_.ties, loads));

@@ -262,14 +262,14 @@ std::vector<bool> tied_nodes(const PartnerSetting& set) {
       }
     }
   }
-  for (const fe::Dependence::Row& row : set.scene.ties->rows()) {
+  for (const fe::ConstraintTransformation::DependentRow& row : set.scene.ties->rows()) {
     // Rims of patches and equations of the deck tie no other body to a side.
     if (row.mpc >= set.model.mpcs.size() ||
         std::holds_alternative<model::ConstraintEquation>(set.model.mpcs[row.mpc])) {
       continue;
     }
     tied[static_cast<std::size_t>(row.freedom) / 2] = true;
-    for (const fe::Term& term : row.terms) {
+    for (const fe::FreedomTerm& term : row.terms) {
       tied[static_cast<std::size_t>(term.freedom) / 2] = true;
     }
   }

@@ -152,10 +152,10 @@ void Sensitivities::add_moduli(const StepState& state,
   base::Matrix loads = -state.internal;
   if (state.temperature.size() > 0) {
     loads += estimate::thermal_loads(model_, scene_.cracked.mesh, state.temperature);
-    for (const fe::ActingHeat& acting : acting_heat(scene_, state.case_factor)) {
+    for (const fe::ScaledTemperature& acting : acting_heat(scene_, state.case_factor)) {
       for (std::size_t m = 0; m < model_.materials.size(); ++m) {
         base::Vector f = base::Vector::Zero(loads.rows());
-        fe::add_rest_load(model_, scene_.cracked.mesh, acting, base::MaterialId(m), f);
+        fe::add_residual_load(model_, scene_.cracked.mesh, acting, base::MaterialId(m), f);
         loads.col(static_cast<Eigen::Index>(m)) += f;
       }
     }
@@ -239,7 +239,7 @@ Rates Sensitivities::all_rates(const StepSolver& solver, const std::vector<KCaus
       nodal.col(static_cast<Eigen::Index>(i)) = causes[i].load;
     }
   }
-  scene_.ties->reduce(nodal);
+  scene_.ties->transfer_to_masters(nodal);
   for (std::size_t b = 0; b < solver.condensed().size(); ++b) {
     base::Matrix load = condense_load(bodies_[solver.condensed()[b]], *scene_.ties, nodal).external;
     // Columns of cases were left zero above: theirs are condensed already.

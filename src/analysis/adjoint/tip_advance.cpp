@@ -99,9 +99,10 @@ void TipAdvance::find_hindrances(const std::vector<bool>& moves) {
   const auto tied = [&](std::int32_t freedom) {
     return moves[static_cast<std::size_t>(freedom / dim)];
   };
-  for (const fe::Dependence::Row& row : scene_.ties->rows()) {
-    tied_ = tied_ || tied(row.freedom) ||
-            std::ranges::any_of(row.terms, [&](const fe::Term& t) { return tied(t.freedom); });
+  for (const fe::ConstraintTransformation::DependentRow& row : scene_.ties->rows()) {
+    tied_ =
+        tied_ || tied(row.freedom) ||
+        std::ranges::any_of(row.terms, [&](const fe::FreedomTerm& t) { return tied(t.freedom); });
   }
 }
 
@@ -147,7 +148,7 @@ void TipAdvance::move_loads(const std::vector<bool>& moves) {
     };
     // Loads are fields in space: nodes that move through them take other parts of them.
     rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
-    const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->rough;
+    const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->discontinuous;
     for (std::size_t e = 0; e < rough.size(); ++e) {
       rough_ = rough_ || (rough[e] &&
                           std::ranges::any_of(scene_.cracked.mesh.element_nodes(base::ElementId(e)),

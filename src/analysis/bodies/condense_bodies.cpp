@@ -185,7 +185,8 @@ bool may_stay_factor(const BodyNet& body) {
   return body.parts.size() == 1 && body.free_modes.cols() == 0 && body.region.map.externals() > 0;
 }
 
-BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal) {
+BodyLoad condense_load(const BodyNet& body, const fe::ConstraintTransformation& ties,
+                       const base::Matrix& nodal) {
   BodyLoad out;
   out.region = rows_of(nodal, body.region.map.freedom);
   const auto add = [&](std::int32_t freedom, double c, const Eigen::RowVectorXd& load) {
@@ -203,12 +204,12 @@ BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const ba
     for (std::size_t i = locals; i < freedom.size(); ++i) {
       const Eigen::RowVectorXd more = condensed.row(static_cast<Eigen::Index>(i - locals)) -
                                       load.row(static_cast<Eigen::Index>(i));
-      const fe::Dependence::Row* tie = ties.row_of(freedom[i]);
+      const fe::ConstraintTransformation::DependentRow* tie = ties.find_row(freedom[i]);
       if (tie == nullptr) {
         add(freedom[i], 1.0, more);
         continue;
       }
-      for (const fe::Term& t : tie->terms) {
+      for (const fe::FreedomTerm& t : tie->terms) {
         add(t.freedom, t.coefficient, more);
       }
     }
@@ -339,7 +340,7 @@ void recover_body(const BodyNet& body, const base::Matrix& u_external, const Bod
   const base::Matrix given = body.parts.empty() ? base::Matrix() : u;
   if (body.region.map.ties) {
     for (Eigen::Index k = 0; k < u.cols(); ++k) {
-      body.region.map.ties->follow(u.col(k), constant);
+      body.region.map.ties->set_dependents(u.col(k), constant);
     }
   }
   for (std::size_t p = 0; p < body.parts.size(); ++p) {
@@ -351,7 +352,7 @@ void recover_body(const BodyNet& body, const base::Matrix& u_external, const Bod
       const auto row = static_cast<Eigen::Index>(i - locals);
       // Externals of the part as the region, and the ties, have moved them.
       rim.row(row) = u.row(freedom[i]);
-      if (body.region.map.ties && body.region.map.ties->row_of(freedom[i]) != nullptr) {
+      if (body.region.map.ties && body.region.map.ties->find_row(freedom[i]) != nullptr) {
         rim.row(row) -= given.row(freedom[i]);
       }
     }

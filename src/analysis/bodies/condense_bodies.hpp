@@ -81,7 +81,7 @@ struct CondenseRequest {
   const model::Model& model;
   const model::Mesh& mesh;
   std::vector<model::FreedomClass> cls; ///< [dim * node], contact nodes external
-  std::shared_ptr<const fe::Dependence> ties;
+  std::shared_ptr<const fe::ConstraintTransformation> ties;
   std::vector<bool> rest_element; ///< [element] belongs to what no crack will touch
   base::Matrix case_load;         ///< [dim * node, case] consistent loads, supports' pull in
   int threads = 1;
@@ -126,7 +126,8 @@ struct BodyLoad {
 };
 /// nodal [dim * node, k], on independent freedoms. Any other linear functional of the displacements
 /// is condensed by the same.
-BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal);
+BodyLoad condense_load(const BodyNet& body, const fe::ConstraintTransformation& ties,
+                       const base::Matrix& nodal);
 
 /// Writes what a load moves in one body into u [dim * node, k]: from its external displacements
 /// [externals, k]. u holds the prescribed displacements; constants of ties count `constant` times.

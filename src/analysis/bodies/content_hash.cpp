@@ -11,10 +11,10 @@ namespace spricka::analysis {
 namespace {
 
 // Whether a tie has a part in a net: others may change and leave its factor as it is.
-bool concerns(const fe::Dependence::Row& row, const std::vector<bool>& has_node, const Net& net,
-              int dim) {
+bool concerns(const fe::ConstraintTransformation::DependentRow& row,
+              const std::vector<bool>& has_node, const Net& net, int dim) {
   const auto slave = static_cast<std::size_t>(row.freedom / dim);
-  return has_node[slave] || std::ranges::any_of(row.terms, [&](const fe::Term& t) {
+  return has_node[slave] || std::ranges::any_of(row.terms, [&](const fe::FreedomTerm& t) {
            return net.map.row[static_cast<std::size_t>(t.freedom)] >= 0;
          });
 }
@@ -41,12 +41,12 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
     }
   }
   if (net.map.ties) {
-    for (const fe::Dependence::Row& row : net.map.ties->rows()) {
+    for (const fe::ConstraintTransformation::DependentRow& row : net.map.ties->rows()) {
       if (!concerns(row, has_node, net, mesh.dim)) {
         continue;
       }
       hash.value(row.freedom);
-      for (const fe::Term& t : row.terms) {
+      for (const fe::FreedomTerm& t : row.terms) {
         // Constants of ties are loads: they change no factor.
         hash.value(t.freedom);
         hash.value(t.coefficient);

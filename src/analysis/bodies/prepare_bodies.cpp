@@ -186,8 +186,8 @@ std::vector<bool> shared_nodes(const CondenseRequest& request,
       }
     }
   }
-  for (const fe::Dependence::Row& row : request.ties->rows()) {
-    for (const fe::Term& t : row.terms) {
+  for (const fe::ConstraintTransformation::DependentRow& row : request.ties->rows()) {
+    for (const fe::FreedomTerm& t : row.terms) {
       shared[static_cast<std::size_t>(t.freedom / mesh.dim)] = true;
     }
   }

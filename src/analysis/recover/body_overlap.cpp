@@ -96,9 +96,9 @@ private:
       }
     }
     const auto dim = static_cast<std::size_t>(mesh_.dim);
-    for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+    for (const fe::ConstraintTransformation::DependentRow& row : scene_.ties->rows()) {
       held_[static_cast<std::size_t>(row.freedom) / dim] = true;
-      for (const fe::Term& term : row.terms) {
+      for (const fe::FreedomTerm& term : row.terms) {
         held_[static_cast<std::size_t>(term.freedom) / dim] = true;
       }
     }

@@ -105,7 +105,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) {
     base::Matrix nodal =
         space ? front_columns(first, most_columns) : functional_columns(first, most_columns);
     // A functional is condensed as a load is (solve.32).
-    scene_.ties->reduce(nodal);
+    scene_.ties->transfer_to_masters(nodal);
     std::vector<base::Matrix> external;
     std::vector<base::Matrix> moved;
     for (const std::size_t b : solver.condensed()) {

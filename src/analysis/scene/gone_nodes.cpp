@@ -50,7 +50,7 @@ std::vector<fe::PointSide> sides_at(const model::Mesh& cracked, const base::Vec3
                                     std::span<const base::ElementId> patch) {
   // Nearly always the patch has the place; the whole mesh is searched only where it has not.
   std::vector<fe::PointHit> hits = fe::elements_at(cracked, x, patch);
-  return fe::sides_of(cracked, hits.empty() ? fe::elements_at(cracked, x) : hits);
+  return fe::separate_sides(cracked, hits.empty() ? fe::elements_at(cracked, x) : hits);
 }
 
 /// Nodes without elements behind those of the host: second sides of gone ones.
@@ -179,7 +179,7 @@ void fill_displacements(const model::Mesh& cracked, const std::vector<GonePlace>
 void fill_stresses(const model::Model& model, const model::Mesh& cracked,
                    const fe::StateField& field, std::vector<fe::Stress>& nodal) {
   for (const GonePlace& place : gone_places(model.mesh, cracked)) {
-    nodal[place.node.index()] = fe::stress_on(model, cracked, field, place.side);
+    nodal[place.node.index()] = fe::side_stress(model, cracked, field, place.side);
   }
 }
 

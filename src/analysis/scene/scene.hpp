@@ -18,7 +18,7 @@
 #include <vector>
 
 namespace spricka::fe {
-struct CaseHeat;
+struct CaseTemperature;
 }
 
 namespace spricka::analysis {
@@ -63,7 +63,7 @@ struct CrackFacePair {
 struct Scene {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
-  std::shared_ptr<const fe::Dependence> ties;
+  std::shared_ptr<const fe::ConstraintTransformation> ties;
   std::vector<model::Contact> contacts; ///< the deck's, then those between faces of cracks
   std::vector<contact::PairRows> pairs; ///< [contact]
   std::vector<std::optional<CrackFacePair>>
@@ -77,7 +77,8 @@ struct Scene {
   base::Matrix case_load;         ///< [dim * node, case] consistent loads
   base::Matrix case_displacement; ///< [dim * node, case] of prescribed freedoms and their followers
   base::Matrix case_temperature;  ///< [connectivity index, case]; empty: no case heats
-  std::vector<std::shared_ptr<const fe::CaseHeat>> case_heat; ///< [case] the same, and the rest
+  std::vector<std::shared_ptr<const fe::CaseTemperature>>
+      case_heat; ///< [case] the same, and the rest
 
   /// Where K of which tip, or point of a front, stands among functionals.
   [[nodiscard]] crack::KLayout k_layout() const {

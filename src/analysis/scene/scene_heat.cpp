@@ -7,8 +7,8 @@
 
 namespace spricka::analysis {
 
-std::shared_ptr<const fe::CaseHeat> heat_of(const model::Model& model, const Scene& scene,
-                                            const model::LoadCase& load_case) {
+std::shared_ptr<const fe::CaseTemperature> heat_of(const model::Model& model, const Scene& scene,
+                                                   const model::LoadCase& load_case) {
   fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, {}};
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;
@@ -16,7 +16,8 @@ std::shared_ptr<const fe::CaseHeat> heat_of(const model::Model& model, const Sce
   for (const mesh::Front& front : scene.cracked.fronts) {
     patched.tips.push_back(front.tip().node);
   }
-  return std::make_shared<const fe::CaseHeat>(fe::case_heat(model, patched, load_case));
+  return std::make_shared<const fe::CaseTemperature>(
+      fe::make_case_temperature(model, patched, load_case));
 }
 
 model::LoadCase without_heat(const model::LoadCase& load_case) {
@@ -27,17 +28,18 @@ model::LoadCase without_heat(const model::LoadCase& load_case) {
 }
 
 base::Vector heat_load(const model::Model& model, const model::Mesh& mesh,
-                       const fe::CaseHeat& heat) {
+                       const fe::CaseTemperature& heat) {
   base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   if (heat.temperature.size() > 0) {
     f = fe::thermal_load(model, mesh, heat.temperature);
-    fe::add_rest_load(model, mesh, {&heat, 1.0}, {}, f);
+    fe::add_residual_load(model, mesh, {&heat, 1.0}, {}, f);
   }
   return f;
 }
 
-std::vector<fe::ActingHeat> acting_heat(const Scene& scene, const base::Vector& case_factor) {
-  std::vector<fe::ActingHeat> acting;
+std::vector<fe::ScaledTemperature> acting_heat(const Scene& scene,
+                                               const base::Vector& case_factor) {
+  std::vector<fe::ScaledTemperature> acting;
   for (std::size_t c = 0; c < scene.case_heat.size(); ++c) {
     const double factor = case_factor[static_cast<Eigen::Index>(c)];
     if (factor != 0.0 && scene.case_heat[c]->temperature.size() > 0) {

@@ -9,17 +9,17 @@
 namespace spricka::analysis {
 
 /// Temperatures of one case on the mesh of a scene.
-std::shared_ptr<const fe::CaseHeat> heat_of(const model::Model& model, const Scene& scene,
-                                            const model::LoadCase& load_case);
+std::shared_ptr<const fe::CaseTemperature> heat_of(const model::Model& model, const Scene& scene,
+                                                   const model::LoadCase& load_case);
 
 /// The case but for its temperatures.
 model::LoadCase without_heat(const model::LoadCase& load_case);
 
 /// All nodal forces of temperatures [dim * node].
 base::Vector heat_load(const model::Model& model, const model::Mesh& mesh,
-                       const fe::CaseHeat& heat);
+                       const fe::CaseTemperature& heat);
 
 /// The cases that heat, with the factors they have.
-std::vector<fe::ActingHeat> acting_heat(const Scene& scene, const base::Vector& case_factor);
+std::vector<fe::ScaledTemperature> acting_heat(const Scene& scene, const base::Vector& case_factor);
 
 } // namespace spricka::analysis

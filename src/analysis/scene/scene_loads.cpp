@@ -27,7 +27,7 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
   }
   const base::Vector f = fe::nodal_load(model, mesh, {"", {load}});
   const std::array<bool, 3> balanced = load.type == model::LoadType::bearing
-                                           ? fe::cuts_by_mirrors(model, mesh, load)
+                                           ? fe::mirror_cut_axes(model, mesh, load)
                                            : std::array<bool, 3>{};
   for (int c = 0; c < mesh.dim && c < static_cast<int>(load.value.size()); ++c) {
     double sum = 0.0;
@@ -67,7 +67,7 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
       }
     }
     scene.case_heat.push_back(heat_of(model, scene, load_case));
-    const fe::CaseHeat& heat = *scene.case_heat.back();
+    const fe::CaseTemperature& heat = *scene.case_heat.back();
     if (heat.temperature.size() > 0) {
       if (scene.case_temperature.size() == 0) {
         scene.case_temperature = base::Matrix::Zero(heat.temperature.size(), columns);
@@ -104,7 +104,7 @@ base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) 
       load.col(c) -= pull;
     }
   }
-  scene.ties->reduce(load);
+  scene.ties->transfer_to_masters(load);
   return load;
 }
 

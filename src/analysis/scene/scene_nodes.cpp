@@ -54,9 +54,9 @@ bool forces_are_taken(const model::Model& model, const Scene& scene,
                       base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<bool> taken = model::nodes_in_use(mesh);
-  for (const fe::Dependence::Row& row : scene.ties->rows()) {
+  for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {
     taken[static_cast<std::size_t>(row.freedom / mesh.dim)] = true;
-    for (const fe::Term& t : row.terms) {
+    for (const fe::FreedomTerm& t : row.terms) {
       taken[static_cast<std::size_t>(t.freedom / mesh.dim)] = true;
     }
   }

@@ -12,7 +12,7 @@ namespace {
 // What contact rows ask of independent freedoms; rows without dependent ones stay as they are.
 void reduce_rows(Scene& scene) {
   const int dim = scene.cracked.mesh.dim;
-  const fe::Dependence& ties = *scene.ties;
+  const fe::ConstraintTransformation& ties = *scene.ties;
   if (ties.rows().empty()) {
     return;
   }
@@ -31,13 +31,14 @@ void reduce_rows(Scene& scene) {
       for (int c = 0; c < dim; ++c) {
         const std::size_t freedom =
             static_cast<std::size_t>(dim) * entry.node.index() + static_cast<std::size_t>(c);
-        const fe::Dependence::Row* tie = ties.row_of(static_cast<std::int32_t>(freedom));
+        const fe::ConstraintTransformation::DependentRow* tie =
+            ties.find_row(static_cast<std::int32_t>(freedom));
         if (tie == nullptr) {
           add(freedom, entry.weight[c]);
           continue;
         }
         follows = true;
-        for (const fe::Term& t : tie->terms) {
+        for (const fe::FreedomTerm& t : tie->terms) {
           add(static_cast<std::size_t>(t.freedom), entry.weight[c] * t.coefficient);
         }
       }

@@ -60,7 +60,7 @@ bool keep_their_nodes(const model::Model& model, const Scene& scene,
   const std::vector<bool> before = model::nodes_in_use(model.mesh);
   const std::vector<bool> now = model::nodes_in_use(mesh);
   for (const fe::Tie& tie : ties) {
-    for (const fe::Term& t : tie.terms) {
+    for (const fe::FreedomTerm& t : tie.terms) {
       const auto n = static_cast<std::size_t>(t.freedom / mesh.dim);
       if (n < before.size() && before[n] && !now[n]) {
         diagnostics.error(
@@ -87,24 +87,25 @@ void warn_once(base::Diagnostics& diagnostics, const base::SourceSpan& span,
 
 } // namespace
 
-void make_external(std::size_t freedom, const fe::Dependence& ties,
+void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
                    std::vector<FreedomClass>& cls) {
   const auto raise = [&](std::size_t f) {
     cls[f] = cls[f] == FreedomClass::local ? FreedomClass::external : cls[f];
   };
   raise(freedom);
-  if (const fe::Dependence::Row* row = ties.row_of(static_cast<std::int32_t>(freedom))) {
-    for (const fe::Term& t : row->terms) {
+  if (const fe::ConstraintTransformation::DependentRow* row =
+          ties.find_row(static_cast<std::int32_t>(freedom))) {
+    for (const fe::FreedomTerm& t : row->terms) {
       raise(static_cast<std::size_t>(t.freedom));
     }
   }
 }
 
 bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
-  std::vector<fe::TieTrouble> troubles;
+  std::vector<fe::TieFailure> troubles;
   std::vector<fe::Tie> ties = fe::make_ties(model, scene.cracked.mesh, troubles);
   bool good = keep_their_nodes(model, scene, ties, diagnostics);
-  for (const fe::TieTrouble& trouble : troubles) {
+  for (const fe::TieFailure& trouble : troubles) {
     if (trouble.severity == fe::TieSeverity::warning) {
       warn_once(diagnostics, span_of(model, trouble.mpc), fmt::format("$MPC: {}", trouble.why));
     } else if (trouble.severity == fe::TieSeverity::error) {
@@ -117,8 +118,8 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
     }
   }
   add_rims(model, scene.cracked, ties);
-  scene.ties = std::make_shared<const fe::Dependence>(ties, scene.cls);
-  for (const fe::Dependence::Row& row : scene.ties->rows()) {
+  scene.ties = std::make_shared<const fe::ConstraintTransformation>(ties, scene.cls);
+  for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {
     const auto freedom = static_cast<std::size_t>(row.freedom);
     // Contact acts on the masters of a freedom that follows them.
     if (scene.cls[freedom] == FreedomClass::external) {
@@ -135,10 +136,10 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
 }
 
 bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
-  const fe::Dependence& ties = *scene.ties;
+  const fe::ConstraintTransformation& ties = *scene.ties;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   bool good = true;
-  for (const fe::Dependence::Demand& demand : ties.demands()) {
+  for (const fe::ConstraintTransformation::FullyGivenTie& demand : ties.fully_given_ties()) {
     std::string why;
     // A tie all of whose freedoms are held asks something of what holds them.
     if (std::abs(demand.rhs) > 1e-9 * demand.scale) {
@@ -147,7 +148,7 @@ bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostic
     for (Eigen::Index c = 0; c < cases && why.empty(); ++c) {
       double sum = 0.0;
       double size = 0.0;
-      for (const fe::Term& t : demand.terms) {
+      for (const fe::FreedomTerm& t : demand.terms) {
         sum += t.coefficient * scene.case_displacement(t.freedom, c);
         size += std::abs(t.coefficient * scene.case_displacement(t.freedom, c));
       }
@@ -170,7 +171,7 @@ bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostic
   }
   for (Eigen::Index c = 0; c < scene.case_displacement.cols(); ++c) {
     // Constants of ties have a column of their own and count in no case.
-    ties.follow(scene.case_displacement.col(c), c < cases ? 0.0 : 1.0);
+    ties.set_dependents(scene.case_displacement.col(c), c < cases ? 0.0 : 1.0);
   }
   return good;
 }

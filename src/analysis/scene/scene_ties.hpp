@@ -12,7 +12,7 @@ namespace spricka::analysis {
 bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics);
 
 /// Makes a freedom external; a dependent one hands this on to its masters.
-void make_external(std::size_t freedom, const fe::Dependence& ties,
+void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
                    std::vector<model::FreedomClass>& cls);
 
 /// Gives dependent freedoms their part of the prescribed displacements and finds ties that

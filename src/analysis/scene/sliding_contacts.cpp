@@ -13,7 +13,8 @@ std::vector<contact::SurfacePoint> independent_points(const Scene& scene,
   std::vector<contact::SurfacePoint> points = contact::surface_points(surface);
   std::erase_if(points, [&](const contact::SurfacePoint& point) {
     for (int c = 0; c < dim; ++c) {
-      if (scene.ties->row_of(static_cast<std::int32_t>(point.node.index()) * dim + c) != nullptr) {
+      if (scene.ties->find_row(static_cast<std::int32_t>(point.node.index()) * dim + c) !=
+          nullptr) {
         return true;
       }
     }

@@ -299,8 +299,8 @@ void StepSolver::balance(StepState& state) const {
   const base::Vector internal = state.internal.rowwise().sum();
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);
-    fe::add_rest_energy(model_, mesh, acting_heat(scene_, factors_.case_factor), state.u,
-                        state.energy);
+    fe::add_residual_energy(model_, mesh, acting_heat(scene_, factors_.case_factor), state.u,
+                            state.energy);
   }
   // Forces on dependent freedoms are their masters' to bear.
   base::Vector open = internal - state.force - state.contact;
@@ -308,7 +308,7 @@ void StepSolver::balance(StepState& state) const {
     open += state.resting;
   }
   base::Matrix out_of_balance = open;
-  scene_.ties->reduce(out_of_balance);
+  scene_.ties->transfer_to_masters(out_of_balance);
   // Held freedoms leave their reaction over; what is left at free ones is the error.
   state.reaction = out_of_balance;
   double left_over = 0.0;
@@ -335,9 +335,9 @@ void StepSolver::balance(StepState& state) const {
 // error of the solution and stays to be seen as such.
 base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
   base::Vector tie = base::Vector::Zero(left_over.size());
-  for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+  for (const fe::ConstraintTransformation::DependentRow& row : scene_.ties->rows()) {
     tie[row.freedom] = left_over[row.freedom];
-    for (const fe::Term& term : row.terms) {
+    for (const fe::FreedomTerm& term : row.terms) {
       tie[term.freedom] = left_over[term.freedom];
     }
   }

@@ -73,7 +73,7 @@ public:
         X_(fe::coordinates(element_, set_.mesh, e)), U_(fe::gather(element_, set_.mesh, e, all.u)) {
     if (all.loads.temperature.size() > 0) {
       T_ = fe::corner_temperature(element_, set_.mesh, e, all.loads.temperature);
-      beta_ = fe::heat_modulus(fe::law_of(set_.model, set_.mesh, e));
+      beta_ = fe::thermal_modulus(fe::constitutive_law(set_.model, set_.mesh, e));
       if (!all.linear) {
         known_ = known_inside();
         heat_.emplace(element_, X_);
@@ -163,15 +163,17 @@ private:
   }
   [[nodiscard]] double temperature(const Vec3& x) const {
     double T = 0.0;
-    for (const fe::ActingHeat& acting : all_.loads.heat) {
+    for (const fe::ScaledTemperature& acting : all_.loads.heat) {
       T += acting.factor * acting.heat->field(e_, x);
     }
     return T;
   }
   // Whether a field acts that varies in the element, and none that jumps.
   [[nodiscard]] bool known_inside() const {
-    const auto varies = [&](const fe::ActingHeat& acting) { return acting.heat->field.varies(e_); };
-    const auto jumps = [&](const fe::ActingHeat& acting) {
+    const auto varies = [&](const fe::ScaledTemperature& acting) {
+      return acting.heat->field.varies(e_);
+    };
+    const auto jumps = [&](const fe::ScaledTemperature& acting) {
       return varies(acting) && !acting.heat->is_known_inside(e_);
     };
     return std::ranges::any_of(all_.loads.heat, varies) &&
@@ -210,7 +212,7 @@ private:
   const fe::AnyElement<3>& element_;
   fe::AnyNodeVectors<3> X_;
   fe::AnyNodeVectors<3> U_;
-  std::optional<fe::HeatFunctions<3>> heat_; ///< where a temperature acts that is not linear
+  std::optional<fe::TemperatureFunctions<3>> heat_; ///< where a temperature acts that is not linear
   fe::CornerValues<3> T_;
   bool known_ = false; ///< the temperature, by its field
   double beta_ = 0.0;

@@ -33,7 +33,7 @@ FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& c
   // Domains stay within one material: any of their elements tells it.
   const base::ElementId near = fields.elements().front();
   const model::ElasticMaterial& material = model.element_material(cracked.mesh, near);
-  const fe::Lame k = fe::lame(material, model::StressState::solid);
+  const fe::LameConstants k = fe::lame_constants(material, model::StressState::solid);
   // Logarithms of distances as a part of the front's length: a shift of the field of the line force
   // along m, which T does not see.
   const double unit = front.curve->length() / static_cast<double>(front.points.size());

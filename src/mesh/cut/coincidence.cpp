@@ -29,8 +29,8 @@ public:
   std::int64_t of(const Vec3& x) {
     // The point met before may stand in the next cell: all cells that a box of `reach_` round x
     // touches are looked into.
-    const Cell low = cell_of(x - Vec3::Constant(reach_));
-    const Cell high = cell_of(x + Vec3::Constant(reach_));
+    const QuadratureCell low = cell_of(x - Vec3::Constant(reach_));
+    const QuadratureCell high = cell_of(x + Vec3::Constant(reach_));
     for (std::int64_t i = low[0]; i <= high[0]; ++i) {
       for (std::int64_t j = low[1]; j <= high[1]; ++j) {
         for (std::int64_t k = low[2]; k <= high[2]; ++k) {
@@ -47,9 +47,9 @@ public:
   }
 
 private:
-  using Cell = std::array<std::int64_t, 3>;
+  using QuadratureCell = std::array<std::int64_t, 3>;
   struct Hash {
-    std::size_t operator()(const Cell& c) const {
+    std::size_t operator()(const QuadratureCell& c) const {
       std::size_t h = 0;
       for (const std::int64_t i : c) {
         h = h * 1000003U + static_cast<std::size_t>(i);
@@ -58,8 +58,8 @@ private:
     }
   };
 
-  [[nodiscard]] Cell cell_of(const Vec3& x) const {
-    Cell cell{};
+  [[nodiscard]] QuadratureCell cell_of(const Vec3& x) const {
+    QuadratureCell cell{};
     for (int c = 0; c < 3; ++c) {
       cell[static_cast<std::size_t>(c)] = static_cast<std::int64_t>(std::floor(x[c] / width_));
     }
@@ -67,7 +67,7 @@ private:
   }
 
   // The point of a cell that stands at x; -1: none.
-  [[nodiscard]] std::int64_t find(const Cell& cell, const Vec3& x) const {
+  [[nodiscard]] std::int64_t find(const QuadratureCell& cell, const Vec3& x) const {
     const auto at = cells_.find(cell);
     if (at != cells_.end()) {
       for (const std::int64_t p : at->second) {
@@ -82,7 +82,7 @@ private:
   double reach_;
   double width_;
   std::vector<Vec3> points_;
-  std::unordered_map<Cell, std::vector<std::int64_t>, Hash> cells_;
+  std::unordered_map<QuadratureCell, std::vector<std::int64_t>, Hash> cells_;
 };
 
 std::vector<NodeId> corners_of(const model::Mesh& mesh, const model::Face& face) {

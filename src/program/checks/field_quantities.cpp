@@ -129,7 +129,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
 double displacement_at(const model::Mesh& mesh, const base::Vector& u, const base::Vec3& x,
                        Eigen::Index axis) {
   constexpr double alike = 1e-4; // of the largest displacement
-  const std::vector<fe::PointSide> sides = fe::sides_of(mesh, fe::elements_at(mesh, x));
+  const std::vector<fe::PointSide> sides = fe::separate_sides(mesh, fe::elements_at(mesh, x));
   if (sides.empty()) {
     throw Missing("the point lies outside the body");
   }

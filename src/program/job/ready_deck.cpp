@@ -45,7 +45,8 @@ void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
     const base::ElementType type = model.mesh.type[e];
     const std::size_t p = model.mesh.property[e].index();
-    if (told[p] || !locks(type) || !fe::law_of(model, model.mesh, base::ElementId(e)).projected) {
+    if (told[p] || !locks(type) ||
+        !fe::constitutive_law(model, model.mesh, base::ElementId(e)).projected) {
       continue;
     }
     told[p] = true;

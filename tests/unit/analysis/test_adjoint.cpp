@@ -57,9 +57,9 @@ base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
       rows.emplace_back(base::Vector::Unit(n, i));
     }
   }
-  for (const fe::Dependence::Row& tie : scene.ties->rows()) {
+  for (const fe::ConstraintTransformation::DependentRow& tie : scene.ties->rows()) {
     base::Vector& row = rows.emplace_back(base::Vector::Unit(n, tie.freedom));
-    for (const fe::Term& term : tie.terms) {
+    for (const fe::FreedomTerm& term : tie.terms) {
       row[term.freedom] -= term.coefficient;
     }
   }

@@ -58,7 +58,7 @@ struct HalfBar : testing::Test {
   [[nodiscard]] analysis::HashKey tied(double slave, double master, double coefficient) const {
     analysis::Net own = net;
     const std::vector<fe::Tie> ties{{{{at(slave), 1.0}, {at(master), -coefficient}}}};
-    own.map.ties = std::make_shared<const fe::Dependence>(ties, free());
+    own.map.ties = std::make_shared<const fe::ConstraintTransformation>(ties, free());
     return analysis::hash_net(model, model.mesh, own, {});
   }
 };

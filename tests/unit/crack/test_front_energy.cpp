@@ -109,7 +109,7 @@ private:
     const fe::AnyNodeVectors<3> U = fe::gather(shape, mesh, e, u);
     const fe::Elasticity<3> D =
         fe::elasticity<3>(tube_.model.materials[0], model::StressState::solid);
-    const double beta = fe::heat_modulus(fe::law_of(tube_.model, mesh, e));
+    const double beta = fe::thermal_modulus(fe::constitutive_law(tube_.model, mesh, e));
     double sum = 0.0;
     const auto known = degree_.find(e); // that of the nodal forces, so that they are its slopes
     const int degree = known == degree_.end() ? 9 : known->second;

@@ -24,7 +24,8 @@ constexpr double mu = 1000.0 / 2.6; // of the tubes' material
 constexpr std::array<double, 3> K_given{3.0, -1.25, 2.0};
 
 crack::FrontBody body_of(const Tube& tube) {
-  const fe::Lame k = fe::lame(tube.model.materials[0], model::StressState::solid);
+  const fe::LameConstants k =
+      fe::lame_constants(tube.model.materials[0], model::StressState::solid);
   return {k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
 }
 

@@ -90,7 +90,8 @@ TEST_F(RuledBend, IsFinerTowardsTheCentresOfCurvature) {
 // the 30 % by which these elements miss K2 and K3 here, and 0.8 % if the centres did not count.
 TEST_F(RuledBend, FinerRulesLeaveKAlone) {
   const crack::FrontAxes axes(*tube.front().curve);
-  const fe::Lame k = fe::lame(tube.model.materials[0], model::StressState::solid);
+  const fe::LameConstants k =
+      fe::lame_constants(tube.model.materials[0], model::StressState::solid);
   const crack::FrontBody body{k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
   const base::Vector u = tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
     const crack::FrontPlace at = axes.place(x, side);

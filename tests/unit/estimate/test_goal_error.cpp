@@ -29,7 +29,7 @@ struct Strip {
   std::vector<crack::ExtensionField> fields;
   std::vector<model::FreedomClass> cls;
   fe::DofMap map;
-  fe::Dependence ties{{}, {}};
+  fe::ConstraintTransformation ties{{}, {}};
   base::Matrix K;
 
   explicit Strip(base::ElementType type, double turn = 0.0, double unit = 1.0,

@@ -203,7 +203,7 @@ TYPED_TEST(CubicModes, HaveTheSameStiffnessInTheFrameOfAStraightSide) {
   spec.size = {1.3, 0.8, 1.0};
   mesh::generate_block(mesh, base::NetId(std::size_t{0}), "", spec);
   const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, base::ElementId(std::size_t{0}));
-  fe::Law law;
+  fe::ConstitutiveLaw law;
   law.lambda = 3.0;
   law.mu = 2.0;
   law.thickness = 0.7;

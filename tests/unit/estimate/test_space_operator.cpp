@@ -62,7 +62,7 @@ struct Block {
     numbers = number_modes(model.mesh,
                            std::vector<model::FreedomClass>(static_cast<std::size_t>(nodal()),
                                                             model::FreedomClass::local),
-                           fe::Dependence({}, {}));
+                           fe::ConstraintTransformation({}, {}));
   }
 
   [[nodiscard]] Eigen::Index nodal() const {
@@ -98,7 +98,7 @@ private:
       sign.push_back(numbers.sign[m]);
     }
     const fe::AnyNodeVectors<3> X = fe::coordinates(element, model.mesh, e);
-    const fe::Law law = fe::law_of(model, model.mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(model, model.mesh, e);
     const int degree = type == ElementType::tet10 ? 5 : 7;
     for (const auto& point : shape::quadrature<3>(element.domain, degree)) {
       const fe::AnyElement<3>::Derivatives dN = element.dN(point.r);

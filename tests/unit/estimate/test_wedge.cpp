@@ -14,8 +14,8 @@ using estimate::Wedge;
 
 constexpr double pi = std::numbers::pi;
 
-fe::Law plane_strain(double E, double nu) {
-  fe::Law law;
+fe::ConstitutiveLaw plane_strain(double E, double nu) {
+  fe::ConstitutiveLaw law;
   law.lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
   law.mu = E / (2.0 * (1.0 + nu));
   return law;
@@ -78,8 +78,8 @@ TEST(Wedge, RollersMirrorTheBody) {
 }
 
 TEST(Wedge, MaterialsJoinWithoutATraceWhereTheyAreOne) {
-  const fe::Law soft = plane_strain(1.0, 0.3);
-  const fe::Law stiff = plane_strain(10.0, 0.3);
+  const fe::ConstitutiveLaw soft = plane_strain(1.0, 0.3);
+  const fe::ConstitutiveLaw stiff = plane_strain(10.0, 0.3);
   const Wedge same{{{-0.5 * pi, 0.0, soft}, {0.0, 0.5 * pi, soft}}, false, {}};
   EXPECT_EQ(least_exponent(same), 1.0);
   const Wedge ends{{{-0.5 * pi, 0.0, soft}, {0.0, 0.5 * pi, stiff}}, false, {}};

@@ -20,8 +20,8 @@ std::vector<Cls> all_local(std::size_t n) {
   return std::vector<Cls>(n, Cls::local);
 }
 
-double coefficient(const Dependence::Row& row, std::int32_t freedom) {
-  for (const Term& t : row.terms) {
+double coefficient(const ConstraintTransformation::DependentRow& row, std::int32_t freedom) {
+  for (const FreedomTerm& t : row.terms) {
     if (t.freedom == freedom) {
       return t.coefficient;
     }
@@ -29,11 +29,11 @@ double coefficient(const Dependence::Row& row, std::int32_t freedom) {
   return 0.0;
 }
 
-TEST(Dependence, FirstTermFollowsTheOthers) {
+TEST(ConstraintTransformation, FirstTermFollowsTheOthers) {
   // 2 u1 - 3 u0 + u3 = 5
-  const Dependence ties({{{{1, 2.0}, {0, -3.0}, {3, 1.0}}, 5.0, 7}}, all_local(4));
+  const ConstraintTransformation ties({{{{1, 2.0}, {0, -3.0}, {3, 1.0}}, 5.0, 7}}, all_local(4));
   ASSERT_EQ(ties.rows().size(), 1U);
-  const Dependence::Row* row = ties.row_of(1);
+  const ConstraintTransformation::DependentRow* row = ties.find_row(1);
   ASSERT_NE(row, nullptr);
   EXPECT_EQ(row->mpc, 7U);
   EXPECT_EQ(row->terms.size(), 2U);
@@ -41,26 +41,26 @@ TEST(Dependence, FirstTermFollowsTheOthers) {
   EXPECT_DOUBLE_EQ(coefficient(*row, 3), -0.5);
   EXPECT_DOUBLE_EQ(row->constant, 2.5);
   EXPECT_TRUE(ties.has_constants());
-  EXPECT_EQ(ties.row_of(0), nullptr);
+  EXPECT_EQ(ties.find_row(0), nullptr);
   EXPECT_EQ(ties.redundant(), 0);
 
   Vector u(4);
   u << 4.0, 99.0, 6.0, 2.0;
-  ties.follow(u, 1.0);
+  ties.set_dependents(u, 1.0);
   EXPECT_DOUBLE_EQ(u[1], 1.5 * 4.0 - 0.5 * 2.0 + 2.5);
-  ties.follow(u, 0.0); // the constant belongs to one vector only
+  ties.set_dependents(u, 0.0); // the constant belongs to one vector only
   EXPECT_DOUBLE_EQ(u[1], 1.5 * 4.0 - 0.5 * 2.0);
   EXPECT_DOUBLE_EQ(u[2], 6.0);
 }
 
 // u0 = u1 + 1, u1 = 2 u2 + 3 in either order: u0 = 2 u2 + 4.
-TEST(Dependence, SlaveOfOneTieIsMasterOfAnother) {
+TEST(ConstraintTransformation, SlaveOfOneTieIsMasterOfAnother) {
   const Tie a{{{0, 1.0}, {1, -1.0}}, 1.0, 0};
   const Tie b{{{1, 1.0}, {2, -2.0}}, 3.0, 1};
   for (const std::vector<Tie>& order : {std::vector<Tie>{a, b}, std::vector<Tie>{b, a}}) {
-    const Dependence ties(order, all_local(3));
+    const ConstraintTransformation ties(order, all_local(3));
     ASSERT_EQ(ties.rows().size(), 2U);
-    const Dependence::Row* row = ties.row_of(0);
+    const ConstraintTransformation::DependentRow* row = ties.find_row(0);
     ASSERT_NE(row, nullptr);
     ASSERT_EQ(row->terms.size(), 1U);
     EXPECT_DOUBLE_EQ(coefficient(*row, 2), 2.0);
@@ -69,48 +69,48 @@ TEST(Dependence, SlaveOfOneTieIsMasterOfAnother) {
 }
 
 // Two slaves name the same freedom: the second tie moves on to its next.
-TEST(Dependence, SlaveOfTwoTies) {
-  const Dependence ties({{{{0, 1.0}, {1, -1.0}}, 0.0, 0}, {{{0, 1.0}, {2, -4.0}}, 0.0, 1}},
-                        all_local(3));
+TEST(ConstraintTransformation, SlaveOfTwoTies) {
+  const ConstraintTransformation ties(
+      {{{{0, 1.0}, {1, -1.0}}, 0.0, 0}, {{{0, 1.0}, {2, -4.0}}, 0.0, 1}}, all_local(3));
   ASSERT_EQ(ties.rows().size(), 2U);
   Vector u(3);
   u << 1.0, 1.0, 1.0;
-  ties.follow(u, 1.0);
+  ties.set_dependents(u, 1.0);
   EXPECT_DOUBLE_EQ(u[0], u[1]);
   EXPECT_DOUBLE_EQ(u[0], 4.0 * u[2]);
   EXPECT_NE(u[0], 0.0);
 }
 
-TEST(Dependence, CycleClosesOnceAndIsCounted) {
-  const Dependence ties({{{{0, 1.0}, {1, -1.0}}, 0.0, 0},
-                         {{{1, 1.0}, {2, -1.0}}, 0.0, 1},
-                         {{{2, 1.0}, {0, -1.0}}, 0.0, 2}},
-                        all_local(3));
+TEST(ConstraintTransformation, CycleClosesOnceAndIsCounted) {
+  const ConstraintTransformation ties({{{{0, 1.0}, {1, -1.0}}, 0.0, 0},
+                                       {{{1, 1.0}, {2, -1.0}}, 0.0, 1},
+                                       {{{2, 1.0}, {0, -1.0}}, 0.0, 2}},
+                                      all_local(3));
   EXPECT_EQ(ties.rows().size(), 2U);
   EXPECT_EQ(ties.redundant(), 1);
-  EXPECT_TRUE(ties.demands().empty());
+  EXPECT_TRUE(ties.fully_given_ties().empty());
   EXPECT_FALSE(ties.has_constants());
 }
 
 // u0 = 2 u1 and u1 = u0 leave only zero: both follow nothing.
-TEST(Dependence, CycleThatHoldsItself) {
-  const Dependence ties({{{{0, 1.0}, {1, -2.0}}, 0.0, 0}, {{{1, 1.0}, {0, -1.0}}, 0.0, 1}},
-                        all_local(2));
+TEST(ConstraintTransformation, CycleThatHoldsItself) {
+  const ConstraintTransformation ties(
+      {{{{0, 1.0}, {1, -2.0}}, 0.0, 0}, {{{1, 1.0}, {0, -1.0}}, 0.0, 1}}, all_local(2));
   ASSERT_EQ(ties.rows().size(), 2U);
   EXPECT_EQ(ties.redundant(), 0);
-  EXPECT_TRUE(ties.demands().empty());
+  EXPECT_TRUE(ties.fully_given_ties().empty());
   Vector u = Vector::Constant(2, 3.0);
-  ties.follow(u, 1.0);
+  ties.set_dependents(u, 1.0);
   EXPECT_DOUBLE_EQ(u.cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(Dependence, ContradictionIsADemand) {
-  const Dependence ties({{{{0, 1.0}, {1, -1.0}}, 0.0, 0}, {{{1, -3.0}, {0, 3.0}}, 6.0, 4}},
-                        all_local(2));
+TEST(ConstraintTransformation, ContradictionIsADemand) {
+  const ConstraintTransformation ties(
+      {{{{0, 1.0}, {1, -1.0}}, 0.0, 0}, {{{1, -3.0}, {0, 3.0}}, 6.0, 4}}, all_local(2));
   EXPECT_EQ(ties.rows().size(), 1U);
   EXPECT_EQ(ties.redundant(), 0);
-  ASSERT_EQ(ties.demands().size(), 1U);
-  const Dependence::Demand& demand = ties.demands().front();
+  ASSERT_EQ(ties.fully_given_ties().size(), 1U);
+  const ConstraintTransformation::FullyGivenTie& demand = ties.fully_given_ties().front();
   EXPECT_TRUE(demand.terms.empty());
   EXPECT_DOUBLE_EQ(demand.rhs, 6.0);
   EXPECT_GE(demand.scale, 6.0);
@@ -118,62 +118,63 @@ TEST(Dependence, ContradictionIsADemand) {
 }
 
 // The same with a right-hand side that agrees but for round-off is only redundant.
-TEST(Dependence, RoundOffIsNoContradiction) {
-  const Dependence ties({{{{0, 3.0}, {1, -1.0}}, 0.1, 0}, {{{0, 0.9}, {1, -0.3}}, 0.03, 1}},
-                        all_local(2));
+TEST(ConstraintTransformation, RoundOffIsNoContradiction) {
+  const ConstraintTransformation ties(
+      {{{{0, 3.0}, {1, -1.0}}, 0.1, 0}, {{{0, 0.9}, {1, -0.3}}, 0.03, 1}}, all_local(2));
   EXPECT_EQ(ties.redundant(), 1);
-  EXPECT_TRUE(ties.demands().empty());
+  EXPECT_TRUE(ties.fully_given_ties().empty());
 }
 
-TEST(Dependence, GivenFreedomsNeverFollow) {
+TEST(ConstraintTransformation, GivenFreedomsNeverFollow) {
   for (const Cls given : {Cls::suppressed, Cls::prescribed}) {
     std::vector<Cls> cls = all_local(3);
     cls[0] = given;
-    const Dependence one({{{{0, 2.0}, {1, -1.0}}, 0.0, 0}}, cls);
+    const ConstraintTransformation one({{{{0, 2.0}, {1, -1.0}}, 0.0, 0}}, cls);
     ASSERT_EQ(one.rows().size(), 1U);
-    EXPECT_EQ(one.row_of(0), nullptr);
-    const Dependence::Row* row = one.row_of(1);
+    EXPECT_EQ(one.find_row(0), nullptr);
+    const ConstraintTransformation::DependentRow* row = one.find_row(1);
     ASSERT_NE(row, nullptr);
     EXPECT_DOUBLE_EQ(coefficient(*row, 0), 2.0); // kept: it carries the reaction
 
     cls[1] = Cls::prescribed;
-    const Dependence two({{{{0, 2.0}, {1, -1.0}}, 5.0, 3}}, cls);
+    const ConstraintTransformation two({{{{0, 2.0}, {1, -1.0}}, 5.0, 3}}, cls);
     EXPECT_TRUE(two.rows().empty());
-    ASSERT_EQ(two.demands().size(), 1U);
-    EXPECT_EQ(two.demands().front().terms.size(), 2U);
-    EXPECT_DOUBLE_EQ(two.demands().front().rhs, 5.0);
-    EXPECT_EQ(two.demands().front().mpc, 3U);
+    ASSERT_EQ(two.fully_given_ties().size(), 1U);
+    EXPECT_EQ(two.fully_given_ties().front().terms.size(), 2U);
+    EXPECT_DOUBLE_EQ(two.fully_given_ties().front().rhs, 5.0);
+    EXPECT_EQ(two.fully_given_ties().front().mpc, 3U);
   }
 }
 
 // A chain that ends at two supports asks something of them only.
-TEST(Dependence, TiesBetweenSupportsByWayOfOthers) {
+TEST(ConstraintTransformation, TiesBetweenSupportsByWayOfOthers) {
   std::vector<Cls> cls = all_local(3);
   cls[0] = cls[2] = Cls::prescribed;
-  const Dependence ties({{{{1, 1.0}, {0, -1.0}}, 0.0, 0}, {{{1, 1.0}, {2, -3.0}}, 0.0, 1}}, cls);
+  const ConstraintTransformation ties(
+      {{{{1, 1.0}, {0, -1.0}}, 0.0, 0}, {{{1, 1.0}, {2, -3.0}}, 0.0, 1}}, cls);
   EXPECT_EQ(ties.rows().size(), 1U);
-  ASSERT_EQ(ties.demands().size(), 1U);
+  ASSERT_EQ(ties.fully_given_ties().size(), 1U);
   double sum = 0.0; // u0 = 3, u2 = 1 is allowed
-  for (const Term& t : ties.demands().front().terms) {
+  for (const FreedomTerm& t : ties.fully_given_ties().front().terms) {
     sum += t.coefficient * (t.freedom == 0 ? 3.0 : 1.0);
   }
-  EXPECT_EQ(ties.demands().front().terms.size(), 2U);
-  EXPECT_DOUBLE_EQ(sum, ties.demands().front().rhs);
+  EXPECT_EQ(ties.fully_given_ties().front().terms.size(), 2U);
+  EXPECT_DOUBLE_EQ(sum, ties.fully_given_ties().front().rhs);
 }
 
 // 1e-9 u0 + u1 - u2 = 0 solved for u0 would multiply by 1e9.
-TEST(Dependence, TinyFirstTermIsNotEliminated) {
-  const Dependence ties({{{{0, 1e-9}, {1, 1.0}, {2, -0.5}}, 0.0, 0}}, all_local(3));
-  EXPECT_EQ(ties.row_of(0), nullptr);
-  EXPECT_NE(ties.row_of(1), nullptr);
+TEST(ConstraintTransformation, TinyFirstTermIsNotEliminated) {
+  const ConstraintTransformation ties({{{{0, 1e-9}, {1, 1.0}, {2, -0.5}}, 0.0, 0}}, all_local(3));
+  EXPECT_EQ(ties.find_row(0), nullptr);
+  EXPECT_NE(ties.find_row(1), nullptr);
 }
 
-TEST(Dependence, BlocksWithoutDependentFreedomsStayAsTheyAre) {
-  const Dependence ties({{{{0, 1.0}, {1, -2.0}}, 0.0, 0}}, all_local(4));
+TEST(ConstraintTransformation, BlocksWithoutDependentFreedomsStayAsTheyAre) {
+  const ConstraintTransformation ties({{{{0, 1.0}, {1, -2.0}}, 0.0, 0}}, all_local(4));
   const std::vector<std::int32_t> apart{1, 2, 3};
-  EXPECT_FALSE(ties.block_of(apart).has_value());
+  EXPECT_FALSE(ties.transform_block(apart).has_value());
   const std::vector<std::int32_t> touched{0, 1, 3};
-  const auto block = ties.block_of(touched);
+  const auto block = ties.transform_block(touched);
   ASSERT_TRUE(block.has_value());
   EXPECT_EQ(block->freedom, (std::vector<std::int32_t>{1, 3}));
   Matrix T(3, 2);
@@ -183,7 +184,7 @@ TEST(Dependence, BlocksWithoutDependentFreedomsStayAsTheyAre) {
 
 // 3000 freedoms in a ring, u_i = c_i u_(i+1) + 1e-3, ties in any order: the last is redundant, or a
 // contradiction when its right-hand side is off by a millionth of the others.
-TEST(Dependence, LongRing) {
+TEST(ConstraintTransformation, LongRing) {
   constexpr std::int32_t n = 3000;
   std::mt19937 random(5);
   Vector u(n);
@@ -198,15 +199,15 @@ TEST(Dependence, LongRing) {
   }
   for (int trial = 0; trial < 3; ++trial) {
     std::shuffle(ring.begin(), ring.end(), random);
-    const Dependence ties(ring, all_local(n));
+    const ConstraintTransformation ties(ring, all_local(n));
     EXPECT_EQ(ties.rows().size(), static_cast<std::size_t>(n - 1));
     EXPECT_EQ(ties.redundant(), 1);
     std::vector<Tie> wrong = ring;
     wrong.back().rhs += 1e-6;
-    const Dependence off(wrong, all_local(n));
+    const ConstraintTransformation off(wrong, all_local(n));
     EXPECT_EQ(off.redundant(), 0);
-    ASSERT_EQ(off.demands().size(), 1U);
-    const Dependence::Demand& demand = off.demands().front();
+    ASSERT_EQ(off.fully_given_ties().size(), 1U);
+    const ConstraintTransformation::FullyGivenTie& demand = off.fully_given_ties().front();
     EXPECT_GT(std::abs(demand.rhs), 5e-7);
     EXPECT_GT(std::abs(demand.rhs), 1e-9 * demand.scale); // what a run calls a contradiction
   }

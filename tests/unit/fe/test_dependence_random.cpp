@@ -27,7 +27,7 @@ struct System {
   [[nodiscard]] Matrix matrix() const {
     Matrix A = Matrix::Zero(static_cast<Eigen::Index>(ties.size()), u.size());
     for (std::size_t i = 0; i < ties.size(); ++i) {
-      for (const Term& t : ties[i].terms) {
+      for (const FreedomTerm& t : ties[i].terms) {
         A(static_cast<Eigen::Index>(i), t.freedom) += t.coefficient;
       }
     }
@@ -67,7 +67,7 @@ private:
       const double factor = number();
       for (const auto& [which, times] :
            {std::pair{pick(system.ties.size()), 1.0}, {pick(system.ties.size()), factor}}) {
-        for (const Term& t : system.ties[which].terms) {
+        for (const FreedomTerm& t : system.ties[which].terms) {
           c[t.freedom] += times * t.coefficient;
         }
       }
@@ -105,31 +105,32 @@ Matrix free_columns(const System& system) {
 }
 
 // Given freedoms as in the hidden vector, the others at random, dependent ones following.
-Vector some_motion(const System& system, const Dependence& ties, RandomTies& random) {
+Vector some_motion(const System& system, const ConstraintTransformation& ties, RandomTies& random) {
   Vector u = system.u;
   for (std::size_t i = 0; i < system.size(); ++i) {
     if (system.cls[i] == Cls::local || system.cls[i] == Cls::external) {
       u[static_cast<Eigen::Index>(i)] = random.number();
     }
   }
-  ties.follow(u, 1.0);
+  ties.set_dependents(u, 1.0);
   return u;
 }
 
-void expect_solved(const System& system, const Dependence& ties, RandomTies& random) {
+void expect_solved(const System& system, const ConstraintTransformation& ties, RandomTies& random) {
   Eigen::FullPivLU<Matrix> lu(free_columns(system));
   lu.setThreshold(1e-9);
   EXPECT_EQ(static_cast<Eigen::Index>(ties.rows().size()), lu.rank());
-  EXPECT_EQ(ties.rows().size() + ties.demands().size() + static_cast<std::size_t>(ties.redundant()),
+  EXPECT_EQ(ties.rows().size() + ties.fully_given_ties().size() +
+                static_cast<std::size_t>(ties.redundant()),
             system.ties.size());
-  for (const Dependence::Row& row : ties.rows()) {
-    for (const Term& t : row.terms) {
-      EXPECT_EQ(ties.row_of(t.freedom), nullptr);
+  for (const ConstraintTransformation::DependentRow& row : ties.rows()) {
+    for (const FreedomTerm& t : row.terms) {
+      EXPECT_EQ(ties.find_row(t.freedom), nullptr);
     }
   }
-  for (const Dependence::Demand& demand : ties.demands()) {
+  for (const ConstraintTransformation::FullyGivenTie& demand : ties.fully_given_ties()) {
     double sum = -demand.rhs;
-    for (const Term& t : demand.terms) {
+    for (const FreedomTerm& t : demand.terms) {
       sum += t.coefficient * system.u[t.freedom];
     }
     EXPECT_NEAR(sum, 0.0, 1e-10);
@@ -147,9 +148,9 @@ TEST(RandomDependence, RandomSystemsHaveTheWholeNullSpace) {
     SCOPED_TRACE(seed);
     RandomTies random(seed);
     const System system = random.make(0.0);
-    const Dependence ties(system.ties, system.cls);
+    const ConstraintTransformation ties(system.ties, system.cls);
     expect_solved(system, ties, random);
-    EXPECT_TRUE(ties.demands().empty());
+    EXPECT_TRUE(ties.fully_given_ties().empty());
     if (HasFailure()) {
       return;
     }
@@ -161,9 +162,9 @@ TEST(RandomDependence, RandomSystemsWithSupports) {
     SCOPED_TRACE(seed);
     RandomTies random(seed);
     const System system = random.make(0.25);
-    const Dependence ties(system.ties, system.cls);
+    const ConstraintTransformation ties(system.ties, system.cls);
     expect_solved(system, ties, random);
-    for (const Dependence::Row& row : ties.rows()) {
+    for (const ConstraintTransformation::DependentRow& row : ties.rows()) {
       const Cls cls = system.cls[static_cast<std::size_t>(row.freedom)];
       EXPECT_TRUE(cls == Cls::local || cls == Cls::external);
     }
@@ -179,15 +180,15 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
     SCOPED_TRACE(seed);
     RandomTies random(seed);
     const System system = random.make(0.1);
-    const Dependence ties(system.ties, system.cls);
+    const ConstraintTransformation ties(system.ties, system.cls);
     const Eigen::Index n = system.u.size();
     const auto any = [&] { return random.number(); };
     const Vector w = Vector::NullaryExpr(n, any);
     Vector moved = w;
-    ties.follow(moved, 0.0);
+    ties.set_dependents(moved, 0.0);
     Matrix f = Matrix::NullaryExpr(n, 2, any);
     Matrix reduced = f;
-    ties.reduce(reduced);
+    ties.transfer_to_masters(reduced);
     const double size = std::max(1.0, moved.norm()) * f.norm();
     for (Eigen::Index c = 0; c < 2; ++c) {
       EXPECT_NEAR(f.col(c).dot(moved), reduced.col(c).dot(w), 1e-13 * size);
@@ -199,8 +200,8 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
       }
     }
     const bool touched = std::any_of(some.begin(), some.end(),
-                                     [&](std::int32_t i) { return ties.row_of(i) != nullptr; });
-    const auto block = ties.block_of(some);
+                                     [&](std::int32_t i) { return ties.find_row(i) != nullptr; });
+    const auto block = ties.transform_block(some);
     ASSERT_EQ(block.has_value(), touched);
     if (!touched) {
       continue;
@@ -209,7 +210,7 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
     Matrix part = Matrix::Zero(n, 1);
     part(some, 0) = f(some, 0);
     const Vector by_block = block->T.transpose() * Vector(part(some, 0));
-    ties.reduce(part);
+    ties.transfer_to_masters(part);
     EXPECT_LT((Vector(part(block->freedom, 0)) - by_block).norm(), 1e-13 * size);
     EXPECT_NEAR(part.norm(), by_block.norm(), 1e-13 * size); // nothing elsewhere
     if (HasFailure()) {

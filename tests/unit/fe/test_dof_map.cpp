@@ -144,7 +144,7 @@ TEST_P(FreeModes, span_the_motions_that_supports_leave) {
   }
   const base::Matrix modes = rigid_modes(model, model.mesh, one_piece(nodes));
   const base::Matrix free =
-      free_modes(model.mesh, modes, one_piece(nodes), Dependence({}, cls), cls);
+      free_modes(model.mesh, modes, one_piece(nodes), ConstraintTransformation({}, cls), cls);
   EXPECT_EQ(free.rows(), 3);
   ASSERT_EQ(free.cols(), GetParam().free);
   const base::Matrix motion = modes * free;
@@ -164,7 +164,7 @@ TEST(free_modes, depends_on_no_unit_of_length) {
                         [&](const Vec2& p) { return Vec2(scale * p + Vec2(3 * scale, 0)); });
     const std::vector<base::NodeId> nodes = all_nodes(mesh);
     std::vector<FreedomClass> cls(18, FreedomClass::local);
-    const Dependence none({}, cls);
+    const ConstraintTransformation none({}, cls);
     const std::vector<Body> body = one_piece(nodes);
     const base::Matrix modes = rigid_modes({}, mesh, body);
     cls[0] = cls[1] = FreedomClass::suppressed;

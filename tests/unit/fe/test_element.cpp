@@ -18,11 +18,11 @@ model::ElasticMaterial steel() {
   return material;
 }
 
-Law law(model::StressState state, double thickness = 1.0) {
+ConstitutiveLaw law(model::StressState state, double thickness = 1.0) {
   model::ElementProperty property;
   property.state = state;
   property.thickness = thickness;
-  return law_of(steel(), property, base::ElementType::quamc8);
+  return constitutive_law(steel(), property, base::ElementType::quamc8);
 }
 
 template <class S> struct Sample {
@@ -126,14 +126,14 @@ TYPED_TEST(EveryElement, rigid_rotation_makes_no_force) {
 TYPED_TEST(EveryElement, known_when_run_it_has_the_same_forces) {
   using S = TypeParam;
   const shape::ReferenceElement<2>& element = shape::as_reference_element<S>();
-  Law projected = law(model::StressState::plane_strain);
+  ConstitutiveLaw projected = law(model::StressState::plane_strain);
   projected.projected = true;
   for (const Sample<S>& sample : samples<S>()) {
     const NodeVectors<S> U =
         (sample.X.array() * sample.X.array() + 0.3 * sample.X.array()).matrix();
     NodeVectors<S> X = sample.X;
     X.row(0).array() += 5.0; // off the axis
-    for (const Law& one : {law(model::StressState::axisymmetric), projected}) {
+    for (const ConstitutiveLaw& one : {law(model::StressState::axisymmetric), projected}) {
       const NodeVectors<S> compiled = element_force<S>(X, one, U);
       const NodeVectors<S> run =
           element_force(element, AnyNodeVectors<2>(X), one, AnyNodeVectors<2>(U));
@@ -144,7 +144,7 @@ TYPED_TEST(EveryElement, known_when_run_it_has_the_same_forces) {
 
 TYPED_TEST(EveryElement, force_is_stiffness_times_displacement) {
   using S = TypeParam;
-  const Law thin = law(model::StressState::plane_stress, 0.7);
+  const ConstitutiveLaw thin = law(model::StressState::plane_stress, 0.7);
   for (const Sample<S>& sample : samples<S>()) {
     NodeVectors<S> U;
     for (int i = 0; i < U.size(); ++i) {

@@ -59,10 +59,10 @@ template <int dim> void expect_nearest_points(const AnyElement<dim>& side) {
     if (side.domain == shape::ReferenceDomain::triangle) {
       at = (0.5 * (at.array() + 1.0)).matrix();
     }
-    const Vec3 x = X * side.N(into_side<dim>(side, at)) +
+    const Vec3 x = X * side.N(clamp_to_side<dim>(side, at)) +
                    0.1 * size * Vec3(number(), number(), number()).normalized();
     const shape::Point<dim> r = nearest_on_side<dim>(side, X, x);
-    EXPECT_LT((into_side<dim>(side, r) - r).norm(), 1e-14);
+    EXPECT_LT((clamp_to_side<dim>(side, r) - r).norm(), 1e-14);
     const double raster = raster_distance<dim>(side, X, x);
     EXPECT_LT((x - X * side.N(r)).norm(), raster + 1e-9 * size) << trial;
   }

@@ -65,12 +65,12 @@ struct Plate {
                   .value();
   }
 
-  [[nodiscard]] fe::CaseHeat heat(base::CompiledExpression T, std::size_t set) const {
+  [[nodiscard]] fe::CaseTemperature heat(base::CompiledExpression T, std::size_t set) const {
     model::Load load;
     load.type = model::LoadType::temperature;
     load.elements = base::ElementSetId(set);
     load.value = {std::move(T)};
-    return fe::case_heat(
+    return fe::make_case_temperature(
         model, {cracked.mesh, model.mesh, &cracked.host, {cracked.fronts.front().tip().node}},
         {"", {load}});
   }
@@ -78,9 +78,9 @@ struct Plate {
 
   /// Work of all nodal forces on a displacement that strains the plate by 1 in both directions,
   /// over thickness, beta and 2: the integral of the temperature.
-  [[nodiscard]] double integral(const fe::CaseHeat& heat) const {
+  [[nodiscard]] double integral(const fe::CaseTemperature& heat) const {
     base::Vector f = fe::thermal_load(model, cracked.mesh, heat.temperature);
-    fe::add_rest_load(model, cracked.mesh, {&heat, 1.0}, {}, f);
+    fe::add_residual_load(model, cracked.mesh, {&heat, 1.0}, {}, f);
     double work = 0.0;
     for (std::size_t n = 0; n < cracked.mesh.node_count(); ++n) {
       work += f.segment<2>(2 * static_cast<Eigen::Index>(n)).dot(cracked.mesh.x[n].head<2>());
@@ -92,7 +92,7 @@ struct Plate {
 
 TEST(Heat, ElementsTakeALinearTemperatureWhole) {
   const Plate plate;
-  const fe::CaseHeat heat =
+  const fe::CaseTemperature heat =
       plate.heat({{number(3.0), x, {OpCode::multiply, 0.0}, y, {OpCode::subtract, 0.0}}}, 0);
   EXPECT_TRUE(heat.points.empty());
   EXPECT_NEAR(plate.integral(heat), (3.0 * 2.0 - 2.0) * 16.0, 1e-9);
@@ -101,15 +101,16 @@ TEST(Heat, ElementsTakeALinearTemperatureWhole) {
 // The rim runs through elements of the patch: each bears its share, to 1e-4 of an element.
 TEST(Heat, AHeatedSetKeepsItsPlaceInAPatch) {
   const Plate plate;
-  const fe::CaseHeat heat = plate.heat(base::CompiledExpression::constant(7.0), plate.left());
-  EXPECT_TRUE(heat.field.cut());
+  const fe::CaseTemperature heat =
+      plate.heat(base::CompiledExpression::constant(7.0), plate.left());
+  EXPECT_TRUE(heat.field.cuts_patches());
   EXPECT_FALSE(heat.points.empty());
   EXPECT_NEAR(plate.integral(heat), 7.0 * 1.6 * 4.0, 7.0 * 1.6 * 4.0 * 1e-4);
 }
 
 TEST(Heat, AJumpInsideElementsIsIntegrated) {
   const Plate plate;
-  const fe::CaseHeat heat = plate.heat({{x, number(1.234), {OpCode::less, 0.0}}}, 0);
+  const fe::CaseTemperature heat = plate.heat({{x, number(1.234), {OpCode::less, 0.0}}}, 0);
   EXPECT_NEAR(plate.integral(heat), 1.234 * 4.0, 1.234 * 4.0 * 1e-4);
 }
 
@@ -127,7 +128,7 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
         base::ExpressionInstruction{OpCode::power, 0.0}}) {
     code.push_back(i);
   }
-  const fe::CaseHeat heat = plate.heat({code}, 0);
+  const fe::CaseTemperature heat = plate.heat({code}, 0);
   const model::Mesh& mesh = plate.cracked.mesh;
   int found = 0;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
@@ -152,10 +153,10 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
     double sum = 0.0;
     const auto& element = shape::as_reference_element<shape::Trimc6>();
     const auto X = fe::coordinates(element, mesh, e);
-    const fe::Law law = fe::law_of(plate.model, mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(plate.model, mesh, e);
     const auto T = fe::corner_temperature(element, mesh, e, heat.temperature);
-    for (const fe::HeatPoint& p : heat.of(e)) {
-      sum += p.area * (p.T + fe::taken_temperature(element, X, law, T, p.r));
+    for (const fe::ResidualTemperaturePoint& p : heat.element_points(e)) {
+      sum += p.area * (p.T + fe::projected_temperature(element, X, law, T, p.r));
     }
     EXPECT_NEAR(sum, exact, 2e-6 * exact);
     ++found;

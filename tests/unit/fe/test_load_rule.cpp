@@ -149,17 +149,18 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
       card.type = model::LoadType::temperature;
       card.value = {(100.0 * (way > 0.4321) * (0.4321 + width > way)).e};
       card.elements = test::all_elements(model);
-      const CaseHeat heat = case_heat(model, {model.mesh, model.mesh, nullptr, {}}, {"", {card}});
+      const CaseTemperature heat =
+          make_case_temperature(model, {model.mesh, model.mesh, nullptr, {}}, {"", {card}});
       double sum = 0.0;
       const int corners = base::element_info(GetParam()).corners;
       for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
         sum += heat.temperature.segment(model.mesh.first[e], corners).mean() * 4.0 /
                static_cast<double>(model.mesh.element_count());
-        for (const HeatPoint& p : heat.of(base::ElementId(e))) {
+        for (const ResidualTemperaturePoint& p : heat.element_points(base::ElementId(e))) {
           sum += p.area * p.T;
         }
       }
-      const double told = unresolved_heat(model, model.mesh, card);
+      const double told = unresolved_temperature(model, model.mesh, card);
       EXPECT_NEAR(sum, 100.0 * width * length, (told + 1e-3) * 100.0 * width * length)
           << width << " of " << length;
       EXPECT_LT(told, 0.01) << width;
@@ -176,7 +177,7 @@ TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
     card.nodes = test::node_set(model, [](const Vec3& x) {
       return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
     });
-    return between_nodes(model.mesh, card).off;
+    return interpolation_error(model.mesh, card).off;
   };
   EXPECT_LT(off(1.0 + 0.3 * along()), 1e-12);
   EXPECT_GT(off(along() > 2.3), 0.4);

@@ -79,7 +79,7 @@ TYPED_TEST(EverySolid, has_six_rigid_modes_and_no_other_zero) {
   using S = TypeParam;
   for (const double nu : {0.3, 0.4999}) {
     const model::Model model = one_property(1000.0, nu, model::StressState::solid);
-    const Law law = law_of(model.materials[0], model.properties[0], S::type);
+    const ConstitutiveLaw law = constitutive_law(model.materials[0], model.properties[0], S::type);
     EXPECT_EQ(law.projected, nu > (base::element_info(S::type).quadratic ? 0.49 : 0.4));
     EXPECT_EQ(zero_eigenvalues(element_stiffness<S>(distorted<S>(), law)), 6) << nu;
   }
@@ -89,7 +89,7 @@ TYPED_TEST(EverySolid, force_is_stiffness_times_displacement) {
   using S = TypeParam;
   for (const double nu : {0.3, 0.499}) {
     const model::Model model = one_property(1000.0, nu, model::StressState::solid);
-    const Law law = law_of(model.materials[0], model.properties[0], S::type);
+    const ConstitutiveLaw law = constitutive_law(model.materials[0], model.properties[0], S::type);
     NodeVectors<S> U;
     for (int i = 0; i < U.size(); ++i) {
       U(i) = std::sin(1.0 + 2.0 * i);
@@ -162,7 +162,7 @@ TYPED_TEST(EveryRing, moves_freely_along_the_axis_only) {
   using S = TypeParam;
   for (const double nu : {0.3, 0.4999}) {
     const model::Model model = one_property(1000.0, nu, model::StressState::axisymmetric);
-    const Law law = law_of(model.materials[0], model.properties[0], S::type);
+    const ConstitutiveLaw law = constitutive_law(model.materials[0], model.properties[0], S::type);
     const base::Matrix Ke = element_stiffness<S>(distorted<S>(), law);
     EXPECT_EQ(zero_eigenvalues(Ke), 1) << nu;
     NodeVectors<S> U = NodeVectors<S>::Zero();
@@ -178,7 +178,7 @@ TYPED_TEST(EveryRing, constant_strain_is_exact) {
   const double b = -1e-3;
   for (const double nu : {0.3, 0.4999}) {
     model::Model model = one_element<S>(nu, model::StressState::axisymmetric);
-    const Law law = law_of(model.materials[0], model.properties[0], S::type);
+    const ConstitutiveLaw law = constitutive_law(model.materials[0], model.properties[0], S::type);
     base::Vector u(2 * S::nodes);
     double ring = 0.0; // volume
     const NodeVectors<S> X = distorted<S>();

@@ -38,7 +38,7 @@ double residual(const std::vector<Tie>& ties, const base::Vector& u) {
   double worst = 0.0;
   for (const Tie& tie : ties) {
     double sum = -tie.rhs;
-    for (const Term& t : tie.terms) {
+    for (const FreedomTerm& t : tie.terms) {
       sum += t.coefficient * u[t.freedom];
     }
     worst = std::max(worst, std::abs(sum));
@@ -63,7 +63,7 @@ Motion rigid(const Vec3& t, const Vec3& theta) {
 class Master {
 public:
   model::Model model;
-  std::vector<TieTrouble> troubles;
+  std::vector<TieFailure> troubles;
 
   // Straight sides (planes, for quadrilaterals too), or mid nodes and corners off their places.
   Master(base::ElementType type, bool curved) {
@@ -236,10 +236,10 @@ TEST_P(EveryMaster, transition_leaves_out_nodes_of_the_master) {
   const int dim = EveryMaster::dim();
   ASSERT_EQ(ties.size(), static_cast<std::size_t>(dim));
   for (int c = 0; c < dim; ++c) { // u_slave = u_1 and nothing else
-    const std::vector<Term>& terms = ties[static_cast<std::size_t>(c)].terms;
+    const std::vector<FreedomTerm>& terms = ties[static_cast<std::size_t>(c)].terms;
     EXPECT_EQ(terms[0].freedom, dim * slave.value + c);
     double others = 0.0;
-    for (const Term& t : terms) {
+    for (const FreedomTerm& t : terms) {
       if (t.freedom == dim + c) {
         EXPECT_NEAR(t.coefficient, -1.0, 1e-12);
       } else if (t.freedom != terms[0].freedom) {
@@ -314,16 +314,16 @@ TEST(RigidTie, LetsRigidMotionsThroughAndNothingElse) {
       SCOPED_TRACE(testing::Message() << cloud.name << ", " << cloud.dim << "D, " << scale);
       const model::Model model = rigid_model(cloud, scale);
       const model::Mesh& mesh = model.mesh;
-      std::vector<TieTrouble> troubles;
+      std::vector<TieFailure> troubles;
       const std::vector<Tie> ties = make_ties(model, mesh, troubles);
       EXPECT_TRUE(troubles.empty());
       const int dim = mesh.dim;
       const auto n = static_cast<Eigen::Index>(mesh.node_count());
-      const Dependence dependence(
+      const ConstraintTransformation dependence(
           ties, std::vector<model::FreedomClass>(static_cast<std::size_t>(dim * n),
                                                  model::FreedomClass::local));
       EXPECT_EQ(dim * n - static_cast<Eigen::Index>(dependence.rows().size()), cloud.freedoms);
-      EXPECT_TRUE(dependence.demands().empty());
+      EXPECT_TRUE(dependence.fully_given_ties().empty());
       Random random;
       for (int trial = 0; trial < 5; ++trial) {
         const Vec3 theta = dim == 3 ? random.vec(3) : Vec3(Vec3(0.0, 0.0, random.number()));
@@ -331,12 +331,12 @@ TEST(RigidTie, LetsRigidMotionsThroughAndNothingElse) {
         const double size = u.lpNorm<Eigen::Infinity>();
         EXPECT_LT(residual(ties, u), 1e-12 * size);
         const base::Vector before = u;
-        dependence.follow(u, 1.0);
+        dependence.set_dependents(u, 1.0);
         EXPECT_LT((u - before).lpNorm<Eigen::Infinity>(), 1e-11 * size);
 
         // whatever the independent freedoms do, no distance changes
         u = base::Vector::NullaryExpr(dim * n, [&] { return random.number(); });
-        dependence.follow(u, 1.0);
+        dependence.set_dependents(u, 1.0);
         double worst = 0.0;
         for (Eigen::Index i = 0; i < n; ++i) {
           for (Eigen::Index j = 0; j < i; ++j) {
@@ -353,7 +353,7 @@ TEST(RigidTie, LetsRigidMotionsThroughAndNothingElse) {
 }
 
 TEST(RigidTie, OfOneNodeTiesNothing) {
-  std::vector<TieTrouble> troubles;
+  std::vector<TieFailure> troubles;
   const model::Model model = rigid_model({"one", 3, {Vec3(1.0, 2.0, 3.0)}, 3}, 1.0);
   EXPECT_TRUE(make_ties(model, model.mesh, troubles).empty());
 }
@@ -363,7 +363,7 @@ TEST(Equation, NamesFreedomsOfNodes) {
   model.mpcs.clear();
   model.mpcs.emplace_back(model::ConstraintEquation{
       {{2.0, NodeId(std::size_t{1}), 2}, {-1.0, NodeId(std::size_t{0}), 1}}, 0.25, {}});
-  std::vector<TieTrouble> troubles;
+  std::vector<TieFailure> troubles;
   const std::vector<Tie> ties = make_ties(model, model.mesh, troubles);
   ASSERT_EQ(ties.size(), 1U);
   EXPECT_DOUBLE_EQ(ties[0].rhs, 0.25);
