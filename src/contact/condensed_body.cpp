@@ -67,7 +67,8 @@ base::Matrix CondensedBody::project(base::Matrix F) const {
 
 base::Matrix CondensedBody::half_compliance(const base::Matrix& F) const {
   // A layered factor has no modes to project off. Its early rows come first in Y.
-  return layered_ ? layered_->L.half_solve(spread(F)) : factor_.half_solve(project(F));
+  return layered_ ? layered_->L.forward_substitute(spread(F))
+                  : factor_.forward_substitute(project(F));
 }
 
 base::Matrix CondensedBody::displacement(const base::Matrix& F) const {

@@ -41,7 +41,9 @@ public:
 
   [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
   [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
-  [[nodiscard]] bool ok() const { return layered_ ? layered_->L.ok() : factor_.ok(); }
+  [[nodiscard]] bool ok() const {
+    return layered_ ? layered_->L.is_positive_definite() : factor_.is_positive_definite();
+  }
   /// The factor in the place of S, else null.
   [[nodiscard]] const solve::FactoredExternals* layered() const {
     return layered_ ? &*layered_ : nullptr;

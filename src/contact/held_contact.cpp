@@ -32,7 +32,7 @@ HeldContact::Response HeldContact::respond(const base::Matrix& gap,
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     before.row(index(i)) = gap.row(index(rows_[i]));
   }
-  solve::HeldRows::Response found = held_.respond(before, on_mode);
+  solve::ClosedRowsSolver::ClosedRowsResponse found = held_.respond(before, on_mode);
   Response out;
   out.left_over = found.left_over;
   out.mode = std::move(found.alpha);

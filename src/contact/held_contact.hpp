@@ -24,7 +24,9 @@ public:
   HeldContact(const ContactSystem& system, std::vector<std::size_t> rows);
 
   [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
-  [[nodiscard]] bool ok() const { return held_.ok(); } ///< false: the rows contradict each other
+  [[nodiscard]] bool ok() const {
+    return held_.is_solvable();
+  } ///< false: the rows contradict each other
 
   struct Response {
     base::Matrix force;     ///< [row, k] zero where not held
@@ -46,7 +48,7 @@ public:
 private:
   const ContactSystem& system_;
   std::vector<std::size_t> rows_;
-  solve::HeldRows held_;
+  solve::ClosedRowsSolver held_;
 };
 
 } // namespace spricka::contact

@@ -104,7 +104,7 @@ void ContactSystem::let_slide(const std::vector<SlidingContact>& sliding, int di
 bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
   const solve::FactoredExternals* factor = bodies_[body]->layered();
   return factor == nullptr || std::ranges::all_of(rows_[row], [&](const Entry& e) {
-           return e.body != body || factor->row[at(e.at)] < factor->L.early_rows();
+           return e.body != body || factor->row[at(e.at)] < factor->L.first_block_size();
          });
 }
 
@@ -159,9 +159,10 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   // What is kept serves only if its rows weigh the same freedoms, number by number.
   if (kept.rows != staying) {
     if (factor != nullptr) {
-      const solve::EarlyRows& early = *factor->L.early();
-      kept.Y = early.half_solve(as_columns(staying, static_cast<std::size_t>(early.count())));
-      kept.late_load = early.late_load(kept.Y);
+      const solve::FirstBlockFactor& early = *factor->L.first_block();
+      kept.Y =
+          early.forward_substitute(as_columns(staying, static_cast<std::size_t>(early.count())));
+      kept.late_load = early.second_block_load(kept.Y);
     } else {
       kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));
     }
@@ -172,11 +173,11 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   add_modes(body, stay, kept.rows);
   // Lasting rows with the others. What the late rows add to either is of this length: their half
   // solves go into the compliances after the kept part.
-  base::Matrix between = solve::product(kept.Y, Y.topRows(kept.Y.rows()));
+  base::Matrix between = solve::transposed_product(kept.Y, Y.topRows(kept.Y.rows()));
   if (factor != nullptr) {
-    const base::Matrix late = factor->L.late_half(kept.late_load);
+    const base::Matrix late = factor->L.forward_second_block(kept.late_load);
     add_compliance(stay, stay, solve::gram(late));
-    between += solve::product(late, Y.bottomRows(late.rows()));
+    between += solve::transposed_product(late, Y.bottomRows(late.rows()));
   }
   add_compliance(stay, move, between);
   add_compliance(move, stay, between.transpose());
@@ -301,7 +302,7 @@ solve::Uniqueness ContactSystem::unique(const Problem& problem) const {
   if (solve::has_round_cones(problem.friction)) {
     return {}; // the test is one of signs
   }
-  return solve::unique_increment({condensed(problem), problem.friction, {}});
+  return solve::check_uniqueness({condensed(problem), problem.friction, {}});
 }
 
 ContactSystem::Solution ContactSystem::solve(const Problem& problem,

@@ -49,15 +49,15 @@ public:
     double load_scale = 0.0;
     std::vector<bool> start;                  ///< [rows in force] closed; empty: all
     std::vector<solve::FrictionRow> friction; ///< by places in `rows`; empty: nothing rubs
-    std::vector<solve::Touch> touch;          ///< [rows in force] with friction, instead of `start`
+    std::vector<solve::SlipState> touch;      ///< [rows in force] with friction, instead of `start`
     base::Vector alpha; ///< with friction: where bodies that nothing holds stay; empty: at zero
     solve::ExpectedForces expected; ///< with friction
   };
   struct Solution {
-    solve::ContactSolution contact;  ///< lambda, gap, closed by rows in force
-    std::vector<solve::Touch> touch; ///< [rows in force] with friction; else empty
-    bool slides = false;             ///< the mode that is not held would be held by more friction
-    std::vector<base::Vector> u;     ///< [body][m] external displacements
+    solve::ContactSolution contact;      ///< lambda, gap, closed by rows in force
+    std::vector<solve::SlipState> touch; ///< [rows in force] with friction; else empty
+    bool slides = false;         ///< the mode that is not held would be held by more friction
+    std::vector<base::Vector> u; ///< [body][m] external displacements
     /// [body][m] what contact forces leave over on motions by which surfaces slide on themselves;
     /// empty: nothing
     std::vector<base::Vector> resting_force;

@@ -47,7 +47,7 @@ public:
   }
 
   void add(NodalForces& out, bool strained, bool filled) const {
-    Forces force;
+    ModeForces force;
     for (const base::NodeId n : set_.mesh.element_nodes(e_)) {
       force.push_back(&out[n]);
     }
@@ -61,9 +61,9 @@ public:
 
 private:
   /// Of the nodes.
-  using Forces = std::vector<std::array<base::Vec3, partners>*>;
+  using ModeForces = std::vector<std::array<base::Vec3, partners>*>;
 
-  void add_point(const Forces& force, const shape::Point<2>& r, double weight, bool strained,
+  void add_point(const ModeForces& force, const shape::Point<2>& r, double weight, bool strained,
                  bool filled) const {
     const fe::Jacobian<PlaneElement> at = fe::jacobian(element_, X_, r);
     const PlaneValues N = element_.N(r);
@@ -104,7 +104,7 @@ private:
   }
 
   // At points of their own: they may bend and jump where the fields do not.
-  void add_body_forces(const Forces& force) const {
+  void add_body_forces(const ModeForces& force) const {
     const auto add = [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
       const fe::Jacobian<PlaneElement> at = fe::jacobian(element_, X_, r);
       const PlaneValues N = element_.N(r);

@@ -3,7 +3,7 @@
 
 namespace spricka::estimate {
 
-base::Vec2 intensity_of(const Adjoint& adjoint, const Causes& causes) {
+base::Vec2 adjoint_intensity(const IntensityAdjoint& adjoint, const IntensityCauses& causes) {
   return adjoint.z.transpose() * causes.load + adjoint.rows.transpose() * causes.prescribed +
          adjoint.w.transpose() * causes.gap;
 }

@@ -11,7 +11,7 @@ namespace spricka::estimate {
 /// K1 and K2 (columns) of one tip at the end of one step as functions of loads and gaps while the
 /// contact stays as it is: what is closed stays closed, what is open stays open (manual,
 /// sensitivity.1 to 5).
-struct Adjoint {
+struct IntensityAdjoint {
   std::string why_not; ///< why there is none; empty: there is one
   base::Matrix rows;   ///< [dim * node, 2] K = rows^T u + by_force^T lambda, crack::intensity_rows
   base::Matrix by_force; ///< [contact row, 2] what forces between crack faces add to K themselves
@@ -20,18 +20,18 @@ struct Adjoint {
   base::Matrix w;           ///< [contact row, 2] their contact forces, dK/dgap; zero on open rows
   std::vector<bool> closed; ///< [contact row] what was held; rows that are not in force: false
 
-  [[nodiscard]] bool ok() const { return why_not.empty(); }
+  [[nodiscard]] bool is_available() const { return why_not.empty(); }
 };
 
 /// What K is a sum of (manual, sensitivity.5): loads [dim * node] on independent freedoms, less
 /// what prescribed displacements [dim * node] (zero elsewhere) pull; gaps [contact row] at those.
-struct Causes {
+struct IntensityCauses {
   const base::Vector& load;
   const base::Vector& prescribed;
   const base::Vector& gap;
 };
 
 /// z^T load + rows^T prescribed + w^T gap: equals K1 and K2.
-base::Vec2 intensity_of(const Adjoint& adjoint, const Causes& causes);
+base::Vec2 adjoint_intensity(const IntensityAdjoint& adjoint, const IntensityCauses& causes);
 
 } // namespace spricka::estimate

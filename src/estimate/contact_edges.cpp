@@ -109,8 +109,9 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
   return found;
 }
 
-void add_closed(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
-                const std::vector<bool>& closed, bool bonded, std::vector<ClosedEdge>& result) {
+void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
+                      const std::vector<bool>& closed, bool bonded,
+                      std::vector<ClosedEdge>& result) {
   const bool loaded = pair.segments && !pair.rigid && !pair.faces && !bonded;
   for (const ContactEdge& edge : edges) {
     if (edge.covered && !edge.rows.empty() &&

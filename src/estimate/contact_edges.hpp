@@ -42,7 +42,8 @@ struct ClosedEdge {
 };
 /// closed [normal row of the pair], bonded: all of them; appended to `result`, which keeps pointers
 /// into `edges`.
-void add_closed(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
-                const std::vector<bool>& closed, bool bonded, std::vector<ClosedEdge>& result);
+void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
+                      const std::vector<bool>& closed, bool bonded,
+                      std::vector<ClosedEdge>& result);
 
 } // namespace spricka::estimate

@@ -23,13 +23,13 @@ struct Residuals {
 // r_u = f_e - K_ep u and r_z = g_e - K_ep z (estimate.3) on the unknowns.
 Residuals residuals_of(const CornerRequest& request) {
   base::Matrix f = request.goal.load;
-  request.enrichment.take_nodal(request.goal.u, f);
+  request.enrichment.subtract_nodal_part(request.goal.u, f);
   base::Matrix g = request.goal.goals;
-  request.enrichment.take_nodal(request.goal.z, g);
+  request.enrichment.subtract_nodal_part(request.goal.z, g);
   Residuals r{request.map.reduce(f).col(0), request.map.reduce(g), {}};
   r.users.assign(static_cast<std::size_t>(request.map.unknowns), 0);
   for (std::size_t e = 0; e < request.enrichment.mesh().element_count(); ++e) {
-    for (const std::int32_t freedom : request.enrichment.of_element(base::ElementId(e))) {
+    for (const std::int32_t freedom : request.enrichment.element_freedoms(base::ElementId(e))) {
       const std::int32_t u = request.map.unknown[static_cast<std::size_t>(freedom)];
       if (u >= 0) {
         ++r.users[static_cast<std::size_t>(u)];
@@ -40,9 +40,10 @@ Residuals residuals_of(const CornerRequest& request) {
 }
 
 /// Modes and nodes inside the elements about a corner, on which nothing outside them acts.
-class Surroundings {
+class CornerPatch {
 public:
-  Surroundings(const CornerRequest& request, const Residuals& residuals, const Corner& corner)
+  CornerPatch(const CornerRequest& request, const Residuals& residuals,
+              const SingularCorner& corner)
       : request_(request), residuals_(residuals), corner_(corner) {
     count_modes();
     count_nodes();
@@ -72,7 +73,7 @@ private:
   void count_modes() {
     std::map<std::int32_t, int> users;
     for (const base::ElementId e : corner_.around) {
-      for (const std::int32_t freedom : request_.enrichment.of_element(e)) {
+      for (const std::int32_t freedom : request_.enrichment.element_freedoms(e)) {
         if (unknown(freedom) >= 0) {
           ++users[unknown(freedom)];
         }
@@ -93,7 +94,7 @@ private:
     std::map<std::size_t, int> sides;
     for (const base::ElementId e : corner_.around) {
       for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
-        ++sides[edges.edge(e, s)];
+        ++sides[edges.edge_at_side(e, s)];
       }
     }
     std::vector<base::NodeId> rim;
@@ -130,7 +131,7 @@ private:
     base::Matrix Ke;
     with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
       const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-      const EnrichedStiffness<S> modes(X, law, request_.enrichment.sides(e));
+      const EnrichedStiffness<S> modes(X, law, request_.enrichment.side_state(e));
       const Eigen::Index m = modes.ee.rows();
       const Eigen::Index p = modes.ep.cols();
       Ke.resize(m + p, m + p);
@@ -144,7 +145,7 @@ private:
 
   void add_element(base::ElementId e, base::Matrix& K) const {
     const std::span<const base::NodeId> nodes = request_.enrichment.mesh().element_nodes(e);
-    const std::span<const std::int32_t> freedom = request_.enrichment.of_element(e);
+    const std::span<const std::int32_t> freedom = request_.enrichment.element_freedoms(e);
     const base::Matrix Ke = stiffness(e);
     const std::size_t m = freedom.size();
     std::vector<Eigen::Index> at(m + 2 * nodes.size(), -1);
@@ -184,7 +185,7 @@ private:
     base::Matrix errors =
         base::Matrix::Zero(static_cast<Eigen::Index>(corner_.elements.size()), residuals_.z.cols());
     for (std::size_t i = 0; i < corner_.elements.size(); ++i) {
-      for (const std::int32_t freedom : request_.enrichment.of_element(corner_.elements[i])) {
+      for (const std::int32_t freedom : request_.enrichment.element_freedoms(corner_.elements[i])) {
         const std::int32_t u = unknown(freedom);
         if (const auto found = modes_.find(u); found != modes_.end()) {
           errors.row(static_cast<Eigen::Index>(i)) +=
@@ -198,7 +199,7 @@ private:
 
   const CornerRequest& request_;
   const Residuals& residuals_;
-  const Corner& corner_;
+  const SingularCorner& corner_;
   std::map<std::int32_t, Eigen::Index> modes_; ///< unknown to place
   std::map<std::size_t, Eigen::Index> nodes_;  ///< freedom of a node to place
 };
@@ -208,7 +209,7 @@ private:
 // 1.75 at the end of a crack or a support, 1.25 at a clamped right corner: read off meshes of the
 // calibration half (manual, error_bar.md). Cubics leave (2/3)^(4 lambda) of the error of quadratics
 // there, on even meshes (Babuska and Suri 1994), which is the same to a tenth.
-double unseen_factor(double exponent) {
+double corner_error_factor(double exponent) {
   const double short_of_1 = 1.0 - exponent;
   return 1.0 + 3.0 * short_of_1 * short_of_1;
 }
@@ -227,7 +228,7 @@ double volume_factor(const CornerRequest& request, base::ElementId e) {
 
 // Whether a corner's elements have enough of some error to change it: what the modes alone see of
 // it is less by what nodes take part in, most where the material hardly changes its volume.
-bool counts(const CornerRequest& request, const Corner& corner,
+bool counts(const CornerRequest& request, const SingularCorner& corner,
             const std::vector<GoalError>& errors, const std::vector<double>& sums) {
   double most = 0.0;
   for (const base::ElementId e : corner.elements) {
@@ -249,8 +250,8 @@ bool counts(const CornerRequest& request, const Corner& corner,
 
 } // namespace
 
-void raise_at_corners(const CornerRequest& request, const std::vector<Corner>& corners,
-                      std::vector<GoalError>& errors) {
+void raise_corner_errors(const CornerRequest& request, const std::vector<SingularCorner>& corners,
+                         std::vector<GoalError>& errors) {
   std::vector<double> sums;
   sums.reserve(errors.size());
   for (const GoalError& error : errors) {
@@ -259,15 +260,15 @@ void raise_at_corners(const CornerRequest& request, const std::vector<Corner>& c
   }
   std::optional<Residuals> residuals;
   std::vector<bool> found_anew(request.enrichment.mesh().element_count(), false);
-  for (const Corner& corner : corners) {
+  for (const SingularCorner& corner : corners) {
     if (!counts(request, corner, errors, sums)) {
       continue;
     }
     if (!residuals) {
       residuals = residuals_of(request);
     }
-    const base::Matrix found = Surroundings(request, *residuals, corner).errors();
-    const double factor = unseen_factor(corner.exponent);
+    const base::Matrix found = CornerPatch(request, *residuals, corner).errors();
+    const double factor = corner_error_factor(corner.exponent);
     for (std::size_t k = 0; k < errors.size(); ++k) {
       for (std::size_t i = 0; i < corner.elements.size(); ++i) {
         errors[k].of_element[corner.elements[i].index()] =

@@ -8,11 +8,11 @@
 namespace spricka::estimate {
 
 /// Error over what cubics see of it at a corner (manual, estimate.17).
-double unseen_factor(double exponent);
+double corner_error_factor(double exponent);
 
 /// What the errors at corners are found from, and what they were found to be without them.
 struct CornerRequest {
-  const Enrichment& enrichment;
+  const CubicEnrichment& enrichment;
   const ModeMap& map;
   const GoalRequest& goal;
   const std::vector<bool>& fixed; ///< [2 * node] freedoms that nothing moves further
@@ -22,7 +22,7 @@ struct CornerRequest {
 /// about it, nodes and modes together, times unseen_factor (estimate.16). Corners whose parts
 /// change nothing that counts are left. Elements elsewhere whose material hardly changes its volume
 /// have their shares raised by what modes alone see less of (estimate.19).
-void raise_at_corners(const CornerRequest& request, const std::vector<Corner>& corners,
-                      std::vector<GoalError>& errors);
+void raise_corner_errors(const CornerRequest& request, const std::vector<SingularCorner>& corners,
+                         std::vector<GoalError>& errors);
 
 } // namespace spricka::estimate

@@ -50,9 +50,9 @@ double ahead_of(double from, double angle) {
   return angle;
 }
 
-class Finder {
+class CornerFinder {
 public:
-  explicit Finder(const CornerSetting& setting)
+  explicit CornerFinder(const CornerInput& setting)
       : set_(setting), slices_(setting.mesh.node_count()),
         left_out_(setting.mesh.node_count(), false) {
     const std::vector<bool> wanted = at_borders();
@@ -71,8 +71,8 @@ public:
     }
   }
 
-  [[nodiscard]] std::vector<Corner> corners() const {
-    std::vector<Corner> found;
+  [[nodiscard]] std::vector<SingularCorner> corners() const {
+    std::vector<SingularCorner> found;
     for (std::size_t n = 0; n < slices_.size(); ++n) {
       if (!left_out_[n] && !slices_[n].empty()) {
         look_at(base::NodeId(n), found);
@@ -88,18 +88,18 @@ private:
   void leave_out(std::size_t n) { left_out_[n] = left_out_[n] || !tied(n); }
 
   // Ends of ties that no surface goes on past: a body that ends there alone is a smooth one.
-  void drop_common_ends(std::vector<Corner>& found) const {
-    const auto at = [&](const Corner& c) -> base::Vec2 {
+  void drop_common_ends(std::vector<SingularCorner>& found) const {
+    const auto at = [&](const SingularCorner& c) -> base::Vec2 {
       return set_.mesh.x[c.node.index()].head<2>();
     };
     std::vector<base::Vec2> passed;
-    for (const Corner& corner : found) {
+    for (const SingularCorner& corner : found) {
       // A surface that goes on past the node opens to a straight angle there.
       if (tied(corner.node.index()) && opening(corner.node) > pi - bend) {
         passed.push_back(at(corner));
       }
     }
-    std::erase_if(found, [&](const Corner& corner) {
+    std::erase_if(found, [&](const SingularCorner& corner) {
       const bool own = tied(corner.node.index()) && opening(corner.node) <= pi - bend;
       return own && std::ranges::none_of(passed, [&](const base::Vec2& x) {
                return (x - at(corner)).norm() < one_end * longest_side(corner);
@@ -115,11 +115,11 @@ private:
     return angle;
   }
 
-  [[nodiscard]] double longest_side(const Corner& corner) const {
+  [[nodiscard]] double longest_side(const SingularCorner& corner) const {
     double most = 0.0;
     for (const Slice& slice : slices_[corner.node.index()]) {
       for (const std::size_t side : {slice.out, slice.in}) {
-        const Edge& edge = set_.edges.edges[side];
+        const QuadraticEdge& edge = set_.edges.edges[side];
         most = std::max(
             most, (set_.mesh.x[edge.nodes[0].index()] - set_.mesh.x[edge.nodes[1].index()]).norm());
       }
@@ -133,9 +133,9 @@ private:
   }
 
   // Nodes that are held though none of their sides is, and those that forces push.
-  void add_points(std::vector<Corner>& found) const {
+  void add_points(std::vector<SingularCorner>& found) const {
     std::vector<bool> beside(2 * set_.mesh.node_count(), false); // of a side that is held
-    for (const Edge& edge : set_.edges.edges) {
+    for (const QuadraticEdge& edge : set_.edges.edges) {
       for (std::size_t c = 0; c < 2; ++c) {
         // a set may end in the middle of a side: two of its nodes bear together
         const bool together =
@@ -182,7 +182,7 @@ private:
   [[nodiscard]] std::vector<bool> at_borders() const {
     const model::Mesh& mesh = set_.mesh;
     std::vector<bool> wanted(mesh.node_count(), false);
-    for (const Edge& edge : set_.edges.edges) {
+    for (const QuadraticEdge& edge : set_.edges.edges) {
       for (const base::NodeId n : edge.nodes) {
         wanted[n.index()] = wanted[n.index()] || edge.elements == 1;
       }
@@ -209,8 +209,8 @@ private:
       const std::size_t next = (i + 1) % corners;
       const std::size_t last = (i + corners - 1) % corners;
       Slice slice{.element = e,
-                  .out = set_.edges.edge(e, static_cast<int>(i)),
-                  .in = set_.edges.edge(e, static_cast<int>(last)),
+                  .out = set_.edges.edge_at_side(e, static_cast<int>(i)),
+                  .in = set_.edges.edge_at_side(e, static_cast<int>(last)),
                   .from = direction(mesh, nodes[i], nodes[next], nodes[corners + i])};
       slice.to =
           ahead_of(slice.from, direction(mesh, nodes[i], nodes[last], nodes[corners + last]));
@@ -249,8 +249,8 @@ private:
     return list;
   }
 
-  [[nodiscard]] Wedge wedge_of(const std::vector<Slice>& list, bool whole) const {
-    Wedge wedge;
+  [[nodiscard]] MaterialWedge wedge_of(const std::vector<Slice>& list, bool whole) const {
+    MaterialWedge wedge;
     wedge.whole = whole;
     double at = list.front().from;
     for (const Slice& slice : list) {
@@ -271,7 +271,7 @@ private:
   }
 
   // Smooth sides and borders, and convex corners that nothing holds, need no eigenvalues.
-  [[nodiscard]] static bool surely_regular(const Wedge& wedge) {
+  [[nodiscard]] static bool surely_regular(const MaterialWedge& wedge) {
     const double angle = wedge.sectors.back().to - wedge.sectors.front().from;
     if (wedge.whole) {
       // round the start there may be one material in two parts
@@ -310,16 +310,16 @@ private:
   }
 
   void add(base::NodeId node, const std::vector<Slice>& list, bool whole,
-           std::vector<Corner>& found) const {
-    const Wedge wedge = wedge_of(list, whole);
+           std::vector<SingularCorner>& found) const {
+    const MaterialWedge wedge = wedge_of(list, whole);
     if (surely_regular(wedge)) {
       return;
     }
-    const double exponent = least_exponent(wedge);
+    const double exponent = singularity_exponent(wedge);
     if (exponent >= nearly_regular) {
       return;
     }
-    Corner corner{.node = node, .exponent = exponent, .elements = {}, .around = {}};
+    SingularCorner corner{.node = node, .exponent = exponent, .elements = {}, .around = {}};
     for (const Slice& slice : list) {
       corner.elements.push_back(slice.element);
     }
@@ -327,7 +327,7 @@ private:
     found.push_back(std::move(corner));
   }
 
-  void look_at(base::NodeId node, std::vector<Corner>& found) const {
+  void look_at(base::NodeId node, std::vector<SingularCorner>& found) const {
     const std::vector<Slice>& all = slices_[node.index()];
     bool inside = true;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -346,15 +346,15 @@ private:
     }
   }
 
-  const CornerSetting& set_;
+  const CornerInput& set_;
   std::vector<std::vector<Slice>> slices_; ///< [node]
   std::vector<bool> left_out_;             ///< [node]
 };
 
 } // namespace
 
-std::vector<Corner> singular_corners(const CornerSetting& setting) {
-  return Finder(setting).corners();
+std::vector<SingularCorner> singular_corners(const CornerInput& setting) {
+  return CornerFinder(setting).corners();
 }
 
 } // namespace spricka::estimate

@@ -12,7 +12,7 @@
 /// part only of the error that such places make (manual, estimate.15 to 17).
 namespace spricka::estimate {
 
-struct Corner {
+struct SingularCorner {
   base::NodeId node;
   double exponent = 1.0; ///< u ~ r^exponent, below 1
   /// [x, y] a support of this node and of none of its sides
@@ -22,7 +22,7 @@ struct Corner {
 };
 
 /// What a mesh stands on. cls [2 * node]
-struct CornerSetting {
+struct CornerInput {
   const model::Model& model;
   const model::Mesh& mesh;
   const EdgeTable& edges;
@@ -36,6 +36,6 @@ struct CornerSetting {
 /// The singular corners of a plane mesh, by their nodes. Where bodies are tied together their ends
 /// are those of a support where one surface goes on past the other, which is the worst that the
 /// other body can be; where both end together, and for other ties, there is none known.
-std::vector<Corner> singular_corners(const CornerSetting& setting);
+std::vector<SingularCorner> singular_corners(const CornerInput& setting);
 
 } // namespace spricka::estimate

@@ -9,18 +9,18 @@
 /// The edges of quadratic plane elements: modes of a side belong to all elements that share it.
 namespace spricka::estimate {
 
-struct Edge {
+struct QuadraticEdge {
   std::array<base::NodeId, 3> nodes; ///< end, end, middle; the ends ascending
   std::int32_t elements = 0;         ///< how many share it
 };
 
 /// All edges of a mesh of elements that have modes, in the order of their first element.
 struct EdgeTable {
-  std::vector<Edge> edges;
+  std::vector<QuadraticEdge> edges;
   std::vector<std::int32_t> first;   ///< [element + 1] into `of_side`
   std::vector<std::int32_t> of_side; ///< edges of all elements, side by side
 
-  [[nodiscard]] std::size_t edge(base::ElementId e, int side) const {
+  [[nodiscard]] std::size_t edge_at_side(base::ElementId e, int side) const {
     return static_cast<std::size_t>(of_side[static_cast<std::size_t>(first[e.index()] + side)]);
   }
 };

@@ -21,13 +21,13 @@ template <class F> void for_elements(const model::Mesh& mesh, F&& f) {
 
 /// ee, then ep.
 std::size_t matrix_numbers(base::ElementType type) {
-  const int m = PlaneModes::of(type).freedoms();
+  const int m = PlaneModes::for_type(type).freedoms();
   return static_cast<std::size_t>(m * (m + 2 * base::element_info(type).nodes));
 }
 
 // What the matrices of an element depend on, beside its type.
 std::vector<double> all_that_counts(const fe::AnyNodeVectors<2>& X, const fe::ConstitutiveLaw& law,
-                                    const SideState& side) {
+                                    const SideModeFrames& side) {
   std::vector<double> of(X.data(), X.data() + X.size());
   of.insert(of.end(), {law.lambda, law.mu, law.thickness});
   of.insert(of.end(), side.sign.begin(), side.sign.end());
@@ -37,7 +37,7 @@ std::vector<double> all_that_counts(const fe::AnyNodeVectors<2>& X, const fe::Co
 
 } // namespace
 
-std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
+std::string enrichment_obstacle(const model::Model& model, const model::Mesh& mesh) {
   if (mesh.dim != 2) {
     return "the model is no plane one";
   }
@@ -56,20 +56,21 @@ std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
 double enrichment_bytes(const model::Mesh& mesh) {
   std::size_t numbers = 0;
   for (const base::ElementType type : mesh.type) {
-    numbers += matrix_numbers(type) + static_cast<std::size_t>(PlaneModes::of(type).freedoms());
+    numbers +=
+        matrix_numbers(type) + static_cast<std::size_t>(PlaneModes::for_type(type).freedoms());
   }
   return static_cast<double>(numbers * sizeof(double));
 }
 
-ModeMemory::Entry& ModeMemory::at(base::ElementId host) {
+ModeMatrixCache::CachedModeMatrix& ModeMatrixCache::at(base::ElementId host) {
   if (host.index() >= entries_.size()) {
     entries_.resize(host.index() + 1);
   }
   return entries_[host.index()];
 }
 
-Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
-                       std::vector<bool> framed, KeptModes kept)
+CubicEnrichment::CubicEnrichment(const model::Model& model, const model::Mesh& mesh,
+                                 EdgeTable edges, std::vector<bool> framed, ModeCacheAccess kept)
     : model_(model), mesh_(mesh), edges_(std::move(edges)), framed_(std::move(framed)) {
   auto next = static_cast<std::int32_t>(2 * edges_.edges.size());
   first_.reserve(mesh.element_count() + 1);
@@ -78,8 +79,8 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
   std::size_t numbers = 0;
   // Counted first: what points into own_ must stay where it is.
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    freedoms += static_cast<std::size_t>(PlaneModes::of(mesh.type[e]).freedoms());
-    numbers += kept.host_of(base::ElementId(e)).valid() ? 0 : matrix_numbers(mesh.type[e]);
+    freedoms += static_cast<std::size_t>(PlaneModes::for_type(mesh.type[e]).freedoms());
+    numbers += kept.host_element(base::ElementId(e)).valid() ? 0 : matrix_numbers(mesh.type[e]);
   }
   freedom_.reserve(freedoms);
   matrix_.reserve(mesh.element_count());
@@ -87,9 +88,9 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
   double* next_own = own_.data();
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    const PlaneModes& modes = PlaneModes::of(mesh.type[i]);
+    const PlaneModes& modes = PlaneModes::for_type(mesh.type[i]);
     for (int s = 0; s < modes.sides; ++s) {
-      const auto edge = static_cast<std::int32_t>(edges_.edge(e, s));
+      const auto edge = static_cast<std::int32_t>(edges_.edge_at_side(e, s));
       freedom_.push_back(2 * edge);
       freedom_.push_back(2 * edge + 1);
     }
@@ -103,14 +104,15 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
   sum_diagonal();
 }
 
-void Enrichment::add_matrix(base::ElementId e, const KeptModes& kept, double*& next_own) {
+void CubicEnrichment::add_matrix(base::ElementId e, const ModeCacheAccess& kept,
+                                 double*& next_own) {
   const base::ElementType type = mesh_.type[e.index()];
   const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
-  const SideState side = sides(e);
-  const base::ElementId host = kept.host_of(e);
+  const SideModeFrames side = side_state(e);
+  const base::ElementId host = kept.host_element(e);
   double* at = next_own;
   if (host.valid()) {
-    ModeMemory::Entry& entry = kept.memory->at(host);
+    ModeMatrixCache::CachedModeMatrix& entry = kept.memory->at(host);
     std::vector<double> of =
         all_that_counts(fe::coordinates(shape::reference_element<2>(type), mesh_, e), law, side);
     matrix_.push_back(entry.numbers.data());
@@ -132,25 +134,25 @@ void Enrichment::add_matrix(base::ElementId e, const KeptModes& kept, double*& n
   });
 }
 
-SideState Enrichment::sides(base::ElementId e) const {
+SideModeFrames CubicEnrichment::side_state(base::ElementId e) const {
   const base::ElementType type = mesh_.type[e.index()];
   const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
-  SideState state;
+  SideModeFrames state;
   const int corners = base::element_info(type).corners;
   for (int s = 0; s < corners; ++s) {
     const auto at = static_cast<std::size_t>(s);
     state.sign[at] = side_sign(nodes[at], nodes[static_cast<std::size_t>((s + 1) % corners)]);
-    state.framed[at] = framed_[edges_.edge(e, s)];
+    state.framed[at] = framed_[edges_.edge_at_side(e, s)];
   }
   return state;
 }
 
-base::Vector Enrichment::product(const base::Vector& x) const {
+base::Vector CubicEnrichment::stiffness_product(const base::Vector& x) const {
   base::Vector y = base::Vector::Zero(freedoms_);
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr int m = mode_freedoms<S>;
     const Eigen::Map<const Eigen::Matrix<double, m, m>> K(matrix_[e.index()]);
-    const std::span<const std::int32_t> freedom = of_element(e);
+    const std::span<const std::int32_t> freedom = element_freedoms(e);
     Eigen::Matrix<double, m, 1> local;
     for (int i = 0; i < m; ++i) {
       local[i] = x[freedom[static_cast<std::size_t>(i)]];
@@ -163,12 +165,12 @@ base::Vector Enrichment::product(const base::Vector& x) const {
   return y;
 }
 
-void Enrichment::sum_diagonal() {
+void CubicEnrichment::sum_diagonal() {
   diagonal_.assign(static_cast<std::size_t>(freedoms_ / 2), base::Vec3::Zero());
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr int m = mode_freedoms<S>;
     const Eigen::Map<const Eigen::Matrix<double, m, m>> K(matrix_[e.index()]);
-    const std::span<const std::int32_t> freedom = of_element(e);
+    const std::span<const std::int32_t> freedom = element_freedoms(e);
     for (int i = 0; i < m; i += 2) {
       diagonal_[static_cast<std::size_t>(freedom[static_cast<std::size_t>(i)]) / 2] +=
           base::Vec3(K(i, i), K(i + 1, i), K(i + 1, i + 1));
@@ -176,7 +178,7 @@ void Enrichment::sum_diagonal() {
   });
 }
 
-void Enrichment::take_nodal(const base::Matrix& u, base::Matrix& r) const {
+void CubicEnrichment::subtract_nodal_part(const base::Matrix& u, base::Matrix& r) const {
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     Eigen::Index k = 0;
     for (; k + 4 <= u.cols(); k += 4) { // each matrix is read once for four columns
@@ -189,12 +191,12 @@ void Enrichment::take_nodal(const base::Matrix& u, base::Matrix& r) const {
 }
 
 template <shape::PlaneShape S, int columns>
-void Enrichment::take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,
-                              base::Matrix& r) const {
+void CubicEnrichment::take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,
+                                   base::Matrix& r) const {
   constexpr int m = mode_freedoms<S>;
   constexpr int p = 2 * S::nodes;
   const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + std::ptrdiff_t{m} * m);
-  const std::span<const std::int32_t> freedom = of_element(e);
+  const std::span<const std::int32_t> freedom = element_freedoms(e);
   const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
   Eigen::Matrix<double, p, columns> local;
   for (int n = 0; n < S::nodes; ++n) {
@@ -208,16 +210,17 @@ void Enrichment::take_columns(base::ElementId e, Eigen::Index first, const base:
   }
 }
 
-base::Matrix Enrichment::functional(const std::vector<crack::IntensityPoint>& points) const {
+base::Matrix
+CubicEnrichment::mode_functional(const std::vector<crack::IntensityPoint>& points) const {
   base::Matrix g = base::Matrix::Zero(freedoms_, 2);
   for (const crack::IntensityPoint& point : points) {
     const base::ElementId e = point.element;
-    const std::span<const std::int32_t> freedom = of_element(e);
+    const std::span<const std::int32_t> freedom = element_freedoms(e);
     const fe::AnyElement<2>& element = shape::reference_element<2>(mesh_.type[e.index()]);
-    const PlaneModes& modes = PlaneModes::of(mesh_.type[e.index()]);
+    const PlaneModes& modes = PlaneModes::for_type(mesh_.type[e.index()]);
     const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh_, e);
     const Eigen::Matrix2d J = X.lazyProduct(element.dN(point.r));
-    const ModeGradients G = mode_gradients(modes, X, point.r, J, sides(e));
+    const ModeGradients G = mode_gradients(modes, X, point.r, J, side_state(e));
     for (int mode = 0; mode < 2; ++mode) {
       const Eigen::Matrix2d& M = point.M[static_cast<std::size_t>(mode)];
       // M : grad psi, in the order of the rows of ModeGradients.
@@ -225,7 +228,7 @@ base::Matrix Enrichment::functional(const std::vector<crack::IntensityPoint>& po
       ModeNumbers value = G.transpose() * by_row;
       if (const double hoop = point.hoop[static_cast<std::size_t>(mode)]; hoop != 0.0) {
         const double x = X.row(0) * element.N(point.r);
-        value += hoop / x * mode_outward(modes, X, point.r, sides(e));
+        value += hoop / x * mode_radial_values(modes, X, point.r, side_state(e));
       }
       for (int i = 0; i < modes.freedoms(); ++i) {
         g(freedom[static_cast<std::size_t>(i)], mode) += value[i];

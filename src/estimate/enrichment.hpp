@@ -16,70 +16,71 @@
 namespace spricka::estimate {
 
 /// Why a model's mesh cannot be enriched ("it has linear elements"); empty: it can.
-std::string not_enriched(const model::Model& model, const model::Mesh& mesh);
+std::string enrichment_obstacle(const model::Model& model, const model::Mesh& mesh);
 
 /// What an enrichment keeps of a mesh that can be enriched [bytes].
 double enrichment_bytes(const model::Mesh& mesh);
 
 /// Matrices of the modes of host elements, kept from one crack length to the next. What an
 /// element's depend on is kept along: where it is another they are made anew.
-class ModeMemory {
+class ModeMatrixCache {
 public:
-  struct Entry {
+  struct CachedModeMatrix {
     base::ElementType type{};
     std::vector<double> of;
     std::vector<double> numbers;
   };
-  Entry& at(base::ElementId host);
+  CachedModeMatrix& at(base::ElementId host);
 
 private:
-  std::deque<Entry> entries_; ///< [host element]
+  std::deque<CachedModeMatrix> entries_; ///< [host element]
 };
 
 /// Where an enrichment finds and leaves matrices. `host` [element]: the host element that one is,
 /// invalid: none.
-struct KeptModes {
-  ModeMemory* memory = nullptr;
+struct ModeCacheAccess {
+  ModeMatrixCache* memory = nullptr;
   const std::vector<base::ElementId>* host = nullptr;
 
-  [[nodiscard]] base::ElementId host_of(base::ElementId e) const {
+  [[nodiscard]] base::ElementId host_element(base::ElementId e) const {
     return memory == nullptr ? base::ElementId() : (*host)[e.index()];
   }
 };
 
 /// Mode freedoms: 2 e + c of edge e of the edge table, then those inside the elements. c is the
 /// direction: x and y, or outer normal and tangent on the edges that are `framed`.
-class Enrichment {
+class CubicEnrichment {
 public:
   /// framed [edge]: edges of one element only. Model, mesh and memory must outlive the enrichment;
   /// one enrichment at a time may look into a memory.
-  Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
-             std::vector<bool> framed, KeptModes kept = {});
+  CubicEnrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
+                  std::vector<bool> framed, ModeCacheAccess kept = {});
 
   [[nodiscard]] const model::Model& model() const { return model_; }
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const EdgeTable& edges() const { return edges_; }
-  [[nodiscard]] bool framed(std::size_t edge) const { return framed_[edge]; }
+  [[nodiscard]] bool has_edge_frame(std::size_t edge) const { return framed_[edge]; }
   [[nodiscard]] Eigen::Index freedoms() const { return freedoms_; }
   /// Mode freedoms of an element, in the order of its kernels.
-  [[nodiscard]] std::span<const std::int32_t> of_element(base::ElementId e) const {
+  [[nodiscard]] std::span<const std::int32_t> element_freedoms(base::ElementId e) const {
     return {freedom_.data() + first_[e.index()], freedom_.data() + first_[e.index() + 1]};
   }
-  [[nodiscard]] SideState sides(base::ElementId e) const;
+  [[nodiscard]] SideModeFrames side_state(base::ElementId e) const;
 
   /// y = K_ee x. [freedoms]
-  [[nodiscard]] base::Vector product(const base::Vector& x) const;
+  [[nodiscard]] base::Vector stiffness_product(const base::Vector& x) const;
   /// Diagonal blocks of K_ee: for each direction pair 2 i, 2 i + 1 the entries (0,0), (1,0), (1,1).
   /// [freedoms / 2]
   [[nodiscard]] const std::vector<base::Vec3>& diagonal() const { return diagonal_; }
   /// r - K_ep u, by columns. u [dim * node, k], r [freedoms, k]
-  void take_nodal(const base::Matrix& u, base::Matrix& r) const;
+  void subtract_nodal_part(const base::Matrix& u, base::Matrix& r) const;
   /// The functional of some points on the modes. [freedoms, 2]
-  [[nodiscard]] base::Matrix functional(const std::vector<crack::IntensityPoint>& points) const;
+  [[nodiscard]] base::Matrix
+  mode_functional(const std::vector<crack::IntensityPoint>& points) const;
 
 private:
   /// Of an element: from the memory, or made anew there or at next_own, which goes on.
-  void add_matrix(base::ElementId e, const KeptModes& kept, double*& next_own);
+  void add_matrix(base::ElementId e, const ModeCacheAccess& kept, double*& next_own);
   void sum_diagonal();
   template <shape::PlaneShape S, int columns>
   void take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,

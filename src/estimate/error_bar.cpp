@@ -20,17 +20,17 @@ constexpr double cancelled = 0.2;    // |eta| below this share of the sum says l
 constexpr double share_of_sum = 0.4;
 
 // Measured by tests/stability/coverage.py on its calibration half (manual, error_bar.md).
-BarConstants of_type(base::ElementType type) {
-  return type == base::ElementType::quamc9 ? BarConstants{1.8, 1.15} : BarConstants{1.8, 1.2};
+ErrorBarFactors of_type(base::ElementType type) {
+  return type == base::ElementType::quamc9 ? ErrorBarFactors{1.8, 1.15} : ErrorBarFactors{1.8, 1.2};
 }
 
 } // namespace
 
-BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error) {
-  BarConstants mean{0.0, 0.0};
+ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error) {
+  ErrorBarFactors mean{0.0, 0.0};
   double total = 0.0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const BarConstants own = of_type(mesh.type[e]);
+    const ErrorBarFactors own = of_type(mesh.type[e]);
     const double weight = std::abs(error.of_element[e]);
     // Mixed by the types' shares of sum |eta_e| (estimate.11).
     mean.bar += weight * own.bar;
@@ -45,13 +45,13 @@ BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error) {
 
 std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
                                    const std::array<const GoalError*, 2>& errors,
-                                   const std::array<Flip, 2>& flip, bool coarse) {
+                                   const std::array<ActiveSetChange, 2>& flip, bool coarse) {
   std::array<ErrorBar, 2> bars;
   const double size = std::hypot(K[0], K[1]);
   const Shares share = coarse ? when_coarse : Shares{};
   for (std::size_t k = 0; k < 2; ++k) {
     const GoalError& error = *errors[k];
-    const BarConstants constants = bar_constants(mesh, error);
+    const ErrorBarFactors constants = bar_constants(mesh, error);
     ErrorBar& bar = bars[k];
     bar.floor = floor_share * size;
     bar.mesh = constants.bar * std::abs(error.eta);

@@ -18,25 +18,25 @@ struct ErrorBar {
 };
 
 /// What eta is multiplied by, found by comparison with known values (manual, error_bar.md).
-struct BarConstants {
+struct ErrorBarFactors {
   double bar = 1.8;
   double best = 1.2;
 };
 /// The constants of a mesh: those of its element types, by their share of sum |eta_e|.
-BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error);
+ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error);
 
 /// Part of the largest flip that a bar takes, read off cracks that a residual field closes along a
 /// part (manual, error_bar.md); the rest of its edge is that of sharp edges.
 constexpr double share_of_flip = 0.15;
 
 /// Changes of one K when a contact pair changes its state.
-struct Flip {
+struct ActiveSetChange {
   double end = 0.0;   ///< the largest, of pairs beside the end of a contact
   double sharp = 0.0; ///< sum over those at sharp edges, where pressure has no bound
 };
 /// K, errors and flip by mode. `coarse`: a contact is too coarse for eta to be trusted.
 std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
                                    const std::array<const GoalError*, 2>& errors,
-                                   const std::array<Flip, 2>& flip, bool coarse);
+                                   const std::array<ActiveSetChange, 2>& flip, bool coarse);
 
 } // namespace spricka::estimate

@@ -15,7 +15,7 @@ constexpr double small_change = 3e-3;
 /// anyhow.
 class Preconditioner {
 public:
-  Preconditioner(const Enrichment& enrichment, const ModeMap& map)
+  Preconditioner(const CubicEnrichment& enrichment, const ModeMap& map)
       : diagonal_(base::Vector::Zero(map.unknowns)) {
     const std::vector<base::Vec3>& blocks = enrichment.diagonal();
     const std::size_t edges = enrichment.edges().edges.size();
@@ -43,7 +43,7 @@ public:
       // Modes that two edges share take their diagonal only: the block of one edge is not theirs.
       const bool own = x >= 0 && y >= 0 && users[static_cast<std::size_t>(x)] == 1 &&
                        users[static_cast<std::size_t>(y)] == 1;
-      if (own && !(i < edges && enrichment.framed(i))) {
+      if (own && !(i < edges && enrichment.has_edge_frame(i))) {
         pairs_.push_back({x, y, blocks[i][1]});
       }
     }
@@ -55,7 +55,7 @@ public:
 
   [[nodiscard]] base::Vector solve(const base::Vector& r) const {
     base::Vector y = r.cwiseQuotient(diagonal_);
-    for (const Pair& p : pairs_) {
+    for (const CoupledFreedoms& p : pairs_) {
       const double a = diagonal_[p.x];
       const double c = diagonal_[p.y];
       const double determinant = a * c - p.off * p.off;
@@ -66,12 +66,12 @@ public:
   }
 
 private:
-  struct Pair {
+  struct CoupledFreedoms {
     std::int32_t x, y;
     double off;
   };
   base::Vector diagonal_;
-  std::vector<Pair> pairs_;
+  std::vector<CoupledFreedoms> pairs_;
   base::Vector support_;
 };
 
@@ -80,8 +80,8 @@ bool settled(const base::Vector& change, const base::Vector& eta) {
 }
 
 // K_ee^-1 r as far as the functionals r_z see it.
-base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const base::Vector& r_u,
-                         const base::Matrix& r_z) {
+base::Vector solve_modes(const CubicEnrichment& enrichment, const ModeMap& map,
+                         const base::Vector& r_u, const base::Matrix& r_z) {
   const Preconditioner preconditioner(enrichment, map);
   // Conjugate gradients from zero.
   base::Vector x = base::Vector::Zero(map.unknowns);
@@ -91,7 +91,7 @@ base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const
   double rs = r.dot(s);
   base::Vector eta = base::Vector::Zero(r_z.cols());
   for (int step = 0; step < most_steps && rs > 0.0; ++step) {
-    const base::Vector Kp = map.reduce(enrichment.product(map.expand(p))).col(0) +
+    const base::Vector Kp = map.reduce(enrichment.stiffness_product(map.expand(p))).col(0) +
                             preconditioner.support().cwiseProduct(p);
     const double alpha = rs / p.dot(Kp);
     x += alpha * p;
@@ -112,12 +112,12 @@ base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const
 
 } // namespace
 
-std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& map,
+std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const ModeMap& map,
                                    const GoalRequest& request) {
   base::Matrix f = request.load;
-  enrichment.take_nodal(request.u, f);
+  enrichment.subtract_nodal_part(request.u, f);
   base::Matrix g = request.goals;
-  enrichment.take_nodal(request.z, g);
+  enrichment.subtract_nodal_part(request.z, g);
   const base::Matrix r_z = map.reduce(g);
   const base::Vector x = solve_modes(enrichment, map, map.reduce(f).col(0), r_z);
 
@@ -125,7 +125,7 @@ std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& 
   const model::Mesh& mesh = enrichment.mesh();
   std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const std::int32_t freedom : enrichment.of_element(base::ElementId(e))) {
+    for (const std::int32_t freedom : enrichment.element_freedoms(base::ElementId(e))) {
       const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
       if (u >= 0) {
         ++users[static_cast<std::size_t>(u)];
@@ -137,7 +137,7 @@ std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& 
     GoalError& error = errors[k];
     error.of_element.assign(mesh.element_count(), 0.0);
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      for (const std::int32_t freedom : enrichment.of_element(base::ElementId(e))) {
+      for (const std::int32_t freedom : enrichment.element_freedoms(base::ElementId(e))) {
         const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
         if (u >= 0) {
           error.of_element[e] +=

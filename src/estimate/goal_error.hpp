@@ -25,7 +25,7 @@ struct GoalRequest {
 /// eta = r_z^T K_ee^-1 r_u with r_u = f_e - K_ep u and r_z = g_e - K_ep z (manual, estimate.4), by
 /// conjugate gradients on the modes, preconditioned by the diagonal blocks of the direction pairs:
 /// at most 8 steps, fewer where another one changes no eta by more than 0.3 %.
-std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& map,
+std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const ModeMap& map,
                                    const GoalRequest& request);
 
 } // namespace spricka::estimate

@@ -7,7 +7,7 @@ namespace spricka::estimate {
 
 ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
                              const shape::Point<2>& r, const Eigen::Matrix2d& J,
-                             const SideState& sides) {
+                             const SideModeFrames& sides) {
   const Eigen::Matrix2d inverse = J.inverse();
   PlaneModes::Slopes d = modes.dpsi(r).lazyProduct(inverse);
   for (int s = 0; s < modes.sides; ++s) {
@@ -41,8 +41,8 @@ ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2
   return G;
 }
 
-ModeNumbers mode_outward(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
-                         const shape::Point<2>& r, const SideState& sides) {
+ModeNumbers mode_radial_values(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                               const shape::Point<2>& r, const SideModeFrames& sides) {
   const PlaneModes::Values psi = modes.psi(r);
   ModeNumbers along = ModeNumbers::Zero(modes.freedoms());
   for (int m = 0; m < modes.count; ++m) {
@@ -76,7 +76,7 @@ template <int freedoms> Eigen::Matrix<double, 3, freedoms> strains_of(const Mode
 
 template <shape::PlaneShape S>
 EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                                        const SideState& sides) {
+                                        const SideModeFrames& sides) {
   // Moments know modes along x and y only; in a frame the directions change from point to point.
   if (law.axisymmetric) {
     about_axis(X, law, sides);
@@ -89,7 +89,7 @@ EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::C
 
 template <shape::PlaneShape S>
 void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                                      const SideState& sides) {
+                                      const SideModeFrames& sides) {
   Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
   D.topLeftCorner<2, 2>().setConstant(law.lambda);
   // (fe.3): mu on all, another mu on the normal strains.
@@ -97,7 +97,7 @@ void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Con
   D.diagonal().head<2>().array() += law.mu;
   ee.setZero();
   ep.setZero();
-  const PlaneModes& of = PlaneModes::of(S::type);
+  const PlaneModes& of = PlaneModes::for_type(S::type);
   const fe::AnyNodeVectors<2> nodes = X;
   for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
@@ -113,7 +113,7 @@ void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Con
 // As by_strains, with the strain round the axis as the fourth.
 template <shape::PlaneShape S>
 void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                                      const SideState& sides) {
+                                      const SideModeFrames& sides) {
   Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
   D.topLeftCorner<2, 2>().setConstant(law.lambda);
   D.block<2, 1>(0, 3).setConstant(law.lambda);
@@ -122,7 +122,7 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Con
   D.diagonal() += law.mu * Eigen::Vector4d(2.0, 2.0, 1.0, 2.0);
   ee.setZero();
   ep.setZero();
-  const PlaneModes& of = PlaneModes::of(S::type);
+  const PlaneModes& of = PlaneModes::for_type(S::type);
   const fe::AnyNodeVectors<2> nodes = X;
   for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
@@ -131,7 +131,7 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Con
     Eigen::Matrix<double, 4, mode_freedoms<S>> B;
     B.template topRows<3>() =
         strains_of<mode_freedoms<S>>(mode_gradients(of, nodes, point.r, at.J, sides));
-    B.row(3) = mode_outward(of, nodes, point.r, sides).transpose() / hoop.x;
+    B.row(3) = mode_radial_values(of, nodes, point.r, sides).transpose() / hoop.x;
     Eigen::Matrix<double, 4, 2 * S::nodes> P = Eigen::Matrix<double, 4, 2 * S::nodes>::Zero();
     P.template topRows<3>() = fe::strain_matrix<S>(at.dNdx);
     for (int n = 0; n < S::nodes; ++n) {
@@ -147,7 +147,7 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Con
 // block of directions a, b is lambda M_ab + mu M_ba + mu delta_ab sum_p M_pp.
 template <shape::PlaneShape S>
 void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                                      const SideState& sides) {
+                                      const SideModeFrames& sides) {
   using Square = Eigen::Matrix<double, modes, modes>;
   using Mixed = Eigen::Matrix<double, modes, S::nodes>;
   std::array<std::array<Square, 2>, 2> E;

@@ -19,7 +19,7 @@ using ModeNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * most_plane_m
 using ModeGradients = Eigen::Matrix<double, 4, Eigen::Dynamic, 0, 4, 2 * most_plane_modes>;
 
 /// Which sides of an element have modes in their own frame, and the signs of the side modes.
-struct SideState {
+struct SideModeFrames {
   std::array<double, 4> sign{1.0, 1.0, 1.0, 1.0};
   std::array<bool, 4> framed{};
 
@@ -51,12 +51,12 @@ inline std::array<base::Vec2, 3> side_points(const PlaneModes& modes,
 /// J of the map at r.
 ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
                              const shape::Point<2>& r, const Eigen::Matrix2d& J,
-                             const SideState& sides);
+                             const SideModeFrames& sides);
 
 /// Displacements along x of all mode freedoms at a point: about an axis the strain round it is
 /// these over x.
-ModeNumbers mode_outward(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
-                         const shape::Point<2>& r, const SideState& sides);
+ModeNumbers mode_radial_values(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                               const shape::Point<2>& r, const SideModeFrames& sides);
 
 /// Stiffness of the modes with themselves and with the nodes' displacements (manual, estimate.8).
 template <shape::PlaneShape S> struct EnrichedStiffness {
@@ -65,15 +65,15 @@ template <shape::PlaneShape S> struct EnrichedStiffness {
   Eigen::Matrix<double, mode_freedoms<S>, 2 * S::nodes> ep;
 
   EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                    const SideState& sides);
+                    const SideModeFrames& sides);
 
 private:
   void by_strains(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                  const SideState& sides);
+                  const SideModeFrames& sides);
   void about_axis(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                  const SideState& sides);
+                  const SideModeFrames& sides);
   void by_moments(const fe::NodeVectors<S>& X, const fe::ConstitutiveLaw& law,
-                  const SideState& sides);
+                  const SideModeFrames& sides);
 };
 
 } // namespace spricka::estimate

@@ -18,14 +18,14 @@ struct ModeElement {
   const fe::AnyElement<2>& shape;
   const PlaneModes& modes;
   fe::AnyNodeVectors<2> X;
-  SideState sides;
+  SideModeFrames sides;
   std::span<const std::int32_t> freedom;
 
-  ModeElement(const Enrichment& enrichment, base::ElementId e)
+  ModeElement(const CubicEnrichment& enrichment, base::ElementId e)
       : shape(shape::reference_element<2>(enrichment.mesh().type[e.index()])),
-        modes(PlaneModes::of(enrichment.mesh().type[e.index()])),
-        X(fe::coordinates(shape, enrichment.mesh(), e)), sides(enrichment.sides(e)),
-        freedom(enrichment.of_element(e)) {}
+        modes(PlaneModes::for_type(enrichment.mesh().type[e.index()])),
+        X(fe::coordinates(shape, enrichment.mesh(), e)), sides(enrichment.side_state(e)),
+        freedom(enrichment.element_freedoms(e)) {}
 
   /// A force along the axes of a side's mode at t.
   [[nodiscard]] Vec2 along(std::size_t side, double t, const Vec3& force) const {
@@ -93,7 +93,7 @@ ModeNumbers taken_forces(const ModeElement& element, const fe::ConstitutiveLaw& 
       const double x = X.row(0) * shape.N(point.r);
       const double w = point.weight * at.det * law.depth(x);
       F += pressed(element, point.r, at.J, w * stress);
-      F += w * even / x * mode_outward(element.modes, X, point.r, element.sides);
+      F += w * even / x * mode_radial_values(element.modes, X, point.r, element.sides);
       continue;
     }
     if (carried) {
@@ -107,7 +107,8 @@ ModeNumbers taken_forces(const ModeElement& element, const fe::ConstitutiveLaw& 
 }
 
 // A temperature presses on the volume change of the modes, also with what elements do not take.
-void add_thermal(const Enrichment& enrichment, const fe::CaseTemperature& heat, base::Vector& f) {
+void add_thermal(const CubicEnrichment& enrichment, const fe::CaseTemperature& heat,
+                 base::Vector& f) {
   const model::Mesh& mesh = enrichment.mesh();
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
@@ -134,7 +135,7 @@ void add_thermal(const Enrichment& enrichment, const fe::CaseTemperature& heat, 
 
 } // namespace
 
-base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load_case,
+base::Vector mode_load(const CubicEnrichment& enrichment, const model::LoadCase& load_case,
                        const fe::CaseTemperature* heat) {
   const model::Model& model = enrichment.model();
   const model::Mesh& mesh = enrichment.mesh();

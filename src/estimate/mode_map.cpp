@@ -78,10 +78,10 @@ base::Matrix ModeMap::reduce(const base::Matrix& f) const {
   return y;
 }
 
-ModeSupports mode_supports(const Enrichment& enrichment,
+ModeSupports mode_supports(const CubicEnrichment& enrichment,
                            const std::vector<model::FreedomClass>& cls,
                            const fe::ConstraintTransformation& ties) {
-  const std::vector<Edge>& edges = enrichment.edges().edges;
+  const std::vector<QuadraticEdge>& edges = enrichment.edges().edges;
   ModeSupports supports;
   supports.held.assign(static_cast<std::size_t>(enrichment.freedoms()), false);
   const auto given = [&](base::NodeId n, int c) {
@@ -103,7 +103,7 @@ ModeSupports mode_supports(const Enrichment& enrichment,
       held[static_cast<std::size_t>(c)] =
           std::ranges::all_of(nodes, [&](base::NodeId n) { return given(n, c); });
     }
-    if (enrichment.framed(e) && (held[0] || held[1])) {
+    if (enrichment.has_edge_frame(e) && (held[0] || held[1])) {
       held = {true, true}; // the frame has no such direction
     }
     supports.held[2 * e] = held[0];
@@ -118,11 +118,11 @@ ModeSupports mode_supports(const Enrichment& enrichment,
     const auto other =
         index.find({std::min(lead[0], lead[1]), std::max(lead[0], lead[1]), lead[2]});
     if (lead[0].valid() && lead[1].valid() && lead[2].valid() && other != index.end() &&
-        !enrichment.framed(e) && !enrichment.framed(other->second)) {
+        !enrichment.has_edge_frame(e) && !enrichment.has_edge_frame(other->second)) {
       supports.shared.push_back({e, other->second, side_sign(lead[0], lead[1])});
     }
   }
-  for (const ModeSupports::Shared& s : supports.shared) {
+  for (const ModeSupports::SharedEdgeModes& s : supports.shared) {
     // Both edges of a shared pair keep their modes; others that ties join are held.
     joined[s.edge] = joined[s.as] = false;
   }
@@ -134,7 +134,7 @@ ModeSupports mode_supports(const Enrichment& enrichment,
   return supports;
 }
 
-ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
+ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports,
                  const std::vector<ClosedEdge>& closed) {
   const auto count = static_cast<std::size_t>(enrichment.freedoms());
   std::vector<bool> held = supports.held;
@@ -151,7 +151,7 @@ ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
       held[freedom] = held[other] = true;
     }
   };
-  for (const ModeSupports::Shared& s : supports.shared) {
+  for (const ModeSupports::SharedEdgeModes& s : supports.shared) {
     for (std::size_t c = 0; c < 2; ++c) {
       follow(2 * s.edge + c, 2 * s.as + c, s.factor);
     }

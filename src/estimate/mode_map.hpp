@@ -26,21 +26,21 @@ struct ModeMap {
 /// estimate.9): matching edges of two nets share theirs.
 struct ModeSupports {
   std::vector<bool> held; ///< [freedom]
-  struct Shared {
+  struct SharedEdgeModes {
     std::size_t edge = 0, as = 0;
     double factor = 1.0; ///< of both directions
   };
-  std::vector<Shared> shared; ///< edges whose modes are those of another one
+  std::vector<SharedEdgeModes> shared; ///< edges whose modes are those of another one
 };
 /// cls [dim * node]
-ModeSupports mode_supports(const Enrichment& enrichment,
+ModeSupports mode_supports(const CubicEnrichment& enrichment,
                            const std::vector<model::FreedomClass>& cls,
                            const fe::ConstraintTransformation& ties);
 
 /// With the closed contact edges of a step (manual, estimate.10): on matching edges the normal mode
 /// of both bodies is one; on others it is held, or carries the pressure where it is `loaded`;
 /// bonded ones treat the tangential mode alike.
-ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
+ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports,
                  const std::vector<ClosedEdge>& closed);
 
 } // namespace spricka::estimate

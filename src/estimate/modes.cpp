@@ -12,14 +12,14 @@ template <class M> PlaneModes describe() {
   modes.degree = M::degree;
   modes.psi = [](const shape::Point<2>& r) { return PlaneModes::Values(M::psi(r)); };
   modes.dpsi = [](const shape::Point<2>& r) { return PlaneModes::Slopes(M::dpsi(r)); };
-  modes.along = M::along;
-  modes.d_along = M::d_along;
+  modes.along = M::side_coordinate;
+  modes.d_along = M::d_side_coordinate;
   return modes;
 }
 
 } // namespace
 
-const PlaneModes& PlaneModes::of(base::ElementType type) {
+const PlaneModes& PlaneModes::for_type(base::ElementType type) {
   static const PlaneModes trimc6 = describe<Modes<shape::Trimc6>>();
   static const PlaneModes quamc8 = describe<Modes<shape::Quamc8>>();
   static const PlaneModes quamc9 = describe<Modes<shape::Quamc9>>();

@@ -51,11 +51,13 @@ struct TriangleModes {
     slope.row(3) = L[1] * L[2] * d.row(0) + L[2] * L[0] * d.row(1) + L[0] * L[1] * d.row(2);
     return slope;
   }
-  static double along(const shape::Point<2>& r, int s) {
+  static double side_coordinate(const shape::Point<2>& r, int s) {
     const Eigen::Vector3d L = area_coordinates(r);
     return L[(s + 1) % 3] - L[s];
   }
-  static Eigen::RowVector2d d_along(int s) { return slopes().row((s + 1) % 3) - slopes().row(s); }
+  static Eigen::RowVector2d d_side_coordinate(int s) {
+    return slopes().row((s + 1) % 3) - slopes().row(s);
+  }
 };
 
 /// Sides, then (1 - x^2)(1 - y^2) times x, y, xy and, for the element without a centre node, 1:
@@ -111,11 +113,11 @@ template <bool centre> struct QuadrilateralModes {
     }
     return slope;
   }
-  static double along(const shape::Point<2>& r, int s) {
+  static double side_coordinate(const shape::Point<2>& r, int s) {
     const SideAxes& a = axes[static_cast<std::size_t>(s)];
     return a.turn * r[a.along];
   }
-  static Eigen::RowVector2d d_along(int s) {
+  static Eigen::RowVector2d d_side_coordinate(int s) {
     const SideAxes& a = axes[static_cast<std::size_t>(s)];
     Eigen::RowVector2d d = Eigen::RowVector2d::Zero();
     d[a.along] = a.turn;
@@ -164,7 +166,7 @@ struct PlaneModes {
   [[nodiscard]] int freedoms() const { return 2 * count; }
 
   /// Of a type that has some.
-  static const PlaneModes& of(base::ElementType type);
+  static const PlaneModes& for_type(base::ElementType type);
 };
 
 /// Calls f(S{}) for a type that has modes.

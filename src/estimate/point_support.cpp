@@ -12,13 +12,13 @@ namespace spricka::estimate {
 namespace {
 
 /// Forces that hold a node of the elements, and how soft the body is.
-struct Held {
+struct HeldNode {
   base::Matrix force;   ///< [2, goals]
   double modulus = 0.0; ///< E' times thickness
 };
 
-Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix& z) {
-  Held held{base::Matrix::Zero(2, z.cols()), 0.0};
+HeldNode hold(const CornerInput& setting, const SingularCorner& corner, const base::Matrix& z) {
+  HeldNode held{base::Matrix::Zero(2, z.cols()), 0.0};
   const model::Mesh& mesh = setting.mesh;
   for (const base::ElementId e : corner.elements) {
     const fe::ConstitutiveLaw law = fe::constitutive_law(setting.model, mesh, e);
@@ -50,15 +50,16 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
 
 } // namespace
 
-PointGiving point_giving(const CornerSetting& setting, const std::vector<Corner>& corners,
-                         const base::Vector& reaction, const base::Matrix& z) {
-  PointGiving giving{base::Vector::Zero(z.cols()), {}};
+PointSupportChange point_support_change(const CornerInput& setting,
+                                        const std::vector<SingularCorner>& corners,
+                                        const base::Vector& reaction, const base::Matrix& z) {
+  PointSupportChange giving{base::Vector::Zero(z.cols()), {}};
   double most = -1.0;
-  for (const Corner& corner : corners) {
+  for (const SingularCorner& corner : corners) {
     if (!corner.held_alone[0] && !corner.held_alone[1]) {
       continue;
     }
-    const Held held = hold(setting, corner, z);
+    const HeldNode held = hold(setting, corner, z);
     // Flamant: u = 2 P / (pi E' t) log r under a force on the edge of a half plane
     const double soft = 2.0 * std::numbers::ln2 / (std::numbers::pi * held.modulus);
     double largest = 0.0;

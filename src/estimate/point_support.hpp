@@ -8,14 +8,15 @@
 namespace spricka::estimate {
 
 /// A goal that hangs on supports of single nodes: a body gives way there by log h, without bound.
-struct PointGiving {
+struct PointSupportChange {
   base::Vector change; ///< [goals] sum of |dK| when elements at such nodes halve (estimate.18)
   base::NodeId node;   ///< that has the largest part; invalid: no support of a single node
 };
 
 /// reaction [2 * node] of the supports; z [2 * node, goals] the adjoints. Zero where supports are
 /// statically determinate: their reactions to the goals' loads, which balance, are none.
-PointGiving point_giving(const CornerSetting& setting, const std::vector<Corner>& corners,
-                         const base::Vector& reaction, const base::Matrix& z);
+PointSupportChange point_support_change(const CornerInput& setting,
+                                        const std::vector<SingularCorner>& corners,
+                                        const base::Vector& reaction, const base::Matrix& z);
 
 } // namespace spricka::estimate

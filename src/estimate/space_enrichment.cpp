@@ -13,9 +13,9 @@ namespace spricka::estimate {
 
 using base::Vec3;
 
-std::string not_enriched_in_space(const model::Model& model, const model::Mesh& mesh) {
+std::string solid_enrichment_obstacle(const model::Model& model, const model::Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    if (!SpaceModes::has(mesh.type[e])) {
+    if (!SolidModes::covers_type(mesh.type[e])) {
       return base::element_info(mesh.type[e]).quadratic ? "some elements are HEXEC27"
                                                         : "some elements are linear";
     }
@@ -26,7 +26,7 @@ std::string not_enriched_in_space(const model::Model& model, const model::Mesh& 
   return {};
 }
 
-SpaceEnrichment::SpaceEnrichment(const model::Model& model, const model::Mesh& mesh,
+SolidEnrichment::SolidEnrichment(const model::Model& model, const model::Mesh& mesh,
                                  const std::vector<model::FreedomClass>& cls,
                                  const fe::ConstraintTransformation& ties)
     : model_(model), mesh_(mesh), operator_(model, mesh, number_modes(mesh, cls, ties)) {
@@ -34,7 +34,7 @@ SpaceEnrichment::SpaceEnrichment(const model::Model& model, const model::Mesh& m
   for (std::size_t m = 0; m < block.size(); ++m) {
     // A direction that is held has no part in the block's inverse.
     for (Eigen::Index c = 0; c < 3; ++c) {
-      if (free()[3 * static_cast<Eigen::Index>(m) + c] == 0.0) {
+      if (free_mask()[3 * static_cast<Eigen::Index>(m) + c] == 0.0) {
         const double size = block[m](c, c);
         block[m].row(c).setZero();
         block[m].col(c).setZero();
@@ -45,33 +45,33 @@ SpaceEnrichment::SpaceEnrichment(const model::Model& model, const model::Mesh& m
   }
 }
 
-base::Vector SpaceEnrichment::precondition(const base::Vector& r) const {
+base::Vector SolidEnrichment::precondition(const base::Vector& r) const {
   base::Vector y(r.size());
   for (std::size_t m = 0; m < inverse_.size(); ++m) {
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(m);
     y.segment<3>(at) = inverse_[m] * r.segment<3>(at);
   }
-  return y.cwiseProduct(free());
+  return y.cwiseProduct(free_mask());
 }
 
-base::Vector SpaceEnrichment::on_modes(const base::Vector* v, const base::Vector* x) const {
+base::Vector SolidEnrichment::forces_on_modes(const base::Vector* v, const base::Vector* x) const {
   base::Vector f = base::Vector::Zero(freedoms());
-  operator_.add({v, x}, {nullptr, &f});
-  return f.cwiseProduct(free());
+  operator_.add_forces({v, x}, {nullptr, &f});
+  return f.cwiseProduct(free_mask());
 }
 
-void SpaceEnrichment::product(const base::Vector& x, base::Vector& on_nodes,
-                              base::Vector& on_modes) const {
+void SolidEnrichment::stiffness_product(const base::Vector& x, base::Vector& on_nodes,
+                                        base::Vector& on_modes) const {
   on_nodes = base::Vector::Zero(3 * static_cast<Eigen::Index>(mesh_.node_count()));
   on_modes = base::Vector::Zero(freedoms());
-  operator_.add({nullptr, &x}, {&on_nodes, &on_modes});
-  on_modes = on_modes.cwiseProduct(free());
+  operator_.add_forces({nullptr, &x}, {&on_nodes, &on_modes});
+  on_modes = on_modes.cwiseProduct(free_mask());
 }
 
-void SpaceEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& force,
+void SolidEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& force,
                                  base::Vector& f) const {
-  const base::Vector psi = SpaceModes::of(mesh_.type[e.index()]).psi(r);
-  const std::span<const std::int32_t> mode = of_element(e);
+  const base::Vector psi = SolidModes::for_type(mesh_.type[e.index()]).psi(r);
+  const std::span<const std::int32_t> mode = element_modes(e);
   const std::span<const double> sign = signs(e);
   for (std::size_t m = 0; m < mode.size(); ++m) {
     f.segment<3>(3 * static_cast<Eigen::Index>(mode[m])) +=
@@ -79,14 +79,14 @@ void SpaceEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& f
   }
 }
 
-void SpaceEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, const Vec3& force,
+void SolidEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, const Vec3& force,
                                   base::Vector& f) const {
   const base::ElementType type = mesh_.type[face.element.index()];
   add_inside(face.element, shape::side_to_solid_point(type, face.side, r), force, f);
 }
 
 // A temperature presses on the volume change of the modes.
-void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& heat,
+void SolidEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& heat,
                                   base::Vector& f) const {
   const fe::AnyElement<3>& element = shape::reference_element<3>(mesh_.type[e.index()]);
   const fe::CornerValues<3> T = fe::corner_temperature(element, mesh_, e, heat.temperature);
@@ -97,7 +97,7 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& 
   const fe::AnyNodeVectors<3> X = fe::coordinates(element, mesh_, e);
   const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
   const fe::ThermalStress<3> thermal(element, X, law, T);
-  const SpaceModes& modes = SpaceModes::of(mesh_.type[e.index()]);
+  const SolidModes& modes = SolidModes::for_type(mesh_.type[e.index()]);
   base::Matrix F = base::Matrix::Zero(static_cast<Eigen::Index>(modes.modes().size()), 3);
   const double beta = fe::thermal_modulus(law);
   const int degree = varies ? fe::load_degree : element.degree;
@@ -109,7 +109,7 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& 
     const double w = point.weight * J.determinant() * pressure;
     F += w * modes.dpsi(point.r).lazyProduct(inverse);
   }
-  const std::span<const std::int32_t> mode = of_element(e);
+  const std::span<const std::int32_t> mode = element_modes(e);
   const std::span<const double> sign = signs(e);
   for (std::size_t m = 0; m < mode.size(); ++m) {
     f.segment<3>(3 * static_cast<Eigen::Index>(mode[m])) +=
@@ -117,8 +117,8 @@ void SpaceEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& 
   }
 }
 
-base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
-                                   const fe::CaseTemperature& heat) const {
+base::Vector SolidEnrichment::distributed_load(const model::LoadCase& load_case,
+                                               const fe::CaseTemperature& heat) const {
   base::Vector f = base::Vector::Zero(freedoms());
   const auto on_side = [&](const model::Face& face, std::span<const fe::LoadPoint> points) {
     for (const fe::LoadPoint& p : points) {
@@ -136,10 +136,10 @@ base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
   for (std::size_t e = 0; e < mesh_.element_count() && heat.temperature.size() > 0; ++e) {
     add_thermal(base::ElementId(e), heat, f);
   }
-  return f.cwiseProduct(free());
+  return f.cwiseProduct(free_mask());
 }
 
-void SpaceEnrichment::add_tractions(const std::vector<contact::FaceTraction>& tractions,
+void SolidEnrichment::add_tractions(const std::vector<contact::FaceTraction>& tractions,
                                     base::Vector& f) const {
   base::Vector own = base::Vector::Zero(freedoms());
   for (const contact::FaceTraction& traction : tractions) {
@@ -147,7 +147,7 @@ void SpaceEnrichment::add_tractions(const std::vector<contact::FaceTraction>& tr
       add_on_side(traction.face, p.r, p.force, own);
     }
   }
-  f += own.cwiseProduct(free());
+  f += own.cwiseProduct(free_mask());
 }
 
 } // namespace spricka::estimate

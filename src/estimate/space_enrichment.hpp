@@ -20,43 +20,44 @@
 namespace spricka::estimate {
 
 /// Why a model of solids cannot be enriched; empty: it can.
-std::string not_enriched_in_space(const model::Model& model, const model::Mesh& mesh);
+std::string solid_enrichment_obstacle(const model::Model& model, const model::Mesh& mesh);
 
-class SpaceEnrichment {
+class SolidEnrichment {
 public:
   /// Held are modes along freedoms that supports hold at all nodes of an edge or a face, and modes
   /// of edges and faces that ties join (manual, estimate.22). All must outlive it.
-  SpaceEnrichment(const model::Model& model, const model::Mesh& mesh,
+  SolidEnrichment(const model::Model& model, const model::Mesh& mesh,
                   const std::vector<model::FreedomClass>& cls,
                   const fe::ConstraintTransformation& ties);
 
   /// Three directions of each mode. [freedoms]
-  [[nodiscard]] Eigen::Index freedoms() const { return free().size(); }
+  [[nodiscard]] Eigen::Index freedoms() const { return free_mask().size(); }
   /// Modes of an element in the order of SpaceModes.
-  [[nodiscard]] std::span<const std::int32_t> of_element(base::ElementId e) const {
-    const SpaceNumbers& of = operator_.numbers();
+  [[nodiscard]] std::span<const std::int32_t> element_modes(base::ElementId e) const {
+    const SolidModeNumbers& of = operator_.mode_numbers();
     return {of.mode.data() + of.first[e.index()], of.mode.data() + of.first[e.index() + 1]};
   }
   /// Whether the element's own function is the mode or its negative.
   [[nodiscard]] std::span<const double> signs(base::ElementId e) const {
-    const SpaceNumbers& of = operator_.numbers();
+    const SolidModeNumbers& of = operator_.mode_numbers();
     return {of.sign.data() + of.first[e.index()], of.sign.data() + of.first[e.index() + 1]};
   }
 
   /// What displacements of nodes v [3 * node] and modes x [freedoms] load the modes with,
   /// K_ep v + K_ee x, on free ones; null: zero.
-  [[nodiscard]] base::Vector on_modes(const base::Vector* v, const base::Vector* x) const;
+  [[nodiscard]] base::Vector forces_on_modes(const base::Vector* v, const base::Vector* x) const;
   /// Both: K_pe x on the nodes [3 * node] and K_ee x on the modes.
-  void product(const base::Vector& x, base::Vector& on_nodes, base::Vector& on_modes) const;
+  void stiffness_product(const base::Vector& x, base::Vector& on_nodes,
+                         base::Vector& on_modes) const;
   /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
   [[nodiscard]] base::Vector precondition(const base::Vector& r) const;
   /// Zero where held. [freedoms]
-  [[nodiscard]] const base::Vector& free() const { return operator_.numbers().free; }
+  [[nodiscard]] const base::Vector& free_mask() const { return operator_.mode_numbers().free; }
 
   /// Forces on the modes of spread loads of a case, and what its temperature presses: all of it,
   /// also what elements do not take.
-  [[nodiscard]] base::Vector load(const model::LoadCase& load_case,
-                                  const fe::CaseTemperature& heat) const;
+  [[nodiscard]] base::Vector distributed_load(const model::LoadCase& load_case,
+                                              const fe::CaseTemperature& heat) const;
   /// Adds what forces at points of faces, as contacts have them, do.
   void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
 
@@ -69,7 +70,7 @@ private:
 
   const model::Model& model_;
   const model::Mesh& mesh_;
-  SpaceOperator operator_;
+  SolidModeStiffness operator_;
   std::vector<Eigen::Matrix3d> inverse_; ///< [mode]
 };
 

@@ -60,10 +60,10 @@ Jet on_quadrilateral(const Jet& bubble, const Jet& u, const Jet& w, int which) {
   }
 }
 
-Jet tetrahedron(const SpaceMode& mode, const Vec3& r) {
+Jet tetrahedron(const SolidMode& mode, const Vec3& r) {
   const auto x = coordinates(r);
   const std::array<Jet, 4> L{number(1.0) - x[0] - x[1] - x[2], x[0], x[1], x[2]};
-  if (mode.on == SpaceMode::On::edge) {
+  if (mode.on == SolidMode::SolidModeSite::edge) {
     const auto [i, j] = shape::edge_corners(ElementType::tet10, mode.which);
     const Jet& a = L[static_cast<std::size_t>(i)];
     const Jet& b = L[static_cast<std::size_t>(j)];
@@ -76,22 +76,22 @@ Jet tetrahedron(const SpaceMode& mode, const Vec3& r) {
   return product;
 }
 
-Jet wedge(const SpaceMode& mode, const Vec3& r) {
+Jet wedge(const SolidMode& mode, const Vec3& r) {
   const auto x = coordinates(r);
   const std::array<Jet, 3> l{number(1.0) - x[0] - x[1], x[0], x[1]};
   const Jet& z = x[2];
   const auto end = [&](bool upper) { return 0.5 * (number(1.0) + (upper ? 1.0 : -1.0) * z); };
   const Jet triple = l[0] * l[1] * l[2];
   switch (mode.on) {
-  case SpaceMode::On::edge: {
+  case SolidMode::SolidModeSite::edge: {
     const auto [i, j] = shape::edge_corners(ElementType::pentac15, mode.which);
     const Jet& a = l[static_cast<std::size_t>(i % 3)];
     const Jet& b = l[static_cast<std::size_t>(j % 3)];
     return mode.which < 6 ? a * b * (a - b) * end(mode.which >= 3) : a * along_edge(z);
   }
-  case SpaceMode::On::triangle:
+  case SolidMode::SolidModeSite::triangle:
     return triple * end(mode.which == 1);
-  case SpaceMode::On::quadrilateral: {
+  case SolidMode::SolidModeSite::quadrilateral: {
     const auto corners = shape::side_nodes(ElementType::pentac15, mode.which);
     const Jet& a = l[static_cast<std::size_t>(corners[0] % 3)];
     const Jet& b = l[static_cast<std::size_t>(corners[1] % 3)];
@@ -102,7 +102,7 @@ Jet wedge(const SpaceMode& mode, const Vec3& r) {
   }
 }
 
-Jet hexahedron(const SpaceMode& mode, const Vec3& r) {
+Jet hexahedron(const SolidMode& mode, const Vec3& r) {
   const auto x = coordinates(r);
   const auto corner = [](int k) {
     return Vec3(
@@ -128,11 +128,11 @@ Jet hexahedron(const SpaceMode& mode, const Vec3& r) {
     return product;
   };
   switch (mode.on) {
-  case SpaceMode::On::edge: {
+  case SolidMode::SolidModeSite::edge: {
     const auto [p, q] = shape::edge_corners(ElementType::hexec20, mode.which);
     return along_edge(way(p, q)) * at(p, corner(q) - corner(p));
   }
-  case SpaceMode::On::quadrilateral: {
+  case SolidMode::SolidModeSite::quadrilateral: {
     const auto corners = shape::side_nodes(ElementType::hexec20, mode.which);
     const Jet u = way(corners[0], corners[1]);
     const Jet w = way(corners[0], corners[3]);
@@ -147,7 +147,7 @@ Jet hexahedron(const SpaceMode& mode, const Vec3& r) {
   }
 }
 
-Jet jet_of(ElementType type, const SpaceMode& mode, const Vec3& r) {
+Jet jet_of(ElementType type, const SolidMode& mode, const Vec3& r) {
   switch (type) {
   case ElementType::tet10:
     return tetrahedron(mode, r);
@@ -161,39 +161,39 @@ Jet jet_of(ElementType type, const SpaceMode& mode, const Vec3& r) {
 
 } // namespace
 
-bool SpaceModes::has(ElementType type) {
+bool SolidModes::covers_type(ElementType type) {
   return type == ElementType::tet10 || type == ElementType::pentac15 ||
          type == ElementType::hexec20;
 }
 
-const SpaceModes& SpaceModes::of(ElementType type) {
-  static const SpaceModes tet(ElementType::tet10);
-  static const SpaceModes penta(ElementType::pentac15);
-  static const SpaceModes hexa(ElementType::hexec20);
-  assert(has(type));
+const SolidModes& SolidModes::for_type(ElementType type) {
+  static const SolidModes tet(ElementType::tet10);
+  static const SolidModes penta(ElementType::pentac15);
+  static const SolidModes hexa(ElementType::hexec20);
+  assert(covers_type(type));
   return type == ElementType::tet10 ? tet : type == ElementType::pentac15 ? penta : hexa;
 }
 
-SpaceModes::SpaceModes(ElementType type) : type_(type) {
+SolidModes::SolidModes(ElementType type) : type_(type) {
   for (int m = 0; m < shape::edge_count(type); ++m) {
-    modes_.push_back({SpaceMode::On::edge, m, 0});
+    modes_.push_back({SolidMode::SolidModeSite::edge, m, 0});
   }
   for (int s = 0; s < base::element_info(type).sides; ++s) {
     if (shape::side_corners(type, s) == 3) {
-      modes_.push_back({SpaceMode::On::triangle, s, 0});
+      modes_.push_back({SolidMode::SolidModeSite::triangle, s, 0});
     } else {
       for (int k = 0; k < 4; ++k) {
-        modes_.push_back({SpaceMode::On::quadrilateral, s, k});
+        modes_.push_back({SolidMode::SolidModeSite::quadrilateral, s, k});
       }
     }
   }
   const int inside = type == ElementType::tet10 ? 0 : type == ElementType::pentac15 ? 2 : 4;
   for (int k = 0; k < inside; ++k) {
-    modes_.push_back({SpaceMode::On::inside, 0, k});
+    modes_.push_back({SolidMode::SolidModeSite::inside, 0, k});
   }
 }
 
-base::Vector SpaceModes::psi(const Vec3& r) const {
+base::Vector SolidModes::psi(const Vec3& r) const {
   base::Vector values(static_cast<Eigen::Index>(modes_.size()));
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     values[static_cast<Eigen::Index>(m)] = jet_of(type_, modes_[m], r).value;
@@ -201,7 +201,7 @@ base::Vector SpaceModes::psi(const Vec3& r) const {
   return values;
 }
 
-Eigen::MatrixX3d SpaceModes::dpsi(const Vec3& r) const {
+Eigen::MatrixX3d SolidModes::dpsi(const Vec3& r) const {
   Eigen::MatrixX3d slopes(static_cast<Eigen::Index>(modes_.size()), 3);
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     slopes.row(static_cast<Eigen::Index>(m)) = jet_of(type_, modes_[m], r).slope.transpose();
@@ -209,7 +209,7 @@ Eigen::MatrixX3d SpaceModes::dpsi(const Vec3& r) const {
   return slopes;
 }
 
-FaceAxes face_axes(const std::array<base::NodeId, 4>& corners) {
+FaceModeAxes face_axes(const std::array<base::NodeId, 4>& corners) {
   // u and w at the corners of the element's own axes.
   static constexpr std::array<std::array<double, 2>, 4> at{
       {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
@@ -220,7 +220,7 @@ FaceAxes face_axes(const std::array<base::NodeId, 4>& corners) {
   // The common first axis runs from start to first, along the own axis `own`.
   const std::size_t own = at[first][0] != at[start][0] ? 0 : 1;
   const std::array<double, 2> sign{-at[start][0], -at[start][1]};
-  FaceAxes axes;
+  FaceModeAxes axes;
   axes.number = {0, own == 0 ? 1 : 2, own == 0 ? 2 : 1, 3};
   axes.sign = {1.0, sign[0], sign[1], sign[0] * sign[1]};
   return axes;

@@ -14,39 +14,39 @@
 namespace spricka::estimate {
 
 /// Where a mode of a reference solid belongs.
-struct SpaceMode {
-  enum class On : char { edge, triangle, quadrilateral, inside };
-  On on = On::inside;
+struct SolidMode {
+  enum class SolidModeSite : char { edge, triangle, quadrilateral, inside };
+  SolidModeSite on = SolidModeSite::inside;
   int which = 0;  ///< edge (shape::edge_corners) or side
   int number = 0; ///< of a quadrilateral: 1, u, w, u w along its own axes; else counts
 };
 
 /// The modes of a type of solid in its reference coordinates.
-class SpaceModes {
+class SolidModes {
 public:
   /// Whether elements of a type have modes.
-  static bool has(base::ElementType type);
+  static bool covers_type(base::ElementType type);
   /// Of a type that has some; made once.
-  static const SpaceModes& of(base::ElementType type);
+  static const SolidModes& for_type(base::ElementType type);
 
-  [[nodiscard]] const std::vector<SpaceMode>& modes() const { return modes_; }
+  [[nodiscard]] const std::vector<SolidMode>& modes() const { return modes_; }
   /// Values [mode] and derivatives by reference coordinates [mode, 3].
   [[nodiscard]] base::Vector psi(const base::Vec3& r) const;
   [[nodiscard]] Eigen::MatrixX3d dpsi(const base::Vec3& r) const;
 
 private:
-  explicit SpaceModes(base::ElementType type);
+  explicit SolidModes(base::ElementType type);
   base::ElementType type_;
-  std::vector<SpaceMode> modes_;
+  std::vector<SolidMode> modes_;
 };
 
 /// Of a quadrilateral side whose corners are these nodes: which of the functions 1, u, w, u w along
 /// the face's common axes (from its lowest node to the lower of the neighbours, then the other way)
 /// the element's own are, and their signs.
-struct FaceAxes {
+struct FaceModeAxes {
   std::array<int, 4> number{};
   std::array<double, 4> sign{};
 };
-FaceAxes face_axes(const std::array<base::NodeId, 4>& corners);
+FaceModeAxes face_axes(const std::array<base::NodeId, 4>& corners);
 
 } // namespace spricka::estimate

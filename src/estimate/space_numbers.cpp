@@ -31,11 +31,11 @@ public:
             const fe::ConstraintTransformation& ties)
       : mesh_(mesh), cls_(cls), ties_(ties) {}
 
-  SpaceNumbers make() {
+  SolidModeNumbers make() {
     numbers_.first.push_back(0);
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const base::ElementId id(e);
-      for (const SpaceMode& mode : SpaceModes::of(mesh_.type[e]).modes()) {
+      for (const SolidMode& mode : SolidModes::for_type(mesh_.type[e]).modes()) {
         add(id, mode);
       }
       numbers_.first.push_back(numbers_.mode.size());
@@ -55,15 +55,15 @@ private:
     return at->second;
   }
 
-  void add(base::ElementId e, const SpaceMode& mode) {
+  void add(base::ElementId e, const SolidMode& mode) {
     const base::ElementType type = mesh_.type[e.index()];
     const std::span<const NodeId> nodes = mesh_.element_nodes(e);
     const auto node = [&](int k) { return nodes[static_cast<std::size_t>(k)]; };
-    if (mode.on == SpaceMode::On::inside) {
+    if (mode.on == SolidMode::SolidModeSite::inside) {
       put(next_++, 1.0);
       return;
     }
-    if (mode.on == SpaceMode::On::edge) {
+    if (mode.on == SolidMode::SolidModeSite::edge) {
       const auto [i, j] = shape::edge_corners(type, mode.which);
       const NodeId middle = node(base::element_info(type).corners + mode.which);
       const ModePlace& at =
@@ -73,7 +73,7 @@ private:
       return;
     }
     const std::span<const int> local = shape::side_nodes(type, mode.which);
-    const bool triangle = mode.on == SpaceMode::On::triangle;
+    const bool triangle = mode.on == SolidMode::SolidModeSite::triangle;
     PlaceKey key{node(local[0]), node(local[1]), node(local[2]),
                  triangle ? NodeId() : node(local[3])};
     const PlaceKey corners = key;
@@ -87,7 +87,7 @@ private:
       put(at.first, 1.0);
       return;
     }
-    const FaceAxes axes = face_axes(corners);
+    const FaceModeAxes axes = face_axes(corners);
     const auto own = static_cast<std::size_t>(mode.number);
     put(at.first + axes.number[own], axes.sign[own]);
   }
@@ -172,13 +172,13 @@ private:
   const fe::ConstraintTransformation& ties_;
   std::map<PlaceKey, ModePlace> places_;
   std::int32_t next_ = 0;
-  SpaceNumbers numbers_;
+  SolidModeNumbers numbers_;
 };
 
 } // namespace
 
-SpaceNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-                          const fe::ConstraintTransformation& ties) {
+SolidModeNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
+                              const fe::ConstraintTransformation& ties) {
   return Numbering(mesh, cls, ties).make();
 }
 

@@ -11,7 +11,7 @@
 namespace spricka::estimate {
 
 /// Numbers of the modes of a mesh of solids: those of an edge or a face are shared.
-struct SpaceNumbers {
+struct SolidModeNumbers {
   std::vector<std::size_t> first; ///< [element + 1] into mode and sign
   std::vector<std::int32_t> mode; ///< of all elements, in the order of SpaceModes
   std::vector<double> sign;
@@ -24,7 +24,7 @@ struct SpaceNumbers {
 /// them. (Where more nodes inside a face are tied, as at a host of hexahedra, a mode of an edge
 /// that differs inside the face on both sides would let a linear stress do work on it: an error
 /// where there is none.)
-SpaceNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-                          const fe::ConstraintTransformation& ties);
+SolidModeNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
+                              const fe::ConstraintTransformation& ties);
 
 } // namespace spricka::estimate

@@ -51,7 +51,7 @@ private:
     const fe::AnyElement<3>& element = shape::reference_element<3>(type);
     const auto rule = shape::quadrature<3>(element.domain, rule_degree(type));
     table.rule.assign(rule.begin(), rule.end());
-    const SpaceModes& modes = SpaceModes::of(type);
+    const SolidModes& modes = SolidModes::for_type(type);
     table.nodes = element.nodes;
     table.modes = static_cast<Eigen::Index>(modes.modes().size());
     table.slopes.resize(table.functions(), 3 * table.points());
@@ -65,16 +65,16 @@ private:
 };
 
 /// Functions that take part: a run of those of a table.
-struct Run {
+struct FunctionRange {
   Eigen::Index first = 0, count = 0;
 };
 
-Run run_of(const FunctionTable& table, bool nodes, bool modes) {
+FunctionRange run_of(const FunctionTable& table, bool nodes, bool modes) {
   const Eigen::Index first = nodes ? 0 : table.nodes;
   return {first, (modes ? table.functions() : table.nodes) - first};
 }
 
-blas::ConstBlock slopes_of(const FunctionTable& table, const Run& run) {
+blas::ConstMatrixBlock slopes_of(const FunctionTable& table, const FunctionRange& run) {
   return {table.slopes.data() + run.first, static_cast<int>(table.functions())};
 }
 
@@ -153,13 +153,14 @@ void gradients_to_forces(const ElementBlock& block, base::Matrix& G) {
 // Displacements of an element's functions and forces on them: [3 * lane + component, function].
 class BlockVectors {
 public:
-  BlockVectors(const model::Mesh& mesh, const SpaceNumbers& numbers, const ElementBlock& block,
+  BlockVectors(const model::Mesh& mesh, const SolidModeNumbers& numbers, const ElementBlock& block,
                const FunctionTable& table)
       : mesh_(mesh), numbers_(numbers), block_(block), table_(table) {}
 
-  void gather(const SpaceOperator::Motion& motion, const Run& run, base::Matrix& Z) const {
+  void gather(const SolidModeStiffness::ModeDisplacements& motion, const FunctionRange& run,
+              base::Matrix& Z) const {
     Z.setZero(3 * lanes, run.count);
-    for_each(run, [&](Eigen::Index b, Eigen::Index column, const Place& at) {
+    for_each(run, [&](Eigen::Index b, Eigen::Index column, const FunctionFreedom& at) {
       const base::Vector& from = at.mode ? *motion.modes : *motion.nodes;
       for (Eigen::Index c = 0; c < 3; ++c) {
         Z(c * lanes + b, column) = at.sign * from[at.freedom + c];
@@ -167,8 +168,9 @@ public:
     });
   }
 
-  void scatter(const base::Matrix& F, const Run& run, const SpaceOperator::Forces& forces) const {
-    for_each(run, [&](Eigen::Index b, Eigen::Index column, const Place& at) {
+  void scatter(const base::Matrix& F, const FunctionRange& run,
+               const SolidModeStiffness::ModeForces& forces) const {
+    for_each(run, [&](Eigen::Index b, Eigen::Index column, const FunctionFreedom& at) {
       base::Vector& to = at.mode ? *forces.modes : *forces.nodes;
       for (Eigen::Index c = 0; c < 3; ++c) {
         to[at.freedom + c] += at.sign * F(c * lanes + b, column);
@@ -177,40 +179,41 @@ public:
   }
 
 private:
-  struct Place {
+  struct FunctionFreedom {
     bool mode = false;
     Eigen::Index freedom = 0; ///< the first of three
     double sign = 1.0;
   };
 
-  template <class F> void for_each(const Run& run, F&& f) const {
+  template <class F> void for_each(const FunctionRange& run, F&& f) const {
     for (std::size_t b = 0; b < block_.elements.size(); ++b) {
       const base::ElementId e = block_.elements[b];
       const auto lane = static_cast<Eigen::Index>(b);
       const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
       for (Eigen::Index n = run.first; n < std::min(table_.nodes, run.first + run.count); ++n) {
         const auto node = static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index());
-        f(lane, n - run.first, Place{false, 3 * node, 1.0});
+        f(lane, n - run.first, FunctionFreedom{false, 3 * node, 1.0});
       }
       const std::size_t first = numbers_.first[e.index()];
       for (Eigen::Index m = 0; m < table_.modes && run.first + run.count > table_.nodes; ++m) {
         const std::size_t at = first + static_cast<std::size_t>(m);
         f(lane, table_.nodes + m - run.first,
-          Place{true, 3 * static_cast<Eigen::Index>(numbers_.mode[at]), numbers_.sign[at]});
+          FunctionFreedom{true, 3 * static_cast<Eigen::Index>(numbers_.mode[at]),
+                          numbers_.sign[at]});
       }
     }
   }
 
   const model::Mesh& mesh_;
-  const SpaceNumbers& numbers_;
+  const SolidModeNumbers& numbers_;
   const ElementBlock& block_;
   const FunctionTable& table_;
 };
 
 } // namespace
 
-SpaceOperator::SpaceOperator(const model::Model& model, const model::Mesh& mesh,
-                             SpaceNumbers numbers)
+SolidModeStiffness::SolidModeStiffness(const model::Model& model, const model::Mesh& mesh,
+                                       SolidModeNumbers numbers)
     : mesh_(mesh), numbers_(std::move(numbers)) {
   blas::single_thread();
   std::map<base::ElementType, ElementBlock> open;
@@ -233,31 +236,34 @@ SpaceOperator::SpaceOperator(const model::Model& model, const model::Mesh& mesh,
   }
 }
 
-void SpaceOperator::add(const Motion& motion, const Forces& forces) const {
+void SolidModeStiffness::add_forces(const ModeDisplacements& motion,
+                                    const ModeForces& forces) const {
   base::Matrix Z;
   base::Matrix G;
   base::Matrix F;
   for (const ElementBlock& block : blocks_) {
     const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
     const BlockVectors vectors(mesh_, numbers_, block, table);
-    const Run from = run_of(table, motion.nodes != nullptr, motion.modes != nullptr);
-    const Run to = run_of(table, forces.nodes != nullptr, forces.modes != nullptr);
+    const FunctionRange from = run_of(table, motion.nodes != nullptr, motion.modes != nullptr);
+    const FunctionRange to = run_of(table, forces.nodes != nullptr, forces.modes != nullptr);
     const int rows = 3 * static_cast<int>(lanes);
     const int columns = 3 * static_cast<int>(table.points());
     vectors.gather(motion, from, Z);
     G.resize(rows, columns);
-    blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)}, blas::whole(Z),
-               slopes_of(table, from), blas::whole(G));
+    blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)}, blas::whole_matrix(Z),
+               slopes_of(table, from), blas::whole_matrix(G));
     gradients_to_forces(block, G);
     F.resize(rows, to.count);
-    blas::gemm(
-        {.m = rows, .n = static_cast<int>(to.count), .k = columns, .b = blas::Form::transposed},
-        blas::whole(G), slopes_of(table, to), blas::whole(F));
+    blas::gemm({.m = rows,
+                .n = static_cast<int>(to.count),
+                .k = columns,
+                .b = blas::Transposition::transposed},
+               blas::whole_matrix(G), slopes_of(table, to), blas::whole_matrix(F));
     vectors.scatter(F, to, forces);
   }
 }
 
-std::vector<Eigen::Matrix3d> SpaceOperator::diagonal() const {
+std::vector<Eigen::Matrix3d> SolidModeStiffness::diagonal() const {
   std::size_t modes = 0;
   for (const std::int32_t mode : numbers_.mode) {
     modes = std::max(modes, static_cast<std::size_t>(mode) + 1);
@@ -269,8 +275,8 @@ std::vector<Eigen::Matrix3d> SpaceOperator::diagonal() const {
   return diagonal;
 }
 
-void SpaceOperator::add_diagonal(const ElementBlock& block,
-                                 std::vector<Eigen::Matrix3d>& diagonal) const {
+void SolidModeStiffness::add_diagonal(const ElementBlock& block,
+                                      std::vector<Eigen::Matrix3d>& diagonal) const {
   const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
   for (Eigen::Index m = 0; m < table.modes; ++m) {
     std::array<Lanes, 6> sum; // of volume times slopes' products

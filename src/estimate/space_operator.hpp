@@ -26,24 +26,24 @@ struct ElementBlock {
   std::vector<double> inverse;    ///< [point][reference coordinate][coordinate][lane] of Jacobians
 };
 
-class SpaceOperator {
+class SolidModeStiffness {
 public:
   /// The mesh must outlive it.
-  SpaceOperator(const model::Model& model, const model::Mesh& mesh, SpaceNumbers numbers);
+  SolidModeStiffness(const model::Model& model, const model::Mesh& mesh, SolidModeNumbers numbers);
 
-  [[nodiscard]] const SpaceNumbers& numbers() const { return numbers_; }
+  [[nodiscard]] const SolidModeNumbers& mode_numbers() const { return numbers_; }
 
   /// Displacements of nodes [3 * node] and of modes [3 * mode]; null: zero.
-  struct Motion {
+  struct ModeDisplacements {
     const base::Vector* nodes = nullptr;
     const base::Vector* modes = nullptr;
   };
   /// Where forces on them are added up; null: not asked for.
-  struct Forces {
+  struct ModeForces {
     base::Vector* nodes = nullptr;
     base::Vector* modes = nullptr;
   };
-  void add(const Motion& motion, const Forces& forces) const;
+  void add_forces(const ModeDisplacements& motion, const ModeForces& forces) const;
 
   /// The 3 by 3 blocks on the diagonal of K_ee. [mode]
   [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal() const;
@@ -52,7 +52,7 @@ private:
   void add_diagonal(const ElementBlock& block, std::vector<Eigen::Matrix3d>& diagonal) const;
 
   const model::Mesh& mesh_;
-  SpaceNumbers numbers_;
+  SolidModeNumbers numbers_;
   std::vector<ElementBlock> blocks_;
 };
 

@@ -37,7 +37,8 @@ TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
   return {tip, std::move(field), step};
 }
 
-mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by) {
+mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMotion& motion,
+                                double by) {
   mesh::CrackedMesh out = cracked;
   // The tip's place goes along with its node: near-tip fields start from it.
   mesh::Front& front = out.fronts[motion.tip];

@@ -20,7 +20,8 @@ TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
 
 /// The mesh with the nodes of the motion moved by `by` steps along the tip's direction, the tip
 /// along with them. Connectivity and sets stay.
-mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by);
+mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMotion& motion,
+                                double by);
 
 /// Whether the motion carries all nodes of these fields' elements along as one piece, or none.
 bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,

@@ -95,13 +95,13 @@ void add_element(double from, double to, const fe::ConstitutiveLaw& law,
   }
 }
 
-struct Piece {
+struct WedgePiece {
   double from, to;
   const fe::ConstitutiveLaw* law;
 };
 
-std::vector<Piece> pieces_of(const Wedge& wedge) {
-  std::vector<Piece> pieces;
+std::vector<WedgePiece> pieces_of(const MaterialWedge& wedge) {
+  std::vector<WedgePiece> pieces;
   for (const WedgeSector& sector : wedge.sectors) {
     const int count = std::max(1, static_cast<int>(std::ceil((sector.to - sector.from) / widest)));
     const double width = (sector.to - sector.from) / count;
@@ -114,8 +114,8 @@ std::vector<Piece> pieces_of(const Wedge& wedge) {
   return pieces;
 }
 
-Pencil pencil_of(const Wedge& wedge) {
-  const std::vector<Piece> pieces = pieces_of(wedge);
+Pencil pencil_of(const MaterialWedge& wedge) {
+  const std::vector<WedgePiece> pieces = pieces_of(wedge);
   const auto ends = static_cast<Eigen::Index>(degree * pieces.size());
   const Eigen::Index size = 2 * (wedge.whole ? ends : ends + 1);
   Pencil pencil{.K0 = base::Matrix::Zero(size, size),
@@ -138,7 +138,7 @@ base::Matrix part(const base::Matrix& A, const std::vector<Eigen::Index>& kept) 
 
 } // namespace
 
-double least_exponent(const Wedge& wedge) {
+double singularity_exponent(const MaterialWedge& wedge) {
   const Pencil all = pencil_of(wedge);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < all.M.rows(); ++i) {

@@ -20,8 +20,8 @@ constexpr double k_infinite = std::numeric_limits<double>::infinity();
 // C for K and lengths in the units of the deck: the powers of k_unit that a law divides by are
 // taken into it, and its formula takes K as it is. Forman's has one power less, as it divides by K
 // once.
-double scaled_constant(Law law, const LawConstants& constants) {
-  const double power = law == Law::forman ? constants.m - 1.0 : constants.m;
+double scaled_constant(RateEquation law, const RateConstants& constants) {
+  const double power = law == RateEquation::forman ? constants.m - 1.0 : constants.m;
   return constants.C * constants.a_unit / std::pow(constants.k_unit, power);
 }
 
@@ -35,7 +35,7 @@ double on_polyline(const std::vector<double>& knot, const std::vector<double>& v
 
 } // namespace
 
-double growing_range(double K_max, double K_min) {
+double tensile_K_range(double K_max, double K_min) {
   return K_max - std::max(K_min, 0.0);
 }
 
@@ -54,20 +54,20 @@ double NewmanClosure::operator()(double R) const {
   return std::max(R, A_[0] + R * (A_[1] + R * (A_[2] + R * A_[3])));
 }
 
-GrowthLaw::GrowthLaw(Law law, LawConstants constants)
+GrowthRateLaw::GrowthRateLaw(RateEquation law, RateConstants constants)
     : law_(law), constants_(std::move(constants)), scale_(scaled_constant(law, constants_)),
       closure_(constants_.alpha, constants_.stress_ratio) {
-  assert((law != Law::forman && law != Law::nasgro) || constants_.k_c);
-  assert(law != Law::table ||
+  assert((law != RateEquation::forman && law != RateEquation::nasgro) || constants_.k_c);
+  assert(law != RateEquation::table ||
          (constants_.delta_k.size() >= 2 && constants_.growth.size() == constants_.delta_k.size()));
-  for (std::size_t i = 0; law == Law::table && i < constants_.delta_k.size(); ++i) {
+  for (std::size_t i = 0; law == RateEquation::table && i < constants_.delta_k.size(); ++i) {
     log_k_.push_back(std::log(constants_.delta_k[i] * constants_.k_unit));
     log_rate_.push_back(std::log(constants_.growth[i] * constants_.a_unit));
   }
 }
 
-double GrowthLaw::rate(double K_max, double K_min) const {
-  const double range = growing_range(K_max, K_min);
+double GrowthRateLaw::growth_rate(double K_max, double K_min) const {
+  const double range = tensile_K_range(K_max, K_min);
   if (!(range > constants_.threshold) || !(K_max > 0.0)) {
     return std::isnan(range) ? no_value : 0.0;
   }
@@ -75,21 +75,21 @@ double GrowthLaw::rate(double K_max, double K_min) const {
 }
 
 // range above the threshold; R < 1, below 0 too.
-double GrowthLaw::formula(double range, double R) const {
+double GrowthRateLaw::formula(double range, double R) const {
   const double part = 1.0 - std::max(R, 0.0); // range / K_max
   switch (law_) {
-  case Law::paris:
+  case RateEquation::paris:
     return scale_ * std::pow(range, constants_.m);
-  case Law::walker:
+  case RateEquation::walker:
     // (life.4) with R+: for R < 0 part is 1.
     return scale_ * std::pow(range * std::pow(part, constants_.p - 1.0), constants_.m);
-  case Law::forman: {
+  case RateEquation::forman: {
     // (life.5). The pole is where K_max reaches the toughness; beyond it the rate stays infinite,
     // not negative.
     const double left = part * *constants_.k_c - range;
     return left > 0.0 ? scale_ * std::pow(range, constants_.m) / left : k_infinite;
   }
-  case Law::nasgro: {
+  case RateEquation::nasgro: {
     const double K_max = range / part;
     const double left = 1.0 - K_max / *constants_.k_c;
     if (!(left > 0.0)) {
@@ -100,22 +100,22 @@ double GrowthLaw::formula(double range, double R) const {
            std::pow(1.0 - constants_.threshold / range, constants_.p) /
            std::pow(left, constants_.q);
   }
-  case Law::table:
+  case RateEquation::table:
     return tabular(range);
   }
   return no_value;
 }
 
-double GrowthLaw::tabular(double range) const {
+double GrowthRateLaw::tabular(double range) const {
   return std::exp(on_polyline(log_k_, log_rate_, std::log(range)));
 }
 
-double GrowthLaw::tabular_range(double rate) const {
+double GrowthRateLaw::tabular_range(double rate) const {
   return std::exp(on_polyline(log_rate_, log_k_, std::log(rate)));
 }
 
 // Forman and NASGRO rise from the threshold (or 0) to the pole at the toughness: one root between.
-double GrowthLaw::by_root(double rate, double R) const {
+double GrowthRateLaw::by_root(double rate, double R) const {
   const double end = std::log((1.0 - std::max(R, 0.0)) * *constants_.k_c);
   const auto excess = [&](double log_range) {
     const double there = formula(std::exp(log_range), R);
@@ -134,42 +134,42 @@ double GrowthLaw::by_root(double rate, double R) const {
   return root ? std::exp(*root) : no_value;
 }
 
-double GrowthLaw::range(double rate, double R) const {
+double GrowthRateLaw::K_range_for_rate(double rate, double R) const {
   if (!(rate > 0.0) || !(R < 1.0) || std::isinf(rate)) {
     return no_value;
   }
   double found = no_value;
   switch (law_) {
-  case Law::paris:
+  case RateEquation::paris:
     found = std::pow(rate / scale_, 1.0 / constants_.m);
     break;
-  case Law::walker:
+  case RateEquation::walker:
     found = std::pow(rate / scale_, 1.0 / constants_.m) *
             std::pow(1.0 - std::max(R, 0.0), 1.0 - constants_.p);
     break;
-  case Law::table:
+  case RateEquation::table:
     // Rates that do not rise all the way have several ranges, or none.
     found = std::is_sorted(log_rate_.begin(), log_rate_.end(), std::less_equal<>())
                 ? tabular_range(rate)
                 : no_value;
     break;
-  case Law::forman:
-  case Law::nasgro:
+  case RateEquation::forman:
+  case RateEquation::nasgro:
     found = by_root(rate, R);
     break;
   }
   return found > constants_.threshold ? found : no_value;
 }
 
-std::optional<std::array<double, 2>> GrowthLaw::table_ends() const {
-  if (law_ != Law::table) {
+std::optional<std::array<double, 2>> GrowthRateLaw::table_ends() const {
+  if (law_ != RateEquation::table) {
     return std::nullopt;
   }
   return std::array{std::exp(log_k_.front()), std::exp(log_k_.back())};
 }
 
-bool GrowthLaw::covers(double delta_K) const {
-  if (law_ != Law::table) {
+bool GrowthRateLaw::table_covers(double delta_K) const {
+  if (law_ != RateEquation::table) {
     return true;
   }
   // a row's own delta K, converted and back, still belongs to the table

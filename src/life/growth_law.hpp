@@ -7,7 +7,7 @@
 namespace spricka::life {
 
 /// What gives the growth of a crack in one load cycle; equations in manual/theory/life.md.
-enum class Law {
+enum class RateEquation {
   paris,  ///< (life.3)
   walker, ///< (life.4)
   forman, ///< (life.5)
@@ -17,7 +17,7 @@ enum class Law {
 
 /// Constants of a law. C and the table count K in `k_unit` and lengths in `a_unit`; threshold and
 /// toughness are in the units of K that `rate` takes.
-struct LawConstants {
+struct RateConstants {
   double C = 0.0;
   double m = 0.0;
   double p = 0.0;              ///< Walker: gamma; NASGRO: exponent of the threshold term
@@ -34,7 +34,7 @@ struct LawConstants {
 
 /// The range of K that counts (ASTM E647): what lies below K = 0 closes the crack and does nothing,
 /// delta K = K_max - max(K_min, 0) (life.1).
-double growing_range(double K_max, double K_min);
+double tensile_K_range(double K_max, double K_min);
 
 /// Newman's crack opening function K_op / K_max at the stress ratio R (Newman 1984; life.7).
 class NewmanClosure {
@@ -47,24 +47,24 @@ private:
 };
 
 /// da/dN of one cycle as a function of the K it begins, turns and ends with.
-class GrowthLaw {
+class GrowthRateLaw {
 public:
-  GrowthLaw(Law law, LawConstants constants);
+  GrowthRateLaw(RateEquation law, RateConstants constants);
 
   /// da/dN [length per cycle]. 0 if delta K is not above the threshold; infinite if Forman's or
   /// NASGRO's K_max reaches the toughness, where they have their pole. The other laws go on beyond
   /// it, a table straight on in its logarithms beyond its ends.
-  [[nodiscard]] double rate(double K_max, double K_min) const;
+  [[nodiscard]] double growth_rate(double K_max, double K_min) const;
 
   /// The inverse: the delta K (life.1) of cycles with ratio R = K_min / K_max < 1 that grow by
   /// `rate` > 0. Not a number where no delta K above the threshold does so.
-  [[nodiscard]] double range(double rate, double R) const;
+  [[nodiscard]] double K_range_for_rate(double rate, double R) const;
 
   [[nodiscard]] std::optional<double> toughness() const { return constants_.k_c; }
   [[nodiscard]] double threshold() const { return constants_.threshold; }
-  [[nodiscard]] Law law() const { return law_; }
+  [[nodiscard]] RateEquation rate_equation() const { return law_; }
   /// Whether delta K lies within the rows of a table; the other laws have no such bounds.
-  [[nodiscard]] bool covers(double delta_K) const;
+  [[nodiscard]] bool table_covers(double delta_K) const;
   /// Delta K of the first and the last row of a table [stress intensity]; empty for other laws.
   [[nodiscard]] std::optional<std::array<double, 2>> table_ends() const;
 
@@ -74,8 +74,8 @@ private:
   [[nodiscard]] double tabular_range(double rate) const;
   [[nodiscard]] double by_root(double rate, double R) const;
 
-  Law law_;
-  LawConstants constants_;
+  RateEquation law_;
+  RateConstants constants_;
   double scale_ = 0.0; ///< C in the units of the interface
   NewmanClosure closure_;
   std::vector<double> log_k_, log_rate_; ///< table, units of the interface

@@ -16,7 +16,7 @@ namespace {
 
 // What four readings say of their scatter: |c . a| / |c| with the weights c of the third divided
 // difference, which annul every parabola. Its standard deviation is that of one reading.
-double pseudo_residual(std::span<const Reading> four) {
+double pseudo_residual(std::span<const CrackReading> four) {
   double sum = 0.0;
   double square = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -32,7 +32,7 @@ double pseudo_residual(std::span<const Reading> four) {
 
 // Standard deviation of the readings by the median of their pseudo-residuals, which the steep end
 // of a test does not move (Gasser, Sroka, Jennen-Steinmetz 1986, with third differences).
-double scatter_of(std::span<const Reading> readings) {
+double scatter_of(std::span<const CrackReading> readings) {
   std::vector<double> residuals;
   for (std::size_t i = 0; i + 4 <= readings.size(); ++i) {
     residuals.push_back(pseudo_residual(readings.subspan(i, 4)));
@@ -46,14 +46,14 @@ double scatter_of(std::span<const Reading> readings) {
   return *middle / median_of_normal;
 }
 
-MeasuredRates secants(std::span<const Reading> readings) {
+MeasuredRates secants(std::span<const CrackReading> readings) {
   MeasuredRates found;
   found.scatter = scatter_of(readings);
   // So many degrees of freedom that the quantile is that of the normal distribution (life.15).
   const double both_ends = std::sqrt(2.0) * found.scatter * student_quantile(1e9);
   for (std::size_t i = 1; i < readings.size(); ++i) {
-    const Reading& before = readings[i - 1];
-    const Reading& now = readings[i];
+    const CrackReading& before = readings[i - 1];
+    const CrackReading& now = readings[i];
     const double passed = now.cycles - before.cycles;
     found.points.push_back({.cycles = 0.5 * (before.cycles + now.cycles),
                             .a = 0.5 * (before.a + now.a),
@@ -71,7 +71,7 @@ struct Parabola {
   double square = 0.0;      ///< of the weighted residuals, their sum
 };
 
-Parabola fit(std::span<const Reading> window, bool logarithmic) {
+Parabola fit(std::span<const CrackReading> window, bool logarithmic) {
   const auto n = static_cast<Eigen::Index>(window.size());
   const double middle = window[window.size() / 2].cycles;
   // Cycles from -1 to 1 about the middle: columns of one size, however many cycles a test takes.
@@ -79,7 +79,7 @@ Parabola fit(std::span<const Reading> window, bool logarithmic) {
   Eigen::MatrixXd X(n, 3);
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Reading& reading = window[static_cast<std::size_t>(i)];
+    const CrackReading& reading = window[static_cast<std::size_t>(i)];
     const double x = (reading.cycles - middle) / scale;
     const double weight = logarithmic ? reading.a : 1.0;
     X.row(i) << weight, weight * x, weight * x * x;
@@ -97,13 +97,14 @@ Parabola fit(std::span<const Reading> window, bool logarithmic) {
           .square = (y - X * b).squaredNorm()};
 }
 
-MeasuredRates polynomials(std::span<const Reading> readings, std::size_t window, bool logarithmic) {
+MeasuredRates polynomials(std::span<const CrackReading> readings, std::size_t window,
+                          bool logarithmic) {
   MeasuredRates found;
   const double freedoms = static_cast<double>(window) - 3.0;
   const double quantile = student_quantile(freedoms);
   double square = 0.0;
   for (std::size_t i = 0; i + window <= readings.size(); ++i) {
-    const std::span<const Reading> part = readings.subspan(i, window);
+    const std::span<const CrackReading> part = readings.subspan(i, window);
     const Parabola p = fit(part, logarithmic);
     const double a = logarithmic ? std::exp(p.value) : p.value;
     // (life.17): the slope of ln a times a.
@@ -119,15 +120,15 @@ MeasuredRates polynomials(std::span<const Reading> readings, std::size_t window,
   return found;
 }
 
-MeasuredRates splines(std::span<const Reading> readings) {
+MeasuredRates splines(std::span<const CrackReading> readings) {
   std::vector<double> x, y, weight;
-  for (const Reading& reading : readings) {
+  for (const CrackReading& reading : readings) {
     x.push_back(reading.cycles);
     y.push_back(std::log(reading.a));
     // Readings of constant scatter scatter in ln a by 1/a of it.
     weight.push_back(reading.a);
   }
-  const SmoothedCurve curve = smooth(x, y, weight);
+  const SmoothedCurve curve = smoothing_spline(x, y, weight);
   MeasuredRates found;
   found.scatter = curve.deviation;
   found.freedoms = curve.freedoms;
@@ -144,30 +145,31 @@ MeasuredRates splines(std::span<const Reading> readings) {
 
 } // namespace
 
-std::size_t readings_needed(RateMethod method, int window) {
+std::size_t readings_needed(GrowthRateMethod method, int window) {
   switch (method) {
-  case RateMethod::secant:
+  case GrowthRateMethod::secant:
     return 2;
-  case RateMethod::e647:
-  case RateMethod::polynomial:
+  case GrowthRateMethod::e647:
+  case GrowthRateMethod::polynomial:
     return static_cast<std::size_t>(window);
-  case RateMethod::spline:
+  case GrowthRateMethod::spline:
     return 8;
   }
   return 0;
 }
 
-MeasuredRates measured_rates(std::span<const Reading> readings, RateMethod method, int window) {
+MeasuredRates measured_rates(std::span<const CrackReading> readings, GrowthRateMethod method,
+                             int window) {
   assert(readings.size() >= readings_needed(method, window));
   assert(window >= 5 && window % 2 == 1);
   switch (method) {
-  case RateMethod::secant:
+  case GrowthRateMethod::secant:
     return secants(readings);
-  case RateMethod::e647:
-  case RateMethod::polynomial:
+  case GrowthRateMethod::e647:
+  case GrowthRateMethod::polynomial:
     return polynomials(readings, static_cast<std::size_t>(window),
-                       method == RateMethod::polynomial);
-  case RateMethod::spline:
+                       method == GrowthRateMethod::polynomial);
+  case GrowthRateMethod::spline:
     return splines(readings);
   }
   return {};

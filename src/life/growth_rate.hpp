@@ -7,13 +7,13 @@
 namespace spricka::life {
 
 /// One reading of a crack growth test.
-struct Reading {
+struct CrackReading {
   double cycles = 0.0;
   double a = 0.0; ///< [length]
 };
 
 /// How da/dN is found from readings a(N); equations in manual/theory/life.md.
-enum class RateMethod {
+enum class GrowthRateMethod {
   secant,     ///< between neighbours (ASTM E647, X1.1; life.15)
   e647,       ///< parabola through a(N) round each reading (ASTM E647, X1.2; life.16)
   polynomial, ///< the same through log a(N), weighted for readings of a (life.17)
@@ -34,9 +34,10 @@ struct MeasuredRates {
 };
 
 /// How many readings a method needs; `window`: of e647 and polynomial, odd.
-std::size_t readings_needed(RateMethod method, int window);
+std::size_t readings_needed(GrowthRateMethod method, int window);
 
 /// da/dN from readings [>= readings_needed] with ascending cycles and a > 0.
-MeasuredRates measured_rates(std::span<const Reading> readings, RateMethod method, int window = 7);
+MeasuredRates measured_rates(std::span<const CrackReading> readings, GrowthRateMethod method,
+                             int window = 7);
 
 } // namespace spricka::life

@@ -20,7 +20,8 @@ struct MeasuredK {
 
 /// The range of K at which the reference grows as the part did (Ansell, Fredriksson 1984, equations
 /// 12 and 13; life.21): K_max = delta K / (1 - max(R, 0)) of every rate. R(a): the ratio of K.
-std::vector<MeasuredK> measured_K(const MeasuredRates& rates, const GrowthLaw& reference,
-                                  const std::function<double(double)>& R);
+std::vector<MeasuredK> infer_K_from_growth(const MeasuredRates& rates,
+                                           const GrowthRateLaw& reference,
+                                           const std::function<double(double)>& R);
 
 } // namespace spricka::life

@@ -70,7 +70,7 @@ bool LifeCurve::within(double a0, double a1) const {
   return a0 >= a_.front() && a0 <= a1 && a1 <= a_.back();
 }
 
-double LifeCurve::rate(double a) const {
+double LifeCurve::growth_rate(double a) const {
   return within(a, a) ? std::exp(log_rate_(std::log(a))) : no_value;
 }
 
@@ -111,7 +111,7 @@ double LifeCurve::miss(double x) const {
   return largest;
 }
 
-double LifeCurve::error(double a0, double a1) const {
+double LifeCurve::cycles_error(double a0, double a1) const {
   if (!within(a0, a1)) {
     return no_value;
   }

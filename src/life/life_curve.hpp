@@ -18,7 +18,7 @@ public:
   [[nodiscard]] double last_length() const { return a_.back(); }
 
   /// Growth per cycle; not a number outside the stations, here and below.
-  [[nodiscard]] double rate(double a) const;
+  [[nodiscard]] double growth_rate(double a) const;
   /// Cycles from a0 to a1 >= a0, to 1e-12 of them; what the quadrature leaves is in `error`.
   [[nodiscard]] double cycles(double a0, double a1) const;
   /// The length after N cycles from the first station.
@@ -27,7 +27,7 @@ public:
   /// How far `cycles` may be off because there are no more stations: each inner station in turn is
   /// left out, and by what the spline then misses it is taken to be wrong on both sides (life.14).
   /// With it what the quadratures left. Infinite with two stations.
-  [[nodiscard]] double error(double a0, double a1) const;
+  [[nodiscard]] double cycles_error(double a0, double a1) const;
 
 private:
   [[nodiscard]] bool within(double a0, double a1) const;
@@ -35,9 +35,9 @@ private:
   [[nodiscard]] Integral integrated_cycles(double a0, double a1) const;
 
   std::vector<double> a_;
-  Spline log_rate_;             ///< over log(a)
-  std::vector<Spline> without_; ///< [station - 1] log_rate_ without an inner station
-  std::vector<double> at_;      ///< [station] cycles from the first one
+  CubicSpline log_rate_;             ///< over log(a)
+  std::vector<CubicSpline> without_; ///< [station - 1] log_rate_ without an inner station
+  std::vector<double> at_;           ///< [station] cycles from the first one
 };
 
 } // namespace spricka::life

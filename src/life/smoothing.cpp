@@ -79,7 +79,7 @@ Eigen::MatrixXd bending(const Basis& basis, const std::vector<double>& breaks) {
   return form;
 }
 
-struct Fit {
+struct SmoothingFit {
   Eigen::LDLT<Eigen::MatrixXd> factor;
   Eigen::VectorXd coefficients;
   double square = 0.0; ///< of the weighted residuals, their sum
@@ -87,10 +87,10 @@ struct Fit {
   double criterion = std::numeric_limits<double>::infinity();
 };
 
-Fit fit_with(double lambda, const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
-             const Eigen::MatrixXd& form) {
+SmoothingFit fit_with(double lambda, const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                      const Eigen::MatrixXd& form) {
   const Eigen::MatrixXd normal = X.transpose() * X;
-  Fit fit;
+  SmoothingFit fit;
   fit.factor.compute(normal + lambda * form);
   fit.coefficients = fit.factor.solve(X.transpose() * y);
   fit.square = (y - X * fit.coefficients).squaredNorm();
@@ -105,12 +105,13 @@ Fit fit_with(double lambda, const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
 }
 
 // Of penalties from hardly any to a straight line, two to each factor of ten.
-Fit best_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::MatrixXd& form) {
+SmoothingFit best_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                      const Eigen::MatrixXd& form) {
   // Makes the two terms comparable, so that the same powers of ten serve for any test.
   const double scale = X.squaredNorm() / form.trace();
-  Fit best;
+  SmoothingFit best;
   for (int i = -24; i <= 12; ++i) {
-    Fit fit = fit_with(scale * std::pow(10.0, 0.5 * i), X, y, form);
+    SmoothingFit fit = fit_with(scale * std::pow(10.0, 0.5 * i), X, y, form);
     if (fit.criterion < best.criterion || best.coefficients.size() == 0) {
       best = std::move(fit);
     }
@@ -120,8 +121,8 @@ Fit best_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::Ma
 
 } // namespace
 
-SmoothedCurve smooth(const std::vector<double>& x, const std::vector<double>& y,
-                     const std::vector<double>& weight) {
+SmoothedCurve smoothing_spline(const std::vector<double>& x, const std::vector<double>& y,
+                               const std::vector<double>& weight) {
   assert(x.size() >= 8 && y.size() == x.size() && weight.size() == x.size());
   quiet_gsl();
   const double length = x.back() - x.front();
@@ -140,7 +141,7 @@ SmoothedCurve smooth(const std::vector<double>& x, const std::vector<double>& y,
     X.row(i) = weight[k] * basis.row(s[k], 0);
     right[i] = weight[k] * y[k];
   }
-  const Fit fit = best_fit(X, right, bending(basis, breaks));
+  const SmoothingFit fit = best_fit(X, right, bending(basis, breaks));
   SmoothedCurve curve;
   curve.freedoms = fit.freedoms;
   curve.deviation = std::sqrt(fit.square / (static_cast<double>(n) - fit.freedoms));

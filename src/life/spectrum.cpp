@@ -84,7 +84,7 @@ std::vector<double> values_at(const base::PiecewiseLinear& K1, const std::vector
 
 } // namespace
 
-Spectrum::Spectrum(const std::vector<LoadCycle>& counted) {
+CountedSpectrum::CountedSpectrum(const std::vector<LoadCycle>& counted) {
   // every load with its place: 2 i is the low one of cycle i, 2 i + 1 the high one
   std::vector<std::pair<double, std::uint32_t>> loads;
   loads.reserve(2 * counted.size());
@@ -119,23 +119,23 @@ Spectrum::Spectrum(const std::vector<LoadCycle>& counted) {
   cycles_.resize(std::min(cycles_.size(), kept + 1));
 }
 
-Spectrum Spectrum::of_cycles(std::vector<LoadCycle> cycles) {
+CountedSpectrum CountedSpectrum::from_cycles(std::vector<LoadCycle> cycles) {
   assert(!cycles.empty());
   for (LoadCycle& cycle : cycles) {
     if (cycle.high < cycle.low) {
       std::swap(cycle.low, cycle.high);
     }
   }
-  return Spectrum(cycles);
+  return CountedSpectrum(cycles);
 }
 
-Spectrum Spectrum::of_sequence(std::vector<double> history, bool repeated) {
+CountedSpectrum CountedSpectrum::from_sequence(std::vector<double> history, bool repeated) {
   assert(!history.empty());
   std::vector<LoadCycle> counted = rainflow(history, repeated);
   if (counted.empty()) { // a constant load
     counted.push_back({.low = history.front(), .high = history.front(), .count = 0.0});
   }
-  Spectrum spectrum(counted);
+  CountedSpectrum spectrum(counted);
   // The way from the end of a pass to its start may pass turns of K, too.
   if (repeated) {
     history.push_back(history.front());
@@ -145,7 +145,7 @@ Spectrum Spectrum::of_sequence(std::vector<double> history, bool repeated) {
   return spectrum;
 }
 
-double Spectrum::count() const {
+double CountedSpectrum::count() const {
   double sum = 0.0;
   for (const IndexedCycle& cycle : cycles_) {
     sum += cycle.count;
@@ -153,7 +153,7 @@ double Spectrum::count() const {
   return sum;
 }
 
-std::vector<LoadCycle> Spectrum::cycles() const {
+std::vector<LoadCycle> CountedSpectrum::cycles() const {
   std::vector<LoadCycle> all;
   all.reserve(cycles_.size());
   for (const IndexedCycle& cycle : cycles_) {
@@ -162,11 +162,11 @@ std::vector<LoadCycle> Spectrum::cycles() const {
   return all;
 }
 
-bool Spectrum::within(const base::PiecewiseLinear& K1) const {
+bool CountedSpectrum::within(const base::PiecewiseLinear& K1) const {
   return !K1.empty() && lowest() >= K1.knots().front() && highest() <= K1.knots().back();
 }
 
-bool Spectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
+bool CountedSpectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
   bool rises = false;
   bool falls = false;
   for (std::size_t s = 0; s < K1.segments(); ++s) {
@@ -180,7 +180,7 @@ bool Spectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
   return rises && falls;
 }
 
-std::pair<double, double> Spectrum::extreme_K(const base::PiecewiseLinear& K1) const {
+std::pair<double, double> CountedSpectrum::extreme_K(const base::PiecewiseLinear& K1) const {
   if (!within(K1)) {
     return {no_value, no_value};
   }
@@ -190,7 +190,7 @@ std::pair<double, double> Spectrum::extreme_K(const base::PiecewiseLinear& K1) c
   return {*low, *high};
 }
 
-std::vector<LoadCycle> Spectrum::cycles_of_K(const base::PiecewiseLinear& K1) const {
+std::vector<LoadCycle> CountedSpectrum::cycles_of_K(const base::PiecewiseLinear& K1) const {
   const WayOfK way(K1);
   if (!history_.empty()) {
     return rainflow(way(history_), repeated_);
@@ -208,14 +208,15 @@ std::vector<LoadCycle> Spectrum::cycles_of_K(const base::PiecewiseLinear& K1) co
   return all;
 }
 
-double Spectrum::growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) const {
+double CountedSpectrum::growth_per_pass(const GrowthRateLaw& law,
+                                        const base::PiecewiseLinear& K1) const {
   if (!within(K1)) {
     return no_value;
   }
   double sum = 0.0;
   if (counts_on_K(K1)) {
     for (const LoadCycle& cycle : cycles_of_K(K1)) {
-      sum += cycle.count * law.rate(cycle.high, cycle.low);
+      sum += cycle.count * law.growth_rate(cycle.high, cycle.low);
     }
     return sum;
   }
@@ -223,7 +224,7 @@ double Spectrum::growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) c
   for (const IndexedCycle& cycle : cycles_) {
     // K may fall while the load rises.
     const auto [low, high] = std::minmax(K[cycle.low], K[cycle.high]);
-    sum += cycle.count * law.rate(high, low);
+    sum += cycle.count * law.growth_rate(high, low);
   }
   return sum;
 }

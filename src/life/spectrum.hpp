@@ -14,17 +14,18 @@ namespace spricka::life {
 /// the growth of a pass is then one walk over the map K(t) of a crack length and one rate for each
 /// different cycle. Loads outside the knots of a map give what is not a number: nothing is
 /// extrapolated. The order of cycles does not matter (no interaction: manual/theory/life.md).
-class Spectrum {
+class CountedSpectrum {
 public:
   /// Blocks: cycles as they are counted.
-  static Spectrum of_cycles(std::vector<LoadCycle> cycles);
+  static CountedSpectrum from_cycles(std::vector<LoadCycle> cycles);
   /// A history, counted by rainflow; `repeated`: the end of a pass leads to its start.
-  static Spectrum of_sequence(std::vector<double> history, bool repeated = true);
+  static CountedSpectrum from_sequence(std::vector<double> history, bool repeated = true);
 
   /// Growth of one pass, da [length], at a fixed length of the crack whose K is K1(t). Where K1
   /// rises or falls all the way between the lowest and the highest load, cycles of t are cycles of
   /// K; else the history is counted again on K (`counts_on_K`).
-  [[nodiscard]] double growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) const;
+  [[nodiscard]] double growth_per_pass(const GrowthRateLaw& law,
+                                       const base::PiecewiseLinear& K1) const;
   /// Whether `growth` counts on K for this map: K1 turns within the loads.
   [[nodiscard]] bool counts_on_K(const base::PiecewiseLinear& K1) const;
   /// Smallest and largest K of a pass.
@@ -41,7 +42,7 @@ private:
     std::uint32_t low, high; ///< levels
     double count;
   };
-  explicit Spectrum(const std::vector<LoadCycle>& counted);
+  explicit CountedSpectrum(const std::vector<LoadCycle>& counted);
   [[nodiscard]] bool within(const base::PiecewiseLinear& K1) const;
   [[nodiscard]] std::vector<LoadCycle> cycles_of_K(const base::PiecewiseLinear& K1) const;
 

@@ -59,7 +59,7 @@ std::vector<double> bends(const std::vector<double>& x, const std::vector<double
 
 } // namespace
 
-Spline::Spline(std::vector<double> x, std::vector<double> y)
+CubicSpline::CubicSpline(std::vector<double> x, std::vector<double> y)
     : x_(std::move(x)), y_(std::move(y)), bend_(x_.size(), 0.0) {
   assert(x_.size() >= 2 && x_.size() == y_.size());
   if (x_.size() == 3) {
@@ -69,7 +69,7 @@ Spline::Spline(std::vector<double> x, std::vector<double> y)
   }
 }
 
-double Spline::operator()(double x) const {
+double CubicSpline::operator()(double x) const {
   const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
   const auto i = static_cast<std::size_t>(above - x_.begin());
   const double h = x_[i] - x_[i - 1];

@@ -6,10 +6,10 @@ namespace spricka::life {
 
 /// Cubic spline with not-a-knot ends (de Boor 1978, chapter IV); a parabola through three points,
 /// a straight line through two. Outside its points its first and last cubics go on.
-class Spline {
+class CubicSpline {
 public:
   /// x [>= 2] ascending, y [x].
-  Spline(std::vector<double> x, std::vector<double> y);
+  CubicSpline(std::vector<double> x, std::vector<double> y);
 
   [[nodiscard]] double operator()(double x) const;
   [[nodiscard]] const std::vector<double>& knots() const { return x_; }

@@ -36,46 +36,47 @@ int blas_thread_shutdown_() __attribute__((weak));
 namespace spricka::solve::blas {
 
 /// A block of a column-major matrix: first entry and distance between columns.
-struct Block {
+struct MatrixBlock {
   double* data;
   int stride;
-  Block(double* d, int s) : data(d), stride(s > 1 ? s : 1) {}
+  MatrixBlock(double* d, int s) : data(d), stride(s > 1 ? s : 1) {}
 };
-struct ConstBlock {
+struct ConstMatrixBlock {
   const double* data;
   int stride;
-  ConstBlock(const double* d, int s) : data(d), stride(s > 1 ? s : 1) {}
-  ConstBlock(const Block& block) : data(block.data), stride(block.stride) {} // NOLINT: a view of it
+  ConstMatrixBlock(const double* d, int s) : data(d), stride(s > 1 ? s : 1) {}
+  ConstMatrixBlock(const MatrixBlock& block)
+      : data(block.data), stride(block.stride) {} // NOLINT: a view of it
 };
 
 /// A whole dense matrix.
-template <class Matrix> Block whole(Matrix& A) {
+template <class Matrix> MatrixBlock whole_matrix(Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
-template <class Matrix> ConstBlock whole(const Matrix& A) {
+template <class Matrix> ConstMatrixBlock whole_matrix(const Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
 
-enum class Form { plain, transposed };
+enum class Transposition { plain, transposed };
 
 /// So few columns are taken one by one: for more, routines that first copy the matrix in their own
 /// order pay.
 inline constexpr int few_columns = 2;
 
 /// C [m, n] = alpha op(A) op(B) + beta C with inner size k.
-struct Product {
+struct MatrixProduct {
   int m, n, k;
-  Form a = Form::plain, b = Form::plain;
+  Transposition a = Transposition::plain, b = Transposition::plain;
   double alpha = 1.0, beta = 0.0;
 };
-inline void gemm(const Product& p, ConstBlock A, ConstBlock B, Block C) {
+inline void gemm(const MatrixProduct& p, ConstMatrixBlock A, ConstMatrixBlock B, MatrixBlock C) {
   if (p.m == 0 || p.n == 0) {
     return;
   }
-  const char ta = p.a == Form::plain ? 'N' : 'T';
-  if (p.n <= few_columns && p.k > 0 && p.b == Form::plain) {
-    const int rows = p.a == Form::plain ? p.m : p.k;
-    const int columns = p.a == Form::plain ? p.k : p.m;
+  const char ta = p.a == Transposition::plain ? 'N' : 'T';
+  if (p.n <= few_columns && p.k > 0 && p.b == Transposition::plain) {
+    const int rows = p.a == Transposition::plain ? p.m : p.k;
+    const int columns = p.a == Transposition::plain ? p.k : p.m;
     const int one = 1;
     for (int j = 0; j < p.n; ++j) {
       dgemv_(&ta, &rows, &columns, &p.alpha, A.data, &A.stride,
@@ -84,17 +85,17 @@ inline void gemm(const Product& p, ConstBlock A, ConstBlock B, Block C) {
     }
     return;
   }
-  const char tb = p.b == Form::plain ? 'N' : 'T';
+  const char tb = p.b == Transposition::plain ? 'N' : 'T';
   dgemm_(&ta, &tb, &p.m, &p.n, &p.k, &p.alpha, A.data, &A.stride, B.data, &B.stride, &p.beta,
          C.data, &C.stride);
 }
 
 /// B [m, n] <- L^-1 B or L^-T B with the lower triangle L [m, m].
-inline void solve_lower(int m, int n, Form form, ConstBlock L, Block B) {
+inline void solve_lower(int m, int n, Transposition form, ConstMatrixBlock L, MatrixBlock B) {
   if (m == 0 || n == 0) {
     return;
   }
-  const char t = form == Form::plain ? 'N' : 'T';
+  const char t = form == Transposition::plain ? 'N' : 'T';
   if (n <= few_columns) {
     const int next = 1;
     for (int j = 0; j < n; ++j) {
@@ -108,7 +109,7 @@ inline void solve_lower(int m, int n, Form form, ConstBlock L, Block B) {
 }
 
 /// Lower triangle of C [k, k] <- Y^T Y for Y [n, k].
-inline void gram(int n, int k, ConstBlock Y, Block C) {
+inline void gram(int n, int k, ConstMatrixBlock Y, MatrixBlock C) {
   if (n == 0 || k == 0) {
     return;
   }
@@ -118,7 +119,7 @@ inline void gram(int n, int k, ConstBlock Y, Block C) {
 }
 
 /// A [n, n] (lower triangle) <- its Cholesky factor; false when a pivot is not positive.
-inline bool cholesky(int n, Block A) {
+inline bool cholesky(int n, MatrixBlock A) {
   int info = 0;
   dpotrf_("L", &n, A.data, &A.stride, &info);
   return info == 0;
@@ -126,7 +127,7 @@ inline bool cholesky(int n, Block A) {
 
 /// Cholesky with diagonal pivoting of A [n, n] (lower triangle, destroyed) until no pivot exceeds
 /// `tolerance`: the rank; order [n] lists the rows as they were taken.
-inline int pivoted_cholesky(int n, Block A, double tolerance, std::vector<int>& order) {
+inline int pivoted_cholesky(int n, MatrixBlock A, double tolerance, std::vector<int>& order) {
   double largest = 0.0;
   for (int i = 0; i < n; ++i) {
     largest = std::max(largest, A.data[static_cast<std::ptrdiff_t>(i) * (A.stride + 1)]);
@@ -146,7 +147,7 @@ inline int pivoted_cholesky(int n, Block A, double tolerance, std::vector<int>& 
 
 /// A [n, n] <- its LU factors with partial pivoting, order [n] of the rows; false when a pivot is
 /// 0.
-inline bool lu(int n, Block A, std::vector<int>& order) {
+inline bool factorise_lu(int n, MatrixBlock A, std::vector<int>& order) {
   int info = 0;
   order.resize(static_cast<std::size_t>(n));
   dgetrf_(&n, &n, A.data, &A.stride, order.data(), &info);
@@ -154,7 +155,8 @@ inline bool lu(int n, Block A, std::vector<int>& order) {
 }
 
 /// B [n, k] <- A^-1 B with the factors of `lu`.
-inline void solve_lu(int n, int k, ConstBlock A, const std::vector<int>& order, Block B) {
+inline void solve_lu(int n, int k, ConstMatrixBlock A, const std::vector<int>& order,
+                     MatrixBlock B) {
   if (n == 0 || k == 0) {
     return;
   }

@@ -26,7 +26,7 @@ std::vector<int> independent_of(base::Matrix& M, const std::vector<int>& rows) {
     return rows;
   }
   std::vector<int> order(rows.size(), 0);
-  const int rank = blas::pivoted_cholesky(count(rows), blas::whole(M), redundancy, order);
+  const int rank = blas::pivoted_cholesky(count(rows), blas::whole_matrix(M), redundancy, order);
   std::vector<int> kept;
   kept.reserve(rows.size());
   for (int k = 0; k < rank; ++k) {
@@ -76,7 +76,7 @@ void BorderedFactor::gather() {
       blas::gemm({.m = a - first,
                   .n = width,
                   .k = m,
-                  .b = blas::Form::transposed,
+                  .b = blas::Transposition::transposed,
                   .alpha = problem_.tau,
                   .beta = 1.0},
                  {B_.data() + first, a}, {B_.data() + first, a},
@@ -90,7 +90,7 @@ bool BorderedFactor::cholesky() {
   if (a == 0) {
     return true;
   }
-  if (!blas::cholesky(a, blas::whole(L_))) {
+  if (!blas::cholesky(a, blas::whole_matrix(L_))) {
     return false;
   }
   for (int i = 0; i < a; ++i) {
@@ -135,16 +135,16 @@ void BorderedFactor::leave_out_redundant() {
     base::Matrix Z = scaled(fixed, others);
     // M of the others becomes what is left of it once the equality rows are eliminated, so that a
     // row that depends on these is found to be redundant.
-    blas::cholesky(count(fixed), blas::whole(E));
-    blas::solve_lower(count(fixed), count(others), blas::Form::plain, blas::whole(E),
-                      blas::whole(Z));
+    blas::cholesky(count(fixed), blas::whole_matrix(E));
+    blas::solve_lower(count(fixed), count(others), blas::Transposition::plain,
+                      blas::whole_matrix(E), blas::whole_matrix(Z));
     blas::gemm({.m = count(others),
                 .n = count(others),
                 .k = count(fixed),
-                .a = blas::Form::transposed,
+                .a = blas::Transposition::transposed,
                 .alpha = -1.0,
                 .beta = 1.0},
-               blas::whole(Z), blas::whole(Z), blas::whole(M));
+               blas::whole_matrix(Z), blas::whole_matrix(Z), blas::whole_matrix(M));
   }
   others = independent_of(M, others);
   std::vector<bool> kept(rows_.size(), false);
@@ -171,11 +171,13 @@ bool BorderedFactor::factorise_border() {
   if (a < m) {
     return false;
   }
-  blas::solve_lower(a, m, blas::Form::plain, blas::whole(std::as_const(L_)), blas::whole(Y_));
-  blas::gemm({.m = m, .n = m, .k = a, .a = blas::Form::transposed}, blas::whole(std::as_const(Y_)),
-             blas::whole(std::as_const(Y_)), blas::whole(C_));
+  blas::solve_lower(a, m, blas::Transposition::plain, blas::whole_matrix(std::as_const(L_)),
+                    blas::whole_matrix(Y_));
+  blas::gemm({.m = m, .n = m, .k = a, .a = blas::Transposition::transposed},
+             blas::whole_matrix(std::as_const(Y_)), blas::whole_matrix(std::as_const(Y_)),
+             blas::whole_matrix(C_));
   const base::Vector diagonal = C_.diagonal();
-  if (!blas::cholesky(m, blas::whole(C_))) {
+  if (!blas::cholesky(m, blas::whole_matrix(C_))) {
     return false;
   }
   return (C_.diagonal().array().square() > border_rank * diagonal.array()).all();
@@ -188,26 +190,27 @@ void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
   if (a == 0 || k == 0) {
     return;
   }
-  const blas::Block x = blas::whole(top);
+  const blas::MatrixBlock x = blas::whole_matrix(top);
   if (m == 0) {
-    blas::solve_lower(a, k, blas::Form::plain, blas::whole(L_), x);
-    blas::solve_lower(a, k, blas::Form::transposed, blas::whole(L_), x);
+    blas::solve_lower(a, k, blas::Transposition::plain, blas::whole_matrix(L_), x);
+    blas::solve_lower(a, k, blas::Transposition::transposed, blas::whole_matrix(L_), x);
     return;
   }
   // M X + B Y = top + tau B bottom,  B^T X = bottom
-  const blas::Block y = blas::whole(bottom);
-  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, blas::whole(B_), y, x);
-  blas::solve_lower(a, k, blas::Form::plain, blas::whole(L_), x);
-  blas::gemm({.m = m, .n = k, .k = a, .a = blas::Form::transposed, .beta = -1.0}, blas::whole(Y_),
-             x, y);
+  const blas::MatrixBlock y = blas::whole_matrix(bottom);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, blas::whole_matrix(B_),
+             y, x);
+  blas::solve_lower(a, k, blas::Transposition::plain, blas::whole_matrix(L_), x);
+  blas::gemm({.m = m, .n = k, .k = a, .a = blas::Transposition::transposed, .beta = -1.0},
+             blas::whole_matrix(Y_), x, y);
   // C C^T Y = B^T M^-1 top - bottom, the border eliminated.
-  blas::solve_lower(m, k, blas::Form::plain, blas::whole(C_), y);
-  blas::solve_lower(m, k, blas::Form::transposed, blas::whole(C_), y);
-  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, blas::whole(Y_), y, x);
-  blas::solve_lower(a, k, blas::Form::transposed, blas::whole(L_), x);
+  blas::solve_lower(m, k, blas::Transposition::plain, blas::whole_matrix(C_), y);
+  blas::solve_lower(m, k, blas::Transposition::transposed, blas::whole_matrix(C_), y);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, blas::whole_matrix(Y_), y, x);
+  blas::solve_lower(a, k, blas::Transposition::transposed, blas::whole_matrix(L_), x);
 }
 
-double BorderedFactor::independence(int i) const {
+double BorderedFactor::remaining_pivot(int i) const {
   const int a = count(rows_);
   const double d = problem_.d(i);
   if (!(d > 0.0)) {
@@ -219,7 +222,8 @@ double BorderedFactor::independence(int i) const {
   }
   column += problem_.tau * (B_ * problem_.B.row(i).transpose());
   if (a > 0) {
-    blas::solve_lower(a, 1, blas::Form::plain, blas::whole(L_), blas::whole(column));
+    blas::solve_lower(a, 1, blas::Transposition::plain, blas::whole_matrix(L_),
+                      blas::whole_matrix(column));
   }
   return 1.0 - column.squaredNorm() / (d * d);
 }

@@ -12,13 +12,13 @@ namespace spricka::solve {
 /// does not hold all modes (Gould 1985 on when the bordered matrix is regular).
 class BorderedFactor {
 public:
-  explicit BorderedFactor(const HeldProblem& problem) : problem_(problem) {}
+  explicit BorderedFactor(const ControllableProblem& problem) : problem_(problem) {}
 
   /// Factorises for the rows of A (ascending); false when they do not hold all modes.
   bool factorise(std::vector<int> A);
 
   [[nodiscard]] const std::vector<int>& rows() const { return rows_; }
-  [[nodiscard]] const std::vector<int>& left_out() const { return left_out_; }
+  [[nodiscard]] const std::vector<int>& redundant_rows() const { return left_out_; }
 
   /// Solves  W_AA X + B_A Y = top,  B_A^T X = bottom  in place: top [a, k] becomes X, bottom
   /// [m, k] becomes Y.
@@ -26,7 +26,7 @@ public:
 
   /// What is left of the scaled diagonal of row i when the rows of A are closed and the modes held
   /// by the weight tau: below `redundancy` when row i depends on them.
-  [[nodiscard]] double independence(int i) const;
+  [[nodiscard]] double remaining_pivot(int i) const;
 
 private:
   void gather();
@@ -35,7 +35,7 @@ private:
   [[nodiscard]] base::Matrix scaled(const std::vector<int>& r, const std::vector<int>& c) const;
   bool factorise_border();
 
-  const HeldProblem& problem_;
+  const ControllableProblem& problem_;
   std::vector<int> rows_;
   std::vector<int> left_out_;
   base::Matrix B_; ///< [a, m] rows of A

@@ -17,12 +17,12 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
 
 Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const DenseBlock> blocks,
-                           std::shared_ptr<const EarlyRows>* early) {
+                           std::shared_ptr<const FirstBlockFactor>* early) {
   blas::single_thread();
   // The sparse factor reports a want of memory itself; the full matrices on top of it throw.
   try {
     stacked_.emplace(K, externals, blocks, early, report_);
-    S_ = std::move(stacked_->top().S);
+    S_ = std::move(stacked_->condensed_externals().S);
   } catch (const std::bad_alloc&) {
     report_.status = FactorStatus::out_of_memory;
   }
@@ -34,8 +34,8 @@ FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t ext
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                    std::span<const DenseBlock> blocks, EarlyLists* early) {
-  return Stacked::forecast(pattern, externals, blocks, early);
+                                    std::span<const DenseBlock> blocks, BlockPartition* early) {
+  return TwoLevelCondensation::forecast(pattern, externals, blocks, early);
 }
 
 base::Matrix Condensation::take_schur() {
@@ -43,7 +43,8 @@ base::Matrix Condensation::take_schur() {
 }
 
 std::optional<FactoredExternals> Condensation::take_factor() {
-  return stacked_ ? std::exchange(stacked_->top().factor, std::nullopt) : std::nullopt;
+  return stacked_ ? std::exchange(stacked_->condensed_externals().factor, std::nullopt)
+                  : std::nullopt;
 }
 
 base::Matrix Condensation::condense_load(const base::Matrix& f) const {

@@ -38,10 +38,10 @@ public:
   /// there for the next matrix with the same block.
   Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                std::span<const DenseBlock> blocks,
-               std::shared_ptr<const EarlyRows>* early = nullptr);
+               std::shared_ptr<const FirstBlockFactor>* early = nullptr);
   /// `early`: rows of the block that would be there already; those of this matrix from then on.
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, EarlyLists* early = nullptr);
+                               std::span<const DenseBlock> blocks, BlockPartition* early = nullptr);
 
   [[nodiscard]] const FactorReport& report() const { return report_; }
   /// S [externals, externals], symmetric to the last bit.
@@ -63,8 +63,8 @@ public:
 private:
   FactorReport report_;
   base::Matrix S_;
-  std::optional<SparseCondensation> sparse_; ///< without dense blocks
-  std::optional<Stacked> stacked_;           ///< with dense blocks
+  std::optional<SparseCondensation> sparse_;    ///< without dense blocks
+  std::optional<TwoLevelCondensation> stacked_; ///< with dense blocks
 };
 
 } // namespace spricka::solve

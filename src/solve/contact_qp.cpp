@@ -43,7 +43,7 @@ struct BlockStart {
 
 /// Closes and opens all violated rows at once (primal-dual active set; Hintermueller, Ito and
 /// Kunisch 2003) until none is left, a set comes back or progress ends.
-BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& settings,
+BlockSearch block_pivoting(const ControllableProblem& problem, const ContactSettings& settings,
                            const std::vector<int>& spanning, BlockStart start,
                            BorderedFactor& factor) {
   std::vector<bool>& closed = start.closed;
@@ -67,7 +67,7 @@ BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& se
       }
       continue;
     }
-    const SetSolution solution = solve_set(problem, factor, false);
+    const ActiveSetSolution solution = solve_active_set(problem, factor, false);
     const std::vector<int> violated = violated_rows(problem, factor, solution, settings.tolerance);
     if (violated.empty()) {
       search.settled = true;
@@ -83,7 +83,7 @@ BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& se
       return search;
     }
     // Redundant rows start from open, so that they close again only if their gap says so.
-    for (const int i : factor.left_out()) {
+    for (const int i : factor.redundant_rows()) {
       closed[at(i)] = problem.equality[at(i)];
     }
     for (const int i : violated) {
@@ -96,7 +96,7 @@ BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& se
 }
 
 /// The finite fallback, begun again from its own answer while round-off still shows.
-ContactStatus pivot_to_the_end(const HeldProblem& problem, const ContactSettings& settings,
+ContactStatus pivot_to_the_end(const ControllableProblem& problem, const ContactSettings& settings,
                                std::vector<int> A, BorderedFactor& factor,
                                ContactSolution& answer) {
   for (int turn = 0; turn < repeats; ++turn) {
@@ -111,57 +111,57 @@ ContactStatus pivot_to_the_end(const HeldProblem& problem, const ContactSettings
     if (result.status != PivotStatus::optimal || !factor.factorise(result.closed)) {
       return ContactStatus::max_iterations;
     }
-    const SetSolution solution = solve_set(problem, factor, true);
+    const ActiveSetSolution solution = solve_active_set(problem, factor, true);
     if (violated_rows(problem, factor, solution, settings.tolerance).empty()) {
       return ContactStatus::solved;
     }
     A = factor.rows();
   }
-  if (!factor.left_out().empty()) {
+  if (!factor.redundant_rows().empty()) {
     return ContactStatus::inconsistent; // an equality row that the others contradict
   }
   return ContactStatus::solved; // the residual decides
 }
 
 /// Largest violation of the conditions over its scale.
-double residual_of(const HeldProblem& problem, const SetSolution& s,
+double residual_of(const ControllableProblem& problem, const ActiveSetSolution& s,
                    const std::vector<bool>& closed) {
   const base::Vector balance = problem.h + problem.B.transpose() * s.lambda;
   const base::Vector size =
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
   double residual = 0.0;
   for (int j = 0; j < problem.modes(); ++j) {
-    residual = std::max(residual, relative(std::abs(balance(j)), size(j) + s.force_scale));
+    residual = std::max(residual, relative_to(std::abs(balance(j)), size(j) + s.force_scale));
   }
   for (int i = 0; i < problem.rows(); ++i) {
     const bool equality = problem.equality[at(i)];
     const bool zero = closed[at(i)] || equality;
     const double wrong_gap = zero ? std::abs(s.gap(i)) : std::max(-s.gap(i), 0.0);
     const double wrong_force = equality ? 0.0 : std::max(-s.lambda(i), 0.0);
-    residual = std::max(
-        {residual, relative(wrong_gap, s.gap_scale(i)), relative(wrong_force, s.force_scale)});
+    residual = std::max({residual, relative_to(wrong_gap, s.gap_scale(i)),
+                         relative_to(wrong_force, s.force_scale)});
   }
   return std::isfinite(s.gap.sum() + s.lambda.sum()) ? residual : INFINITY;
 }
 
 /// The answer from a clean solve on the final set. Motions that nothing presses come to rest.
-void take_solution(const HeldProblem& problem, const ModeSplit& split, const BorderedFactor& factor,
-                   double scale, ContactSolution& answer) {
-  SetSolution s = solve_set(problem, factor, true);
+void take_solution(const ControllableProblem& problem, const ModeSplit& split,
+                   const BorderedFactor& factor, double scale, ContactSolution& answer) {
+  ActiveSetSolution s = solve_active_set(problem, factor, true);
   answer.basis = factor.rows();
   for (const int i : factor.rows()) {
     answer.closed[at(i)] = true;
   }
   answer.residual = residual_of(problem, s, answer.closed);
   const base::Vector settled = s.alpha;
-  const int free = rest_free_motions(problem, split, s.lambda, rest_load * scale, s.alpha);
+  const int free = minimise_free_motions(problem, split, s.lambda, rest_load * scale, s.alpha);
   answer.resting_modes += free;
   // Motions to rest move no pressing row, but the gaps of the others.
   s.gap += problem.B * (s.alpha - settled);
   for (int i = 0; i < problem.rows(); ++i) {
     const double touching = 1e-10 * s.gap_scale(i);
     const bool closed = answer.closed[at(i)];
-    if (!closed && s.gap(i) <= touching && factor.independence(i) < 10.0 * redundancy) {
+    if (!closed && s.gap(i) <= touching && factor.remaining_pivot(i) < 10.0 * redundancy) {
       ++answer.redundant;
     }
     if (!problem.equality[at(i)]) {
@@ -205,7 +205,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   }
 
   // 2. loads that the rows cannot take: the motion that opens them all
-  HeldProblem held = held_problem(problem, split);
+  ControllableProblem held = controllable_problem(problem, split);
   const LoadBalance balance = balance_loads(held);
   answer.unheld = opening_motion(split, balance, rest_load * std::max(scale, problem.h.norm()));
   if (answer.unheld.size() > 0) {

@@ -33,19 +33,21 @@ struct Tableau {
 
 /// The columns of z in the problem's own units: what a gap of a closed row or a force on an open
 /// one does to the forces [a], the modes [m] and then to all gaps [n].
-struct Columns {
+struct TableauColumns {
   base::Matrix top;
   base::Matrix bottom;
 };
 
-Columns columns_of(const HeldProblem& problem, const BorderedFactor& factor, const Tableau& t) {
+TableauColumns columns_of(const ControllableProblem& problem, const BorderedFactor& factor,
+                          const Tableau& t) {
   const std::vector<int>& A = factor.rows();
   const Eigen::Index a = index(A.size());
   std::vector<int> place(std::size_t(problem.rows()), -1);
   for (std::size_t r = 0; r < A.size(); ++r) {
     place[at(A[r])] = static_cast<int>(r);
   }
-  Columns columns{base::Matrix::Zero(a, t.size()), base::Matrix::Zero(problem.modes(), t.size())};
+  TableauColumns columns{base::Matrix::Zero(a, t.size()),
+                         base::Matrix::Zero(problem.modes(), t.size())};
   for (int j = 0; j < t.size(); ++j) {
     const int i = t.row[at(j)];
     if (t.closed[at(j)]) {
@@ -62,7 +64,7 @@ Columns columns_of(const HeldProblem& problem, const BorderedFactor& factor, con
   return columns;
 }
 
-Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
+Tableau tableau_of(const ControllableProblem& problem, const BorderedFactor& factor) {
   const int n = problem.rows();
   const std::vector<int>& A = factor.rows();
   std::vector<int> place(std::size_t(n), -1);
@@ -77,8 +79,8 @@ Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
     }
   }
   // (solve.19): T from the columns, q from the solution with z = 0.
-  const Columns z = columns_of(problem, factor, t);
-  const SetSolution s = solve_set(problem, factor, false);
+  const TableauColumns z = columns_of(problem, factor, t);
+  const ActiveSetSolution s = solve_active_set(problem, factor, false);
   const int k = t.size();
   const int a = static_cast<int>(A.size());
   base::Matrix W_kA(k, a);
@@ -196,8 +198,8 @@ std::vector<int> choose_pivot(const Tableau& t, int i) {
 
 } // namespace
 
-PivotResult criss_cross(const HeldProblem& problem, const std::vector<int>& A, double tolerance,
-                        int max_pivots) {
+PivotResult criss_cross(const ControllableProblem& problem, const std::vector<int>& A,
+                        double tolerance, int max_pivots) {
   PivotResult result;
   BorderedFactor factor(problem);
   if (!factor.factorise(A)) {

@@ -16,6 +16,6 @@ struct DenseBlock {
 
 /// Whether such blocks are better kept out of the sparse matrix: together with the externals they
 /// fill most of what they touch.
-bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals);
+bool two_level_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals);
 
 } // namespace spricka::solve

@@ -20,20 +20,21 @@ DenseCholesky::DenseCholesky(base::Matrix A) : L_(std::move(A)) {
   ok_ = n == 0 || blas::cholesky(n, {L_.data(), n});
 }
 
-base::Matrix DenseCholesky::half_solve(base::Matrix B) const {
+base::Matrix DenseCholesky::forward_substitute(base::Matrix B) const {
   const int n = count(L_.rows());
-  blas::solve_lower(n, count(B.cols()), blas::Form::plain, {L_.data(), n}, {B.data(), n});
+  blas::solve_lower(n, count(B.cols()), blas::Transposition::plain, {L_.data(), n}, {B.data(), n});
   return B;
 }
 
-base::Matrix DenseCholesky::half_solve_transposed(base::Matrix B) const {
+base::Matrix DenseCholesky::backward_substitute(base::Matrix B) const {
   const int n = count(L_.rows());
-  blas::solve_lower(n, count(B.cols()), blas::Form::transposed, {L_.data(), n}, {B.data(), n});
+  blas::solve_lower(n, count(B.cols()), blas::Transposition::transposed, {L_.data(), n},
+                    {B.data(), n});
   return B;
 }
 
 base::Matrix DenseCholesky::solve(base::Matrix B) const {
-  return half_solve_transposed(half_solve(std::move(B)));
+  return backward_substitute(forward_substitute(std::move(B)));
 }
 
 base::Matrix gram(const base::Matrix& Y) {
@@ -45,11 +46,12 @@ base::Matrix gram(const base::Matrix& Y) {
   return C;
 }
 
-base::Matrix product(const base::Matrix& X, const base::Matrix& Y) {
+base::Matrix transposed_product(const base::Matrix& X, const base::Matrix& Y) {
   const int n = count(X.rows());
   base::Matrix C(X.cols(), Y.cols());
-  blas::gemm({.m = count(X.cols()), .n = count(Y.cols()), .k = n, .a = blas::Form::transposed},
-             {X.data(), n}, {Y.data(), n}, {C.data(), count(X.cols())});
+  blas::gemm(
+      {.m = count(X.cols()), .n = count(Y.cols()), .k = n, .a = blas::Transposition::transposed},
+      {X.data(), n}, {Y.data(), n}, {C.data(), count(X.cols())});
   return C;
 }
 

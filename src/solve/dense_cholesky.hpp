@@ -10,12 +10,12 @@ public:
   /// Takes the lower triangle of A [n, n].
   explicit DenseCholesky(base::Matrix A);
 
-  [[nodiscard]] bool ok() const { return ok_; }
+  [[nodiscard]] bool is_positive_definite() const { return ok_; }
   [[nodiscard]] Eigen::Index size() const { return L_.rows(); }
   /// L^-1 B [n, k].
-  [[nodiscard]] base::Matrix half_solve(base::Matrix B) const;
+  [[nodiscard]] base::Matrix forward_substitute(base::Matrix B) const;
   /// L^-T B [n, k].
-  [[nodiscard]] base::Matrix half_solve_transposed(base::Matrix B) const;
+  [[nodiscard]] base::Matrix backward_substitute(base::Matrix B) const;
   /// A^-1 B [n, k].
   [[nodiscard]] base::Matrix solve(base::Matrix B) const;
 
@@ -27,6 +27,6 @@ private:
 /// Y^T Y [k, k], symmetric to the last bit.
 base::Matrix gram(const base::Matrix& Y);
 /// X^T Y [k, l] for X [n, k] and Y [n, l].
-base::Matrix product(const base::Matrix& X, const base::Matrix& Y);
+base::Matrix transposed_product(const base::Matrix& X, const base::Matrix& Y);
 
 } // namespace spricka::solve

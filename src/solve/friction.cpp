@@ -27,13 +27,13 @@ constexpr double at_rest = 1e-10; ///< of the gap scale: no slip
 constexpr int anchorings = 12;    ///< of bodies that nothing holds, before they slide
 
 /// Rigid motions that no row in contact hinders.
-int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch) {
+int loose_motions(const ScaledFriction& problem, const std::vector<SlipState>& touch) {
   std::vector<int> rows = problem.fixed;
-  for (const ScaledFriction::Unit& u : problem.units) {
-    const Touch state = touch[at(u.normal)];
-    if (state != Touch::open) {
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+    const SlipState state = touch[at(u.normal)];
+    if (state != SlipState::open) {
       rows.push_back(u.normal);
-      if (u.tangent >= 0 && state == Touch::stick) {
+      if (u.tangent >= 0 && state == SlipState::stick) {
         rows.push_back(u.tangent);
       }
     }
@@ -49,10 +49,10 @@ int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch
 }
 
 /// Back from scaled units, with every condition kept to the last bit that forces have.
-void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const ModeSplit& split,
-                   const Search& search, FrictionSolution& answer) {
+void take_solution(const ScaledFriction& scaled, const ControllableProblem& held,
+                   const ModeSplit& split, const FrictionSearch& search, FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
-  const TouchSolution& s = search.solution;
+  const SlipStateSolution& s = search.solution;
   c.residual = friction_residual(scaled, s, search.touch);
   answer.touch = search.touch;
   base::Vector lambda = s.lambda;
@@ -64,9 +64,9 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
   for (const int i : scaled.fixed) {
     close(i, true);
   }
-  for (const ScaledFriction::Unit& u : scaled.units) {
-    const Touch state = search.touch[at(u.normal)];
-    const bool closed = state != Touch::open;
+  for (const ScaledFriction::FrictionUnit& u : scaled.units) {
+    const SlipState state = search.touch[at(u.normal)];
+    const bool closed = state != SlipState::open;
     close(u.normal, closed);
     lambda(u.normal) = std::max(lambda(u.normal), 0.0);
     gap(u.normal) = closed ? 0.0 : std::max(gap(u.normal), 0.0);
@@ -76,10 +76,10 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
       const double limit = u.mu * lambda(u.normal);
       lambda(u.tangent) = std::clamp(lambda(u.tangent), -limit, limit);
       if (closed && std::abs(gap(u.tangent)) <= at_rest * s.gap_scale(u.tangent)) {
-        answer.touch[at(u.normal)] = Touch::stick; // at the limit, but it does not move
-        answer.touch[at(u.tangent)] = Touch::stick;
+        answer.touch[at(u.normal)] = SlipState::stick; // at the limit, but it does not move
+        answer.touch[at(u.tangent)] = SlipState::stick;
       }
-      gap(u.tangent) = answer.touch[at(u.tangent)] == Touch::stick ? 0.0 : gap(u.tangent);
+      gap(u.tangent) = answer.touch[at(u.tangent)] == SlipState::stick ? 0.0 : gap(u.tangent);
     }
   }
   for (int i = 0; i < held.rows(); ++i) {
@@ -94,7 +94,7 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
 }
 
 /// Rows without compliance and modes must keep their conditions by themselves.
-bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
+bool dead_rows_hold(const ControllableProblem& held, const std::vector<FrictionRow>& friction) {
   std::vector<bool> slips(std::size_t(held.rows()), false);
   for (const FrictionRow& f : friction) {
     slips[at(f.tangent)] = true;
@@ -114,7 +114,8 @@ bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& fri
 }
 
 /// Where bodies stay that nothing holds, in scaled modes.
-base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const ModeSplit& split) {
+base::Vector anchor_at(const base::Vector& alpha, const ControllableProblem& held,
+                       const ModeSplit& split) {
   if (alpha.size() == 0 || held.modes() == 0) {
     return base::Vector::Zero(held.modes());
   }
@@ -124,16 +125,16 @@ base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const
 }
 
 /// The increment with slips that are vectors: round cones.
-void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
+void solve_round_cones(const FrictionProblem& problem, const ControllableProblem& held,
                        const ModeSplit& split, FrictionSolution& answer) {
   const RoundFriction scaled = round_friction(held, problem.friction, problem.contact.load_scale);
-  RoundStart start{.alpha = anchor_at(problem.alpha_start, held, split)};
+  RoundFrictionStart start{.alpha = anchor_at(problem.alpha_start, held, split)};
   if (problem.expected.lambda.size() == held.rows()) {
     start.expected = (scaled.inverse.array() > 0.0)
                          .select(problem.expected.lambda.array() / scaled.inverse.array(), 0.0);
     start.expected_alpha = anchor_at(problem.expected.alpha, held, split);
   }
-  const RoundState found = solve_round(scaled, start);
+  const RoundFrictionState found = solve_round_friction(scaled, start);
   ContactSolution& c = answer.contact;
   c.block_iterations = found.newton_steps;
   c.pivots = found.sweeps;
@@ -149,8 +150,8 @@ void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
     c.closed[at(i)] = true;
   }
   for (std::size_t k = 0; k < scaled.units.size(); ++k) {
-    const RoundFriction::Unit& u = scaled.units[k];
-    const bool closed = found.touch[k] != Touch::open;
+    const RoundFriction::RoundFrictionUnit& u = scaled.units[k];
+    const bool closed = found.touch[k] != SlipState::open;
     // Every condition to the last bit that forces have.
     lambda[u.normal] = closed ? std::max(lambda[u.normal], 0.0) : 0.0;
     gap[u.normal] = closed ? 0.0 : std::max(gap[u.normal], 0.0);
@@ -161,10 +162,12 @@ void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
       slip = std::hypot(slip, gap[u.tangent[at(t)]]);
     }
     const double limit = u.mu * lambda[u.normal];
-    const bool rests = closed && (found.touch[k] == Touch::stick || slip <= least_slip);
-    const Touch touch = !closed ? Touch::open : rests ? Touch::stick : Touch::forward;
+    const bool rests = closed && (found.touch[k] == SlipState::stick || slip <= least_slip);
+    const SlipState touch = !closed ? SlipState::open
+                            : rests ? SlipState::stick
+                                    : SlipState::forward;
     c.closed[at(u.normal)] = closed;
-    answer.touch[at(u.normal)] = u.tangents > 0 || !closed ? touch : Touch::stick;
+    answer.touch[at(u.normal)] = u.tangents > 0 || !closed ? touch : SlipState::stick;
     for (int t = 0; t < u.tangents; ++t) {
       const int row = u.tangent[at(t)];
       c.closed[at(row)] = closed;
@@ -187,9 +190,9 @@ void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
 
 /// Where no solution was found: a load that round cones do not hold, though those of sixteen sides
 /// about them would, is named.
-void name_what_slides(const FrictionProblem& problem, const HeldProblem& held,
+void name_what_slides(const FrictionProblem& problem, const ControllableProblem& held,
                       const ModeSplit& split, double least, FrictionSolution& answer) {
-  const LoadBalance balance = balance_round(held, problem.friction);
+  const LoadBalance balance = balance_round_cones(held, problem.friction);
   if (opening_motion(split, balance, least).size() > 0) {
     answer.contact.status = ContactStatus::unheld_mode;
     answer.contact.unheld = sliding_motion(split, held, problem.friction, balance);
@@ -200,7 +203,7 @@ void name_what_slides(const FrictionProblem& problem, const HeldProblem& held,
 /// The same increment without friction, and the states and motions that it ends in: where bodies
 /// come to lie against each other only in this increment no better beginning is at hand.
 struct SmoothStart {
-  std::vector<Touch> touch; ///< [n]; empty: there is none
+  std::vector<SlipState> touch; ///< [n]; empty: there is none
   base::Vector alpha;
 };
 
@@ -230,17 +233,18 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
   if (found.status != ContactStatus::solved) {
     return {};
   }
-  SmoothStart start{std::vector<Touch>(slips.size(), Touch::open), found.alpha};
+  SmoothStart start{std::vector<SlipState>(slips.size(), SlipState::open), found.alpha};
   base::Vector lambda = base::Vector::Zero(whole.b.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    start.touch[at(rows[k])] = found.closed[k] ? Touch::stick : Touch::open;
+    start.touch[at(rows[k])] = found.closed[k] ? SlipState::stick : SlipState::open;
     lambda(rows[k]) = found.lambda(index(k));
   }
   const base::Vector moved = whole.b + whole.W * lambda + whole.B * found.alpha;
   for (const FrictionRow& f : problem.friction) {
-    if (start.touch[at(f.normal)] != Touch::open) {
+    if (start.touch[at(f.normal)] != SlipState::open) {
       // Each closed row slips the way that it would go without friction.
-      start.touch[at(f.tangent)] = moved(f.tangent) > 0.0 ? Touch::forward : Touch::backward;
+      start.touch[at(f.tangent)] =
+          moved(f.tangent) > 0.0 ? SlipState::forward : SlipState::backward;
       start.touch[at(f.normal)] = start.touch[at(f.tangent)];
     }
   }
@@ -248,15 +252,15 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
 }
 
 /// Solves with bodies anchored where they are until they are held, rest or slide away.
-void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const ModeSplit& split,
-                  std::pair<base::Vector, Search> state, const ContactSettings& settings,
-                  FrictionSolution& answer) {
+void walk_to_rest(const ScaledFriction& scaled, const ControllableProblem& held,
+                  const ModeSplit& split, std::pair<base::Vector, FrictionSearch> state,
+                  const ContactSettings& settings, FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
   base::Vector anchor = std::move(state.first);
-  Search search = std::move(state.second);
+  FrictionSearch search = std::move(state.second);
   base::Vector drive = base::Vector::Zero(scaled.modes());
   for (int turn = 0; turn < anchorings; ++turn) {
-    search = settle(scaled, anchor, search.touch, settings, c);
+    search = find_consistent_states(scaled, anchor, search.touch, settings, c);
     if (!search.settled) {
       c.status = ContactStatus::max_iterations;
       return;
@@ -286,7 +290,7 @@ void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const M
 } // namespace
 
 FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSettings& settings,
-                                const std::vector<Touch>& start) {
+                                const std::vector<SlipState>& start) {
   blas::single_thread();
   const ContactProblem& contact = problem.contact;
   const Eigen::Index n = contact.b.size();
@@ -296,14 +300,14 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   c.alpha = base::Vector::Zero(contact.h.size());
   c.gap = contact.b;
   c.closed.assign(static_cast<std::size_t>(n), false);
-  answer.touch.assign(static_cast<std::size_t>(n), Touch::open);
+  answer.touch.assign(static_cast<std::size_t>(n), SlipState::open);
   const double scale = load_scale(contact);
 
   // 1. modes that no row touches, and loads that no force within the cones can take
   const ModeSplit split = split_modes(contact.B, contact.opening_scale);
   c.resting_modes = static_cast<int>(split.uncontrollable.cols());
   c.unheld = uncontrollable_motion(split, contact.h, resting_load * scale);
-  HeldProblem held = held_problem(contact, split);
+  ControllableProblem held = controllable_problem(contact, split);
   const double least = rest_load * std::max(scale, contact.h.norm());
   if (c.unheld.size() == 0) {
     const LoadBalance balance =
@@ -336,9 +340,9 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
     return answer;
   }
   const ScaledFriction scaled = scaled_friction(held, problem.friction, contact.load_scale);
-  Search first;
+  FrictionSearch first;
   first.touch = start;
-  first.touch.resize(static_cast<std::size_t>(n), Touch::stick);
+  first.touch.resize(static_cast<std::size_t>(n), SlipState::stick);
   walk_to_rest(scaled, held, split, {anchor_at(problem.alpha_start, held, split), std::move(first)},
                settings, answer);
   if (c.status != ContactStatus::max_iterations) {
@@ -354,9 +358,9 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
     if (sticks) {
       // The second try: the same rows closed, but all of them sticking.
       std::ranges::replace_if(
-          smooth.touch, [](Touch touch) { return touch != Touch::open; }, Touch::stick);
+          smooth.touch, [](SlipState touch) { return touch != SlipState::open; }, SlipState::stick);
     }
-    Search second;
+    FrictionSearch second;
     second.touch = smooth.touch;
     walk_to_rest(scaled, held, split, {anchor_at(smooth.alpha, held, split), std::move(second)},
                  settings, answer);

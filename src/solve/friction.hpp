@@ -11,6 +11,6 @@ namespace spricka::solve {
 /// (Lemke 1965; Cottle, Pang and Stone 1992, section 4.9) on the condensed problem. The answer's
 /// residual is that of all conditions; without one the status says why.
 FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSettings& settings,
-                                const std::vector<Touch>& start);
+                                const std::vector<SlipState>& start);
 
 } // namespace spricka::solve

@@ -66,8 +66,8 @@ base::Matrix round_edges(const base::Matrix& B, const std::vector<FrictionRow>& 
   return edges.topRows(more);
 }
 
-HeldProblem problem_of_edges(base::Matrix edges, const base::Vector& h,
-                             std::vector<bool> equality) {
+ControllableProblem problem_of_edges(base::Matrix edges, const base::Vector& h,
+                                     std::vector<bool> equality) {
   static const base::Matrix none;
   equality.resize(static_cast<std::size_t>(edges.rows()), false);
   const Eigen::Index n = edges.rows();
@@ -107,9 +107,9 @@ bool add_edges_against(const base::Vector& r, const base::Matrix& B,
 
 } // namespace
 
-HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
-                         const std::vector<bool>& equality,
-                         const std::vector<FrictionRow>& friction) {
+ControllableProblem cone_problem(const base::Matrix& B, const base::Vector& h,
+                                 const std::vector<bool>& equality,
+                                 const std::vector<FrictionRow>& friction) {
   constexpr double pi = std::numbers::pi;
   return problem_of_edges(has_round_cones(friction)
                               ? round_edges(B, friction, 1.0 / std::cos(pi / sides))
@@ -117,7 +117,8 @@ HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
                           h, equality);
 }
 
-LoadBalance balance_round(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
+LoadBalance balance_round_cones(const ControllableProblem& held,
+                                const std::vector<FrictionRow>& friction) {
   constexpr int most_rounds = 40; // each comes nearer by an order or so
   constexpr double balanced = 1e-12;
   base::Matrix edges = round_edges(held.B, friction, 1.0);
@@ -133,7 +134,7 @@ LoadBalance balance_round(const HeldProblem& held, const std::vector<FrictionRow
   return {base::Vector::Zero(held.h.size()), {}};
 }
 
-base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
+base::Vector sliding_motion(const ModeSplit& split, const ControllableProblem& held,
                             const std::vector<FrictionRow>& friction, const LoadBalance& balance) {
   // what the cones leave lifts the body off the rows it slides on: they keep it there
   std::vector<bool> kept = held.equality;

@@ -15,17 +15,18 @@ namespace spricka::solve {
 /// tangent, so that any force is a sum of edges with coefficients >= 0 (equality rows: of any
 /// sign). Round cones become those of sixteen sides about them, with more rows behind the others.
 /// B [n, m] and loads h [m] on the modes.
-HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
-                         const std::vector<bool>& equality,
-                         const std::vector<FrictionRow>& friction);
+ControllableProblem cone_problem(const base::Matrix& B, const base::Vector& h,
+                                 const std::vector<bool>& equality,
+                                 const std::vector<FrictionRow>& friction);
 
 /// The balance of the loads on the modes by forces in the round cones themselves, of which edges
 /// are added where a remainder leans on them. A remainder is given only where it is certain.
-LoadBalance balance_round(const HeldProblem& held, const std::vector<FrictionRow>& friction);
+LoadBalance balance_round_cones(const ControllableProblem& held,
+                                const std::vector<FrictionRow>& friction);
 
 /// The motion [m] in which bodies slide, from what the cones cannot hold (`balance`): along rows,
 /// not off them.
-base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
+base::Vector sliding_motion(const ModeSplit& split, const ControllableProblem& held,
                             const std::vector<FrictionRow>& friction, const LoadBalance& balance);
 
 } // namespace spricka::solve

@@ -75,7 +75,7 @@ base::Matrix round_jacobian(const FrictionProblem& problem, const FrictionSoluti
   std::vector<const FrictionRow*> slides(static_cast<std::size_t>(p.b.size()), nullptr);
   for (const FrictionRow& f : problem.friction) {
     for (const int t : {f.tangent, f.second}) {
-      if (t >= 0 && solution.touch[at(f.normal)] == Touch::forward) {
+      if (t >= 0 && solution.touch[at(f.normal)] == SlipState::forward) {
         slides[at(t)] = &f;
       }
     }
@@ -128,13 +128,13 @@ base::Matrix round_jacobian(const FrictionProblem& problem, const FrictionSoluti
 
 } // namespace
 
-bool one_of_several(const FrictionProblem& problem, const FrictionSolution& solution) {
+bool has_other_solutions(const FrictionProblem& problem, const FrictionSolution& solution) {
   if (has_round_cones(problem.friction)) {
     const int with = determinant_sign(round_jacobian(problem, solution, 1.0));
     return with * determinant_sign(round_jacobian(problem, solution, 0.0)) < 0;
   }
   const std::vector<bool>& closed = solution.contact.closed;
-  const std::vector<Touch>& touch = solution.touch;
+  const std::vector<SlipState>& touch = solution.touch;
   const std::size_t n = closed.size();
   std::vector<double> ratio(n, 0.0);
   std::vector<int> tangent(n, -1);
@@ -142,15 +142,15 @@ bool one_of_several(const FrictionProblem& problem, const FrictionSolution& solu
   bool any = false;
   for (const FrictionRow& f : problem.friction) {
     const auto row = static_cast<std::size_t>(f.normal);
-    const Touch state = touch[row];
-    if (closed[row] && (state == Touch::forward || state == Touch::backward)) {
-      ratio[row] = state == Touch::forward ? -f.mu : f.mu;
+    const SlipState state = touch[row];
+    if (closed[row] && (state == SlipState::forward || state == SlipState::backward)) {
+      ratio[row] = state == SlipState::forward ? -f.mu : f.mu;
       any = true;
     }
     tangent[row] = f.tangent;
     // Tangents of sliding and open rows have no equation of their own: their shear follows or is
     // zero.
-    slides[at(f.tangent)] = state != Touch::stick || !closed[row];
+    slides[at(f.tangent)] = state != SlipState::stick || !closed[row];
   }
   if (!any) {
     return false;

@@ -42,12 +42,12 @@ struct FrictionProblem {
 };
 
 /// What a row does: forward slip is positive, against a negative force; a vector slips forward.
-enum class Touch : char { open, stick, forward, backward };
+enum class SlipState : char { open, stick, forward, backward };
 
 struct FrictionSolution {
-  ContactSolution contact;  ///< `closed` of tangents is that of their normals
-  std::vector<Touch> touch; ///< [n] open or stick on rows without friction
-  bool slides = false;      ///< the unheld mode is held by friction until it is overcome
+  ContactSolution contact;      ///< `closed` of tangents is that of their normals
+  std::vector<SlipState> touch; ///< [n] open or stick on rows without friction
+  bool slides = false;          ///< the unheld mode is held by friction until it is overcome
 };
 
 } // namespace spricka::solve

@@ -19,13 +19,13 @@ constexpr int coverings = 2;             ///< tried by Lemke's pivoting
 
 /// Semi-smooth Newton method: all rows whose condition is violated change at once (Alart and
 /// Curnier 1991; Hueeber, Stadler and Wohlmuth 2008) until none is left or states come back.
-Search newton(const ScaledFriction& problem, const base::Vector& anchor, std::vector<Touch> touch,
-              double tolerance, std::pair<int, int&> limit) {
-  Search search;
-  std::set<std::vector<Touch>> met;
+FrictionSearch newton(const ScaledFriction& problem, const base::Vector& anchor,
+                      std::vector<SlipState> touch, double tolerance, std::pair<int, int&> limit) {
+  FrictionSearch search;
+  std::set<std::vector<SlipState>> met;
   for (int k = 0; k < limit.first && met.insert(touch).second; ++k) {
     ++limit.second;
-    search.solution = solve_touch(problem, touch, anchor);
+    search.solution = solve_slip_states(problem, touch, anchor);
     if (!search.solution.regular) {
       break;
     }
@@ -40,22 +40,23 @@ Search newton(const ScaledFriction& problem, const base::Vector& anchor, std::ve
 
 /// One row at a time, the first that is wrong (Murty 1974): finite where the answer is unique, and
 /// another way where it is not.
-Search one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
-                  std::vector<Touch> touch, double tolerance, std::pair<int, int&> limit) {
-  Search search;
+FrictionSearch one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
+                          std::vector<SlipState> touch, double tolerance,
+                          std::pair<int, int&> limit) {
+  FrictionSearch search;
   for (int k = 0; k < limit.first; ++k) {
     ++limit.second;
-    search.solution = solve_touch(problem, touch, anchor);
+    search.solution = solve_slip_states(problem, touch, anchor);
     if (!search.solution.regular) {
       break;
     }
     search.touch = touch;
-    std::vector<Touch> next = touch;
+    std::vector<SlipState> next = touch;
     if (change_states(problem, search.solution, tolerance, next) == 0) {
       search.settled = true;
       break;
     }
-    for (const ScaledFriction::Unit& u : problem.units) {
+    for (const ScaledFriction::FrictionUnit& u : problem.units) {
       const auto n = std::size_t(u.normal);
       if (next[n] != touch[n]) {
         touch[n] = next[n];
@@ -77,7 +78,7 @@ struct Complementarity {
   std::vector<int> forward; ///< [unit] place of its forward slip in z, backward behind it; or -1
 };
 
-Complementarity complementarity(const ScaledFriction& problem, const Interface& face) {
+Complementarity complementarity(const ScaledFriction& problem, const InterfaceStiffness& face) {
   const int units = static_cast<int>(problem.units.size());
   const int rows = static_cast<int>(face.rows.size());
   const int n = units + 2 * (rows - units);
@@ -86,7 +87,7 @@ Complementarity complementarity(const ScaledFriction& problem, const Interface& 
   columns.leftCols(units) = face.A.leftCols(units);
   int column = units;
   int tangent = units;
-  for (const ScaledFriction::Unit& u : problem.units) {
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
     lcp.forward.push_back(u.tangent < 0 ? -1 : column);
     if (u.tangent >= 0) {
       columns.col(column) = face.A.col(tangent);
@@ -115,9 +116,9 @@ Complementarity complementarity(const ScaledFriction& problem, const Interface& 
 }
 
 /// The finite fallback; the states it ends in, or none.
-std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& anchor,
-                           int max_pivots, int& pivots) {
-  const Interface face = interface_stiffness(problem, anchor);
+std::vector<SlipState> pivoted(const ScaledFriction& problem, const base::Vector& anchor,
+                               int max_pivots, int& pivots) {
+  const InterfaceStiffness face = interface_stiffness(problem, anchor);
   if (!face.regular) {
     return {};
   }
@@ -136,16 +137,18 @@ std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& an
   if (!result.solved) {
     return {};
   }
-  std::vector<Touch> touch(std::size_t(problem.rows()), Touch::stick);
+  std::vector<SlipState> touch(std::size_t(problem.rows()), SlipState::stick);
   for (std::size_t i = 0; i < problem.units.size(); ++i) {
-    const ScaledFriction::Unit& u = problem.units[i];
+    const ScaledFriction::FrictionUnit& u = problem.units[i];
     const int f = lcp.forward[i];
     // An opening in the basis: the row is open. One of its slips in the basis: it slips that way.
-    Touch state = result.basic[i] ? Touch::open : Touch::stick;
-    if (f >= 0 && state == Touch::stick) {
+    SlipState state = result.basic[i] ? SlipState::open : SlipState::stick;
+    if (f >= 0 && state == SlipState::stick) {
       const bool forward = result.basic[at(f)];
       const bool backward = result.basic[at(f) + 1];
-      state = forward == backward ? Touch::stick : forward ? Touch::forward : Touch::backward;
+      state = forward == backward ? SlipState::stick
+              : forward           ? SlipState::forward
+                                  : SlipState::backward;
     }
     touch[at(u.normal)] = state;
     if (u.tangent >= 0) {
@@ -157,13 +160,14 @@ std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& an
 
 } // namespace
 
-Search settle(const ScaledFriction& problem, const base::Vector& anchor,
-              const std::vector<Touch>& start, const ContactSettings& settings,
-              ContactSolution& figures) {
-  Search search = newton(problem, anchor, start, settings.tolerance,
-                         {settings.max_block_iterations, figures.block_iterations});
+FrictionSearch find_consistent_states(const ScaledFriction& problem, const base::Vector& anchor,
+                                      const std::vector<SlipState>& start,
+                                      const ContactSettings& settings, ContactSolution& figures) {
+  FrictionSearch search = newton(problem, anchor, start, settings.tolerance,
+                                 {settings.max_block_iterations, figures.block_iterations});
   if (!search.settled) {
-    const std::vector<Touch> touch = pivoted(problem, anchor, settings.max_pivots, figures.pivots);
+    const std::vector<SlipState> touch =
+        pivoted(problem, anchor, settings.max_pivots, figures.pivots);
     if (!touch.empty()) {
       // The pivots' answer holds the round-off of its tableau: its states are checked by equations
       // of their own, and rows in the balance may stay as they are.
@@ -172,9 +176,9 @@ Search settle(const ScaledFriction& problem, const base::Vector& anchor,
     }
   }
   // Newton's end depends on its start: the two plainest, each once.
-  for (const Touch all : {Touch::stick, Touch::open}) {
+  for (const SlipState all : {SlipState::stick, SlipState::open}) {
     if (!search.settled) {
-      search = newton(problem, anchor, std::vector<Touch>(start.size(), all),
+      search = newton(problem, anchor, std::vector<SlipState>(start.size(), all),
                       std::max(loose_tolerance, settings.tolerance),
                       {settings.max_block_iterations, figures.block_iterations});
     }

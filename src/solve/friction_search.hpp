@@ -6,17 +6,17 @@
 
 namespace spricka::solve {
 
-struct Search {
+struct FrictionSearch {
   bool settled = false;
-  std::vector<Touch> touch;
-  TouchSolution solution;
+  std::vector<SlipState> touch;
+  SlipStateSolution solution;
 };
 
 /// States of all rows in which no condition is violated, with modes that nothing holds anchored at
 /// `anchor`: Newton from `start`, Lemke's pivoting, and Newton from other starts. Iterations and
 /// pivots are added to `figures`.
-Search settle(const ScaledFriction& problem, const base::Vector& anchor,
-              const std::vector<Touch>& start, const ContactSettings& settings,
-              ContactSolution& figures);
+FrictionSearch find_consistent_states(const ScaledFriction& problem, const base::Vector& anchor,
+                                      const std::vector<SlipState>& start,
+                                      const ContactSettings& settings, ContactSolution& figures);
 
 } // namespace spricka::solve

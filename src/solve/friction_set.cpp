@@ -34,23 +34,23 @@ struct ActiveRows {
 
 // The unknowns of the states (solve.22): a sticking unit has two forces, a sliding one only its
 // pressure, which brings the shear of its cone along.
-ActiveRows active_rows(const ScaledFriction& problem, const std::vector<Touch>& touch) {
+ActiveRows active_rows(const ScaledFriction& problem, const std::vector<SlipState>& touch) {
   ActiveRows active;
   for (const int i : problem.fixed) {
     active.add(i);
   }
-  for (const ScaledFriction::Unit& u : problem.units) {
-    const Touch state = touch[at(u.normal)];
-    if (state == Touch::open) {
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+    const SlipState state = touch[at(u.normal)];
+    if (state == SlipState::open) {
       continue;
     }
-    if (u.tangent < 0 || state == Touch::stick) {
+    if (u.tangent < 0 || state == SlipState::stick) {
       active.add(u.normal);
       if (u.tangent >= 0) {
         active.add(u.tangent);
       }
     } else {
-      active.add(u.normal, u.tangent, state == Touch::forward ? -u.mu : u.mu);
+      active.add(u.normal, u.tangent, state == SlipState::forward ? -u.mu : u.mu);
     }
   }
   return active;
@@ -81,7 +81,7 @@ public:
     }
     // The anchoring springs of (solve.24), in the units of the scaled modes.
     K_.bottomRightCorner(m_, m_) = -mode_spring * base::Matrix::Identity(m_, m_);
-    regular_ = size() == 0 || blas::lu(size(), {K_.data(), size()}, order_);
+    regular_ = size() == 0 || blas::factorise_lu(size(), {K_.data(), size()}, order_);
   }
   [[nodiscard]] bool regular() const { return regular_; }
   [[nodiscard]] int size() const { return a_ + m_; }
@@ -100,7 +100,7 @@ private:
 
 /// Adds a solution of the equations and finds the gaps again.
 void add(const ScaledFriction& problem, const ActiveRows& active, const base::Matrix& x,
-         TouchSolution& s) {
+         SlipStateSolution& s) {
   for (int c = 0; c < active.size(); ++c) {
     s.lambda(active.row[at(c)]) += x(c, 0);
     if (const int t = active.follower[at(c)]; t >= 0) {
@@ -129,12 +129,12 @@ void add(const ScaledFriction& problem, const ActiveRows& active, const base::Ma
   s.gap_scale = problem.b.cwiseAbs().array() + size;
 }
 
-base::Vector balance_of(const ScaledFriction& problem, const TouchSolution& s) {
+base::Vector balance_of(const ScaledFriction& problem, const SlipStateSolution& s) {
   return problem.h + problem.B.transpose() * s.lambda;
 }
 
 // Largest error of the balance of a mode, over the size of the terms that it sums.
-double unbalanced(const ScaledFriction& problem, const TouchSolution& s) {
+double unbalanced(const ScaledFriction& problem, const SlipStateSolution& s) {
   const base::Vector left = balance_of(problem, s);
   const base::Vector size =
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
@@ -146,18 +146,18 @@ double unbalanced(const ScaledFriction& problem, const TouchSolution& s) {
 }
 
 // Largest gap or slip that is left on rows where it should be zero, over its scale.
-double open_error(const ActiveRows& active, const TouchSolution& s) {
+double open_error(const ActiveRows& active, const SlipStateSolution& s) {
   double worst = 0.0;
   for (const int i : active.row) {
-    worst = std::max(worst, relative(std::abs(s.gap(i)), s.gap_scale(i)));
+    worst = std::max(worst, relative_to(std::abs(s.gap(i)), s.gap_scale(i)));
   }
   return worst;
 }
 
 } // namespace
 
-ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
-                               double load_scale) {
+ScaledFriction scaled_friction(const ControllableProblem& held,
+                               const std::vector<FrictionRow>& friction, double load_scale) {
   ScaledFriction p;
   const int n = held.rows();
   const double root = std::sqrt(held.tau);
@@ -199,12 +199,13 @@ ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<Fricti
   return p;
 }
 
-TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch>& touch,
-                          const base::Vector& anchor) {
+SlipStateSolution solve_slip_states(const ScaledFriction& problem,
+                                    const std::vector<SlipState>& touch,
+                                    const base::Vector& anchor) {
   const ActiveRows active = active_rows(problem, touch);
   const int a = active.size();
   const int m = problem.modes();
-  TouchSolution s;
+  SlipStateSolution s;
   s.lambda = base::Vector::Zero(problem.rows());
   s.alpha = base::Vector::Zero(m);
   s.gap = problem.b;
@@ -224,7 +225,7 @@ TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch
   s.regular = s.gap.allFinite();
   // Residuals leave the springs out, the factors have them: the steps converge to the answer
   // without springs where the rows hold every mode, and do not where a motion is free.
-  TouchSolution exact = s;
+  SlipStateSolution exact = s;
   for (int k = 0; k < refinements && s.regular; ++k) {
     for (int r = 0; r < a; ++r) {
       x(r, 0) = -exact.gap(active.row[at(r)]);
@@ -238,36 +239,36 @@ TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch
   return exact.held ? exact : s;
 }
 
-int change_states(const ScaledFriction& problem, const TouchSolution& s, double tolerance,
-                  std::vector<Touch>& touch) {
+int change_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
+                  std::vector<SlipState>& touch) {
   int changed = 0;
   // The rules of (solve.22) that rows change their states by, all of them at once.
   const double force = tolerance * s.force_scale;
-  for (const ScaledFriction::Unit& u : problem.units) {
-    Touch& state = touch[at(u.normal)];
-    const Touch before = state;
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+    SlipState& state = touch[at(u.normal)];
+    const SlipState before = state;
     const double pressure = s.lambda(u.normal);
     const double slip = u.tangent < 0 ? 0.0 : s.gap(u.tangent);
-    if (state == Touch::open) {
+    if (state == SlipState::open) {
       const double gap = s.gap(u.normal);
       if (gap < -tolerance * s.gap_scale(u.normal)) {
         // What is missing of the gap stands for the pressure that will close it, and the slip for
         // the shear that would stop it: in these units a row has a compliance of about 1.
         const bool runs = u.tangent >= 0 && std::abs(slip) > -u.mu * gap;
-        state = !runs ? Touch::stick : slip > 0.0 ? Touch::forward : Touch::backward;
+        state = !runs ? SlipState::stick : slip > 0.0 ? SlipState::forward : SlipState::backward;
       }
     } else if (pressure < -force) {
-      state = Touch::open;
-    } else if (u.tangent >= 0 && state == Touch::stick) {
+      state = SlipState::open;
+    } else if (u.tangent >= 0 && state == SlipState::stick) {
       const double shear = s.lambda(u.tangent);
       if (std::abs(shear) > u.mu * pressure + force) {
-        state = shear < 0.0 ? Touch::forward : Touch::backward;
+        state = shear < 0.0 ? SlipState::forward : SlipState::backward;
       }
     } else if (u.tangent >= 0) {
       // Slip against the direction of the state would make friction drive it.
-      const double along = state == Touch::forward ? slip : -slip;
+      const double along = state == SlipState::forward ? slip : -slip;
       if (along < -tolerance * s.gap_scale(u.tangent)) {
-        state = Touch::stick;
+        state = SlipState::stick;
       }
     }
     if (u.tangent >= 0) {
@@ -278,47 +279,47 @@ int change_states(const ScaledFriction& problem, const TouchSolution& s, double 
   return changed;
 }
 
-double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
-                         const std::vector<Touch>& touch) {
+double friction_residual(const ScaledFriction& problem, const SlipStateSolution& s,
+                         const std::vector<SlipState>& touch) {
   // Conditions are those of (solve.14) and (solve.21), whatever equations the states stood for.
   double worst = unbalanced(problem, s);
   const auto gap_error = [&](int i, double error) {
-    worst = std::max(worst, relative(error, s.gap_scale(i)));
+    worst = std::max(worst, relative_to(error, s.gap_scale(i)));
   };
   const auto force_error = [&](double error) {
-    worst = std::max(worst, relative(std::max(error, 0.0), s.force_scale));
+    worst = std::max(worst, relative_to(std::max(error, 0.0), s.force_scale));
   };
   for (const int i : problem.fixed) {
     gap_error(i, std::abs(s.gap(i)));
   }
-  for (const ScaledFriction::Unit& u : problem.units) {
-    const Touch state = touch[at(u.normal)];
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+    const SlipState state = touch[at(u.normal)];
     const double gap = s.gap(u.normal);
-    gap_error(u.normal, state == Touch::open ? std::max(-gap, 0.0) : std::abs(gap));
+    gap_error(u.normal, state == SlipState::open ? std::max(-gap, 0.0) : std::abs(gap));
     force_error(-s.lambda(u.normal));
     if (u.tangent < 0) {
       continue;
     }
     force_error(std::abs(s.lambda(u.tangent)) - u.mu * std::max(s.lambda(u.normal), 0.0));
     const double slip = s.gap(u.tangent);
-    if (state == Touch::stick) {
+    if (state == SlipState::stick) {
       gap_error(u.tangent, std::abs(slip));
-    } else if (state != Touch::open) {
-      gap_error(u.tangent, std::max(state == Touch::forward ? -slip : slip, 0.0));
+    } else if (state != SlipState::open) {
+      gap_error(u.tangent, std::max(state == SlipState::forward ? -slip : slip, 0.0));
     }
   }
   return std::isfinite(s.gap.sum() + s.lambda.sum()) ? worst : INFINITY;
 }
 
-Interface interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor) {
-  Interface face;
+InterfaceStiffness interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor) {
+  InterfaceStiffness face;
   // All rows as if they stuck: normals first, then tangents, equality rows last, where they are
   // held and do not appear in A.
   ActiveRows all;
-  for (const ScaledFriction::Unit& u : problem.units) {
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
     all.add(u.normal);
   }
-  for (const ScaledFriction::Unit& u : problem.units) {
+  for (const ScaledFriction::FrictionUnit& u : problem.units) {
     if (u.tangent >= 0) {
       all.add(u.tangent);
     }

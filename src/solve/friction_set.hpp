@@ -11,7 +11,7 @@ namespace spricka::solve {
 /// The friction problem in units where every row's own compliance is about 1: forces times d, gaps
 /// over d. Modes over sqrt(tau).
 struct ScaledFriction {
-  struct Unit { ///< an inequality row, with the row of its slip if there is friction
+  struct FrictionUnit { ///< an inequality row, with the row of its slip if there is friction
     int normal = 0;
     int tangent = -1;
     double mu = 0.0; ///< in these units
@@ -20,7 +20,7 @@ struct ScaledFriction {
   base::Matrix B; ///< [n, m]
   base::Vector b; ///< [n]
   base::Vector h; ///< [m]
-  std::vector<Unit> units;
+  std::vector<FrictionUnit> units;
   std::vector<int> fixed; ///< equality rows
   double force_floor = 0.0;
 
@@ -30,8 +30,8 @@ struct ScaledFriction {
 
 /// The problem in these units. Rows without compliance and modes are left out; a slip without them
 /// has no force.
-ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
-                               double load_scale);
+ScaledFriction scaled_friction(const ControllableProblem& held,
+                               const std::vector<FrictionRow>& friction, double load_scale);
 
 /// Share of a row's own compliance that keeps redundant rows apart, and share of the bodies' that
 /// anchors what no row holds; refinement takes both out of the answer again where it can.
@@ -39,7 +39,7 @@ inline constexpr double row_spring = 1e-12;
 inline constexpr double mode_spring = 1e-8;
 
 /// Forces, modes and gaps when the states of all rows are given.
-struct TouchSolution {
+struct SlipStateSolution {
   base::Vector lambda;  ///< [n]
   base::Vector alpha;   ///< [m]
   base::Vector gap;     ///< [n]
@@ -51,26 +51,27 @@ struct TouchSolution {
 
 /// Solves the equations of the states `touch` [n]. Modes that these do not hold are anchored at
 /// `anchor` [m] by weak springs.
-TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch>& touch,
-                          const base::Vector& anchor);
+SlipStateSolution solve_slip_states(const ScaledFriction& problem,
+                                    const std::vector<SlipState>& touch,
+                                    const base::Vector& anchor);
 
 /// The states that follow from a solution: every row whose condition is violated by more than
 /// `tolerance` changes. Returns how many did.
-int change_states(const ScaledFriction& problem, const TouchSolution& s, double tolerance,
-                  std::vector<Touch>& touch);
+int change_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
+                  std::vector<SlipState>& touch);
 
 /// Largest violation of all conditions of the problem (springs do not count), scaled.
-double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
-                         const std::vector<Touch>& touch);
+double friction_residual(const ScaledFriction& problem, const SlipStateSolution& s,
+                         const std::vector<SlipState>& touch);
 
 /// The interface in stiffness form, lambda = q + A x with the openings and slips x of all rows in
 /// `rows` (those of the units, normals first), equality rows held, modes anchored.
-struct Interface {
+struct InterfaceStiffness {
   std::vector<int> rows;
   base::Matrix A; ///< [k, k]
   base::Vector q; ///< [k]
   bool regular = false;
 };
-Interface interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor);
+InterfaceStiffness interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor);
 
 } // namespace spricka::solve

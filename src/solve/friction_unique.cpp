@@ -52,7 +52,7 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
 }
 
 /// Whether the form of (solve.27) is positive definite across the rigid motions N.
-bool positive(const ScaledFriction& problem, const Interface& face, const Weights& weights,
+bool positive(const ScaledFriction& problem, const InterfaceStiffness& face, const Weights& weights,
               const base::Matrix& N) {
   const Eigen::Index units = index(problem.units.size());
   base::Matrix F = face.A;
@@ -62,7 +62,7 @@ bool positive(const ScaledFriction& problem, const Interface& face, const Weight
   base::Matrix pressure = face.A.topRows(units); // of the units with friction, weighted
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
-    const ScaledFriction::Unit& u = problem.units[at(i)];
+    const ScaledFriction::FrictionUnit& u = problem.units[at(i)];
     const double kappa = weights.share(i);
     pressure.row(i) *= u.tangent >= 0 ? std::sqrt(0.5 * u.mu / kappa) : 0.0;
     if (u.tangent >= 0) {
@@ -72,8 +72,9 @@ bool positive(const ScaledFriction& problem, const Interface& face, const Weight
   }
   const int k = static_cast<int>(F.rows());
   const int m = static_cast<int>(units);
-  blas::gemm({.m = k, .n = k, .k = m, .a = blas::Form::transposed, .alpha = -1.0, .beta = 1.0},
-             {pressure.data(), m}, {pressure.data(), m}, {F.data(), k});
+  blas::gemm(
+      {.m = k, .n = k, .k = m, .a = blas::Transposition::transposed, .alpha = -1.0, .beta = 1.0},
+      {pressure.data(), m}, {pressure.data(), m}, {F.data(), k});
   if (N.cols() > 0) {
     // Rigid motions are left out of the test: made so stiff that the form is positive along them.
     F += 1e4 * face.A.diagonal().maxCoeff() * (N * N.transpose());
@@ -83,13 +84,13 @@ bool positive(const ScaledFriction& problem, const Interface& face, const Weight
   return blas::cholesky(k, {F.data(), k});
 }
 
-Weights weights_of(const ScaledFriction& problem, const Interface& face, double share,
+Weights weights_of(const ScaledFriction& problem, const InterfaceStiffness& face, double share,
                    double openings) {
   const Eigen::Index units = index(problem.units.size());
   Weights w{base::Vector::Ones(units), base::Vector::Constant(units, openings)};
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
-    const ScaledFriction::Unit& u = problem.units[at(i)];
+    const ScaledFriction::FrictionUnit& u = problem.units[at(i)];
     if (u.tangent < 0) {
       continue;
     }
@@ -107,11 +108,11 @@ Weights weights_of(const ScaledFriction& problem, const Interface& face, double 
 
 } // namespace
 
-Uniqueness unique_increment(const FrictionProblem& problem) {
+Uniqueness check_uniqueness(const FrictionProblem& problem) {
   blas::single_thread();
   Uniqueness found;
   const ModeSplit split = split_modes(problem.contact.B, problem.contact.opening_scale);
-  const HeldProblem held = held_problem(problem.contact, split);
+  const ControllableProblem held = controllable_problem(problem.contact, split);
   const ScaledFriction scaled = scaled_friction(held, problem.friction, problem.contact.load_scale);
   const bool rubs = std::any_of(scaled.units.begin(), scaled.units.end(),
                                 [](const auto& u) { return u.tangent >= 0; });
@@ -119,7 +120,7 @@ Uniqueness unique_increment(const FrictionProblem& problem) {
     found = {true, scaled.modes() > 0};
     return found;
   }
-  const Interface face = interface_stiffness(scaled, base::Vector::Zero(scaled.modes()));
+  const InterfaceStiffness face = interface_stiffness(scaled, base::Vector::Zero(scaled.modes()));
   if (!face.regular) {
     return found;
   }

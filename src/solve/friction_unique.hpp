@@ -10,6 +10,6 @@ struct Uniqueness {
   bool certain = false;
   bool apart_from_motions = false; ///< rigid motions of bodies were left out of the test
 };
-Uniqueness unique_increment(const FrictionProblem& problem);
+Uniqueness check_uniqueness(const FrictionProblem& problem);
 
 } // namespace spricka::solve

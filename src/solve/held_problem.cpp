@@ -26,7 +26,7 @@ namespace {
 
 /// Rigid bodies have no compliance to compare with: what makes forces and gaps alike. Without gaps
 /// there is no length at all: next to none, lest round-off of forces show as motions.
-double rigid_compliance(const HeldProblem& held) {
+double rigid_compliance(const ControllableProblem& held) {
   const double load = held.h.cwiseAbs().maxCoeff();
   const double gap = held.b.cwiseAbs().maxCoeff();
   if (load > 0.0) {
@@ -37,14 +37,14 @@ double rigid_compliance(const HeldProblem& held) {
 
 } // namespace
 
-HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
-  HeldProblem held{.W = problem.W,
-                   .B = problem.B * split.controllable,
-                   .b = problem.b,
-                   .h = split.controllable.transpose() * problem.h,
-                   .equality = problem.equality,
-                   .tau = 0.0,
-                   .d = {}};
+ControllableProblem controllable_problem(const ContactProblem& problem, const ModeSplit& split) {
+  ControllableProblem held{.W = problem.W,
+                           .B = problem.B * split.controllable,
+                           .b = problem.b,
+                           .h = split.controllable.transpose() * problem.h,
+                           .equality = problem.equality,
+                           .tau = 0.0,
+                           .d = {}};
   // The largest opening of each mode is 1: rows that open by round-off of it must not seem to hold
   // a mode that the others leave free.
   held.B = held.B.unaryExpr([](double opened) {

@@ -10,7 +10,7 @@ namespace spricka::solve {
 
 /// The contact problem on its controllable modes, scaled so that the largest entry of each column
 /// of B is 1.
-struct HeldProblem {
+struct ControllableProblem {
   const base::Matrix& W; ///< [n, n]
   base::Matrix B;        ///< [n, m], full column rank
   base::Vector b;        ///< [n]
@@ -28,7 +28,7 @@ struct HeldProblem {
 double load_scale(const ContactProblem& problem);
 
 /// The problem on the controllable modes of `split`; `problem` must outlive it.
-HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split);
+ControllableProblem controllable_problem(const ContactProblem& problem, const ModeSplit& split);
 
 /// A row whose pivot is below this share of its diagonal entry is a combination of the rows before
 /// it.

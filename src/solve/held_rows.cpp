@@ -11,18 +11,19 @@ namespace spricka::solve {
 
 using base::index;
 
-HeldRows::HeldRows(ContactProblem rows)
+ClosedRowsSolver::ClosedRowsSolver(ContactProblem rows)
     : rows_(std::move(rows)), split_(split_modes(rows_.B, rows_.opening_scale)),
-      held_(held_problem(rows_, split_)), factor_(held_) {
+      held_(controllable_problem(rows_, split_)), factor_(held_) {
   blas::single_thread();
   std::vector<int> all(static_cast<std::size_t>(held_.rows()));
   std::iota(all.begin(), all.end(), 0);
   ok_ = factor_.factorise(std::move(all));
 }
 
-HeldRows::Response HeldRows::respond(const base::Matrix& b, const base::Matrix& h) const {
+ClosedRowsSolver::ClosedRowsResponse ClosedRowsSolver::respond(const base::Matrix& b,
+                                                               const base::Matrix& h) const {
   blas::single_thread();
-  Response out;
+  ClosedRowsResponse out;
   out.lambda = base::Matrix::Zero(b.rows(), b.cols());
   if (split_.uncontrollable.cols() > 0 && h.cols() > 0) {
     out.left_over = (split_.uncontrollable.transpose() * h).cwiseAbs().maxCoeff();

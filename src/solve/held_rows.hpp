@@ -9,28 +9,28 @@ namespace spricka::solve {
 
 /// Contact rows that are held whatever the sign of their forces, factorised once (manual,
 /// sensitivity.3): W lambda + B alpha = -b, B^T lambda = -h.
-class HeldRows {
+class ClosedRowsSolver {
 public:
   /// W and B of `rows` for all its rows; its b and h are left aside.
-  explicit HeldRows(ContactProblem rows);
-  HeldRows(const HeldRows&) = delete;
-  HeldRows& operator=(const HeldRows&) = delete;
+  explicit ClosedRowsSolver(ContactProblem rows);
+  ClosedRowsSolver(const ClosedRowsSolver&) = delete;
+  ClosedRowsSolver& operator=(const ClosedRowsSolver&) = delete;
 
   /// Whether there is an answer; redundant rows are left out and have no force.
-  [[nodiscard]] bool ok() const { return ok_; }
+  [[nodiscard]] bool is_solvable() const { return ok_; }
 
-  struct Response {
+  struct ClosedRowsResponse {
     base::Matrix lambda;    ///< [n, k]
     base::Matrix alpha;     ///< [m, k] modes; uncontrollable motions rest
     double left_over = 0.0; ///< largest load on uncontrollable motions
   };
   /// The response to gaps b [n, k] and loads h [m, k] on the modes; ok() must hold.
-  [[nodiscard]] Response respond(const base::Matrix& b, const base::Matrix& h) const;
+  [[nodiscard]] ClosedRowsResponse respond(const base::Matrix& b, const base::Matrix& h) const;
 
 private:
   ContactProblem rows_;
   ModeSplit split_;
-  HeldProblem held_;
+  ControllableProblem held_;
   BorderedFactor factor_;
   bool ok_ = false;
 };

@@ -19,7 +19,7 @@ constexpr double above = 1.1;
 
 class Gradient {
 public:
-  explicit Gradient(const HeldProblem& problem)
+  explicit Gradient(const ControllableProblem& problem)
       : p_(problem),
         inverse_(problem.d.unaryExpr([](double d) { return d > 0.0 ? 1.0 / d : 0.0; })),
         B_(std::sqrt(problem.tau) * (inverse_.asDiagonal() * problem.B)),
@@ -78,7 +78,7 @@ private:
     return size;
   }
 
-  const HeldProblem& p_;
+  const ControllableProblem& p_;
   base::Vector inverse_;
   base::Matrix B_;
   base::Vector b_, h_, alpha_;
@@ -86,7 +86,7 @@ private:
 
 } // namespace
 
-std::vector<bool> likely_closed(const HeldProblem& problem) {
+std::vector<bool> likely_closed(const ControllableProblem& problem) {
   return Gradient(problem).closed();
 }
 

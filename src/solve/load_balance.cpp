@@ -14,9 +14,9 @@ namespace {
 constexpr double along = 1e-9; ///< share of a row across the equality rows that is round-off
 
 /// The rows that are in the cone's face so far, orthonormal [m, r], grown one row at a time.
-class Span {
+class SpannedSubspace {
 public:
-  explicit Span(Eigen::Index m) : Q_(m, 0) {}
+  explicit SpannedSubspace(Eigen::Index m) : Q_(m, 0) {}
 
   [[nodiscard]] base::Vector across(const base::Vector& v) const {
     const base::Vector once = v - Q_ * (Q_.transpose() * v);
@@ -39,9 +39,9 @@ private:
 
 } // namespace
 
-LoadBalance balance_loads(const HeldProblem& problem) {
+LoadBalance balance_loads(const ControllableProblem& problem) {
   const int n = problem.rows();
-  Span fixed(problem.modes());
+  SpannedSubspace fixed(problem.modes());
   for (int i = 0; i < n; ++i) {
     if (problem.equality[at(i)] && !fixed.full()) {
       fixed.add(problem.B.row(i).transpose());
@@ -59,7 +59,7 @@ LoadBalance balance_loads(const HeldProblem& problem) {
     }
   }
   const base::Vector t = -fixed.across(problem.h);
-  const NonNegative best = non_negative_least_squares(A, t);
+  const NonNegativeSolution best = non_negative_least_squares(A, t);
   return {A * best.x - t, best.positive};
 }
 
@@ -75,8 +75,9 @@ base::Vector opening_motion(const ModeSplit& split, const LoadBalance& balance, 
   return (split.controllable * balance.remainder).normalized();
 }
 
-std::vector<int> spanning_rows(const HeldProblem& problem, const std::vector<int>& pressed) {
-  Span span(problem.modes());
+std::vector<int> spanning_rows(const ControllableProblem& problem,
+                               const std::vector<int>& pressed) {
+  SpannedSubspace span(problem.modes());
   std::vector<int> rows;
   for (int i = 0; i < problem.rows(); ++i) {
     if (problem.equality[at(i)]) {

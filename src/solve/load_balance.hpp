@@ -16,7 +16,7 @@ struct LoadBalance {
   base::Vector remainder;   ///< [m] h + B^T lambda
   std::vector<int> pressed; ///< inequality rows with lambda > 0, at most m
 };
-LoadBalance balance_loads(const HeldProblem& problem);
+LoadBalance balance_loads(const ControllableProblem& problem);
 
 /// The motion [m] that opens all rows it moves and that the loads drive, in units of the given
 /// modes, normalised; empty if the remainder is at most `least`.
@@ -24,6 +24,6 @@ base::Vector opening_motion(const ModeSplit& split, const LoadBalance& balance, 
 
 /// Rows of B that span all modes, ascending: the equality rows, then those of `pressed` and as few
 /// others as it takes, each the one farthest from the span of the rows before it.
-std::vector<int> spanning_rows(const HeldProblem& problem, const std::vector<int>& pressed);
+std::vector<int> spanning_rows(const ControllableProblem& problem, const std::vector<int>& pressed);
 
 } // namespace spricka::solve

@@ -51,7 +51,7 @@ void settle(const base::Matrix& A, const base::Vector& t, std::vector<int>& P, b
 
 } // namespace
 
-NonNegative non_negative_least_squares(const base::Matrix& A, const base::Vector& t) {
+NonNegativeSolution non_negative_least_squares(const base::Matrix& A, const base::Vector& t) {
   const int n = static_cast<int>(A.cols());
   const base::Vector length = A.colwise().norm();
   base::Vector x = base::Vector::Zero(n);

@@ -48,7 +48,7 @@ void end_idle_threads() {
   blas::single_thread();
 }
 
-int reserve_kernels(int threads) {
+int reserve_blas_workspace(int threads) {
   static std::atomic<int> reserved{0}; // blocks stay: a second solution has them already
   if (blas_memory_alloc == nullptr || blas_memory_free == nullptr || !memory_is_limited() ||
       reserved >= threads) {

@@ -11,6 +11,6 @@ void end_idle_threads();
 /// ever to get the workspace of a thread that there is no room for. This sets it aside, for as many
 /// of the wanted threads as leave half of the room free, and returns their number. Throws
 /// std::bad_alloc when there is no room for one.
-int reserve_kernels(int threads);
+int reserve_blas_workspace(int threads);
 
 } // namespace spricka::solve

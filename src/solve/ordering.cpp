@@ -17,7 +17,7 @@ namespace {
 
 using Indices = std::vector<std::int64_t>;
 
-struct Pattern {
+struct LocalPattern {
   std::int64_t n = 0;
   Indices start;
   Indices row;
@@ -29,8 +29,8 @@ void demand(bool done) {
   }
 }
 
-Pattern local_pattern(const base::SymmetricCsc& K, std::int64_t locals) {
-  Pattern A{locals, Indices(at(locals) + 1, 0), {}};
+LocalPattern local_pattern(const base::SymmetricCsc& K, std::int64_t locals) {
+  LocalPattern A{locals, Indices(at(locals) + 1, 0), {}};
   A.row.reserve(at(K.start[at(locals)]));
   for (std::int64_t j = 0; j < locals; ++j) {
     for (std::int64_t p = K.start[at(j)]; p < K.start[at(j) + 1] && K.row[at(p)] < locals; ++p) {
@@ -52,7 +52,7 @@ std::uint64_t mark(std::int64_t i) {
 /// Group [n] of each row: neighbouring rows whose rows of the full matrix have the same pattern.
 /// The part of a row left of the diagonal is compared by a sum of marks; a chance agreement would
 /// only make a poorer order.
-Indices groups_of(const Pattern& A) {
+Indices groups_of(const LocalPattern& A) {
   std::vector<std::uint64_t> left(at(A.n), 0);
   for (std::int64_t j = 0; j < A.n; ++j) {
     for (std::int64_t p = A.start[at(j)] + 1; p < A.start[at(j) + 1]; ++p) {
@@ -71,8 +71,8 @@ Indices groups_of(const Pattern& A) {
   return group;
 }
 
-Pattern compressed(const Pattern& A, const Indices& group) {
-  Pattern C{A.n == 0 ? 0 : group.back() + 1, {0}, {}};
+LocalPattern compressed(const LocalPattern& A, const Indices& group) {
+  LocalPattern C{A.n == 0 ? 0 : group.back() + 1, {0}, {}};
   for (std::int64_t j = 0; j < A.n; ++j) {
     if (j > 0 && group[at(j)] == group[at(j) - 1]) {
       continue;
@@ -88,7 +88,7 @@ Pattern compressed(const Pattern& A, const Indices& group) {
   return C;
 }
 
-VertexGraph whole_graph(const Pattern& C) {
+VertexGraph whole_graph(const LocalPattern& C) {
   VertexGraph graph{Indices(at(C.n) + 1, 0), {}};
   for (std::int64_t j = 0; j < C.n; ++j) {
     for (std::int64_t p = C.start[at(j)]; p < C.start[at(j) + 1]; ++p) {
@@ -126,7 +126,7 @@ std::vector<bool> beside_externals(const base::SymmetricCsc& K, std::int64_t loc
   return beside;
 }
 
-Indices by_amd(const Pattern& C, CholmodSession& session) {
+Indices by_amd(const LocalPattern& C, CholmodSession& session) {
   Indices order(at(C.n));
   cholmod_sparse graph = lower_view(C.n, C.start.data(), C.row.data(), nullptr);
   demand(cholmod_l_amd(&graph, nullptr, 0, order.data(), session.get()) != 0);
@@ -150,7 +150,7 @@ Indices expanded(const Indices& order, const Indices& group) {
 
 /// The same elimination with the columns of each subtree next to each other, the largest child
 /// last, so that supernodes form.
-Indices postordered(const Pattern& A, Indices order, CholmodSession& session) {
+Indices postordered(const LocalPattern& A, Indices order, CholmodSession& session) {
   cholmod_sparse lower = lower_view(A.n, A.start.data(), A.row.data(), nullptr);
   const auto release = [&session](cholmod_sparse* m) { cholmod_l_free_sparse(&m, session.get()); };
   const std::unique_ptr<cholmod_sparse, decltype(release)> upper(
@@ -187,14 +187,14 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
     return order;
   }
   CholmodSession session;
-  const Pattern A = local_pattern(K, locals);
+  const LocalPattern A = local_pattern(K, locals);
   const Indices group = groups_of(A);
   if (ordering == Ordering::automatic) {
     // entries of a full row: about 23 in plane quadratic triangles, 80 and more in solids
     const double row_entries = 2.0 * static_cast<double>(A.row.size()) / static_cast<double>(A.n);
     ordering = row_entries < 45.0 ? Ordering::amd : Ordering::metis;
   }
-  const Pattern C = compressed(A, group);
+  const LocalPattern C = compressed(A, group);
   const Indices vertices =
       ordering == Ordering::amd
           ? by_amd(C, session)

@@ -38,7 +38,7 @@ SolutionPath follow_path(const ParametricProblem& problem, double from, double t
     path.end = from;
     return path;
   }
-  return PathWalk(problem, split, from, to, settings).run(start);
+  return PathFollower(problem, split, from, to, settings).run(start);
 }
 
 } // namespace spricka::solve

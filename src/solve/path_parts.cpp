@@ -37,10 +37,10 @@ ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<
   return rate;
 }
 
-double path_residual(const HeldProblem& problem, const SweptMatrix& matrix,
+double path_residual(const ControllableProblem& problem, const SweptMatrix& matrix,
                      const base::Vector& state, const PathScale& scale) {
   const base::Vector lambda = matrix.forces(state);
-  const base::Vector told = matrix.gaps(state);
+  const base::Vector told = matrix.open_gaps(state);
   const base::Vector gap = problem.b + problem.W * lambda + problem.B * matrix.modes(state);
   double worst = 0.0;
   for (int i = 0; i < problem.rows(); ++i) {

@@ -23,7 +23,7 @@ struct PathScale {
 
 /// Largest violation of g = b + W lambda + B alpha, h + B^T lambda = 0 and of signs by a state of
 /// the swept matrix, scaled; `problem` holds b and h of the state's t.
-double path_residual(const HeldProblem& problem, const SweptMatrix& matrix,
+double path_residual(const ControllableProblem& problem, const SweptMatrix& matrix,
                      const base::Vector& state, const PathScale& scale);
 
 } // namespace spricka::solve

@@ -21,7 +21,7 @@ constexpr int shortest_list = 3;      ///< pivots between factorisations, when d
 
 } // namespace
 
-SolutionPath PathWalk::run(const std::vector<bool>& start) {
+SolutionPath PathFollower::run(const std::vector<bool>& start) {
   // Only here, and in turn(), is a contact problem solved; all else are exchanges of rows.
   const ContactSolution first = solve_at(from_, start);
   path_.start_status = first.status;
@@ -42,25 +42,25 @@ SolutionPath PathWalk::run(const std::vector<bool>& start) {
   return std::move(path_);
 }
 
-bool PathWalk::stop(PathStatus status) {
+bool PathFollower::stop(PathStatus status) {
   path_.status = status;
   return false;
 }
 
-ContactSolution PathWalk::solve_at(double t, const std::vector<bool>& start) const {
+ContactSolution PathFollower::solve_at(double t, const std::vector<bool>& start) const {
   ContactProblem problem = problem_.at_zero;
   problem.b += t * problem_.db;
   problem.h += t * problem_.dh;
   return solve_contact(problem, settings_.start, start);
 }
 
-bool PathWalk::begin(const std::vector<bool>& closed) {
+bool PathFollower::begin(const std::vector<bool>& closed) {
   ++path_.factorisations;
   if (!matrix_.begin(closed)) {
     return stop(PathStatus::drift);
   }
-  v_ = matrix_.state(held_.b, held_.h);
-  d_ = matrix_.state(problem_.db, dh_);
+  v_ = matrix_.initial_state(held_.b, held_.h);
+  d_ = matrix_.initial_state(problem_.db, dh_);
   v_.tail(problem_.f0.size()) += problem_.f0;
   d_.tail(problem_.df.size()) += problem_.df;
   // Round-off is measured by the largest force anywhere on the path, not by those at this t: all
@@ -83,7 +83,7 @@ bool PathWalk::begin(const std::vector<bool>& closed) {
   return true;
 }
 
-void PathWalk::walk() {
+void PathFollower::walk() {
   int here = 0; // pivots at this t
   for (;;) {
     const int i = first_bad();
@@ -123,7 +123,7 @@ void PathWalk::walk() {
   }
 }
 
-bool PathWalk::settled() {
+bool PathFollower::settled() {
   if (sound()) {
     return true;
   }
@@ -132,7 +132,7 @@ bool PathWalk::settled() {
 }
 
 // The least index, not the worst row: exchanges then come to an end where several tie (Murty 1974).
-int PathWalk::first_bad() const {
+int PathFollower::first_bad() const {
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && zero(i) && falls(i)) {
       return i;
@@ -141,7 +141,7 @@ int PathWalk::first_bad() const {
   return -1;
 }
 
-double PathWalk::next_event() const {
+double PathFollower::next_event() const {
   double t = to_;
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && falls(i)) {
@@ -153,7 +153,7 @@ double PathWalk::next_event() const {
 
 // The rows that reach zero first, soonest first: columns solved for together cost little more than
 // one alone.
-std::vector<int> PathWalk::likely() const {
+std::vector<int> PathFollower::likely() const {
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && falls(i) && time_of(i) <= to_) {
@@ -169,12 +169,12 @@ std::vector<int> PathWalk::likely() const {
   return out;
 }
 
-base::Vector PathWalk::column(int i) {
+base::Vector PathFollower::column(int i) {
   // Others are made along only where a solution with the factor is due anyway.
-  return matrix_.column(i, matrix_.made(i) ? std::vector<int>() : likely());
+  return matrix_.column(i, matrix_.has_column(i) ? std::vector<int>() : likely());
 }
 
-bool PathWalk::change(int i) {
+bool PathFollower::change(int i) {
   // walk() refreshes between segments; this bounds the list where very many rows change at one t.
   if (matrix_.pivots() >= 2 * interval_ && !refresh()) {
     return false;
@@ -204,7 +204,7 @@ bool PathWalk::change(int i) {
   return true;
 }
 
-int PathWalk::blocking(const base::Vector& x, int i) const {
+int PathFollower::blocking(const base::Vector& x, int i) const {
   // Of rows that fall as z_i grows the one with the smallest ratio: none goes below zero.
   double least = std::numeric_limits<double>::infinity();
   int found = -1;
@@ -220,7 +220,7 @@ int PathWalk::blocking(const base::Vector& x, int i) const {
   return found;
 }
 
-bool PathWalk::no_way_on(int i, const base::Vector& x) {
+bool PathFollower::no_way_on(int i, const base::Vector& x) {
   if (!closed(i)) {
     return stop(PathStatus::inconsistent);
   }
@@ -232,7 +232,7 @@ bool PathWalk::no_way_on(int i, const base::Vector& x) {
   return stop(PathStatus::unheld_mode);
 }
 
-void PathWalk::emit(double t1) {
+void PathFollower::emit(double t1) {
   const auto f = problem_.f0.size();
   // Pivots at one t make no segments between them. The first one is kept even if it has no length:
   // it says what is closed where the path begins.
@@ -255,8 +255,8 @@ void PathWalk::emit(double t1) {
   t_ = t1;
 }
 
-bool PathWalk::sound() {
-  HeldProblem here = held_;
+bool PathFollower::sound() {
+  ControllableProblem here = held_;
   here.b += t_ * problem_.db;
   here.h += t_ * dh_;
   // Loads at both ends of the path: their sum may vanish at this t.
@@ -269,7 +269,7 @@ bool PathWalk::sound() {
   return good;
 }
 
-bool PathWalk::refresh() {
+bool PathFollower::refresh() {
   if (!sound()) {
     return go_back();
   }
@@ -280,11 +280,11 @@ bool PathWalk::refresh() {
   return true;
 }
 
-void PathWalk::mark() {
+void PathFollower::mark() {
   mark_ = {t_, matrix_.closed(), reported_, path_.segments.size(), path_.changes.size()};
 }
 
-bool PathWalk::go_back() {
+bool PathFollower::go_back() {
   t_ = mark_.t;
   reported_ = mark_.reported;
   path_.segments.resize(mark_.segments);

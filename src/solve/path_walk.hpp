@@ -13,7 +13,7 @@
 namespace spricka::solve {
 
 /// A state to return to: the path as it was when the matrix was last factorised.
-struct PathMark {
+struct PathCheckpoint {
   double t = 0.0;
   std::vector<bool> closed, reported;
   std::size_t segments = 0, changes = 0;
@@ -21,12 +21,12 @@ struct PathMark {
 
 /// The walk along one path: follow_path on its controllable modes. Functions that return
 /// bool return false when the walk is over.
-class PathWalk {
+class PathFollower {
 public:
-  PathWalk(const ParametricProblem& problem, const ModeSplit& split, double from, double to,
-           const PathSettings& settings)
+  PathFollower(const ParametricProblem& problem, const ModeSplit& split, double from, double to,
+               const PathSettings& settings)
       : problem_(problem), split_(split), settings_(settings),
-        held_(held_problem(problem.at_zero, split)),
+        held_(controllable_problem(problem.at_zero, split)),
         dh_(split.controllable.transpose() * problem.dh),
         matrix_(held_, problem.of_force, problem.of_mode * split.controllable), t_(from),
         from_(from), to_(to), interval_(settings.refactor) {}
@@ -117,7 +117,7 @@ private:
   const ParametricProblem& problem_;
   const ModeSplit& split_;
   const PathSettings& settings_;
-  HeldProblem held_;
+  ControllableProblem held_;
   base::Vector dh_;
   SweptMatrix matrix_;
   double t_, from_, to_;
@@ -127,7 +127,7 @@ private:
   base::Vector level_ = base::Vector::Zero(held_.rows()); ///< [n] of given gaps, in units of y
   base::Vector tolerance_;                                ///< [n]
   std::vector<bool> reported_;                            ///< [n] closed rows of the last segment
-  PathMark mark_;
+  PathCheckpoint mark_;
   SolutionPath path_;
 };
 

@@ -19,13 +19,13 @@ constexpr std::array<double, 2> look_ahead{1e-6, 1e-9}; ///< of the path
 
 } // namespace
 
-bool PathWalk::set_out() {
+bool PathFollower::set_out() {
   reported_ = matrix_.closed();
   mark();
   return tied() <= tied_rows || turn();
 }
 
-int PathWalk::tied() const {
+int PathFollower::tied() const {
   int count = 0;
   for (int i = 0; i < rows(); ++i) {
     count += free_to_change(i) && zero(i) && falls(i) ? 1 : 0;
@@ -33,7 +33,7 @@ int PathWalk::tied() const {
   return count;
 }
 
-bool PathWalk::turn() {
+bool PathFollower::turn() {
   const std::vector<bool> before = matrix_.closed();
   std::vector<int> taking_part;
   // Rates of forces and gaps at this t obey a contact problem of their own; its closed rows are
@@ -72,7 +72,7 @@ bool PathWalk::turn() {
   return begin(before);
 }
 
-bool PathWalk::take(const std::vector<bool>& closed) {
+bool PathFollower::take(const std::vector<bool>& closed) {
   const PathStatus before = path_.status;
   if (begin(closed)) {
     mark();
@@ -85,7 +85,7 @@ bool PathWalk::take(const std::vector<bool>& closed) {
 
 // A thousand tolerances: the rows were found a little further on, not here, and what is off by less
 // is zero to the walk, and exchanged where it falls.
-bool PathWalk::reaches_back(const base::Vector& f) const {
+bool PathFollower::reaches_back(const base::Vector& f) const {
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && y(i) < -1e3 * tolerance_(i)) {
       return false;
@@ -97,7 +97,7 @@ bool PathWalk::reaches_back(const base::Vector& f) const {
   return f.size() == 0 || (now - f).cwiseAbs().maxCoeff() <= 1e-8 * size;
 }
 
-ContactSolution PathWalk::solve_direction(std::vector<int>& taking_part) const {
+ContactSolution PathFollower::solve_direction(std::vector<int>& taking_part) const {
   // An open row with a gap stays open for a while whatever the direction: it takes no part.
   for (int i = 0; i < rows(); ++i) {
     if (closed(i) || !free_to_change(i) || zero(i)) {

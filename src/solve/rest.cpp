@@ -15,7 +15,7 @@ using base::index;
 namespace {
 
 /// Orthonormal directions [m, z] of the modes that leave the gaps of these rows unchanged.
-base::Matrix free_directions(const HeldProblem& problem, const std::vector<int>& rows) {
+base::Matrix free_directions(const ControllableProblem& problem, const std::vector<int>& rows) {
   const int m = problem.modes();
   if (rows.empty()) {
     return base::Matrix::Identity(m, m);
@@ -29,8 +29,8 @@ base::Matrix free_directions(const HeldProblem& problem, const std::vector<int>&
 
 } // namespace
 
-int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
-                      const base::Vector& lambda, double least, base::Vector& alpha) {
+int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& split,
+                          const base::Vector& lambda, double least, base::Vector& alpha) {
   if (problem.modes() == 0) {
     return 0;
   }

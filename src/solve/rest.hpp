@@ -10,7 +10,7 @@ namespace spricka::solve {
 /// whose gaps are not negative (least distance programming, Lawson and Hanson 1974, chapter 23). A
 /// row presses if it loads some mode by more than `least`. Changes alpha [m]; returns the number of
 /// free motions.
-int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
-                      const base::Vector& lambda, double least, base::Vector& alpha);
+int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& split,
+                          const base::Vector& lambda, double least, base::Vector& alpha);
 
 } // namespace spricka::solve

@@ -29,7 +29,7 @@ class RoundSolver {
 public:
   explicit RoundSolver(const RoundFriction& problem) : p_(problem) {}
 
-  RoundState solve(const RoundStart& start) {
+  RoundFrictionState solve(const RoundFrictionStart& start) {
     int steps = 0;
     if (start.expected.size() > 0) {
       s_.lambda = start.expected;
@@ -48,11 +48,11 @@ public:
   }
 
 private:
-  RoundState solve_anew(int steps) {
-    RoundState swept = s_;
+  RoundFrictionState solve_anew(int steps) {
+    RoundFrictionState swept = s_;
     int sweeps = first_sweeps;
     int all_sweeps = 0;
-    RoundState best = s_;
+    RoundFrictionState best = s_;
     best.residual = INFINITY;
     double share = 1.0;
     for (int round = 0; round < most_rounds; ++round, sweeps *= 2, share /= 2.0) {
@@ -77,7 +77,8 @@ private:
     return best;
   }
 
-  [[nodiscard]] Shear tangential(const RoundFriction::Unit& u, const base::Vector& v) const {
+  [[nodiscard]] Shear tangential(const RoundFriction::RoundFrictionUnit& u,
+                                 const base::Vector& v) const {
     Shear t = Shear::Zero();
     for (int k = 0; k < u.tangents; ++k) {
       t[k] = v[u.tangent[at(k)]];
@@ -98,7 +99,7 @@ private:
         {p_.W.data(), static_cast<int>(p_.rows())}, {s_.lambda.data(), static_cast<int>(p_.rows())},
         {s_.gap.data(), static_cast<int>(p_.rows())});
     double scale = p_.force_floor;
-    for (const RoundFriction::Unit& u : p_.units) {
+    for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
       scale = std::max({scale, s_.lambda[u.normal], 1e-3 * std::abs(p_.b[u.normal])});
     }
     for (const int i : p_.fixed) {
@@ -106,16 +107,16 @@ private:
     }
     double worst = 0.0;
     s_.touch.clear();
-    for (const RoundFriction::Unit& u : p_.units) {
+    for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
       const double pressed = s_.lambda[u.normal] - s_.gap[u.normal];
       const double limit = u.mu * std::max(pressed, 0.0);
       const Shear q = tangential(u, s_.lambda);
       const Shear z = q - tangential(u, s_.gap);
       worst = std::max(worst, std::abs(s_.lambda[u.normal] - std::max(pressed, 0.0)));
       worst = std::max(worst, (q - on_disk(z, limit)).norm());
-      s_.touch.push_back(pressed <= 0.0      ? Touch::open
-                         : z.norm() <= limit ? Touch::stick
-                                             : Touch::forward);
+      s_.touch.push_back(pressed <= 0.0      ? SlipState::open
+                         : z.norm() <= limit ? SlipState::stick
+                                             : SlipState::forward);
     }
     for (const int i : p_.fixed) {
       worst = std::max(worst, std::abs(s_.gap[i]));
@@ -124,7 +125,7 @@ private:
     if (left.size() > 0) {
       worst = std::max(worst, left.cwiseAbs().maxCoeff());
     }
-    s_.residual = std::isfinite(worst) ? relative(worst, scale) : INFINITY;
+    s_.residual = std::isfinite(worst) ? relative_to(worst, scale) : INFINITY;
   }
 
   // One contact point after the other, each with its own rows alone; loads on modes that the forces
@@ -142,7 +143,7 @@ private:
     for (const int i : p_.fixed) {
       move(i, s_.lambda[i] - gap_of(i) / stiffness(i, i));
     }
-    for (const RoundFriction::Unit& u : p_.units) {
+    for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
       const std::array<int, 3> row{u.normal, u.tangent[0], u.tangent[1]};
       const int count = 1 + u.tangents;
       Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
@@ -174,7 +175,7 @@ private:
   }
 
   int newton(int most) {
-    RoundState best = s_;
+    RoundFrictionState best = s_;
     int steps = 0;
     for (; steps < most && s_.residual > 0.0; ++steps) {
       if (!newton_step()) {
@@ -225,7 +226,7 @@ private:
   // Where a point slips: (I - rho P) q - mu z p + rho P v = 0 with the unit vector z against the
   // slip and P = I - z z^T across it (solve.35). Along z that is q . z = mu p, which leaves the
   // pressure and what is across.
-  void add_slip(const RoundFriction::Unit& u, std::vector<Unknown>& list) const {
+  void add_slip(const RoundFriction::RoundFrictionUnit& u, std::vector<Unknown>& list) const {
     const Shear z = tangential(u, s_.lambda) - tangential(u, s_.gap);
     const Shear along = z.normalized();
     Mix follows;
@@ -251,10 +252,10 @@ private:
       add_closed(i, {}, list);
     }
     for (std::size_t k = 0; k < p_.units.size(); ++k) {
-      const RoundFriction::Unit& u = p_.units[k];
-      if (s_.touch[k] == Touch::forward) {
+      const RoundFriction::RoundFrictionUnit& u = p_.units[k];
+      if (s_.touch[k] == SlipState::forward) {
         add_slip(u, list);
-      } else if (s_.touch[k] != Touch::open) {
+      } else if (s_.touch[k] != SlipState::open) {
         add_closed(u.normal, {}, list);
         for (int t = 0; t < u.tangents; ++t) {
           add_closed(u.tangent[at(t)], {}, list);
@@ -307,7 +308,7 @@ private:
     equations(list, K_, x_);
     const auto size = static_cast<int>(K_.rows());
     std::vector<int> order;
-    if (size == 0 || !blas::lu(size, {K_.data(), size}, order)) {
+    if (size == 0 || !blas::factorise_lu(size, {K_.data(), size}, order)) {
       return false;
     }
     blas::solve_lu(size, 1, {K_.data(), size}, order, {x_.data(), size});
@@ -326,15 +327,15 @@ private:
   }
 
   const RoundFriction& p_;
-  RoundState s_;
+  RoundFrictionState s_;
   base::Matrix K_; ///< kept from step to step for its memory
   base::Matrix x_;
 };
 
 } // namespace
 
-RoundFriction round_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
-                             double load_scale) {
+RoundFriction round_friction(const ControllableProblem& held,
+                             const std::vector<FrictionRow>& friction, double load_scale) {
   RoundFriction p;
   const auto n = index(static_cast<std::size_t>(held.rows()));
   const double root = std::sqrt(held.tau);
@@ -366,7 +367,7 @@ RoundFriction round_friction(const HeldProblem& held, const std::vector<Friction
       p.fixed.push_back(i);
       continue;
     }
-    RoundFriction::Unit unit{.normal = i, .tangents = 0, .tangent = {}, .mu = 0.0};
+    RoundFriction::RoundFrictionUnit unit{.normal = i, .tangents = 0, .tangent = {}, .mu = 0.0};
     if (const FrictionRow* f = rubs[at(i)]) {
       unit.mu = f->mu;
       for (const int t : {f->tangent, f->second}) {
@@ -380,7 +381,8 @@ RoundFriction round_friction(const HeldProblem& held, const std::vector<Friction
   return p;
 }
 
-RoundState solve_round(const RoundFriction& problem, const RoundStart& start) {
+RoundFrictionState solve_round_friction(const RoundFriction& problem,
+                                        const RoundFrictionStart& start) {
   return RoundSolver(problem).solve(start);
 }
 

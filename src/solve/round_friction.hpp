@@ -13,7 +13,7 @@ namespace spricka::solve {
 /// the tangents of a unit have the unit of its normal, so that cones stay round. Forces times d,
 /// gaps over d, modes over sqrt(tau).
 struct RoundFriction {
-  struct Unit { ///< an inequality row, with the rows of its slip if there is friction
+  struct RoundFrictionUnit { ///< an inequality row, with the rows of its slip if there is friction
     int normal = 0;
     int tangents = 0; ///< 0 to 2
     std::array<int, 2> tangent{};
@@ -24,29 +24,29 @@ struct RoundFriction {
   base::Vector b;       ///< [n]
   base::Vector h;       ///< [m]
   base::Vector inverse; ///< [n] 1 / d
-  std::vector<Unit> units;
+  std::vector<RoundFrictionUnit> units;
   std::vector<int> fixed; ///< equality rows
   double force_floor = 0.0;
 
   [[nodiscard]] Eigen::Index rows() const { return b.size(); }
   [[nodiscard]] Eigen::Index modes() const { return h.size(); }
 };
-RoundFriction round_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
-                             double load_scale);
+RoundFriction round_friction(const ControllableProblem& held,
+                             const std::vector<FrictionRow>& friction, double load_scale);
 
 /// An answer, or the last thing tried.
-struct RoundState {
-  base::Vector lambda;      ///< [n]
-  base::Vector alpha;       ///< [m]
-  base::Vector gap;         ///< [n] b + W lambda + B alpha
-  std::vector<Touch> touch; ///< [unit] open, stick, or forward where it slips, whichever way
-  double residual = 0.0;    ///< largest violation of a condition, scaled
+struct RoundFrictionState {
+  base::Vector lambda;          ///< [n]
+  base::Vector alpha;           ///< [m]
+  base::Vector gap;             ///< [n] b + W lambda + B alpha
+  std::vector<SlipState> touch; ///< [unit] open, stick, or forward where it slips, whichever way
+  double residual = 0.0;        ///< largest violation of a condition, scaled
   int newton_steps = 0;
   int sweeps = 0;
 };
 
 /// Where an increment begins.
-struct RoundStart {
+struct RoundFrictionStart {
   base::Vector alpha;               ///< [m]
   base::Vector expected = {};       ///< [n] forces near the answer; empty: nothing is known
   base::Vector expected_alpha = {}; ///< [m] motions that go with them
@@ -57,6 +57,7 @@ struct RoundStart {
 /// Curnier 1991) to arrive; alone that may cycle, then it begins anew from more sweeps. Motions
 /// that nothing holds stay where `alpha` has them. Expected forces are tried first: near the answer
 /// Newton needs no sweeps and fewer steps.
-RoundState solve_round(const RoundFriction& problem, const RoundStart& start);
+RoundFrictionState solve_round_friction(const RoundFriction& problem,
+                                        const RoundFrictionStart& start);
 
 } // namespace spricka::solve

@@ -17,12 +17,12 @@ namespace {
 constexpr int panel = 256; ///< columns that are multiplied at a time
 
 /// Size of a front: columns of locals, and rows below them.
-struct Shape {
+struct SupernodeSize {
   int columns = 0;
   int below = 0;
 };
 
-Shape shape_of(const Supernodes& L, std::int64_t s) {
+SupernodeSize shape_of(const Supernodes& L, std::int64_t s) {
   const std::int64_t end = std::min(L.column[s + 1], L.locals);
   const auto columns = static_cast<int>(end - L.column[s]);
   const auto rows = static_cast<int>(L.row_start[s + 1] - L.row_start[s]);
@@ -78,16 +78,20 @@ void add_gram(const base::Matrix& X, const std::vector<int>& columns, base::Matr
   base::Matrix part;
   for (int first = 0; first < k; first += panel) {
     const int width = std::min(panel, k - first);
-    const blas::ConstBlock from{X.data() + static_cast<std::ptrdiff_t>(first) * rows, rows};
+    const blas::ConstMatrixBlock from{X.data() + static_cast<std::ptrdiff_t>(first) * rows, rows};
     if (k == n) { // all columns: nothing to scatter
       double* const into = W.data() + static_cast<std::ptrdiff_t>(first) * n + first;
-      blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Form::transposed, .beta = 1.0},
+      blas::gemm({.m = k - first,
+                  .n = width,
+                  .k = rows,
+                  .a = blas::Transposition::transposed,
+                  .beta = 1.0},
                  from, from, {into, n});
       continue;
     }
     part.resize(k - first, width);
-    blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Form::transposed}, from, from,
-               {part.data(), k - first});
+    blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Transposition::transposed}, from,
+               from, {part.data(), k - first});
     for (int j = 0; j < width; ++j) {
       double* const into = W.data() + static_cast<std::ptrdiff_t>(columns[at(first + j)]) * n;
       for (int i = j; i < k - first; ++i) {
@@ -130,14 +134,14 @@ void RowElimination::reach_up(const SparseColumns& F) {
   std::vector<int> own;
   for (std::int64_t s = 0; s < fronts_; ++s) {
     own.clear();
-    for (const Entry& entry : own_[at(s)]) {
+    for (const FrontEntry& entry : own_[at(s)]) {
       own.push_back(entry.column);
     }
     std::ranges::sort(own);
     own.erase(std::unique(own.begin(), own.end()), own.end());
     merge(own, columns_[at(s)]);
     // The front of the first row below has all rows that are left among its own: the parent.
-    const Shape shape = shape_of(L_, s);
+    const SupernodeSize shape = shape_of(L_, s);
     if (shape.below > 0 && *below_of(L_, s) < L_.locals && !columns_[at(s)].empty()) {
       merge(columns_[at(s)], columns_[at(front_of_[at(*below_of(L_, s))])]);
     }
@@ -162,7 +166,7 @@ void RowElimination::count_cost() {
     if (k == 0.0) {
       continue;
     }
-    const Shape shape = shape_of(L_, s);
+    const SupernodeSize shape = shape_of(L_, s);
     const double c = shape.columns;
     flops_ += k * c * (c + 2.0 * shape.below + k);
     make(s);
@@ -181,7 +185,7 @@ base::Matrix& RowElimination::block_of(std::int64_t front) {
   return X;
 }
 
-base::Matrix RowElimination::run(base::Matrix& condensed) {
+base::Matrix RowElimination::compute_compliance(base::Matrix& condensed) {
   blas::single_thread();
   const Eigen::Index k = condensed.cols();
   base::Matrix W = base::Matrix::Zero(k, k);
@@ -198,13 +202,13 @@ void RowElimination::eliminate(std::int64_t front, base::Matrix& W, base::Matrix
   const std::vector<int>& columns = columns_[at(front)];
   base::Matrix X = std::move(block_of(front));
   block_[at(front)] = base::Matrix();
-  for (const Entry& entry : own_[at(front)]) {
+  for (const FrontEntry& entry : own_[at(front)]) {
     const auto place = std::ranges::lower_bound(columns, entry.column) - columns.begin();
     X(entry.row, place) += entry.value;
   }
-  const Shape shape = shape_of(L_, front);
+  const SupernodeSize shape = shape_of(L_, front);
   const double* const L = L_.value + L_.value_start[front];
-  blas::solve_lower(shape.columns, static_cast<int>(columns.size()), blas::Form::plain,
+  blas::solve_lower(shape.columns, static_cast<int>(columns.size()), blas::Transposition::plain,
                     {L, shape.columns + shape.below}, {X.data(), shape.columns});
   add_gram(X, columns, W);
   hand_up(front, X, condensed);
@@ -212,7 +216,7 @@ void RowElimination::eliminate(std::int64_t front, base::Matrix& W, base::Matrix
 
 // What is left of F in the rows of the fronts above.
 void RowElimination::hand_up(std::int64_t front, const base::Matrix& X, base::Matrix& condensed) {
-  const Shape shape = shape_of(L_, front);
+  const SupernodeSize shape = shape_of(L_, front);
   if (shape.below == 0) {
     return;
   }

@@ -15,7 +15,7 @@ namespace {
 
 /// Adds the solution for the right-hand sides [a, 1] and [m, 1] to lambda and alpha.
 void add_solution(const BorderedFactor& factor, base::Matrix top, base::Matrix bottom,
-                  SetSolution& s) {
+                  ActiveSetSolution& s) {
   factor.solve(top, bottom);
   const std::vector<int>& A = factor.rows();
   for (std::size_t r = 0; r < A.size(); ++r) {
@@ -26,10 +26,11 @@ void add_solution(const BorderedFactor& factor, base::Matrix top, base::Matrix b
 
 } // namespace
 
-SetSolution solve_set(const HeldProblem& problem, const BorderedFactor& factor, bool refine) {
+ActiveSetSolution solve_active_set(const ControllableProblem& problem, const BorderedFactor& factor,
+                                   bool refine) {
   const int n = problem.rows();
   const std::vector<int>& A = factor.rows();
-  SetSolution s;
+  ActiveSetSolution s;
   s.lambda = base::Vector::Zero(n);
   s.alpha = base::Vector::Zero(problem.modes());
   s.gap = problem.b;
@@ -67,8 +68,8 @@ SetSolution solve_set(const HeldProblem& problem, const BorderedFactor& factor, 
   return s;
 }
 
-std::vector<int> violated_rows(const HeldProblem& problem, const BorderedFactor& factor,
-                               const SetSolution& solution, double tolerance) {
+std::vector<int> violated_rows(const ControllableProblem& problem, const BorderedFactor& factor,
+                               const ActiveSetSolution& solution, double tolerance) {
   std::vector<bool> closed(std::size_t(problem.rows()), false);
   for (const int i : factor.rows()) {
     closed[at(i)] = true;

@@ -8,7 +8,7 @@
 namespace spricka::solve {
 
 /// Forces, modes and gaps with the rows of a factor closed and all others without force.
-struct SetSolution {
+struct ActiveSetSolution {
   base::Vector lambda; ///< [n]
   base::Vector alpha;  ///< [m]
   base::Vector gap;    ///< [n] b + W lambda + B alpha, on closed rows the error of the solve
@@ -17,11 +17,12 @@ struct SetSolution {
 };
 
 /// `refine`: one step of iterative refinement.
-SetSolution solve_set(const HeldProblem& problem, const BorderedFactor& factor, bool refine);
+ActiveSetSolution solve_active_set(const ControllableProblem& problem, const BorderedFactor& factor,
+                                   bool refine);
 
 /// Rows whose sign is wrong: inequality rows of the factor with lambda below -tolerance
 /// force_scale, rows outside it with a gap below -tolerance gap_scale (equality rows: either sign).
-std::vector<int> violated_rows(const HeldProblem& problem, const BorderedFactor& factor,
-                               const SetSolution& solution, double tolerance);
+std::vector<int> violated_rows(const ControllableProblem& problem, const BorderedFactor& factor,
+                               const ActiveSetSolution& solution, double tolerance);
 
 } // namespace spricka::solve

@@ -389,7 +389,7 @@ RowCompliance SparseCondensation::compliance(SparseColumns F) const {
   const Supernodes L = c.supernodes();
   RowElimination elimination(L, F);
   out.flops = elimination.flops();
-  out.W = elimination.run(out.condensed);
+  out.W = elimination.compute_compliance(out.condensed);
   return out;
 }
 

@@ -34,40 +34,42 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
 
 } // namespace
 
-FactorReport Stacked::forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, EarlyLists* early) {
-  StackedRows rows = divide_rows(K, externals, blocks);
+FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::int64_t externals,
+                                            std::span<const DenseBlock> blocks,
+                                            BlockPartition* early) {
+  TwoLevelRows rows = divide_rows(K, externals, blocks);
   FactorReport report = SparseCondensation::forecast(
-      sparse_part(K, rows), static_cast<std::int64_t>(rows.touched.size()));
+      lower_level_matrix(K, rows), static_cast<std::int64_t>(rows.touched.size()));
   bool kept = false;
   if (early != nullptr) {
-    find_early(K, blocks, rows);
+    find_first_block(K, blocks, rows);
     if (!rows.early.empty()) {
-      EarlyLists lists = early_lists(rows, blocks.front());
+      BlockPartition lists = partition_block(rows, blocks.front());
       // The factor of early rows is kept for the next length only if it has the same rows of the
       // block.
       kept = lists == *early;
       *early = std::move(lists);
     }
   }
-  add_top(rows, kept, report);
+  add_upper_level_cost(rows, kept, report);
   return report;
 }
 
-Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
-                 std::span<const DenseBlock> blocks, std::shared_ptr<const EarlyRows>* early,
-                 FactorReport& report)
+TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int64_t externals,
+                                           std::span<const DenseBlock> blocks,
+                                           std::shared_ptr<const FirstBlockFactor>* early,
+                                           FactorReport& report)
     : rows_(divide_rows(K, externals, blocks)) {
-  below_.emplace(sparse_part(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
+  below_.emplace(lower_level_matrix(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
   report = below_->report();
-  EarlyLists lists;
+  BlockPartition lists;
   if (early != nullptr) {
-    find_early(K, blocks, rows_);
+    find_first_block(K, blocks, rows_);
   }
   if (!rows_.early.empty()) {
-    lists = early_lists(rows_, blocks.front());
+    lists = partition_block(rows_, blocks.front());
   }
-  add_top(rows_, early != nullptr && *early && (*early)->lists() == lists, report);
+  add_upper_level_cost(rows_, early != nullptr && *early && (*early)->partition() == lists, report);
   if (report.status != FactorStatus::ok) {
     // The matrix below has numbers of its own; messages want those of K.
     if (report.failed_row >= 0) {
@@ -77,7 +79,7 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   }
   const double started = thread_cpu();
   const base::Matrix touched = below_->take_schur();
-  Parts parts = assemble(K, blocks, touched);
+  UpperLevelParts parts = assemble(K, blocks, touched);
   if (!rows_.early.empty() && !eliminate_early(blocks.front(), std::move(lists), *early, parts)) {
     // The block alone does not hold its early rows, the rest of the body may: S is formed after
     // all, from parts that are laid out otherwise.
@@ -88,11 +90,12 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   report.numeric_cpu += thread_cpu() - started;
 }
 
-Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                                 const base::Matrix& touched) const {
-  const Eigen::Index inner = rows_.inner();
+TwoLevelCondensation::UpperLevelParts
+TwoLevelCondensation::assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                               const base::Matrix& touched) const {
+  const Eigen::Index inner = rows_.inner_count();
   const bool layered = !rows_.early.empty();
-  Parts parts;
+  UpperLevelParts parts;
   Eigen::Index rest = 0;
   for (std::size_t t = 0; t < rows_.top.size(); ++t) {
     const auto k = index(t);
@@ -137,14 +140,15 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
     }
   }
   for (const DenseBlock& b : blocks) {
-    add(places_of(b, rows_.top), *b.stiffness, !layered);
+    add(upper_level_places(b, rows_.top), *b.stiffness, !layered);
   }
   return parts;
 }
 
-bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
-                              std::shared_ptr<const EarlyRows>& early, Parts& parts) {
-  const std::vector<Eigen::Index> top = places_of(dense, rows_.top);
+bool TwoLevelCondensation::eliminate_early(const DenseBlock& dense, BlockPartition lists,
+                                           std::shared_ptr<const FirstBlockFactor>& early,
+                                           UpperLevelParts& parts) {
+  const std::vector<Eigen::Index> top = upper_level_places(dense, rows_.top);
   std::vector<Eigen::Index> row(rows_.top.size(), -1); // by place on top: in the layered factor
   for (std::size_t k = 0; k < lists.early.size(); ++k) {
     row[at(top[at(lists.early[k])])] = index(k);
@@ -153,10 +157,10 @@ bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
   for (const Eigen::Index r : lists.late) {
     place.push_back(parts.place[at(top[at(r)])]);
   }
-  if (!early || early->lists() != lists) {
-    early = std::make_shared<const EarlyRows>(*dense.stiffness, std::move(lists));
+  if (!early || early->partition() != lists) {
+    early = std::make_shared<const FirstBlockFactor>(*dense.stiffness, std::move(lists));
   }
-  if (!early->ok()) {
+  if (!early->is_positive_definite()) {
     return false; // the block alone does not hold its rows
   }
   const base::Matrix& schur = early->schur();
@@ -167,17 +171,17 @@ bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
   }
   const auto firsts = early->count();
   std::vector<Eigen::Index> externals;
-  for (std::size_t t = at(rows_.inner()); t < row.size(); ++t) {
+  for (std::size_t t = at(rows_.inner_count()); t < row.size(); ++t) {
     // Rows of the layered factor: early ones first, then the rest.
     externals.push_back(row[t] >= 0 ? row[t] : firsts + parts.place[t]);
   }
   top_.factor.emplace(FactoredExternals{
-      LayeredCholesky(early, std::move(place), std::move(parts.rest)), std::move(externals)});
+      TwoBlockCholesky(early, std::move(place), std::move(parts.rest)), std::move(externals)});
   return true;
 }
 
-bool Stacked::eliminate(Parts parts, FactorReport& report) {
-  const Eigen::Index inner = rows_.inner();
+bool TwoLevelCondensation::eliminate(UpperLevelParts parts, FactorReport& report) {
+  const Eigen::Index inner = rows_.inner_count();
   const int i = static_cast<int>(inner);
   // Done also where S is in factored form: loads are condensed and locals recovered by this factor.
   L_ = parts.inner;
@@ -186,7 +190,7 @@ bool Stacked::eliminate(Parts parts, FactorReport& report) {
     report.failed_row = rows_.top[at(row)];
     return false;
   };
-  if (i > 0 && !blas::cholesky(i, blas::whole(L_))) {
+  if (i > 0 && !blas::cholesky(i, blas::whole_matrix(L_))) {
     report.smallest_pivot = 0.0;
     return refuse(first_bad_pivot(std::move(parts.inner)));
   }
@@ -201,21 +205,21 @@ bool Stacked::eliminate(Parts parts, FactorReport& report) {
   coupling_ = std::move(parts.coupling);
   if (!top_.factor) {
     base::Matrix X = coupling_;
-    blas::solve_lower(i, static_cast<int>(rows_.external), blas::Form::plain,
-                      blas::whole(std::as_const(L_)), blas::whole(X));
+    blas::solve_lower(i, static_cast<int>(rows_.external), blas::Transposition::plain,
+                      blas::whole_matrix(std::as_const(L_)), blas::whole_matrix(X));
     top_.S = std::move(parts.rest) - gram(X);
   }
   return true;
 }
 
-void Stacked::solve_inner(base::Matrix& g, bool transposed) const {
-  blas::solve_lower(static_cast<int>(rows_.inner()), static_cast<int>(g.cols()),
-                    transposed ? blas::Form::transposed : blas::Form::plain, blas::whole(L_),
-                    blas::whole(g));
+void TwoLevelCondensation::solve_inner(base::Matrix& g, bool transposed) const {
+  blas::solve_lower(static_cast<int>(rows_.inner_count()), static_cast<int>(g.cols()),
+                    transposed ? blas::Transposition::transposed : blas::Transposition::plain,
+                    blas::whole_matrix(L_), blas::whole_matrix(g));
 }
 
 // Loads of the sparse matrix: f of the rows below; what acts on top stays there.
-base::Matrix Stacked::below(const base::Matrix& f) const {
+base::Matrix TwoLevelCondensation::below(const base::Matrix& f) const {
   const auto locals = index(rows_.below.size());
   base::Matrix out = base::Matrix::Zero(locals + index(rows_.touched.size()), f.cols());
   for (Eigen::Index i = 0; i < locals; ++i) {
@@ -225,7 +229,8 @@ base::Matrix Stacked::below(const base::Matrix& f) const {
 }
 
 // f on top with what the rows below hand over.
-base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below) const {
+base::Matrix TwoLevelCondensation::on_top(const base::Matrix& f,
+                                          const base::Matrix& f_below) const {
   base::Matrix g(index(rows_.top.size()), f.cols());
   for (Eigen::Index i = 0; i < g.rows(); ++i) {
     g.row(i) = f.row(rows_.top[at(i)]);
@@ -237,21 +242,22 @@ base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below)
   return g;
 }
 
-base::Matrix Stacked::condense_load(const base::Matrix& f) const {
+base::Matrix TwoLevelCondensation::condense_load(const base::Matrix& f) const {
   base::Matrix g = on_top(f, below(f));
   // The inner rows of g become A_ii^-1 times them, A the full matrix on top.
   solve_inner(g, false);
   solve_inner(g, true);
-  return g.bottomRows(rows_.external) - coupling_.transpose() * g.topRows(rows_.inner());
+  return g.bottomRows(rows_.external) - coupling_.transpose() * g.topRows(rows_.inner_count());
 }
 
-base::Matrix Stacked::recover(const base::Matrix& u_external, const base::Matrix& f) const {
+base::Matrix TwoLevelCondensation::recover(const base::Matrix& u_external,
+                                           const base::Matrix& f) const {
   const base::Matrix f_below = below(f);
   base::Matrix g = on_top(f, f_below);
   // Known displacements go to the right-hand side of the inner rows.
   if (rows_.external > 0) {
     g.bottomRows(rows_.external) = u_external;
-    g.topRows(rows_.inner()) -= coupling_ * u_external;
+    g.topRows(rows_.inner_count()) -= coupling_ * u_external;
   }
   solve_inner(g, false);
   solve_inner(g, true);

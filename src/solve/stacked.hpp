@@ -23,21 +23,22 @@ namespace spricka::solve {
 ///
 /// With `early` the externals that only the block has are eliminated too, first of all and once for
 /// all matrices that stand on the same block: S is not formed, its factor takes its place.
-class Stacked {
+class TwoLevelCondensation {
 public:
   /// The symbolic phase alone, as Condensation::forecast.
   static FactorReport forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, EarlyLists* early);
+                               std::span<const DenseBlock> blocks, BlockPartition* early);
   /// What condensation leaves of the externals: S [externals, externals], or its factor.
-  struct Top {
+  struct CondensedExternals {
     base::Matrix S;
     std::optional<FactoredExternals> factor;
   };
   /// K as Condensation takes it, without the blocks; the report is written. `early`: rows
   /// eliminated before, or none yet; null: S is wanted.
-  Stacked(const base::SymmetricCsc& K, std::int64_t externals, std::span<const DenseBlock> blocks,
-          std::shared_ptr<const EarlyRows>* early, FactorReport& report);
-  [[nodiscard]] Top& top() { return top_; }
+  TwoLevelCondensation(const base::SymmetricCsc& K, std::int64_t externals,
+                       std::span<const DenseBlock> blocks,
+                       std::shared_ptr<const FirstBlockFactor>* early, FactorReport& report);
+  [[nodiscard]] CondensedExternals& condensed_externals() { return top_; }
 
   /// As those of Condensation.
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
@@ -46,25 +47,26 @@ public:
 private:
   /// The full matrix of the top in parts: rows that are eliminated, their coupling with the
   /// externals, and the externals or, where some are early, all rows that are not.
-  struct Parts {
+  struct UpperLevelParts {
     base::Matrix inner, coupling, rest;
     std::vector<Eigen::Index> place; ///< by place on top: among the rest, -1: not in it
   };
   /// `touched`: Schur complement of the rows below on those that they touch.
-  [[nodiscard]] Parts assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                               const base::Matrix& touched) const;
+  [[nodiscard]] UpperLevelParts assemble(const base::SymmetricCsc& K,
+                                         std::span<const DenseBlock> blocks,
+                                         const base::Matrix& touched) const;
   /// Makes the factor of the externals on the early rows of `dense`, which are eliminated unless
   /// `early` has them already; false: the block alone is not positive definite there.
-  bool eliminate_early(const DenseBlock& dense, EarlyLists lists,
-                       std::shared_ptr<const EarlyRows>& early, Parts& parts);
-  bool eliminate(Parts parts, FactorReport& report);
+  bool eliminate_early(const DenseBlock& dense, BlockPartition lists,
+                       std::shared_ptr<const FirstBlockFactor>& early, UpperLevelParts& parts);
+  bool eliminate(UpperLevelParts parts, FactorReport& report);
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
   void solve_inner(base::Matrix& g, bool transposed) const;
   [[nodiscard]] base::Matrix below(const base::Matrix& f) const;
   [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& f_below) const;
 
-  StackedRows rows_;
-  Top top_;
+  TwoLevelRows rows_;
+  CondensedExternals top_;
   std::optional<SparseCondensation> below_;
   base::Matrix L_;        ///< [inner, inner] Cholesky factor of the rows eliminated on top
   base::Matrix coupling_; ///< [inner, externals] of them with the externals

@@ -16,8 +16,8 @@ constexpr double least_early = 0.25;
 
 } // namespace
 
-StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
-                        std::span<const DenseBlock> blocks) {
+TwoLevelRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
+                         std::span<const DenseBlock> blocks) {
   std::vector<bool> in_block(at(K.n), false);
   std::vector<bool> coupled(at(K.n), false);
   for (const DenseBlock& b : blocks) {
@@ -34,7 +34,7 @@ StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
       coupled[at(K.row[at(p)])] = true;
     }
   }
-  StackedRows rows;
+  TwoLevelRows rows;
   rows.external = externals;
   for (std::int64_t i = 0; i < K.n; ++i) {
     if (i < K.n - externals && !in_block[at(i)]) {
@@ -49,7 +49,8 @@ StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
   return rows;
 }
 
-std::vector<Eigen::Index> places_of(const DenseBlock& b, const std::vector<std::int64_t>& top) {
+std::vector<Eigen::Index> upper_level_places(const DenseBlock& b,
+                                             const std::vector<std::int64_t>& top) {
   std::vector<Eigen::Index> place;
   place.reserve(b.rows.size());
   for (const std::int64_t row : b.rows) {
@@ -59,7 +60,7 @@ std::vector<Eigen::Index> places_of(const DenseBlock& b, const std::vector<std::
   return place;
 }
 
-base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const StackedRows& rows) {
+base::SymmetricCsc lower_level_matrix(const base::SymmetricCsc& K, const TwoLevelRows& rows) {
   std::vector<std::int64_t> place(at(K.n), -1);
   std::int64_t next = 0;
   for (const std::int64_t row : rows.below) {
@@ -94,15 +95,15 @@ base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const StackedRows& r
   return A;
 }
 
-void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                StackedRows& rows) {
+void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                      TwoLevelRows& rows) {
   // What is kept of early rows is one block's.
   if (blocks.size() != 1) {
     return;
   }
   std::vector<bool> only(rows.top.size(), false);
-  for (const Eigen::Index t : places_of(blocks.front(), rows.top)) {
-    if (t >= rows.inner()) {
+  for (const Eigen::Index t : upper_level_places(blocks.front(), rows.top)) {
+    if (t >= rows.inner_count()) {
       only[at(t)] = true;
     }
   }
@@ -122,9 +123,9 @@ void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
   }
 }
 
-EarlyLists early_lists(const StackedRows& rows, const DenseBlock& block) {
-  EarlyLists lists;
-  const std::vector<Eigen::Index> top = places_of(block, rows.top);
+BlockPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block) {
+  BlockPartition lists;
+  const std::vector<Eigen::Index> top = upper_level_places(block, rows.top);
   for (std::size_t r = 0; r < top.size(); ++r) {
     if (top[r] >= 0) {
       const bool early = std::ranges::binary_search(rows.early, top[r]);
@@ -134,8 +135,8 @@ EarlyLists early_lists(const StackedRows& rows, const DenseBlock& block) {
   return lists;
 }
 
-void add_top(const StackedRows& rows, bool kept, FactorReport& report) {
-  const auto i = static_cast<double>(rows.inner());
+void add_upper_level_cost(const TwoLevelRows& rows, bool kept, FactorReport& report) {
+  const auto i = static_cast<double>(rows.inner_count());
   const auto e = static_cast<double>(rows.external);
   const auto b = static_cast<double>(rows.early.size());
   const double l = i + e - b;

@@ -13,33 +13,35 @@
 /// Which rows of a matrix with dense blocks stand on which floor (solve/stacked.hpp).
 namespace spricka::solve {
 
-struct StackedRows {
+struct TwoLevelRows {
   std::vector<std::int64_t> below;   ///< rows of K that are eliminated below
   std::vector<std::int64_t> top;     ///< rows of K on top, externals last
   std::vector<Eigen::Index> touched; ///< places in `top` that the sparse matrix touches
   Eigen::Index external = 0;
   std::vector<Eigen::Index> early; ///< places in `top` of externals that only the block has
 
-  [[nodiscard]] Eigen::Index inner() const { return base::index(top.size()) - external; }
+  [[nodiscard]] Eigen::Index inner_count() const { return base::index(top.size()) - external; }
 };
 
 /// `early` stays empty.
-StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
-                        std::span<const DenseBlock> blocks);
+TwoLevelRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
+                         std::span<const DenseBlock> blocks);
 
 /// Externals that only the one block has, if they are worth it.
-void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks, StackedRows& rows);
+void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                      TwoLevelRows& rows);
 
 /// Early and late rows of a block, as EarlyRows has them.
-EarlyLists early_lists(const StackedRows& rows, const DenseBlock& block);
+BlockPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block);
 
 /// The places on top, -1: none, of a block's rows.
-std::vector<Eigen::Index> places_of(const DenseBlock& block, const std::vector<std::int64_t>& top);
+std::vector<Eigen::Index> upper_level_places(const DenseBlock& block,
+                                             const std::vector<std::int64_t>& top);
 
 /// The sparse matrix of the rows below, then the touched ones.
-base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const StackedRows& rows);
+base::SymmetricCsc lower_level_matrix(const base::SymmetricCsc& K, const TwoLevelRows& rows);
 
 /// What the top costs; `kept`: its early rows have been eliminated before.
-void add_top(const StackedRows& rows, bool kept, FactorReport& report);
+void add_upper_level_cost(const TwoLevelRows& rows, bool kept, FactorReport& report);
 
 } // namespace spricka::solve

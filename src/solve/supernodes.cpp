@@ -9,20 +9,20 @@ namespace spricka::solve {
 namespace {
 
 /// The columns of locals in supernode s: block L [rows, columns], its first column and row list.
-struct Front {
+struct SupernodeFront {
   std::int64_t first;
   int columns;
   int rows;
-  blas::ConstBlock block;
+  blas::ConstMatrixBlock block;
   const std::int64_t* row;
 
   [[nodiscard]] int below() const { return rows - columns; }
-  [[nodiscard]] blas::ConstBlock off_diagonal() const {
+  [[nodiscard]] blas::ConstMatrixBlock off_diagonal() const {
     return {block.data + columns, block.stride};
   }
 };
 
-Front front_of(const Supernodes& L, std::int64_t s) {
+SupernodeFront front_of(const Supernodes& L, std::int64_t s) {
   const std::int64_t first = L.column[s];
   const int rows = static_cast<int>(L.row_start[s + 1] - L.row_start[s]);
   // The last front of locals may hold externals as well; their columns are left alone.
@@ -44,12 +44,12 @@ void eliminate_locals(const Supernodes& L, base::Matrix& X) {
   base::Matrix update;
   const std::int64_t fronts = local_fronts(L);
   for (std::int64_t s = 0; s < fronts; ++s) {
-    const Front front = front_of(L, s);
-    const blas::Block x{X.data() + front.first, stride};
+    const SupernodeFront front = front_of(L, s);
+    const blas::MatrixBlock x{X.data() + front.first, stride};
     if (X.middleRows(front.first, front.columns).isZero(0.0)) {
       continue; // loads are sparse
     }
-    blas::solve_lower(front.columns, k, blas::Form::plain, front.block, x);
+    blas::solve_lower(front.columns, k, blas::Transposition::plain, front.block, x);
     if (front.below() == 0) {
       continue;
     }
@@ -69,8 +69,8 @@ void substitute_locals(const Supernodes& L, base::Matrix& X) {
   const int stride = static_cast<int>(X.rows());
   base::Matrix known;
   for (std::int64_t s = local_fronts(L) - 1; s >= 0; --s) {
-    const Front front = front_of(L, s);
-    const blas::Block x{X.data() + front.first, stride};
+    const SupernodeFront front = front_of(L, s);
+    const blas::MatrixBlock x{X.data() + front.first, stride};
     if (front.below() > 0) {
       known.resize(front.below(), k);
       for (int j = 0; j < k; ++j) {
@@ -81,12 +81,12 @@ void substitute_locals(const Supernodes& L, base::Matrix& X) {
       blas::gemm({.m = front.columns,
                   .n = k,
                   .k = front.below(),
-                  .a = blas::Form::transposed,
+                  .a = blas::Transposition::transposed,
                   .alpha = -1.0,
                   .beta = 1.0},
                  front.off_diagonal(), {known.data(), front.below()}, x);
     }
-    blas::solve_lower(front.columns, k, blas::Form::transposed, front.block, x);
+    blas::solve_lower(front.columns, k, blas::Transposition::transposed, front.block, x);
   }
 }
 
@@ -116,9 +116,10 @@ base::Matrix lower_times_transpose(const base::Matrix& R) {
   for (int first = 0; first < n; first += panel) {
     // rows first .. n of S, columns of this panel; R is zero right of the panel's last row
     const int width = std::min(panel, n - first);
-    blas::gemm({.m = n - first, .n = width, .k = first + width, .b = blas::Form::transposed},
-               {R.data() + first, n}, {R.data() + first, n},
-               {S.data() + first + static_cast<std::ptrdiff_t>(first) * n, n});
+    blas::gemm(
+        {.m = n - first, .n = width, .k = first + width, .b = blas::Transposition::transposed},
+        {R.data() + first, n}, {R.data() + first, n},
+        {S.data() + first + static_cast<std::ptrdiff_t>(first) * n, n});
   }
   S.triangularView<Eigen::StrictlyUpper>() = S.transpose();
   return S;

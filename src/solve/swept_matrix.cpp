@@ -14,7 +14,8 @@ namespace spricka::solve {
 using base::at;
 using base::index;
 
-SweptMatrix::SweptMatrix(const HeldProblem& problem, base::Matrix of_force, base::Matrix of_mode)
+SweptMatrix::SweptMatrix(const ControllableProblem& problem, base::Matrix of_force,
+                         base::Matrix of_mode)
     : problem_(problem), n_(problem.rows()), m_(problem.modes()), of_force_(std::move(of_force)),
       of_mode_(std::move(of_mode)), factor_(problem) {}
 
@@ -41,14 +42,14 @@ bool SweptMatrix::begin(const std::vector<bool>& closed) {
   for (Eigen::Index k = 0; k < W_open_.rows(); ++k) {
     W_open_.row(k) = problem_.W.col(open_[at(k)]); // symmetric
   }
-  return factor_.factorise(std::move(A)) && factor_.left_out().empty();
+  return factor_.factorise(std::move(A)) && factor_.redundant_rows().empty();
 }
 
-base::Vector SweptMatrix::state(const base::Vector& b, const base::Vector& h) const {
-  HeldProblem problem = problem_;
+base::Vector SweptMatrix::initial_state(const base::Vector& b, const base::Vector& h) const {
+  ControllableProblem problem = problem_;
   problem.b = b;
   problem.h = h;
-  const SetSolution s = solve_set(problem, factor_, true);
+  const ActiveSetSolution s = solve_active_set(problem, factor_, true);
   base::Vector c(size());
   for (int i = 0; i < n_; ++i) {
     const bool closed = first_closed_[at(i)];
@@ -60,7 +61,7 @@ base::Vector SweptMatrix::state(const base::Vector& b, const base::Vector& h) co
   return c;
 }
 
-void SweptMatrix::add_to_block(const Pivot& pivot) {
+void SweptMatrix::add_to_block(const PivotExchange& pivot) {
   const int i = pivot.rows[0];
   block_.sound = block_.sound && pivot.rows.size() == 1 &&
                  std::find(block_.rows.begin(), block_.rows.end(), i) == block_.rows.end();
@@ -175,7 +176,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
   // none of the earlier pivots count.
   std::size_t from = list_.size();
   while (from > 0) {
-    const Pivot& p = list_[from - 1];
+    const PivotExchange& p = list_[from - 1];
     if (std::find(p.rows.begin(), p.rows.end(), i) != p.rows.end()) {
       break;
     }
@@ -206,7 +207,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
 
 // (solve.30) for one column or state, P the exchanged rows: in the place of x_P comes what
 // z_P has to be, -inverse x_P, and the rest follows along the columns of the pivot.
-void SweptMatrix::apply(const Pivot& pivot, base::Vector& x) {
+void SweptMatrix::apply(const PivotExchange& pivot, base::Vector& x) {
   if (pivot.rows.size() == 1) {
     const double z = x(pivot.rows[0]) * pivot.inverse(0, 0);
     if (z != 0.0) {
@@ -223,7 +224,7 @@ void SweptMatrix::apply(const Pivot& pivot, base::Vector& x) {
 
 // The column of a row that this pivot exchanges, right after it: columns times inverse, the inverse
 // itself in the exchanged rows.
-base::Vector SweptMatrix::own_column(const Pivot& pivot, int i) {
+base::Vector SweptMatrix::own_column(const PivotExchange& pivot, int i) {
   const Eigen::Index k = pivot.rows[0] == i ? 0 : 1;
   base::Vector x = pivot.columns * pivot.inverse.col(k);
   for (std::size_t r = 0; r < pivot.rows.size(); ++r) {
@@ -232,7 +233,7 @@ base::Vector SweptMatrix::own_column(const Pivot& pivot, int i) {
   return x;
 }
 
-void SweptMatrix::exchange(Pivot pivot, std::span<base::Vector* const> states) {
+void SweptMatrix::exchange(PivotExchange pivot, std::span<base::Vector* const> states) {
   const auto p = index(pivot.rows.size());
   base::Matrix core(p, p);
   for (Eigen::Index r = 0; r < p; ++r) {
@@ -271,7 +272,7 @@ base::Vector SweptMatrix::forces(const base::Vector& state) const {
   return lambda;
 }
 
-base::Vector SweptMatrix::gaps(const base::Vector& state) const {
+base::Vector SweptMatrix::open_gaps(const base::Vector& state) const {
   base::Vector gap = base::Vector::Zero(n_);
   for (int i = 0; i < n_; ++i) {
     if (!closed_[at(i)]) {

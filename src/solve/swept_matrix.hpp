@@ -22,7 +22,7 @@ namespace spricka::solve {
 class SweptMatrix {
 public:
   /// of_force [f, n] and of_mode [f, m]: the functionals. `problem` must outlive the matrix.
-  SweptMatrix(const HeldProblem& problem, base::Matrix of_force, base::Matrix of_mode);
+  SweptMatrix(const ControllableProblem& problem, base::Matrix of_force, base::Matrix of_mode);
 
   /// Factorises for these closed rows and forgets all pivots. False: they do not hold all modes,
   /// or some are redundant.
@@ -32,11 +32,11 @@ public:
   [[nodiscard]] Eigen::Index size() const { return n_ + m_ + of_force_.rows(); }
 
   /// c [size] for gaps b [n] and loads h [m], at begin: no pivots must have been made.
-  [[nodiscard]] base::Vector state(const base::Vector& b, const base::Vector& h) const;
+  [[nodiscard]] base::Vector initial_state(const base::Vector& b, const base::Vector& h) const;
   /// Column i of T [size]. Columns of `likely` rows are made along with it.
   [[nodiscard]] base::Vector column(int i, std::span<const int> likely);
   /// Whether column i needs no solution with the factor any more.
-  [[nodiscard]] bool made(int i) const { return made_[base::at(i)].size() > 0; }
+  [[nodiscard]] bool has_column(int i) const { return made_[base::at(i)].size() > 0; }
   /// Exchanges y and z of row i, whose column is given, in the matrix and in states.
   void pivot(int i, const base::Vector& column, std::span<base::Vector* const> states);
   /// The same for two rows at once, of which neither need have a pivot alone.
@@ -47,10 +47,10 @@ public:
   [[nodiscard]] base::Vector forces(const base::Vector& state) const;
   [[nodiscard]] base::Vector modes(const base::Vector& state) const;
   /// Gaps [n] of open rows; zero for closed ones.
-  [[nodiscard]] base::Vector gaps(const base::Vector& state) const;
+  [[nodiscard]] base::Vector open_gaps(const base::Vector& state) const;
 
 private:
-  struct Pivot {
+  struct PivotExchange {
     std::vector<int> rows; ///< one or two
     base::Matrix columns;  ///< [size, rows] before the exchange
     base::Matrix inverse;  ///< of their common part
@@ -58,21 +58,21 @@ private:
   /// The pivots since begin as one step for many columns: with x_P the entries of a column in the
   /// exchanged rows, core s = x_P (lower triangular), x <- x - columns s, x_P <- -s + what later
   /// pivots do to it. Holds while every pivot is of one row and no row has two.
-  struct Block {
+  struct PivotBlock {
     bool sound = true;
     std::vector<int> rows;
     base::Matrix columns; ///< [size, n] entries that a later exchange of their row overwrites are 0
     base::Matrix core;    ///< [n, n]
   };
-  void exchange(Pivot pivot, std::span<base::Vector* const> states);
-  void add_to_block(const Pivot& pivot);
+  void exchange(PivotExchange pivot, std::span<base::Vector* const> states);
+  void add_to_block(const PivotExchange& pivot);
   void advance(base::Matrix& columns) const;
-  static void apply(const Pivot& pivot, base::Vector& x);
-  [[nodiscard]] static base::Vector own_column(const Pivot& pivot, int i);
+  static void apply(const PivotExchange& pivot, base::Vector& x);
+  [[nodiscard]] static base::Vector own_column(const PivotExchange& pivot, int i);
   void make_columns(const std::vector<int>& rows);
   [[nodiscard]] double unit(int i, bool closed) const;
 
-  const HeldProblem& problem_;
+  const ControllableProblem& problem_;
   Eigen::Index n_, m_;
   base::Matrix of_force_, of_mode_;
   BorderedFactor factor_;
@@ -81,8 +81,8 @@ private:
   base::Matrix W_open_;                     ///< [open, n]
   std::vector<base::Vector> made_;          ///< [n] columns, or empty
   std::vector<std::size_t> age_;            ///< [n] how many pivots a column has been through
-  std::vector<Pivot> list_;
-  Block block_;
+  std::vector<PivotExchange> list_;
+  PivotBlock block_;
 };
 
 } // namespace spricka::solve

@@ -46,16 +46,16 @@ int main(int argc, char** argv) {
     t.push_back(last * (i % 2 == 0 ? 0.5 * x : 0.3 + 0.7 * x));
   }
   const base::Stopwatch counting;
-  const life::Spectrum spectrum = life::Spectrum::of_sequence(t);
+  const life::CountedSpectrum spectrum = life::CountedSpectrum::from_sequence(t);
   const double counted = counting.cpu_time();
-  life::LawConstants constants;
+  life::RateConstants constants;
   constants.C = 1e-13;
   constants.m = 3.0;
-  const life::GrowthLaw law(life::Law::paris, constants);
+  const life::GrowthRateLaw law(life::RateEquation::paris, constants);
   const base::Stopwatch growing;
   double sum = 0.0;
   for (const results::Increment& increment : run->increments) {
-    sum += spectrum.growth(law, increment.paths.front().tips.front().K1);
+    sum += spectrum.growth_per_pass(law, increment.paths.front().tips.front().K1);
   }
   const double grown = growing.cpu_time();
   fmt::print("{} reversals: counted in {:.3f} s, growth of a pass at {} lengths {:.3f} s, in all "

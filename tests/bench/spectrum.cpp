@@ -64,11 +64,12 @@ int main(int argc, char** argv) {
   std::vector<life::LoadCycle> cycles;
   fmt::print("rainflow {:.1f} ms\n",
              1e3 * best_of(repeats, [&] { cycles = life::rainflow(history, true); }));
-  life::Spectrum spectrum = life::Spectrum::of_cycles(cycles);
-  fmt::print("rainflow and sorting {:.1f} ms, {} different cycles\n",
-             1e3 * best_of(repeats, [&] { spectrum = life::Spectrum::of_sequence(history); }),
-             spectrum.cycles().size());
-  life::LawConstants constants;
+  life::CountedSpectrum spectrum = life::CountedSpectrum::from_cycles(cycles);
+  fmt::print(
+      "rainflow and sorting {:.1f} ms, {} different cycles\n",
+      1e3 * best_of(repeats, [&] { spectrum = life::CountedSpectrum::from_sequence(history); }),
+      spectrum.cycles().size());
+  life::RateConstants constants;
   constants.C = 1e-12;
   constants.m = 3.1;
   constants.p = 0.5;
@@ -78,14 +79,15 @@ int main(int argc, char** argv) {
   constants.delta_k = {20.0, 100.0, 200.0, 400.0, 1000.0};
   constants.growth = {1e-8, 1e-6, 1e-5, 1e-4, 2e-3};
   const base::PiecewiseLinear K = map();
-  constexpr std::array laws{
-      std::pair(life::Law::paris, "Paris"), std::pair(life::Law::walker, "Walker"),
-      std::pair(life::Law::forman, "Forman"), std::pair(life::Law::nasgro, "NASGRO"),
-      std::pair(life::Law::table, "table")};
+  constexpr std::array laws{std::pair(life::RateEquation::paris, "Paris"),
+                            std::pair(life::RateEquation::walker, "Walker"),
+                            std::pair(life::RateEquation::forman, "Forman"),
+                            std::pair(life::RateEquation::nasgro, "NASGRO"),
+                            std::pair(life::RateEquation::table, "table")};
   for (const auto& [law, name] : laws) {
-    const life::GrowthLaw growth(law, constants);
+    const life::GrowthRateLaw growth(law, constants);
     double da = 0.0;
-    const double time = best_of(repeats, [&] { da = spectrum.growth(growth, K); });
+    const double time = best_of(repeats, [&] { da = spectrum.growth_per_pass(growth, K); });
     fmt::print("{}: growth of a pass {:.1f} ms a length (da {:.6g})\n", name, 1e3 * time, da);
   }
   return 0;

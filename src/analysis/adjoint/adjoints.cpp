@@ -58,9 +58,9 @@ void Adjoints::condense_rows() {
   }
 }
 
-std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
-                                                const std::vector<bool>& closed,
-                                                const contact::HeldContact* held) {
+std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solver,
+                                                         const std::vector<bool>& closed,
+                                                         const contact::HeldContact* held) {
   if (rows_.empty()) {
     condense_rows();
   }
@@ -100,7 +100,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
     // z is a change of displacements: constants of ties have no part in it.
     recover_body(bodies_[b], external[b], condensed_[b], 0.0, z);
   }
-  std::vector<estimate::Adjoint> out(rows_.size());
+  std::vector<estimate::IntensityAdjoint> out(rows_.size());
   for (std::size_t t = 0; t < rows_.size(); ++t) {
     out[t].why_not = why_not;
     out[t].rows = rows_[t];
@@ -129,7 +129,7 @@ std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
   return std::make_unique<contact::HeldContact>(*solver.system(), std::move(rows));
 }
 
-const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& solver) {
+const std::vector<estimate::IntensityAdjoint>& Adjoints::of_last_step(const StepSolver& solver) {
   const std::size_t tips = scene_.cracked.fronts.size();
   std::vector<bool> closed(scene_.table.size(), false);
   bool rubs = false;
@@ -144,10 +144,11 @@ const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& s
   if (rubs) {
     held_.reset();
     last_.assign(tips, {});
-    for (estimate::Adjoint& adjoint : last_) {
+    for (estimate::IntensityAdjoint& adjoint : last_) {
       adjoint.why_not = "contacts rub: the change of K depends on the load history";
     }
-  } else if (tips > 0 && (last_.empty() || !last_.front().ok() || last_.front().closed != closed)) {
+  } else if (tips > 0 &&
+             (last_.empty() || !last_.front().is_available() || last_.front().closed != closed)) {
     held_ = hold(solver, closed);
     last_ = of_set(solver, closed, held_.get());
   }

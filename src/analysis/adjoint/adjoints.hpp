@@ -23,13 +23,14 @@ public:
 
   /// [tip] of the step that was solved last, its contact frozen as it ended; steps that end with
   /// the same rows closed share the answer. The rows are those of the tips' fields.
-  const std::vector<estimate::Adjoint>& of_last_step(const StepSolver& solver);
+  const std::vector<estimate::IntensityAdjoint>& of_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
   [[nodiscard]] const contact::HeldContact* held() const { return held_.get(); }
 
   /// [tip] with these rows of the table closed, which `held` holds.
-  std::vector<estimate::Adjoint> of_set(const StepSolver& solver, const std::vector<bool>& closed,
-                                        const contact::HeldContact* held);
+  std::vector<estimate::IntensityAdjoint> of_set(const StepSolver& solver,
+                                                 const std::vector<bool>& closed,
+                                                 const contact::HeldContact* held);
 
 private:
   void condense_rows();
@@ -43,7 +44,7 @@ private:
   contact::FreeResponse free_;         ///< to those, where there is a contact system
   base::Matrix by_force_; ///< [table row, crack::KLayout] of forces between crack faces
   std::unique_ptr<contact::HeldContact> held_;
-  std::vector<estimate::Adjoint> last_;
+  std::vector<estimate::IntensityAdjoint> last_;
 };
 
 } // namespace spricka::analysis

@@ -118,7 +118,7 @@ double opening(const contact::ConstraintRow& row, int dim, const base::Matrix& z
 } // namespace
 
 std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
-                                        const std::vector<estimate::Adjoint>& adjoints,
+                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
                                         const contact::HeldContact* held) {
   std::vector<ContactFlips> flips(adjoints.size());
   std::vector<Candidate> candidates;

@@ -62,21 +62,22 @@ std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
 }
 
 // What singular corners add to the errors; what supports of single nodes do to K.
-estimate::PointGiving add_corners(const model::Model& model, const Scene& scene,
-                                  const StepState& state, const estimate::CornerRequest& request,
-                                  std::vector<estimate::GoalError>& errors) {
+estimate::PointSupportChange add_corners(const model::Model& model, const Scene& scene,
+                                         const StepState& state,
+                                         const estimate::CornerRequest& request,
+                                         std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> tips = tip_nodes(scene);
   const std::vector<bool> tied = tied_nodes({model, scene, state, request.enrichment.edges()});
-  const estimate::CornerSetting setting{.model = model,
-                                        .mesh = scene.cracked.mesh,
-                                        .edges = request.enrichment.edges(),
-                                        .cls = scene.cls,
-                                        .ties = *scene.ties,
-                                        .tips = tips,
-                                        .tied = &tied};
-  const std::vector<estimate::Corner> corners = estimate::singular_corners(setting);
-  estimate::raise_at_corners(request, corners, errors);
-  return estimate::point_giving(setting, corners, state.reaction, request.goal.z);
+  const estimate::CornerInput setting{.model = model,
+                                      .mesh = scene.cracked.mesh,
+                                      .edges = request.enrichment.edges(),
+                                      .cls = scene.cls,
+                                      .ties = *scene.ties,
+                                      .tips = tips,
+                                      .tied = &tied};
+  const std::vector<estimate::SingularCorner> corners = estimate::singular_corners(setting);
+  estimate::raise_corner_errors(request, corners, errors);
+  return estimate::point_support_change(setting, corners, state.reaction, request.goal.z);
 }
 
 results::KBar k_bar(const estimate::GoalError& error, double flip, const estimate::ErrorBar& bar) {
@@ -112,8 +113,8 @@ void add_partners(const CoarsePartner& partner, results::TipResult& tip) {
 }
 
 // Why an endlessly fine mesh has no K of tip t; empty: it has.
-std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving, std::size_t t,
-                         const results::TipResult& tip) {
+std::string why_no_limit(const Scene& scene, const estimate::PointSupportChange& giving,
+                         std::size_t t, const results::TipResult& tip) {
   for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
     const double bar = tip.bar[k].size();
     const double change = giving.change[scene.k_layout().at(t, static_cast<int>(k) + 1)];
@@ -129,7 +130,8 @@ std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving
 
 } // namespace
 
-ErrorBars::ErrorBars(const model::Model& model, const Scene& scene, estimate::ModeMemory* memory)
+ErrorBars::ErrorBars(const model::Model& model, const Scene& scene,
+                     estimate::ModeMatrixCache* memory)
     : model_(model), scene_(scene), memory_(memory) {}
 
 bool ErrorBars::is_bonded(std::size_t contact) const {
@@ -140,7 +142,7 @@ bool ErrorBars::is_bonded(std::size_t contact) const {
 void ErrorBars::prepare() {
   prepared_ = true;
   const model::Mesh& mesh = scene_.cracked.mesh;
-  why_not_ = estimate::not_enriched(model_, mesh);
+  why_not_ = estimate::enrichment_obstacle(model_, mesh);
   if (!why_not_.empty()) {
     return;
   }
@@ -160,14 +162,14 @@ void ErrorBars::prepare() {
                   [&](const estimate::ModeWeight& w) { return !alone[w.freedom]; });
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
-                      estimate::KeptModes{memory_, &scene_.cracked.host});
+                      estimate::ModeCacheAccess{memory_, &scene_.cracked.host});
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   case_load_.resize(model_.cases.size());
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const mesh::Front& front = scene_.cracked.fronts[t];
-    layout.columns(goals_, t) = enrichment_->functional(
+    layout.columns(goals_, t) = enrichment_->mode_functional(
         crack::intensity_points(model_, scene_.cracked, front, scene_.tips[t].fields,
                                 model_.cracks[front.crack.index()].state));
   }
@@ -194,8 +196,8 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
   for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
     if (state.mounted[c]) {
       const bool bonded = is_bonded(c);
-      estimate::add_closed(contact_edges_[c], scene_.pairs[c], state.pair_closed[c], bonded,
-                           closed);
+      estimate::add_closed_edges(contact_edges_[c], scene_.pairs[c], state.pair_closed[c], bonded,
+                                 closed);
     }
   }
   return estimate::mode_map(*enrichment_, supports_, closed);
@@ -204,8 +206,8 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
 // What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
 // of the adjoints.
 void ErrorBars::add_pressures(const StepState& state,
-                              const std::vector<estimate::Adjoint>& adjoints, base::Vector& f,
-                              base::Matrix& g) const {
+                              const std::vector<estimate::IntensityAdjoint>& adjoints,
+                              base::Vector& f, base::Matrix& g) const {
   for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
     for (const estimate::ModeWeight& m : mode_weights_[c]) {
       if (!state.mounted[c]) {
@@ -284,19 +286,19 @@ void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   }
 }
 
-void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+void ErrorBars::add(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
                     const contact::HeldContact* held, results::StepResult& step) {
   if (!prepared_) {
     prepare();
   }
   std::string why_not = why_not_;
-  for (const estimate::Adjoint& adjoint : adjoints) {
+  for (const estimate::IntensityAdjoint& adjoint : adjoints) {
     why_not = why_not.empty() ? adjoint.why_not : why_not;
   }
   const crack::KLayout layout = scene_.k_layout();
   std::vector<estimate::GoalError> errors; // by the layout
   std::vector<ContactFlips> flips;
-  estimate::PointGiving giving;
+  estimate::PointSupportChange giving;
   if (why_not.empty()) {
     base::Matrix z(state.u.size(), goals_.cols());
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
@@ -333,11 +335,11 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
           &errors[static_cast<std::size_t>(layout.at(t, 2))]};
       const std::array<double, 2> K{tip.K1, tip.K2};
       const ContactFlips& flip = flips[t];
-      const std::array<estimate::ErrorBar, 2> bars =
-          estimate::error_bars(scene_.cracked.mesh, K, own,
-                               {estimate::Flip{.end = flip.ends[0], .sharp = flip.sharp[0]},
-                                estimate::Flip{.end = flip.ends[1], .sharp = flip.sharp[1]}},
-                               coarse);
+      const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
+          scene_.cracked.mesh, K, own,
+          {estimate::ActiveSetChange{.end = flip.ends[0], .sharp = flip.sharp[0]},
+           estimate::ActiveSetChange{.end = flip.ends[1], .sharp = flip.sharp[1]}},
+          coarse);
       for (std::size_t k = 0; k < 2; ++k) {
         tip.bar[k] = k_bar(*own[k], flip.ends[static_cast<Eigen::Index>(k)], bars[k]);
       }

@@ -20,11 +20,12 @@ class ErrorBars {
 public:
   /// All must outlive it; nothing is computed before the first step that needs it. `memory`: what
   /// one length leaves for the next, or null.
-  ErrorBars(const model::Model& model, const Scene& scene, estimate::ModeMemory* memory = nullptr);
+  ErrorBars(const model::Model& model, const Scene& scene,
+            estimate::ModeMatrixCache* memory = nullptr);
 
   /// Gives the tips of a step, which was solved last, their bars, or says why they have none.
   /// `held`: the contact that the adjoints keep, null where there is none.
-  void add(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+  void add(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
            const contact::HeldContact* held, results::StepResult& step);
 
 private:
@@ -32,8 +33,9 @@ private:
   [[nodiscard]] bool is_bonded(std::size_t contact) const;
   [[nodiscard]] base::Vector load(const base::Vector& case_factor);
   [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
-  void add_pressures(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
-                     base::Vector& f, base::Matrix& g) const;
+  void add_pressures(const StepState& state,
+                     const std::vector<estimate::IntensityAdjoint>& adjoints, base::Vector& f,
+                     base::Matrix& g) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Front& front) const;
   void tell(const results::TipResult& tip, results::StepResult& step);
   void tell_once(results::Note note, results::StepResult& step);
@@ -41,10 +43,10 @@ private:
 
   const model::Model& model_;
   const Scene& scene_;
-  estimate::ModeMemory* memory_;
+  estimate::ModeMatrixCache* memory_;
   bool prepared_ = false;
   std::string why_not_; ///< of the whole mesh
-  std::optional<estimate::Enrichment> enrichment_;
+  std::optional<estimate::CubicEnrichment> enrichment_;
   estimate::ModeSupports supports_;
   std::vector<std::vector<estimate::ContactEdge>> contact_edges_; ///< [contact]
   std::vector<std::vector<estimate::ModeWeight>> mode_weights_;   ///< [contact]

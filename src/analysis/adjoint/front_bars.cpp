@@ -42,13 +42,13 @@ bool settled(const Scene& scene, const base::Vector& more, const base::Vector& a
 }
 
 crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
-                            const estimate::SpaceEnrichment& enrichment) {
+                            const estimate::SolidEnrichment& enrichment) {
   crack::OtherFunctions others;
   others.count = enrichment.freedoms() / 3;
-  others.of_element = [&](base::ElementId e) { return enrichment.of_element(e); };
+  others.of_element = [&](base::ElementId e) { return enrichment.element_modes(e); };
   others.signs = [&](base::ElementId e) { return enrichment.signs(e); };
   others.slopes = [](base::ElementType type, const base::Vec3& r) {
-    return estimate::SpaceModes::of(type).dpsi(r);
+    return estimate::SolidModes::for_type(type).dpsi(r);
   };
   const crack::KLayout layout = scene.k_layout();
   std::vector<Eigen::Triplet<double>> entries;
@@ -59,7 +59,7 @@ crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first(first) + c,
-                             it.value() * enrichment.free()[it.row()]);
+                             it.value() * enrichment.free_mask()[it.row()]);
       }
     }
     first += at.front.points.size();
@@ -94,7 +94,7 @@ FrontBars::FrontBars(const model::Model& model, const Scene& scene)
 
 void FrontBars::prepare() {
   prepared_ = true;
-  why_not_ = estimate::not_enriched_in_space(model_, scene_.cracked.mesh);
+  why_not_ = estimate::solid_enrichment_obstacle(model_, scene_.cracked.mesh);
   for (const contact::PairRows& pair : scene_.pairs) {
     if (!pair.segments && !pair.normal.empty()) {
       why_not_ = "a contact is one of single nodes (PAIRING=NODE)";
@@ -123,7 +123,7 @@ base::Vector FrontBars::load(const StepState& state) {
       continue;
     }
     if (!case_load_[c]) {
-      case_load_[c] = enrichment_->load(model_.cases[c], *scene_.case_heat[c]);
+      case_load_[c] = enrichment_->distributed_load(model_.cases[c], *scene_.case_heat[c]);
     }
     f += factor * *case_load_[c];
   }
@@ -138,7 +138,7 @@ base::Vector FrontBars::load(const StepState& state) {
 }
 
 std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const FrontFunctionals& K) {
-  const base::Vector r = load(step.state) - enrichment_->on_modes(&step.state.u, nullptr);
+  const base::Vector r = load(step.state) - enrichment_->forces_on_modes(&step.state.u, nullptr);
   for (const Known& one : known_) {
     const double factor = r.dot(one.residual) / one.residual.squaredNorm();
     if (one.mounted == step.state.mounted && one.closed == step.contact.closed &&
@@ -160,7 +160,7 @@ std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const Fro
 // back-substitution.
 std::optional<base::Vector> FrontBars::solve(const FrozenStep& step, const FrontFunctionals& K,
                                              base::Vector r) const {
-  const estimate::SpaceEnrichment& modes = *enrichment_;
+  const estimate::SolidEnrichment& modes = *enrichment_;
   base::Vector eta = base::Vector::Zero(K.rows.cols());
   base::Vector s = modes.precondition(r);
   base::Vector p = s;
@@ -168,13 +168,13 @@ std::optional<base::Vector> FrontBars::solve(const FrozenStep& step, const Front
   for (int i = 0; i < most_steps && rs > 0.0; ++i) {
     base::Vector on_nodes;
     base::Vector Sp;
-    modes.product(p, on_nodes, Sp);
+    modes.stiffness_product(p, on_nodes, Sp);
     const FrozenChange change = step.system.change(-on_nodes, {});
     if (!change.why_not.empty()) {
       return std::nullopt;
     }
     const base::Vector v = change.u.col(0);
-    Sp += modes.on_modes(&v, nullptr);
+    Sp += modes.forces_on_modes(&v, nullptr);
     const double alpha = rs / p.dot(Sp);
     const base::Vector more = alpha * (goals_.transpose() * p + K.rows.transpose() * v +
                                        K.of_force * change.force.col(0));

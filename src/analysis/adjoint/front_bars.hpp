@@ -36,7 +36,7 @@ private:
   const Scene& scene_;
   bool prepared_ = false;
   std::string why_not_; ///< of the whole mesh
-  std::optional<estimate::SpaceEnrichment> enrichment_;
+  std::optional<estimate::SolidEnrichment> enrichment_;
   crack::SparseRows goals_;                            ///< [freedoms of modes, K]
   std::vector<std::optional<base::Vector>> case_load_; ///< [case] on the modes
   /// Steps with bars: where the same rows are closed in another and its residual is a multiple of

@@ -104,7 +104,7 @@ Partners partners_of(const PartnerSetting& set, const model::TransitionTie& tran
   for (const base::NodeId n : mesh.set_with_id(transition.slave).nodes) {
     slave[n.index()] = true;
   }
-  for (const estimate::Edge& edge : set.edges.edges) {
+  for (const estimate::QuadraticEdge& edge : set.edges.edges) {
     // Edges of the rim between nodes of the slave set, which has no faces.
     if (edge.elements == 1 && slave[edge.nodes[0].index()] && slave[edge.nodes[1].index()]) {
       const auto at = [&](std::size_t i) -> Vec3 { return mesh.x[edge.nodes[i].index()]; };

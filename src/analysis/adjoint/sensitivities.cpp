@@ -32,7 +32,7 @@ std::size_t tip_material(const model::Model& model, const Scene& scene, std::siz
 
 // dK1 and dK2 by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
 std::array<double, 2> slope(const Scene& scene, const KCause& cause,
-                            const estimate::Adjoint& adjoint, std::size_t t) {
+                            const estimate::IntensityAdjoint& adjoint, std::size_t t) {
   const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
   base::Vec2 dK = cause.direct.col(static_cast<Eigen::Index>(t));
   if (cause.load.size() > 0) {
@@ -99,7 +99,7 @@ KCause Sensitivities::cause(results::Cause kind, std::string name, double value)
 }
 
 void Sensitivities::add_loads(const StepSolver& solver,
-                              const std::vector<estimate::Adjoint>& adjoints,
+                              const std::vector<estimate::IntensityAdjoint>& adjoints,
                               std::vector<KCause>& causes) const {
   const int dim = scene_.cracked.mesh.dim;
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
@@ -146,7 +146,7 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
 }
 
 void Sensitivities::add_moduli(const StepState& state,
-                               const std::vector<estimate::Adjoint>& adjoints,
+                               const std::vector<estimate::IntensityAdjoint>& adjoints,
                                std::vector<KCause>& causes) const {
   // [dim * node, material] thermal loads less internal forces, f^T - K_m u (sensitivity.8).
   base::Matrix loads = -state.internal;
@@ -258,7 +258,7 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
   const Rates all = all_rates(solver, causes);
   struct Side {
     std::unique_ptr<contact::HeldContact> held;
-    std::vector<estimate::Adjoint> adjoint;
+    std::vector<estimate::IntensityAdjoint> adjoint;
   };
   std::map<std::vector<bool>, Side> sides;
   for (std::size_t i = 0; i < causes.size(); ++i) {
@@ -275,7 +275,7 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
         side.held = hold(solver, *closed);
         side.adjoint = adjoints.of_set(solver, *closed, side.held.get());
       }
-      if (!side.adjoint.front().ok()) {
+      if (!side.adjoint.front().is_available()) {
         continue;
       }
       range[up ? 1 : 0] += contact.reach(*side.held, all)[i][up ? 1 : 0];
@@ -296,11 +296,11 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
 
 void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoints& adjoints,
                         results::StepResult& result) {
-  const std::vector<estimate::Adjoint>& adjoint = adjoints.of_last_step(solver);
+  const std::vector<estimate::IntensityAdjoint>& adjoint = adjoints.of_last_step(solver);
   if (adjoint.empty()) {
     return;
   }
-  if (!adjoint.front().ok()) {
+  if (!adjoint.front().is_available()) {
     for (results::TipResult& tip : result.tips) {
       tip.sensitivities.notes.push_back(adjoint.front().why_not);
     }

@@ -31,10 +31,10 @@ public:
 
 private:
   void prepare();
-  void add_loads(const StepSolver& solver, const std::vector<estimate::Adjoint>& adjoints,
+  void add_loads(const StepSolver& solver, const std::vector<estimate::IntensityAdjoint>& adjoints,
                  std::vector<KCause>& causes) const;
   void add_fits(const StepSolver& solver, std::vector<KCause>& causes) const;
-  void add_moduli(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+  void add_moduli(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
                   std::vector<KCause>& causes) const;
   void add_lengths(const StepState& state, const std::vector<bool>& closed,
                    results::StepResult& result, std::vector<KCause>& causes) const;

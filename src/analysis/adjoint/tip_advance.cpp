@@ -73,7 +73,8 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
   find_hindrances(moves);
   for (auto* side : {&ahead_, &behind_}) {
     *side = std::make_unique<Scene>();
-    (*side)->cracked = estimate::moved(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
+    (*side)->cracked =
+        estimate::move_tip_mesh(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
     (*side)->tips = scene.tips;
   }
   move_loads(moves);

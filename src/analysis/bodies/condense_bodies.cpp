@@ -34,7 +34,7 @@ struct Task {
   std::vector<fe::Superelement> supers;
   HashKey key;
   bool layered = false; ///< its externals may stay a factor
-  std::shared_ptr<const solve::EarlyRows> early;
+  std::shared_ptr<const solve::FirstBlockFactor> early;
   double stiffness_wall = 0.0; ///< [s]
 };
 
@@ -178,7 +178,7 @@ std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::in
 }
 
 bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
-  return !map.ties && solve::stacking_pays(blocks, map.size(), map.externals());
+  return !map.ties && solve::two_level_pays(blocks, map.size(), map.externals());
 }
 
 bool may_stay_factor(const BodyNet& body) {

@@ -60,7 +60,8 @@ using HashKey = std::pair<std::uint64_t, std::uint64_t>;
 struct CondensationCache {
   std::map<HashKey, std::shared_ptr<solve::Condensation>> nets;
   std::map<HashKey, std::shared_ptr<const contact::CondensedBody>> bodies;
-  std::map<HashKey, std::shared_ptr<const solve::EarlyRows>> early; ///< by the part they are of
+  std::map<HashKey, std::shared_ptr<const solve::FirstBlockFactor>>
+      early; ///< by the part they are of
 };
 
 /// Figures for the listing.

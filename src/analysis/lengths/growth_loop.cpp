@@ -55,7 +55,7 @@ public:
     growth::Law law;
     // Of a spectrum the rate itself is interpolated between stations: no law is asked there.
     if (!measure_.spectrum()) {
-      law = [this](double K_max, double K_min) { return measure_.law().rate(K_max, K_min); };
+      law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
     growth::March march = from_state([&] {

@@ -22,36 +22,36 @@ constexpr double much_K2 = 0.25;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
 
-life::Law kind_of(model::CrackGrowthLaw law) {
+life::RateEquation kind_of(model::CrackGrowthLaw law) {
   switch (law) {
   case model::CrackGrowthLaw::walker:
-    return life::Law::walker;
+    return life::RateEquation::walker;
   case model::CrackGrowthLaw::forman:
-    return life::Law::forman;
+    return life::RateEquation::forman;
   case model::CrackGrowthLaw::nasgro:
-    return life::Law::nasgro;
+    return life::RateEquation::nasgro;
   case model::CrackGrowthLaw::table:
-    return life::Law::table;
+    return life::RateEquation::table;
   case model::CrackGrowthLaw::increment:
   case model::CrackGrowthLaw::paris:
     break;
   }
-  return life::Law::paris;
+  return life::RateEquation::paris;
 }
 
-std::optional<life::Spectrum> spectrum_of(const model::Model& model) {
+std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
   if (!model.growth->spectrum) {
     return std::nullopt;
   }
   const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
   if (card.sequence) {
-    return life::Spectrum::of_sequence(card.turning_points);
+    return life::CountedSpectrum::from_sequence(card.turning_points);
   }
   std::vector<life::LoadCycle> cycles;
   for (const auto& [low, high, count] : card.cycles) {
     cycles.push_back({.low = low, .high = high, .count = count});
   }
-  return life::Spectrum::of_cycles(std::move(cycles));
+  return life::CountedSpectrum::from_cycles(std::move(cycles));
 }
 
 // first * K1 + second * K2 on the path.
@@ -79,7 +79,7 @@ double place_of_largest(const base::PiecewiseLinear& K1, double low, double high
   return best;
 }
 
-life::GrowthLaw law_of(const model::CrackGrowthSettings& growth) {
+life::GrowthRateLaw law_of(const model::CrackGrowthSettings& growth) {
   const model::GrowthLawConstants& c = growth.constants;
   return {kind_of(growth.law),
           {.C = c.C,
@@ -278,7 +278,7 @@ bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bo
   const base::Vec2 part = turn(K, straight, found);
   found.K_max = std::max(0.0, part.dot(K));
   found.K_min = at_smallest(at, *low, part);
-  found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
+  found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
   look_at(name, K, low->K1 > high->K1 && low->K1 > 0.0);
   return true;
 }
@@ -340,7 +340,7 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);
-  found.rate = spectrum_->growth(law_, K);
+  found.rate = spectrum_->growth_per_pass(law_, K);
   counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
   if (std::isnan(found.rate)) {
     return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number at a = {:.6g}",

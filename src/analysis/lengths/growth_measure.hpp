@@ -22,7 +22,7 @@
 namespace spricka::analysis {
 
 /// The law of $GROW; K and lengths in deck units.
-life::GrowthLaw law_of(const model::CrackGrowthSettings& growth);
+life::GrowthRateLaw law_of(const model::CrackGrowthSettings& growth);
 
 /// A solved state of the cracks.
 struct SolvedLength {
@@ -66,8 +66,8 @@ public:
   [[nodiscard]] std::set<results::Warning> warnings() const;
   /// Keeps what was said of the mesh of a station, the first time of each code.
   void warn_of_mesh(const std::string& code, const std::string& text, std::size_t station);
-  [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
-  [[nodiscard]] const std::optional<life::Spectrum>& spectrum() const { return spectrum_; }
+  [[nodiscard]] const life::GrowthRateLaw& law() const { return law_; }
+  [[nodiscard]] const std::optional<life::CountedSpectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
 
   /// What it remembers of earlier states, as arrays for a restart file, and back from there.
@@ -147,8 +147,8 @@ private:
                const mesh::CrackLine& line, growth::TipStation& found) const;
 
   const model::Model& model_;
-  life::GrowthLaw law_;
-  std::optional<life::Spectrum> spectrum_;
+  life::GrowthRateLaw law_;
+  std::optional<life::CountedSpectrum> spectrum_;
   growth::Surroundings around_;
   base::Trouble trouble_;
   bool upside_down_ = false;

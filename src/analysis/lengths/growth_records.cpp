@@ -29,7 +29,7 @@ results::LifePoint point_at(const growth::Trajectory& between, double s, double 
 
 // Cycles of a pass that have at least a range, for the ranges there are: of more than a curve can
 // show one for each part of the logarithm of their number.
-std::vector<std::array<double, 2>> ranges_of(const life::Spectrum& spectrum) {
+std::vector<std::array<double, 2>> ranges_of(const life::CountedSpectrum& spectrum) {
   constexpr double parts = 200.0; // of the logarithm to base 10
   std::map<double, double, std::greater<>> by_range;
   for (const life::LoadCycle& cycle : spectrum.cycles()) {

@@ -147,7 +147,7 @@ void look_at_beginning(const results::Growth& growth, std::vector<std::string>& 
 
 // Beyond its rows a table goes straight on, which nobody has measured. Of a spectrum only the
 // largest cycles are known here, and its small ones may well lie below all rows.
-void look_at_table(const results::Growth& growth, const life::GrowthLaw& law,
+void look_at_table(const results::Growth& growth, const life::GrowthRateLaw& law,
                    std::vector<std::string>& warnings) {
   const std::optional<std::array<double, 2>> rows = law.table_ends();
   if (!rows) {
@@ -156,7 +156,7 @@ void look_at_table(const results::Growth& growth, const life::GrowthLaw& law,
   const results::GrowingTip* lowest = nullptr;
   const results::GrowingTip* highest = nullptr;
   const auto range = [](const results::GrowingTip* tip) {
-    return life::growing_range(tip->K_max, tip->K_min);
+    return life::tensile_K_range(tip->K_max, tip->K_min);
   };
   for (const results::GrowthStation& station : growth.stations) {
     for (const results::GrowingTip& tip : station.tips) {
@@ -173,10 +173,10 @@ void look_at_table(const results::Growth& growth, const life::GrowthLaw& law,
         "rate there is the table's straight line gone on, not measured",
         tip.name, tip.a, range(&tip) / row, which));
   };
-  if (highest != nullptr && !law.covers(range(highest)) && range(highest) > (*rows)[1]) {
+  if (highest != nullptr && !law.table_covers(range(highest)) && range(highest) > (*rows)[1]) {
     warn(*highest, (*rows)[1], "last");
   }
-  if (lowest != nullptr && growth.unit != "pass" && !law.covers(range(lowest)) &&
+  if (lowest != nullptr && growth.unit != "pass" && !law.table_covers(range(lowest)) &&
       range(lowest) < (*rows)[0]) {
     warn(*lowest, (*rows)[0], "first");
   }
@@ -184,7 +184,8 @@ void look_at_table(const results::Growth& growth, const life::GrowthLaw& law,
 
 } // namespace
 
-std::vector<std::string> doubts_of_life(const results::Growth& growth, const life::GrowthLaw& law) {
+std::vector<std::string> doubts_of_life(const results::Growth& growth,
+                                        const life::GrowthRateLaw& law) {
   std::vector<std::string> warnings;
   const bool nothing = growth.cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;

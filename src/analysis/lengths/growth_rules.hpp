@@ -28,6 +28,7 @@ std::unique_ptr<growth::Ways> first_ways(const model::Model& model, base::Diagno
 
 /// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
 /// the rows of a table.
-std::vector<std::string> doubts_of_life(const results::Growth& growth, const life::GrowthLaw& law);
+std::vector<std::string> doubts_of_life(const results::Growth& growth,
+                                        const life::GrowthRateLaw& law);
 
 } // namespace spricka::analysis

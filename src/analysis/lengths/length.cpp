@@ -91,7 +91,7 @@ results::StepResult Length::recover(const model::Step& step, const StepState& st
   return gather_step(parts_.model, scene_, bodies_, step, state);
 }
 
-const std::vector<estimate::Adjoint>& Length::solve_adjoints(const StepSolver& solver) {
+const std::vector<estimate::IntensityAdjoint>& Length::solve_adjoints(const StepSolver& solver) {
   processors_->of_K = &processors_->adjoints.of_last_step(solver);
   return *processors_->of_K;
 }

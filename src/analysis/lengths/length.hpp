@@ -21,12 +21,12 @@ namespace spricka::analysis {
 /// What a crack length is made of, and what one leaves for the next; all must outlive it.
 struct LengthParts {
   const model::Model& model;
-  CondensationCache& cache;                 ///< nets that did not change
-  int threads = 1;                          ///< of the condensation
-  MountMemory* mounted = nullptr;           ///< at the first length; null: each length mounts anew
-  ContactMemory* contact = nullptr;         ///< compliances that lengths share
-  estimate::ModeMemory* modes = nullptr;    ///< of the error bars
-  const model::Model* with_paths = nullptr; ///< whose load paths are followed; null: the model's
+  CondensationCache& cache;         ///< nets that did not change
+  int threads = 1;                  ///< of the condensation
+  MountMemory* mounted = nullptr;   ///< at the first length; null: each length mounts anew
+  ContactMemory* contact = nullptr; ///< compliances that lengths share
+  estimate::ModeMatrixCache* modes = nullptr; ///< of the error bars
+  const model::Model* with_paths = nullptr;   ///< whose load paths are followed; null: the model's
   Condensing condensing = Condensing::automatic;
 };
 
@@ -73,7 +73,7 @@ public:
   [[nodiscard]] LoadPaths& paths() { return processors_->paths; }
 
   /// ADJOINT: of K at the end of the step that `solver` solved last [tip].
-  const std::vector<estimate::Adjoint>& solve_adjoints(const StepSolver& solver);
+  const std::vector<estimate::IntensityAdjoint>& solve_adjoints(const StepSolver& solver);
   /// ESTIMATE: bars of K, from those adjoints.
   void add_bars(const StepState& state, results::StepResult& result);
   /// SENSITIVITY of K to loads, fits, moduli and lengths.
@@ -98,7 +98,7 @@ private:
     ErrorBars bars;
     Sensitivities sensitivities;
     FrontAnalysis fronts;
-    const std::vector<estimate::Adjoint>* of_K = nullptr; ///< [tip] of the last step
+    const std::vector<estimate::IntensityAdjoint>* of_K = nullptr; ///< [tip] of the last step
   };
 
   LengthParts parts_;

@@ -110,7 +110,7 @@ private:
   std::optional<FollowedLoads> followed_;
   std::optional<FreeFaces> free_;
   ContactMemory contact_;
-  estimate::ModeMemory modes_;
+  estimate::ModeMatrixCache modes_;
   std::vector<mesh::Front> tips_;
   std::vector<double> plastic_;
   bool first_ = true;

@@ -55,7 +55,7 @@ void GrowthMeasure::of_pass(const FollowedPass& pass, const KOfLaw& K,
     // Counted on K itself: with friction it is no function of the load.
     for (const life::LoadCycle& cycle : life::rainflow(along, true)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
-        found.rate += times * cycle.count * law_.rate(cycle.high, cycle.low);
+        found.rate += times * cycle.count * law_.growth_rate(cycle.high, cycle.low);
       }
     }
   };
@@ -76,7 +76,7 @@ void GrowthMeasure::of_loads(const FollowedLoads& loads, const KOfLaw& K,
   } else {
     found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
     found.K_min = K(loads.last.marks[loads.smallest]);
-    found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
+    found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
     first.K_max = std::max(0.0, K(loads.first.marks[loads.grow_at]));
     first.K_min = K(loads.first.marks[loads.smallest]);
   }

@@ -253,7 +253,7 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   if (nearest.closed && continues_below_closing(model_)) {
     warn_of_closing(tip.name, low.fronts[there.front].a);
   }
-  found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
+  found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
   note_order(tip.name, found.K_min > K[0] && found.K_min > 0.0);
   return true;
 }
@@ -310,7 +310,7 @@ bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string&
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);
-  found.rate = spectrum_->growth(law_, K);
+  found.rate = spectrum_->growth_per_pass(law_, K);
   counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
   if (std::isnan(found.rate)) {
     return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number on crack {}",

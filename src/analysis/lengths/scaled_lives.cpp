@@ -62,7 +62,7 @@ std::optional<std::vector<growth::Station>> on_line(const std::vector<results::L
       }
       const double K0 = through_zero ? 0.0 : (*K1)(0.0);
       const base::PiecewiseLinear line({0.0, top}, {K0}, {((*K1)(top)-K0) / top});
-      tip.rate = tip.lever * measure.spectrum()->growth(measure.law(), line);
+      tip.rate = tip.lever * measure.spectrum()->growth_per_pass(measure.law(), line);
     }
     if (!(stations[i].rate() > 0.0)) {
       return std::nullopt;
@@ -123,7 +123,7 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
         }
       }
       const growth::Law law = [&](double K_max, double K_min) {
-        return measure.law().rate(K_max, K_min);
+        return measure.law().growth_rate(K_max, K_min);
       };
       add(life("scaled", march, growth::Trajectory(stations, law, 4)));
     }

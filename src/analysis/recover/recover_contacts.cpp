@@ -50,7 +50,7 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
       const auto row = static_cast<Eigen::Index>(p.nodes[i].row);
       const double area = pair.normal[static_cast<std::size_t>(row)].area;
       const double limit = friction.mu * state.pair_lambda[c][row];
-      point.state = friction.touch[static_cast<std::size_t>(row)] == solve::Touch::stick
+      point.state = friction.touch[static_cast<std::size_t>(row)] == solve::SlipState::stick
                         ? results::ContactState::stick
                         : results::ContactState::slip;
       point.slip = (result.space ? 1.0 : -1.0) * friction.slip[row] / area; // in space a size

@@ -103,7 +103,7 @@ std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const Ste
       place.friction.slip[first + r] = pair.slip[r];
       place.friction.path[first + r] = pair.path[r];
       place.friction.pressure[first + r] = pair.pressure[r];
-      place.friction.touch[first + r] = static_cast<solve::Touch>(pair.touch[r]);
+      place.friction.touch[first + r] = static_cast<solve::SlipState>(pair.touch[r]);
     }
   }
   // Where the modes are others the anchor of loose ones (solve.24) stays that of this length.
@@ -164,7 +164,7 @@ CarriedState CarriedState::load(const results::NamedArrays& arrays) {
     pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
     const std::size_t rows = pair.offset.size();
     const bool known = std::ranges::all_of(pair.touch, [](std::int64_t touch) {
-      return touch >= 0 && touch <= static_cast<std::int64_t>(solve::Touch::backward);
+      return touch >= 0 && touch <= static_cast<std::int64_t>(solve::SlipState::backward);
     });
     if (pair.slip.size() != rows || pair.path.size() != rows || pair.touch.size() != rows ||
         !known) {

@@ -49,7 +49,8 @@ contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<Bo
     }
     // What the kept rows were made of: another factor makes them worthless.
     const std::shared_ptr<const void> of =
-        factor != nullptr ? std::shared_ptr<const void>(factor->L.early()) : bodies[b].condensed;
+        factor != nullptr ? std::shared_ptr<const void>(factor->L.first_block())
+                          : bodies[b].condensed;
     std::unique_ptr<Kept>& kept = bodies_[b];
     if (!kept || kept->of != of) {
       kept = std::make_unique<Kept>(Kept{of, {}});

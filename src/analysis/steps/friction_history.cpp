@@ -9,7 +9,7 @@ namespace spricka::analysis {
 FrictionHistory::FrictionHistory(const Scene& scene)
     : scene_(scene), normal_of_(scene.table.size(), -1), contact_of_(scene.table.size(), 0) {
   const std::size_t rows = scene.table.size();
-  memory_ = {.touch = std::vector<solve::Touch>(rows, solve::Touch::stick),
+  memory_ = {.touch = std::vector<solve::SlipState>(rows, solve::SlipState::stick),
              .slip = std::vector<double>(rows, 0.0),
              .path = std::vector<double>(rows, 0.0),
              .pressure = std::vector<double>(rows, 0.0),
@@ -65,7 +65,8 @@ void FrictionHistory::take(const contact::ContactSystem::Problem& problem,
   }
   for (const solve::FrictionRow& f : problem.friction) {
     const std::size_t row = problem.rows[static_cast<std::size_t>(f.tangent)];
-    if (memory_.touch[row] == solve::Touch::open || memory_.touch[row] == solve::Touch::stick) {
+    if (memory_.touch[row] == solve::SlipState::open ||
+        memory_.touch[row] == solve::SlipState::stick) {
       continue;
     }
     // Weighted: the area of the row is in it.
@@ -122,7 +123,7 @@ void FrictionHistory::begin(std::size_t contact) {
     memory_.path[r] = 0.0;
     memory_.pressure[r] = 0.0;
   }
-  std::fill(memory_.touch.begin(), memory_.touch.end(), solve::Touch::stick);
+  std::fill(memory_.touch.begin(), memory_.touch.end(), solve::SlipState::stick);
 }
 
 } // namespace spricka::analysis

@@ -12,20 +12,20 @@ namespace spricka::analysis {
 /// the contact side against the target: with their sign, in space their size, and all ways added
 /// up.
 struct PairFriction {
-  std::vector<solve::Touch> touch; ///< [normal row]
-  base::Vector slip;               ///< [normal row] while in contact, since the pair was mounted
-  base::Vector path;               ///< [normal row]
-  double work = 0.0;               ///< taken by friction [force * length]
+  std::vector<solve::SlipState> touch; ///< [normal row]
+  base::Vector slip; ///< [normal row] while in contact, since the pair was mounted
+  base::Vector path; ///< [normal row]
+  double work = 0.0; ///< taken by friction [force * length]
   double mu = 0.0;
 };
 
 /// What an increment leaves for the next one.
 struct FrictionMemory {
-  std::vector<solve::Touch> touch; ///< [table row]
-  std::vector<double> slip, path;  ///< [table row]
-  std::vector<double> pressure;    ///< [table row] of normal rows at the end of the last increment
-  std::vector<double> work;        ///< [contact]
-  base::Vector alpha;              ///< rigid motions at the end of the last increment
+  std::vector<solve::SlipState> touch; ///< [table row]
+  std::vector<double> slip, path;      ///< [table row]
+  std::vector<double> pressure; ///< [table row] of normal rows at the end of the last increment
+  std::vector<double> work;     ///< [contact]
+  base::Vector alpha;           ///< rigid motions at the end of the last increment
 };
 
 class FrictionHistory {

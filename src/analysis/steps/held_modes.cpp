@@ -242,12 +242,12 @@ std::vector<base::OperationFailure> unheld_loads(const model::Model& model, cons
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.
       const base::Matrix none;
-      const solve::HeldProblem plain{.W = none,
-                                     .B = B * split.controllable,
-                                     .b = base::Vector::Zero(B.rows()),
-                                     .h = split.controllable.transpose() * h,
-                                     .equality = equality,
-                                     .d = {}};
+      const solve::ControllableProblem plain{.W = none,
+                                             .B = B * split.controllable,
+                                             .b = base::Vector::Zero(B.rows()),
+                                             .h = split.controllable.transpose() * h,
+                                             .equality = equality,
+                                             .d = {}};
       const solve::LoadBalance balance =
           solve::balance_loads(solve::cone_problem(plain.B, plain.h, equality, friction));
       motion = solve::opening_motion(split, balance, solve::rest_load * std::max(scale, h.norm()));

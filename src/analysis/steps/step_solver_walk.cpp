@@ -329,8 +329,8 @@ void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
     certain_ = system_->unique(walk.problem).certain;
   }
   if (!certain_ && walk.problem.rows.size() <= most_rows_tested &&
-      solve::one_of_several({system_->condensed(walk.problem), walk.problem.friction, {}},
-                            {walk.solution.contact, walk.solution.touch, false})) {
+      solve::has_other_solutions({system_->condensed(walk.problem), walk.problem.friction, {}},
+                                 {walk.solution.contact, walk.solution.touch, false})) {
     state.notes.push_back(results::odd(
         "with this much friction the end of the step is one of several solutions: shear, pressures "
         "and K are those of one of them"));

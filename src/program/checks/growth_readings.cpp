@@ -24,16 +24,16 @@ namespace {
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 // The test's own rates, or the law of $GROW.
-life::GrowthLaw reference_of(const model::Model& model, const model::GrowthTestReadings& test) {
+life::GrowthRateLaw reference_of(const model::Model& model, const model::GrowthTestReadings& test) {
   if (test.delta_k.empty()) {
     return analysis::law_of(*model.growth);
   }
-  life::LawConstants constants;
+  life::RateConstants constants;
   constants.delta_k = test.delta_k;
   constants.growth = test.growth;
   constants.k_unit = test.k_unit;
   constants.a_unit = test.a_unit;
-  return {life::Law::table, constants};
+  return {life::RateEquation::table, constants};
 }
 
 /// K that was computed at a length.
@@ -136,13 +136,13 @@ public:
   /// The other half axis at a length.
   [[nodiscard]] double other(double a) const { return at(a) ? value(other_, a) : k_nan; }
   /// The life by these K; empty where some of them do not grow, or have no end.
-  [[nodiscard]] std::optional<life::LifeCurve> curve(const life::GrowthLaw& law) const {
+  [[nodiscard]] std::optional<life::LifeCurve> curve(const life::GrowthRateLaw& law) const {
     std::vector<double> lengths, rates;
     for (std::size_t i = 0; i < log_a_.size(); ++i) {
       const double K = std::exp(log_K_[i]);
       lengths.push_back(std::exp(log_a_[i]));
       // The law takes K at the largest and the smallest load.
-      rates.push_back(law.rate(K, R_[i] * K));
+      rates.push_back(law.growth_rate(K, R_[i] * K));
     }
     const bool grows =
         std::ranges::all_of(rates, [](double rate) { return rate > 0.0 && std::isfinite(rate); });
@@ -162,7 +162,7 @@ private:
   }
   [[nodiscard]] double value(const std::vector<double>& values, double a) const {
     // Over log a: K goes much like a power of the length.
-    return log_a_.size() == 1 ? values.front() : life::Spline(log_a_, values)(std::log(a));
+    return log_a_.size() == 1 ? values.front() : life::CubicSpline(log_a_, values)(std::log(a));
   }
 
   std::string tip_;
@@ -170,18 +170,18 @@ private:
   std::optional<double> constant_;
 };
 
-life::RateMethod method_of(model::TestRateMethod method) {
+life::GrowthRateMethod method_of(model::TestRateMethod method) {
   switch (method) {
   case model::TestRateMethod::secant:
-    return life::RateMethod::secant;
+    return life::GrowthRateMethod::secant;
   case model::TestRateMethod::e647:
-    return life::RateMethod::e647;
+    return life::GrowthRateMethod::e647;
   case model::TestRateMethod::spline:
-    return life::RateMethod::spline;
+    return life::GrowthRateMethod::spline;
   case model::TestRateMethod::polynomial:
     break;
   }
-  return life::RateMethod::polynomial;
+  return life::GrowthRateMethod::polynomial;
 }
 
 std::string word_of(const model::GrowthTestReadings& test) {
@@ -206,7 +206,7 @@ std::string reference_words(const model::Model& model, const model::GrowthTestRe
 }
 
 // Cycles over the lengths that test and computation share.
-void compare_lives(const ComputedK& computed, const life::GrowthLaw& law,
+void compare_lives(const ComputedK& computed, const life::GrowthRateLaw& law,
                    results::GrowthTest& test) {
   std::vector<const results::TestPoint*> shared;
   for (const results::TestPoint& p : test.points) {
@@ -227,7 +227,7 @@ void compare_lives(const ComputedK& computed, const life::GrowthLaw& law,
   const double to = within(shared.back()->a);
   test.cycles = shared.back()->cycles - shared.front()->cycles;
   test.computed_cycles = curve->cycles(from, to);
-  test.cycles_error = curve->error(from, to);
+  test.cycles_error = curve->cycles_error(from, to);
 }
 
 // What is missing in the points, counted.
@@ -289,7 +289,7 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
   test.reference = reference_words(model, card);
   test.readings = card.readings;
   test.computed = computed.points();
-  std::vector<life::Reading> readings;
+  std::vector<life::CrackReading> readings;
   for (const auto& [cycles, a] : card.readings) {
     readings.push_back({cycles, a});
   }
@@ -297,9 +297,9 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
       life::measured_rates(readings, method_of(card.method), card.window);
   test.scatter = rates.scatter;
   test.freedoms = rates.freedoms;
-  const life::GrowthLaw reference = reference_of(model, card);
+  const life::GrowthRateLaw reference = reference_of(model, card);
   for (const life::MeasuredK& k :
-       life::measured_K(rates, reference, [&](double a) { return computed.R(a); })) {
+       life::infer_K_from_growth(rates, reference, [&](double a) { return computed.R(a); })) {
     test.points.push_back({.cycles = k.cycles,
                            .a = k.a,
                            .rate = k.rate,

@@ -111,7 +111,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
                   archive::Checkpoint* checkpoint, base::Diagnostics& diagnostics) {
   analysis::SolveOptions solve;
   solve.checkpoint = checkpoint;
-  solve.threads = solve::reserve_kernels(thread_count(options, *deck.model));
+  solve.threads = solve::reserve_blas_workspace(thread_count(options, *deck.model));
   solve.recorder = options.recorder.get();
   Solved out;
   bool first = true;

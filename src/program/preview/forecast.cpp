@@ -194,7 +194,7 @@ void Forecast::add(const analysis::CondenseRequest& request,
   // Error bars of K: element matrices of the modes, adjoints and what they are made of.
   const auto tips = static_cast<double>(scene.cracked.fronts.size());
   const bool barred =
-      tips > 0.0 && estimate::not_enriched(request.model, scene.cracked.mesh).empty();
+      tips > 0.0 && estimate::enrichment_obstacle(request.model, scene.cracked.mesh).empty();
   const double modes = barred ? estimate::enrichment_bytes(scene.cracked.mesh) : 0.0;
   const double estimating = barred ? modes + 8.0 * tips * n : 0.0;
   const double solving = contact_bytes + 12.0 * n + estimating;

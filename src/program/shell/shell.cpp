@@ -76,7 +76,7 @@ private:
       return read_ready(options_.deck.deck, {.defines = defines}, log_);
     };
     options.threads = [this](const model::Model& model) {
-      return solve::reserve_kernels(thread_count(options_.deck, model));
+      return solve::reserve_blas_workspace(thread_count(options_.deck, model));
     };
     const base::Stopwatch watch;
     session_ = std::make_unique<ShellSession>(std::move(options));

@@ -74,8 +74,8 @@ base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
 void compare_with_dense(SolvedScene& solved) {
   const analysis::Scene& scene = solved.scene();
   const base::Matrix K = dense_stiffness(solved.model(), scene.cracked.mesh);
-  for (const estimate::Adjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
-    ASSERT_TRUE(adjoint.ok()) << adjoint.why_not;
+  for (const estimate::IntensityAdjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
+    ASSERT_TRUE(adjoint.is_available()) << adjoint.why_not;
     std::vector<std::size_t> contact;
     const base::Matrix C = constraints(scene, K, adjoint.closed, contact);
     const Eigen::Index n = K.rows();
@@ -106,8 +106,8 @@ void compare_with_dense(SolvedScene& solved) {
 
 // The adjoint gives back K of the displacements, by tip.
 void compare_intensities(SolvedScene& solved, const analysis::StepState& state, double tolerance) {
-  for (const estimate::Adjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
-    ASSERT_TRUE(adjoint.ok()) << adjoint.why_not;
+  for (const estimate::IntensityAdjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
+    ASSERT_TRUE(adjoint.is_available()) << adjoint.why_not;
     const base::Vec2 K = adjoint.rows.transpose() * state.u;
     EXPECT_GT(K.norm(), 0.0);
     EXPECT_LT((solved.intensity(adjoint) - K).norm(), tolerance * K.norm());
@@ -123,7 +123,7 @@ $STEP NAME=PULLED
   LOAD PULL 1
 )");
 
-TEST(Adjoint, OfAFloatingPinIsThatOfADenseSolution) {
+TEST(IntensityAdjoint, OfAFloatingPinIsThatOfADenseSolution) {
   SolvedScene solved(rings);
   for (const std::size_t step : {0U, 1U}) {
     const std::optional<analysis::StepState> state = solved.solve(step);
@@ -137,7 +137,7 @@ TEST(Adjoint, OfAFloatingPinIsThatOfADenseSolution) {
 
 // Three blocks in a row that ties hold together; the last is moved, and an equation with a
 // right-hand side strains it all. A foot bears on a rigid floor.
-TEST(Adjoint, OfTiedNetsIsThatOfADenseSolution) {
+TEST(IntensityAdjoint, OfTiedNetsIsThatOfADenseSolution) {
   SolvedScene solved(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=P
   $MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=20 LX=40 LY=40 NX=5 NY=5
@@ -183,7 +183,7 @@ $END
   compare_intensities(solved, *state, 1e-11);
 }
 
-TEST(Adjoint, GivesKOfTheLugBack) {
+TEST(IntensityAdjoint, GivesKOfTheLugBack) {
   SolvedScene solved(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $INCLUDE FILE='{}/lug_model.inc'
 $CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084
@@ -208,13 +208,13 @@ $END
   }
 }
 
-TEST(Adjoint, OfSlidingContactsIsNotGiven) {
+TEST(IntensityAdjoint, OfSlidingContactsIsNotGiven) {
   std::string deck = rings;
   deck.replace(deck.find("INTERFERENCE=0.01"), 17, "INTERFERENCE=0.01 MU=0.2");
   SolvedScene solved(deck);
   ASSERT_TRUE(solved.solve(0));
   const auto& adjoint = solved.length->solve_adjoints(*solved.solver).at(0);
-  EXPECT_FALSE(adjoint.ok());
+  EXPECT_FALSE(adjoint.is_available());
   EXPECT_EQ(adjoint.z.size(), 0);
 }
 

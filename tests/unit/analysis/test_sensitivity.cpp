@@ -214,14 +214,14 @@ void compare_with_moved_nodes(const std::string& deck) {
           .fields(solved.scene().cracked, solved.scene().cracked.fronts[0], {wide}, left_out)
           .at(0));
   const auto moved = [&motion](double by) {
-    return SolvedScene::Changes{{},
-                                [&motion, by](analysis::Scene& scene, const model::Model& model) {
-                                  scene.cracked = estimate::moved(scene.cracked, motion, by);
-                                  for (std::size_t c = 0; c < model.cases.size(); ++c) {
-                                    scene.case_load.col(static_cast<Eigen::Index>(c)) =
-                                        fe::nodal_load(model, scene.cracked.mesh, model.cases[c]);
-                                  }
-                                }};
+    return SolvedScene::Changes{
+        {}, [&motion, by](analysis::Scene& scene, const model::Model& model) {
+          scene.cracked = estimate::move_tip_mesh(scene.cracked, motion, by);
+          for (std::size_t c = 0; c < model.cases.size(); ++c) {
+            scene.case_load.col(static_cast<Eigen::Index>(c)) =
+                fe::nodal_load(model, scene.cracked.mesh, model.cases[c]);
+          }
+        }};
   };
   const base::Vec2 wanted = difference(deck, 10.0, moved) / motion.step; // ten steps of the motion
   expect_slope(find(tip, Cause::length, "C"), wanted, 1e-5);

@@ -116,8 +116,8 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
   // A block of 4 early and 2 late rows; the late ones lie in the body's own matrix of 6 rows, of
   // which the last 4 are external.
   const base::Matrix block = positive(6);
-  const auto early =
-      std::make_shared<const solve::EarlyRows>(block, solve::EarlyLists{{0, 1, 2, 3}, {4, 5}});
+  const auto early = std::make_shared<const solve::FirstBlockFactor>(
+      block, solve::BlockPartition{{0, 1, 2, 3}, {4, 5}});
   std::vector<contact::ConstraintRow> rows(4);
   std::vector<const contact::ConstraintRow*> all;
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -135,7 +135,7 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     D.topLeftCorner(2, 2) += early->schur();
     const std::vector<Eigen::Index> row{0, 1, 2, 3, 6, 7, 8, 9};
     const contact::CondensedBody body({0, 1, 2, 3, 4, 5, 6, 7},
-                                      {solve::LayeredCholesky(early, {0, 1}, D), row});
+                                      {solve::TwoBlockCholesky(early, {0, 1}, D), row});
     ASSERT_TRUE(body.ok());
     const base::Matrix S = base::Matrix(whole.inverse()(row, row)).inverse();
     const contact::CondensedBody plain_body({0, 1, 2, 3, 4, 5, 6, 7}, S, base::Matrix(8, 0));

@@ -147,14 +147,14 @@ struct Found {
 Found estimate_of(const Strip& s, const model::LoadCase& load) {
   estimate::EdgeTable edges = estimate::find_edges(s.cracked.mesh);
   const std::size_t count = edges.edges.size();
-  const estimate::Enrichment modes(s.model, s.cracked.mesh, std::move(edges),
-                                   std::vector<bool>(count, false));
+  const estimate::CubicEnrichment modes(s.model, s.cracked.mesh, std::move(edges),
+                                        std::vector<bool>(count, false));
   const estimate::ModeMap map =
       estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
   const mesh::Front& front = s.cracked.fronts[0];
   const base::Matrix g =
       crack::intensity_rows(s.model, s.cracked, front, s.fields, model::TipConstraint::automatic);
-  const base::Matrix g_e = modes.functional(crack::intensity_points(
+  const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
       s.model, s.cracked, front, s.fields, model::TipConstraint::automatic));
   const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(modes, load);
@@ -170,12 +170,13 @@ Found estimate_of(const Strip& s, const model::LoadCase& load) {
   // all together
   base::Matrix Kee(map.unknowns, map.unknowns);
   for (Eigen::Index j = 0; j < map.unknowns; ++j) {
-    Kee.col(j) = map.reduce(modes.product(map.expand(base::Vector::Unit(map.unknowns, j))));
+    Kee.col(j) =
+        map.reduce(modes.stiffness_product(map.expand(base::Vector::Unit(map.unknowns, j))));
   }
   base::Matrix Kep(map.unknowns, s.map.size());
   for (Eigen::Index j = 0; j < s.map.size(); ++j) {
     base::Matrix r = base::Matrix::Zero(modes.freedoms(), 1);
-    modes.take_nodal(s.nodal(base::Vector::Unit(s.map.size(), j)), r);
+    modes.subtract_nodal_part(s.nodal(base::Vector::Unit(s.map.size(), j)), r);
     Kep.col(j) = -map.reduce(r).col(0);
   }
   EXPECT_LT((Kee - Kee.transpose()).cwiseAbs().maxCoeff(), 1e-12 * Kee.cwiseAbs().maxCoeff());
@@ -221,7 +222,7 @@ TEST_P(GoalError, IsMostOfWhatCubicElementsWouldChange) {
 // Mode freedoms that only elements with straight sides and their mid nodes in the middle have:
 // others cannot move quadratically.
 std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
-                                                        const estimate::Enrichment& modes) {
+                                                        const estimate::CubicEnrichment& modes) {
   std::vector<bool> straight(static_cast<std::size_t>(modes.freedoms()), true);
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
@@ -236,7 +237,7 @@ std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
           0.5 * (mesh.x[nodes[s].index()] + mesh.x[nodes[(s + 1) % corners].index()]);
       bent = bent || (mesh.x[nodes[corners + s].index()] - middle).norm() > 1e-12;
     }
-    for (const std::int32_t freedom : modes.of_element(e)) {
+    for (const std::int32_t freedom : modes.element_freedoms(e)) {
       straight[static_cast<std::size_t>(freedom)] =
           straight[static_cast<std::size_t>(freedom)] && !bent;
     }
@@ -256,8 +257,8 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   Strip strip(GetParam(), 0.0, 1.0, false);
   estimate::EdgeTable edges = estimate::find_edges(strip.cracked.mesh);
   const std::size_t count = edges.edges.size();
-  const estimate::Enrichment modes(strip.model, strip.cracked.mesh, std::move(edges),
-                                   std::vector<bool>(count, false));
+  const estimate::CubicEnrichment modes(strip.model, strip.cracked.mesh, std::move(edges),
+                                        std::vector<bool>(count, false));
   // sigma = s eta e1 e1^T with xi, eta along and across the crack.
   const double s = 5.0;
   const double E = 1000.0;
@@ -297,7 +298,7 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   base::Matrix r = estimate::mode_load(modes, load);
   const double size = r.cwiseAbs().maxCoeff();
   EXPECT_GT(size, 1e-3);
-  modes.take_nodal(u, r);
+  modes.subtract_nodal_part(u, r);
   int counted = 0;
   for (const std::int32_t freedom : freedoms_of_straight_elements(strip.cracked.mesh, modes)) {
     ++counted;

@@ -9,11 +9,11 @@
 namespace spricka::test_mode_memory {
 namespace {
 
-class ModeMemory : public testing::TestWithParam<base::ElementType> {};
+class ModeMatrixCache : public testing::TestWithParam<base::ElementType> {};
 
 // They are those that would be made anew, also where an element of the same number is another by
 // then: moved, of another law, framed otherwise. The last elements are not of the host.
-TEST_P(ModeMemory, KeptMatricesAreThoseMadeAnew) {
+TEST_P(ModeMatrixCache, KeptMatricesAreThoseMadeAnew) {
   model::Model model;
   mesh::BlockSpec spec;
   spec.type = GetParam();
@@ -34,25 +34,25 @@ TEST_P(ModeMemory, KeptMatricesAreThoseMadeAnew) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     host.push_back(e + 3 < mesh.element_count() ? base::ElementId(e) : base::ElementId());
   }
-  estimate::ModeMemory memory;
+  estimate::ModeMatrixCache memory;
   const estimate::EdgeTable edges = estimate::find_edges(mesh);
   std::vector<bool> framed(edges.edges.size(), false);
   const auto differs = [&] {
-    const estimate::Enrichment kept(model, mesh, edges, framed, {&memory, &host});
-    const estimate::Enrichment fresh(model, mesh, edges, framed);
+    const estimate::CubicEnrichment kept(model, mesh, edges, framed, {&memory, &host});
+    const estimate::CubicEnrichment fresh(model, mesh, edges, framed);
     const base::Vector x = base::Vector::LinSpaced(fresh.freedoms(), -1.0, 2.0);
     const base::Matrix u = base::Matrix::NullaryExpr(
         2 * static_cast<Eigen::Index>(mesh.node_count()), 5,
         [](Eigen::Index i, Eigen::Index k) { return static_cast<double>(i % 7 - k); });
     base::Matrix r = base::Matrix::Zero(fresh.freedoms(), u.cols());
     base::Matrix r_kept = r;
-    fresh.take_nodal(u, r);
-    kept.take_nodal(u, r_kept);
+    fresh.subtract_nodal_part(u, r);
+    kept.subtract_nodal_part(u, r_kept);
     base::Matrix one = base::Matrix::Zero(fresh.freedoms(), 1); // as among other columns
-    fresh.take_nodal(u.col(1), one);
+    fresh.subtract_nodal_part(u.col(1), one);
     EXPECT_GT(one.norm(), 0.0);
     EXPECT_LE((one - r.col(1)).norm(), 1e-14 * r.norm());
-    return (kept.product(x) - fresh.product(x)).cwiseAbs().maxCoeff() +
+    return (kept.stiffness_product(x) - fresh.stiffness_product(x)).cwiseAbs().maxCoeff() +
            (r_kept - r).cwiseAbs().maxCoeff();
   };
   EXPECT_EQ(differs(), 0.0);
@@ -69,7 +69,7 @@ TEST_P(ModeMemory, KeptMatricesAreThoseMadeAnew) {
   EXPECT_EQ(differs(), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, ModeMemory,
+INSTANTIATE_TEST_SUITE_P(Types, ModeMatrixCache,
                          testing::Values(base::ElementType::trimc6, base::ElementType::quamc8,
                                          base::ElementType::quamc9));
 

@@ -15,7 +15,7 @@ namespace {
 
 using estimate::Modes;
 using estimate::PlaneModes;
-using estimate::SideState;
+using estimate::SideModeFrames;
 
 template <class S> class CubicModes : public testing::Test {};
 using Shapes = testing::Types<shape::Trimc6, shape::Quamc8, shape::Quamc9>;
@@ -50,7 +50,7 @@ TYPED_TEST(CubicModes, LiveOnOneSideOrInside) {
       const shape::Point<2> r = on_side<TypeParam>(s, t);
       auto psi = M::psi(r);
       EXPECT_NEAR(psi[s], estimate::side_mode(t), 1e-15);
-      EXPECT_NEAR(M::along(r, s), t, 1e-15);
+      EXPECT_NEAR(M::side_coordinate(r, s), t, 1e-15);
       psi[s] = 0.0;
       EXPECT_LT(psi.cwiseAbs().maxCoeff(), 1e-16);
     }
@@ -118,7 +118,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
     const base::ElementId e(i);
     const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
     const auto nodes = mesh.element_nodes(e);
-    SideState sides;
+    SideModeFrames sides;
     for (int s = 0; s < Modes<S>::sides; ++s) {
       sides.sign[static_cast<std::size_t>(s)] =
           estimate::side_sign(nodes[static_cast<std::size_t>(s)],
@@ -128,7 +128,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
       const double sign = sides.sign[static_cast<std::size_t>(s)];
       const shape::Point<2> r = on_side<S>(s, 0.3 * sign);
       const Eigen::Matrix2d J = X * S::dN(r);
-      const auto G = estimate::mode_gradients(PlaneModes::of(S::type), X, r, J, sides);
+      const auto G = estimate::mode_gradients(PlaneModes::for_type(S::type), X, r, J, sides);
       const base::Vec2 along =
           sign * J *
           (shape::node_coordinates<S>((s + 1) % Modes<S>::sides) - shape::node_coordinates<S>(s));
@@ -138,7 +138,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
         found.slope[static_cast<std::size_t>(k)] = {g.head<2>().dot(along), g.tail<2>().dot(along)};
       }
       EXPECT_GT(found.slope[0].norm(), 1e-3);
-      const auto [at, fresh] = seen.emplace(table.edge(e, s), found);
+      const auto [at, fresh] = seen.emplace(table.edge_at_side(e, s), found);
       if (!fresh) {
         ++shared;
         for (std::size_t k = 0; k < 2; ++k) {
@@ -167,17 +167,17 @@ TYPED_TEST(CubicModes, FollowACurvedSideInItsFrame) {
   mesh::generate_ring(mesh, base::NetId(std::size_t{0}), "", spec);
   const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, base::ElementId(std::size_t{0}));
   for (int s = 0; s < Modes<S>::sides; ++s) {
-    SideState sides;
+    SideModeFrames sides;
     sides.framed[static_cast<std::size_t>(s)] = true;
     const auto value = [&](const shape::Point<2>& r, std::size_t k) -> base::Vec2 {
       return Modes<S>::psi(r)[s] *
-             estimate::side_frame(estimate::side_points(PlaneModes::of(S::type), X, s),
-                                  Modes<S>::along(r, s))
+             estimate::side_frame(estimate::side_points(PlaneModes::for_type(S::type), X, s),
+                                  Modes<S>::side_coordinate(r, s))
                  .axis[k];
     };
     for (const shape::Point<2>& r : inner_points<S>()) {
       const Eigen::Matrix2d J = X * S::dN(r);
-      const auto G = estimate::mode_gradients(PlaneModes::of(S::type), X, r, J, sides);
+      const auto G = estimate::mode_gradients(PlaneModes::for_type(S::type), X, r, J, sides);
       for (std::size_t k = 0; k < 2; ++k) {
         const double h = 1e-5;
         Eigen::Matrix2d slope;
@@ -207,9 +207,9 @@ TYPED_TEST(CubicModes, HaveTheSameStiffnessInTheFrameOfAStraightSide) {
   law.lambda = 3.0;
   law.mu = 2.0;
   law.thickness = 0.7;
-  SideState plain;
+  SideModeFrames plain;
   plain.sign[1] = -1.0;
-  SideState framed = plain;
+  SideModeFrames framed = plain;
   framed.framed[0] = true; // from (0, 0) along x: the outer normal is -y, the tangent x
   const estimate::EnrichedStiffness<S> K(X, law, plain);
   const estimate::EnrichedStiffness<S> F(X, law, framed);

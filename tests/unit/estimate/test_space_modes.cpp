@@ -21,21 +21,21 @@ using base::Vec3;
 template <class S> void vanish_at_nodes() {
   for (const auto& node : S::coordinates) {
     const Vec3 r(node[0], node[1], node[2]);
-    EXPECT_LT(SpaceModes::of(S::type).psi(r).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT(SolidModes::for_type(S::type).psi(r).cwiseAbs().maxCoeff(), 1e-14);
   }
 }
 
-TEST(SpaceModes, VanishAtNodes) {
+TEST(SolidModes, VanishAtNodes) {
   vanish_at_nodes<shape::Tet10>();
   vanish_at_nodes<shape::Pentac15>();
   vanish_at_nodes<shape::Hexec20>();
 }
 
-TEST(SpaceModes, SlopesAreDerivatives) {
+TEST(SolidModes, SlopesAreDerivatives) {
   const Vec3 r(0.21, 0.34, 0.17);
   constexpr double h = 1e-6;
   for (const ElementType type : {ElementType::tet10, ElementType::pentac15, ElementType::hexec20}) {
-    const SpaceModes& modes = SpaceModes::of(type);
+    const SolidModes& modes = SolidModes::for_type(type);
     for (int c = 0; c < 3; ++c) {
       const base::Vector by_difference =
           (modes.psi(r + h * Vec3::Unit(c)) - modes.psi(r - h * Vec3::Unit(c))) / (2.0 * h);
@@ -46,7 +46,7 @@ TEST(SpaceModes, SlopesAreDerivatives) {
 
 // Nodes and modes together hold x^i y^j z^k, i + j + k <= 3.
 template <class S> void hold_cubics() {
-  const SpaceModes& modes = SpaceModes::of(S::type);
+  const SolidModes& modes = SolidModes::for_type(S::type);
   const auto count = S::nodes + static_cast<Eigen::Index>(modes.modes().size());
   constexpr int n = 7;
   base::Matrix functions(n * n * n, count);
@@ -72,7 +72,7 @@ template <class S> void hold_cubics() {
   EXPECT_LT((fitted - cubics).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-TEST(SpaceModes, HoldCubics) {
+TEST(SolidModes, HoldCubics) {
   hold_cubics<shape::Tet10>();
   hold_cubics<shape::Pentac15>();
   hold_cubics<shape::Hexec20>();
@@ -81,7 +81,7 @@ TEST(SpaceModes, HoldCubics) {
 // Modes of a side of a hexahedron by number along common axes, at a place of the side given by its
 // corners' weights; corner k of the side is node nodes[k].
 std::array<double, 4> on_side(const std::array<NodeId, 4>& nodes, double u, double w) {
-  const SpaceModes& modes = SpaceModes::of(ElementType::hexec20);
+  const SolidModes& modes = SolidModes::for_type(ElementType::hexec20);
   const auto local = shape::side_nodes(ElementType::hexec20, 1);
   Vec3 r = Vec3::Zero();
   const Eigen::Vector4d N = shape::Quam4::N({u, w});
@@ -90,11 +90,11 @@ std::array<double, 4> on_side(const std::array<NodeId, 4>& nodes, double u, doub
     r += N[static_cast<Eigen::Index>(k)] * Vec3(x[0], x[1], x[2]);
   }
   const base::Vector psi = modes.psi(r);
-  const FaceAxes axes = face_axes(nodes);
+  const FaceModeAxes axes = face_axes(nodes);
   std::array<double, 4> values{};
   for (std::size_t m = 0; m < modes.modes().size(); ++m) {
-    const SpaceMode& mode = modes.modes()[m];
-    if (mode.on == SpaceMode::On::quadrilateral && mode.which == 1) {
+    const SolidMode& mode = modes.modes()[m];
+    if (mode.on == SolidMode::SolidModeSite::quadrilateral && mode.which == 1) {
       const auto own = static_cast<std::size_t>(mode.number);
       values[static_cast<std::size_t>(axes.number[own])] =
           axes.sign[own] * psi[static_cast<Eigen::Index>(m)];
@@ -104,7 +104,7 @@ std::array<double, 4> on_side(const std::array<NodeId, 4>& nodes, double u, doub
 }
 
 // A neighbour sees the same face with its corners turned and the other way round.
-TEST(SpaceModes, BothSidesOfAFaceHaveTheSame) {
+TEST(SolidModes, BothSidesOfAFaceHaveTheSame) {
   const std::array<NodeId, 4> nodes{NodeId(7), NodeId(3), NodeId(9), NodeId(5)};
   const std::array<std::array<double, 2>, 4> at{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   const Eigen::Vector4d weight = shape::Quam4::N({0.3, -0.6});

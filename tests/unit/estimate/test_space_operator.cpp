@@ -36,7 +36,7 @@ base::Vector rough_vector(Eigen::Index size) {
 /// A block of curved elements, more of them than go together and no multiple of that.
 struct Block {
   model::Model model;
-  SpaceNumbers numbers;
+  SolidModeNumbers numbers;
 
   explicit Block(ElementType type) {
     mesh::BlockSpec spec;
@@ -74,7 +74,7 @@ struct Block {
   [[nodiscard]] base::Vector by_points(const base::Vector& motion) const {
     base::Vector forces = base::Vector::Zero(nodal() + modal());
     for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-      if (SpaceModes::has(model.mesh.type[e])) {
+      if (SolidModes::covers_type(model.mesh.type[e])) {
         add(base::ElementId(e), motion, forces);
       }
     }
@@ -85,7 +85,7 @@ private:
   void add(base::ElementId e, const base::Vector& motion, base::Vector& forces) const {
     const ElementType type = model.mesh.type[e.index()];
     const fe::AnyElement<3>& element = shape::reference_element<3>(type);
-    const SpaceModes& modes = SpaceModes::of(type);
+    const SolidModes& modes = SolidModes::for_type(type);
     const auto count = element.nodes + static_cast<Eigen::Index>(modes.modes().size());
     std::vector<Eigen::Index> at;
     std::vector<double> sign;
@@ -123,14 +123,14 @@ private:
 class SpaceOperatorOf : public testing::TestWithParam<ElementType> {
 protected:
   Block block{GetParam()};
-  SpaceOperator op{block.model, block.model.mesh, block.numbers};
+  SolidModeStiffness op{block.model, block.model.mesh, block.numbers};
   base::Vector v = rough_vector(block.nodal());
   base::Vector x = rough_vector(block.modal());
 
   [[nodiscard]] base::Vector all(const base::Vector* nodes, const base::Vector* modes) const {
     base::Vector f = base::Vector::Zero(block.nodal());
     base::Vector g = base::Vector::Zero(block.modal());
-    op.add({nodes, modes}, {&f, &g});
+    op.add_forces({nodes, modes}, {&f, &g});
     base::Vector both(f.size() + g.size());
     both << f, g;
     return both;
@@ -148,8 +148,8 @@ TEST_P(SpaceOperatorOf, GivesWhatThePointsGive) {
 TEST_P(SpaceOperatorOf, GivesAPartAsItDoesTheWhole) {
   base::Vector f = base::Vector::Zero(block.nodal());
   base::Vector g = base::Vector::Zero(block.modal());
-  op.add({&v, nullptr}, {nullptr, &g});
-  op.add({nullptr, &x}, {&f, nullptr});
+  op.add_forces({&v, nullptr}, {nullptr, &g});
+  op.add_forces({nullptr, &x}, {&f, nullptr});
   EXPECT_LT((g - all(&v, nullptr).tail(g.size())).norm(), 1e-14 * g.norm());
   EXPECT_LT((f - all(nullptr, &x).head(f.size())).norm(), 1e-14 * f.norm());
   // K_ep is the transpose of K_pe.

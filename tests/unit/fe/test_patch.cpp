@@ -20,18 +20,18 @@ using test::Cells;
 constexpr double E = 1e6;
 constexpr double nu = 0.25;
 
-enum class Form { straight, curved_inside, quarter_point };
+enum class Transposition { straight, curved_inside, quarter_point };
 
 struct Case {
   ElementType type;
-  Form form;
+  Transposition form;
   model::StressState state;
 };
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {
-  const char* form = info.param.form == Form::straight        ? "_straight"
-                     : info.param.form == Form::curved_inside ? "_curved"
-                                                              : "_quarter_point";
+  const char* form = info.param.form == Transposition::straight        ? "_straight"
+                     : info.param.form == Transposition::curved_inside ? "_curved"
+                                                                       : "_quarter_point";
   const char* state = info.param.state == model::StressState::plane_stress ? "_stress" : "_strain";
   return std::string(base::element_info(info.param.type).name) + form + state;
 }
@@ -42,10 +42,10 @@ std::vector<Case> every_case() {
        {model::StressState::plane_stress, model::StressState::plane_strain}) {
     for (const ElementType type : {ElementType::trim3, ElementType::quam4, ElementType::trimc6,
                                    ElementType::quamc8, ElementType::quamc9}) {
-      cases.push_back({type, Form::straight, state});
+      cases.push_back({type, Transposition::straight, state});
       if (base::element_info(type).quadratic) {
-        cases.push_back({type, Form::curved_inside, state});
-        cases.push_back({type, Form::quarter_point, state});
+        cases.push_back({type, Transposition::curved_inside, state});
+        cases.push_back({type, Transposition::quarter_point, state});
       }
     }
   }
@@ -57,7 +57,7 @@ bool on_rim(const Vec3& x) {
 }
 
 model::Mesh patch_mesh(const Case& c) {
-  if (c.form == Form::quarter_point) {
+  if (c.form == Transposition::quarter_point) {
     Cells grid = test::unit_grid(2, 2);
     grid.points[4] = Vec2(0.42, 0.55);
     model::Mesh mesh = test::make_mesh(c.type, grid);
@@ -65,7 +65,7 @@ model::Mesh patch_mesh(const Case& c) {
     return mesh;
   }
   model::Mesh mesh = test::make_mesh(c.type, test::macneal_harder());
-  if (c.form == Form::curved_inside) {
+  if (c.form == Transposition::curved_inside) {
     for (std::size_t n = 8; n < mesh.node_count(); ++n) {
       if (!on_rim(mesh.x[n])) {
         const auto k = static_cast<double>(n);

@@ -24,27 +24,27 @@ double exact_length(double N) {
   return std::pow(1.0 - N * half_rate(), -2.0);
 }
 
-std::vector<Reading> readings(double every = 500.0) {
-  std::vector<Reading> all;
+std::vector<CrackReading> readings(double every = 500.0) {
+  std::vector<CrackReading> all;
   for (double N = 0.0; N < 17480.0; N += every) {
     all.push_back({N, exact_length(N)});
   }
   return all;
 }
 
-std::vector<Reading> rounded(double step) {
-  std::vector<Reading> all = readings();
-  for (Reading& reading : all) {
+std::vector<CrackReading> rounded(double step) {
+  std::vector<CrackReading> all = readings();
+  for (CrackReading& reading : all) {
     reading.a = step * std::round(reading.a / step);
   }
   return all;
 }
 
-GrowthLaw reference() {
-  LawConstants c;
+GrowthRateLaw reference() {
+  RateConstants c;
   c.C = k_C;
   c.m = 3.0;
-  return {Law::paris, c};
+  return {RateEquation::paris, c};
 }
 
 struct Deviation {
@@ -53,9 +53,9 @@ struct Deviation {
 };
 
 // Of beta from its value.
-Deviation deviation_of(const std::vector<Reading>& test, RateMethod method) {
+Deviation deviation_of(const std::vector<CrackReading>& test, GrowthRateMethod method) {
   const std::vector<MeasuredK> found =
-      measured_K(measured_rates(test, method), reference(), [](double) { return 0.0; });
+      infer_K_from_growth(measured_rates(test, method), reference(), [](double) { return 0.0; });
   Deviation d;
   for (const MeasuredK& k : found) {
     const double beta = k.K_max / (k_stress * std::sqrt(std::numbers::pi * k.a));
@@ -69,15 +69,16 @@ Deviation deviation_of(const std::vector<Reading>& test, RateMethod method) {
 }
 
 TEST(Inversion, G02WithoutNoise) {
-  for (const RateMethod method : {RateMethod::secant, RateMethod::polynomial, RateMethod::spline}) {
+  for (const GrowthRateMethod method :
+       {GrowthRateMethod::secant, GrowthRateMethod::polynomial, GrowthRateMethod::spline}) {
     const Deviation d = deviation_of(readings(), method);
     EXPECT_LT(d.largest, 0.002) << static_cast<int>(method);
   }
 }
 
 TEST(Inversion, G02Rounded) {
-  for (const RateMethod method :
-       {RateMethod::secant, RateMethod::e647, RateMethod::polynomial, RateMethod::spline}) {
+  for (const GrowthRateMethod method : {GrowthRateMethod::secant, GrowthRateMethod::e647,
+                                        GrowthRateMethod::polynomial, GrowthRateMethod::spline}) {
     const Deviation d = deviation_of(rounded(0.01), method);
     EXPECT_LT(d.rms, 0.03) << static_cast<int>(method);
   }
@@ -87,7 +88,7 @@ TEST(Inversion, G02Rounded) {
 // large by 7 h^2 a''' / 6 over seven readings h apart: beta by 14 / 3 (h / (N_end - N))^2 here.
 TEST(Inversion, E647HasTheErrorOfItsParabola) {
   const double h = 500.0;
-  const MeasuredRates found = measured_rates(readings(h), RateMethod::e647);
+  const MeasuredRates found = measured_rates(readings(h), GrowthRateMethod::e647);
   for (const MeasuredRate& point : found.points) {
     const double x = h * half_rate() / (1.0 - point.cycles * half_rate());
     const double true_rate = 2.0 * half_rate() * std::pow(exact_length(point.cycles), 1.5);
@@ -97,7 +98,7 @@ TEST(Inversion, E647HasTheErrorOfItsParabola) {
 
 // Readings with normal scatter: 95 % of the true rates within their bands, up to what some hundred
 // of them can tell, and the scatter itself found.
-class Noise : public testing::TestWithParam<RateMethod> {};
+class Noise : public testing::TestWithParam<GrowthRateMethod> {};
 
 TEST_P(Noise, BandsHoldTheTruth) {
   constexpr double deviation = 0.01;
@@ -108,8 +109,8 @@ TEST_P(Noise, BandsHoldTheTruth) {
   for (unsigned seed = 1; seed <= tests; ++seed) {
     std::mt19937 engine(seed);
     std::normal_distribution<double> noise(0.0, deviation);
-    std::vector<Reading> test = readings(250.0);
-    for (Reading& reading : test) {
+    std::vector<CrackReading> test = readings(250.0);
+    for (CrackReading& reading : test) {
       reading.a += noise(engine);
     }
     const MeasuredRates found = measured_rates(test, GetParam());
@@ -127,14 +128,14 @@ TEST_P(Noise, BandsHoldTheTruth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Noise,
-                         testing::Values(RateMethod::secant, RateMethod::polynomial,
-                                         RateMethod::spline));
+                         testing::Values(GrowthRateMethod::secant, GrowthRateMethod::polynomial,
+                                         GrowthRateMethod::spline));
 
 // Growth that scatter turns back has no K, and its neighbours keep theirs.
 TEST(Inversion, ShrinkingHasNoK) {
-  const std::vector<Reading> test{{0, 1.0}, {100, 1.1}, {200, 1.09}, {300, 1.3}};
-  const std::vector<MeasuredK> found =
-      measured_K(measured_rates(test, RateMethod::secant), reference(), [](double) { return 0.0; });
+  const std::vector<CrackReading> test{{0, 1.0}, {100, 1.1}, {200, 1.09}, {300, 1.3}};
+  const std::vector<MeasuredK> found = infer_K_from_growth(
+      measured_rates(test, GrowthRateMethod::secant), reference(), [](double) { return 0.0; });
   ASSERT_EQ(found.size(), 3U);
   EXPECT_GT(found[0].K_max, 0.0);
   EXPECT_TRUE(std::isnan(found[1].K_max));
@@ -143,9 +144,9 @@ TEST(Inversion, ShrinkingHasNoK) {
 
 // R of the part, not of the reference: the same delta K makes a larger K_max.
 TEST(Inversion, TheRatioOfKGivesTheMaximum) {
-  const MeasuredRates rates = measured_rates(readings(), RateMethod::secant);
+  const MeasuredRates rates = measured_rates(readings(), GrowthRateMethod::secant);
   const auto at = [&](double R) {
-    return measured_K(rates, reference(), [R](double) { return R; }).front().K_max;
+    return infer_K_from_growth(rates, reference(), [R](double) { return R; }).front().K_max;
   };
   EXPECT_NEAR(at(0.5) / at(0.0), 2.0, 1e-12);
   EXPECT_NEAR(at(-1.0) / at(0.0), 1.0, 1e-12);
@@ -153,12 +154,12 @@ TEST(Inversion, TheRatioOfKGivesTheMaximum) {
 
 // A table that ends below the measured rate is gone beyond, and says so.
 TEST(Inversion, RatesBeyondTheReferenceAreMarked) {
-  LawConstants c;
+  RateConstants c;
   c.delta_k = {100.0, 400.0};
   c.growth = {k_C * 1e6, k_C * 64e6};
   const std::vector<MeasuredK> found =
-      measured_K(measured_rates(readings(), RateMethod::secant), GrowthLaw(Law::table, c),
-                 [](double) { return 0.0; });
+      infer_K_from_growth(measured_rates(readings(), GrowthRateMethod::secant),
+                          GrowthRateLaw(RateEquation::table, c), [](double) { return 0.0; });
   EXPECT_TRUE(found.front().covered);
   EXPECT_FALSE(found.back().covered);
 }
@@ -171,7 +172,7 @@ TEST(Smoothing, KeepsAStraightLine) {
     y.push_back(2.0 - 0.03 * x.back());
     weight.push_back(1.0 + i);
   }
-  const SmoothedCurve curve = smooth(x, y, weight);
+  const SmoothedCurve curve = smoothing_spline(x, y, weight);
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(curve.value[i], y[i], 1e-9);
     EXPECT_NEAR(curve.slope[i], -0.03, 1e-10);

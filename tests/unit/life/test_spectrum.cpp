@@ -10,11 +10,11 @@
 namespace spricka::life::test_spectrum {
 namespace {
 
-GrowthLaw paris(double m) {
-  LawConstants c;
+GrowthRateLaw paris(double m) {
+  RateConstants c;
   c.C = 1e-11;
   c.m = m;
-  return {Law::paris, c};
+  return {RateEquation::paris, c};
 }
 
 base::PiecewiseLinear map(const std::vector<double>& t, const std::vector<double>& K) {
@@ -36,14 +36,15 @@ std::vector<double> random_history(std::size_t size, unsigned seed) {
 }
 
 TEST(Spectrum, BlocksAddUp) {
-  const Spectrum blocks =
-      Spectrum::of_cycles({{0, 100, 60}, {0, 150, 10}, {100, 0, 40}, {0, 200, 1}});
+  const CountedSpectrum blocks =
+      CountedSpectrum::from_cycles({{0, 100, 60}, {0, 150, 10}, {100, 0, 40}, {0, 200, 1}});
   EXPECT_EQ(blocks.count(), 111.0);
   EXPECT_EQ(blocks.cycles().size(), 3U); // the two rows of 0 to 100 are one
   EXPECT_EQ(blocks.lowest(), 0.0);
   EXPECT_EQ(blocks.highest(), 200.0);
   const base::PiecewiseLinear K = map({0, 200}, {0, 600});
-  EXPECT_NEAR(blocks.growth(paris(3.0), K), 1e-11 * 27.0 * (100e6 + 10 * 3.375e6 + 8e6), 1e-14);
+  EXPECT_NEAR(blocks.growth_per_pass(paris(3.0), K), 1e-11 * 27.0 * (100e6 + 10 * 3.375e6 + 8e6),
+              1e-14);
   EXPECT_EQ(blocks.extreme_K(K), std::pair(0.0, 600.0));
 }
 
@@ -53,13 +54,13 @@ TEST(Spectrum, EqualsTheSumOverItsCycles) {
       map({-0.5, 0.1, 0.34, 0.6, 0.61, 1.0, 1.5}, {150, 230, 280, 420, 430, 700, 1060});
   const std::vector<double> history = random_history(5001, 7);
   for (const bool repeated : {true, false}) {
-    const Spectrum spectrum = Spectrum::of_sequence(history, repeated);
+    const CountedSpectrum spectrum = CountedSpectrum::from_sequence(history, repeated);
     double sum = 0.0;
     for (const LoadCycle& cycle : rainflow(history, repeated)) {
       sum += cycle.count * 1e-11 * std::pow(K(cycle.high) - K(cycle.low), 3.0);
     }
     EXPECT_FALSE(spectrum.counts_on_K(K));
-    EXPECT_NEAR(spectrum.growth(paris(3.0), K) / sum, 1.0, 1e-12);
+    EXPECT_NEAR(spectrum.growth_per_pass(paris(3.0), K) / sum, 1.0, 1e-12);
   }
 }
 
@@ -72,25 +73,26 @@ TEST(Spectrum, AFallingMapIsAsGoodAsARisingOne) {
   }
   const base::PiecewiseLinear falling = map({-0.5, 0.4, 1.5}, {900, 500, 50});
   const base::PiecewiseLinear rising = map({-1.5, -0.4, 0.5}, {50, 500, 900});
-  const Spectrum a = Spectrum::of_sequence(history);
-  const Spectrum b = Spectrum::of_sequence(upside_down);
+  const CountedSpectrum a = CountedSpectrum::from_sequence(history);
+  const CountedSpectrum b = CountedSpectrum::from_sequence(upside_down);
   EXPECT_FALSE(a.counts_on_K(falling));
-  EXPECT_NEAR(a.growth(paris(3.0), falling) / b.growth(paris(3.0), rising), 1.0, 1e-12);
+  EXPECT_NEAR(a.growth_per_pass(paris(3.0), falling) / b.growth_per_pass(paris(3.0), rising), 1.0,
+              1e-12);
 }
 
 // K = 100 |t|: a load from -1 to 1 opens the crack twice.
 TEST(Spectrum, CountsOnKWhereKTurns) {
   const base::PiecewiseLinear K = map({-2, 0, 2}, {200, 0, 200});
   const double one = 1e-11 * 1e6;
-  const Spectrum sequence = Spectrum::of_sequence({-1, 1, -1, 1});
+  const CountedSpectrum sequence = CountedSpectrum::from_sequence({-1, 1, -1, 1});
   EXPECT_TRUE(sequence.counts_on_K(K));
-  EXPECT_NEAR(sequence.growth(paris(3.0), K), 4.0 * one, 1e-12 * one);
-  const Spectrum blocks = Spectrum::of_cycles({{-1, 1, 2}});
-  EXPECT_NEAR(blocks.growth(paris(3.0), K), 4.0 * one, 1e-12 * one);
+  EXPECT_NEAR(sequence.growth_per_pass(paris(3.0), K), 4.0 * one, 1e-12 * one);
+  const CountedSpectrum blocks = CountedSpectrum::from_cycles({{-1, 1, 2}});
+  EXPECT_NEAR(blocks.growth_per_pass(paris(3.0), K), 4.0 * one, 1e-12 * one);
   EXPECT_EQ(blocks.extreme_K(K), std::pair(0.0, 100.0));
-  const Spectrum tension = Spectrum::of_cycles({{0.5, 1, 2}});
+  const CountedSpectrum tension = CountedSpectrum::from_cycles({{0.5, 1, 2}});
   EXPECT_FALSE(tension.counts_on_K(K));
-  EXPECT_NEAR(tension.growth(paris(1.0), K), 2.0 * 1e-11 * 50.0, 1e-22);
+  EXPECT_NEAR(tension.growth_per_pass(paris(1.0), K), 2.0 * 1e-11 * 50.0, 1e-22);
 }
 
 // With m = 1 growth is half the way that K goes up and down, however it turns in between.
@@ -110,20 +112,21 @@ TEST(Spectrum, NoWayOfKIsLost) {
       before = now;
     }
   }
-  const Spectrum spectrum = Spectrum::of_sequence(history);
+  const CountedSpectrum spectrum = CountedSpectrum::from_sequence(history);
   EXPECT_TRUE(spectrum.counts_on_K(K));
-  EXPECT_NEAR(spectrum.growth(paris(1.0), K) / (0.5e-11 * way), 1.0, 1e-4);
+  EXPECT_NEAR(spectrum.growth_per_pass(paris(1.0), K) / (0.5e-11 * way), 1.0, 1e-4);
 }
 
 TEST(Spectrum, NothingIsExtrapolated) {
   const base::PiecewiseLinear K = map({0, 1}, {0, 600});
-  EXPECT_TRUE(std::isnan(Spectrum::of_cycles({{0, 1.001, 1}}).growth(paris(3.0), K)));
-  EXPECT_TRUE(std::isnan(Spectrum::of_cycles({{-0.001, 1, 1}}).extreme_K(K).first));
+  EXPECT_TRUE(
+      std::isnan(CountedSpectrum::from_cycles({{0, 1.001, 1}}).growth_per_pass(paris(3.0), K)));
+  EXPECT_TRUE(std::isnan(CountedSpectrum::from_cycles({{-0.001, 1, 1}}).extreme_K(K).first));
 }
 
 TEST(Spectrum, AConstantLoadGrowsNothing) {
-  const Spectrum constant = Spectrum::of_sequence({0.5, 0.5});
-  EXPECT_EQ(constant.growth(paris(3.0), map({0, 1}, {0, 600})), 0.0);
+  const CountedSpectrum constant = CountedSpectrum::from_sequence({0.5, 0.5});
+  EXPECT_EQ(constant.growth_per_pass(paris(3.0), map({0, 1}, {0, 600})), 0.0);
   EXPECT_EQ(constant.extreme_K(map({0, 1}, {0, 600})), std::pair(300.0, 300.0));
 }
 

@@ -25,7 +25,7 @@ std::size_t at(Eigen::Index i) {
   return static_cast<std::size_t>(i);
 }
 
-FrictionSolution solve(const FrictionProblem& p, const std::vector<Touch>& start = {}) {
+FrictionSolution solve(const FrictionProblem& p, const std::vector<SlipState>& start = {}) {
   return solve_friction(p, ContactSettings{}, start);
 }
 
@@ -193,10 +193,10 @@ FrictionProblem random_problem(Dice& dice) {
   return p;
 }
 
-std::vector<Touch> random_touch(Dice& dice, Eigen::Index n) {
-  std::vector<Touch> start;
+std::vector<SlipState> random_touch(Dice& dice, Eigen::Index n) {
+  std::vector<SlipState> start;
   for (Eigen::Index i = 0; i < n; ++i) {
-    start.push_back(static_cast<Touch>(dice.whole(0, 3)));
+    start.push_back(static_cast<SlipState>(dice.whole(0, 3)));
   }
   return start;
 }
@@ -214,7 +214,7 @@ TEST(Friction, OneNodeSticksSlipsAndOpens) {
   // f = (.3, .4): it sticks with r_t = -.3, p = .4
   const FrictionSolution stick = solve(one_node(1.0, 0.3, 0.4));
   ASSERT_EQ(stick.contact.status, ContactStatus::solved);
-  EXPECT_EQ(stick.touch[0], Touch::stick);
+  EXPECT_EQ(stick.touch[0], SlipState::stick);
   EXPECT_NEAR(stick.contact.lambda(0), 0.4, 1e-12);
   EXPECT_NEAR(stick.contact.lambda(1), -0.3, 1e-12);
   // slips forward: u_t = .9 - mu p, p = .1 - .6 u_t with u_t + mu (.1 - .6 u_t) = .9
@@ -222,21 +222,21 @@ TEST(Friction, OneNodeSticksSlipsAndOpens) {
   const double u = (0.9 - mu * 1.0) / (1.0 - 0.6 * mu);
   const FrictionSolution slip = solve(one_node(mu, 0.9, 1.0));
   ASSERT_EQ(slip.contact.status, ContactStatus::solved);
-  EXPECT_EQ(slip.touch[0], Touch::forward);
+  EXPECT_EQ(slip.touch[0], SlipState::forward);
   EXPECT_NEAR(slip.contact.gap(1), u, 1e-12);
   EXPECT_NEAR(slip.contact.lambda(0), 1.0 - 0.6 * u, 1e-12);
   EXPECT_NEAR(slip.contact.lambda(1), -mu * (1.0 - 0.6 * u), 1e-12);
   // pulled off: u = K^-1 f
   const FrictionSolution open = solve(one_node(1.0, -0.3, -0.4));
   ASSERT_EQ(open.contact.status, ContactStatus::solved);
-  EXPECT_EQ(open.touch[0], Touch::open);
+  EXPECT_EQ(open.touch[0], SlipState::open);
   EXPECT_EQ(open.contact.lambda.cwiseAbs().maxCoeff(), 0.0);
 }
 
 TEST(Friction, OneNodeLosesUniquenessAtTheCriticalCoefficient) {
   constexpr double critical = 1.0 / 0.6; // K_tt / |K_tn|
-  EXPECT_TRUE(unique_increment(one_node(critical - 1e-6, 0.0, 0.0)).certain);
-  EXPECT_FALSE(unique_increment(one_node(critical + 1e-6, 0.0, 0.0)).certain);
+  EXPECT_TRUE(check_uniqueness(one_node(critical - 1e-6, 0.0, 0.0)).certain);
+  EXPECT_FALSE(check_uniqueness(one_node(critical + 1e-6, 0.0, 0.0)).certain);
   // below, every load has one answer; above, some have several and some may have none
   Dice dice(5);
   int several = 0;
@@ -261,7 +261,7 @@ TEST(Friction, AnswersThatStandAloneAreNotTurnedOver) {
       if (s.contact.status != ContactStatus::solved) {
         continue;
       }
-      const bool turned = one_of_several(p, s);
+      const bool turned = has_other_solutions(p, s);
       EXPECT_TRUE(!turned || enumerate(p).size() > 1) << mu << " " << f_t << " " << f_n;
     }
   }
@@ -320,14 +320,14 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
     Dice dice(static_cast<unsigned>(seed));
     FrictionProblem p = random_problem(dice);
     const std::vector<Found> answers = enumerate(p);
-    const Uniqueness unique = unique_increment(p);
+    const Uniqueness unique = check_uniqueness(p);
     const double force = std::pow(10.0, dice.whole(-6, 6));
     const double length = std::pow(10.0, dice.whole(-6, 6));
     p.contact.W *= length / force;
     p.contact.b *= length;
     p.contact.h *= force;
-    const FrictionSolution s =
-        solve(p, dice.chance(0.5) ? std::vector<Touch>{} : random_touch(dice, p.contact.b.size()));
+    const FrictionSolution s = solve(p, dice.chance(0.5) ? std::vector<SlipState>{}
+                                                         : random_touch(dice, p.contact.b.size()));
     pivoted += s.contact.pivots > 0 ? 1 : 0;
     if (unique.certain && !unique.apart_from_motions) {
       ++certain;
@@ -346,7 +346,7 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
                 f.mu * s.contact.lambda(f.normal) * (1.0 + 1e-12));
     }
     const double size = 1.0 + s.contact.lambda.cwiseAbs().maxCoeff() / force;
-    if (one_of_several(p, s)) {
+    if (has_other_solutions(p, s)) {
       ++turned;
       EXPECT_NE(answers.size(), 1U);
     }

@@ -107,7 +107,7 @@ TEST(RoundFriction, OnePointSlipsAgainstItsPushAndSticksBelow) {
     EXPECT_NEAR(s.contact.lambda[0], 2.0, 1e-12);
     EXPECT_NEAR(s.contact.lambda[1], -0.6 * shear, 1e-12);
     EXPECT_NEAR(s.contact.lambda[2], -0.8 * shear, 1e-12);
-    EXPECT_EQ(s.touch[1], push < 1.0 ? Touch::stick : Touch::forward);
+    EXPECT_EQ(s.touch[1], push < 1.0 ? SlipState::stick : SlipState::forward);
   }
 }
 
@@ -136,7 +136,7 @@ TEST(RoundFriction, AnswersKeepEveryCondition) {
     const FrictionSolution s = solve(p);
     ASSERT_EQ(s.contact.status, ContactStatus::solved) << "try " << t;
     EXPECT_LT(violation(p, s), 1e-8) << "try " << t;
-    several += one_of_several(p, s) ? 1 : 0;
+    several += has_other_solutions(p, s) ? 1 : 0;
   }
   EXPECT_EQ(several, 0); // with so weak a coupling there is one solution
 }

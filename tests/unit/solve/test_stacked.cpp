@@ -61,7 +61,7 @@ Sum chain_and_block(double ground) {
   return sum;
 }
 
-TEST(Stacked, IsTheDenseEliminationOfTheSum) {
+TEST(TwoLevelCondensation, IsTheDenseEliminationOfTheSum) {
   const Sum sum = chain_and_block(0.1);
   for (const std::int64_t e : {0, 4, 9}) {
     const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
@@ -86,11 +86,11 @@ TEST(Stacked, IsTheDenseEliminationOfTheSum) {
 }
 
 // The factor that stands in for S, its early rows kept from one matrix for the next.
-TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
+TEST(TwoLevelCondensation, EarlyRowsAreEliminatedOnceForAll) {
   constexpr std::int64_t e = 9;
-  std::shared_ptr<const EarlyRows> kept;
-  const EarlyRows* first = nullptr;
-  EarlyLists told_lists;
+  std::shared_ptr<const FirstBlockFactor> kept;
+  const FirstBlockFactor* first = nullptr;
+  BlockPartition told_lists;
   for (const double ground : {0.1, 0.7}) {
     const Sum sum = chain_and_block(ground);
     const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
@@ -98,10 +98,10 @@ TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
     ASSERT_EQ(c.report().status, FactorStatus::ok);
     EXPECT_EQ(c.schur().size(), 0);
     const std::optional<FactoredExternals> own = c.take_factor();
-    ASSERT_TRUE(own && own->L.ok());
-    EXPECT_EQ(own->L.early_rows(), 6); // rows 30 to 35
+    ASSERT_TRUE(own && own->L.is_positive_definite());
+    EXPECT_EQ(own->L.first_block_size(), 6); // rows 30 to 35
     first = first == nullptr ? kept.get() : first;
-    EXPECT_EQ(own->L.early().get(), first);
+    EXPECT_EQ(own->L.first_block().get(), first);
     // S^-1 F, as the elimination of the whole gives it
     const Matrix F = Matrix::Random(e, 3);
     Matrix f = Matrix::Zero(sum.K.n, 3);
@@ -110,7 +110,7 @@ TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
     Matrix g = Matrix::Zero(own->L.size(), 3);
     g(own->row, Eigen::all) = F;
     EXPECT_LE((own->L.solve(g)(own->row, Eigen::all) - u.bottomRows(e)).norm(), 1e-10 * u.norm());
-    const Matrix Y = own->L.half_solve(g);
+    const Matrix Y = own->L.forward_substitute(g);
     EXPECT_LE((Y.transpose() * Y - F.transpose() * u.bottomRows(e)).norm(), 1e-10 * u.norm());
     // loads condensed and displacements recovered as ever
     const Condensation plain(sum.K, e, blocks);
@@ -119,9 +119,9 @@ TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
     const Matrix all = plain.recover(F.leftCols(2), load);
     EXPECT_LE((c.recover(F.leftCols(2), load) - all).norm(), 1e-12 * all.norm());
     // made anew: the same bits
-    std::shared_ptr<const EarlyRows> none;
+    std::shared_ptr<const FirstBlockFactor> none;
     Condensation anew(sum.K, e, blocks, &none);
-    EXPECT_EQ((anew.take_factor()->L.half_solve(g) - Y).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ((anew.take_factor()->L.forward_substitute(g) - Y).cwiseAbs().maxCoeff(), 0.0);
     const FactorReport told = Condensation::forecast(sum.K, e, blocks, &told_lists);
     EXPECT_EQ(told.flops, c.report().flops);
     EXPECT_EQ(told.memory, c.report().memory);
@@ -131,17 +131,17 @@ TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
 }
 
 // An element of which one freedom is left adds to the diagonal alone: that row is not early.
-TEST(Stacked, ASpringOnARowOfTheBlockIsNotLost) {
+TEST(TwoLevelCondensation, ASpringOnARowOfTheBlockIsNotLost) {
   Sum sum = chain_and_block(0.1);
   const auto start = static_cast<std::size_t>(sum.K.start[33]);
   sum.K.value[start] = 2.5;
   sum.whole(33, 33) += 2.5;
   const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
-  std::shared_ptr<const EarlyRows> kept;
+  std::shared_ptr<const FirstBlockFactor> kept;
   Condensation c(sum.K, 9, blocks, &kept);
   const std::optional<FactoredExternals> own = c.take_factor();
-  ASSERT_TRUE(own && own->L.ok());
-  EXPECT_EQ(own->L.early_rows(), 5);
+  ASSERT_TRUE(own && own->L.is_positive_definite());
+  EXPECT_EQ(own->L.first_block_size(), 5);
   Matrix f = Matrix::Zero(sum.K.n, 9);
   f.bottomRows(9).setIdentity();
   Matrix g = Matrix::Zero(own->L.size(), 9);
@@ -151,13 +151,13 @@ TEST(Stacked, ASpringOnARowOfTheBlockIsNotLost) {
 }
 
 // Early rows that only the rest of the body would hold: S as ever.
-TEST(Stacked, ABlockThatDoesNotHoldItsRowsGivesS) {
+TEST(TwoLevelCondensation, ABlockThatDoesNotHoldItsRowsGivesS) {
   Sum sum = chain_and_block(0.1);
   const auto weak = static_cast<Eigen::Index>(sum.rows.size()) - 1; // row 35 hangs on nothing
   sum.block.row(weak).setZero();
   sum.block.col(weak).setZero();
   const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
-  std::shared_ptr<const EarlyRows> kept;
+  std::shared_ptr<const FirstBlockFactor> kept;
   Condensation c(sum.K, 9, blocks, &kept);
   ASSERT_EQ(c.report().status, FactorStatus::ok);
   EXPECT_FALSE(c.take_factor());
@@ -165,7 +165,7 @@ TEST(Stacked, ABlockThatDoesNotHoldItsRowsGivesS) {
   EXPECT_EQ((c.schur() - plain.schur()).cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(Stacked, ABlockThatHoldsNothingIsNamed) {
+TEST(TwoLevelCondensation, ABlockThatHoldsNothingIsNamed) {
   Sum sum = chain_and_block(0.1);
   sum.block.row(4).setZero(); // row 31
   sum.block.col(4).setZero();
@@ -175,11 +175,11 @@ TEST(Stacked, ABlockThatHoldsNothingIsNamed) {
   EXPECT_EQ(c.report().failed_row, 31);
 }
 
-TEST(Stacked, PaysWhereTheBlockFillsTheTop) {
+TEST(TwoLevelCondensation, PaysWhereTheBlockFillsTheTop) {
   const Sum sum = chain_and_block(0.1);
-  EXPECT_TRUE(stacking_pays(std::vector<DenseBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
-  EXPECT_FALSE(stacking_pays(std::vector<DenseBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
-  EXPECT_FALSE(stacking_pays({}, sum.K.n, 4));
+  EXPECT_TRUE(two_level_pays(std::vector<DenseBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
+  EXPECT_FALSE(two_level_pays(std::vector<DenseBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
+  EXPECT_FALSE(two_level_pays({}, sum.K.n, 4));
 }
 
 } // namespace

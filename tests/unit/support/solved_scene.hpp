@@ -87,7 +87,7 @@ struct SolvedScene {
   }
 
   /// What z and w turn into K, at the end of the last step.
-  [[nodiscard]] base::Vec2 intensity(const estimate::Adjoint& adjoint) const {
+  [[nodiscard]] base::Vec2 intensity(const estimate::IntensityAdjoint& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
     if (solver->system() != nullptr) {
@@ -96,9 +96,9 @@ struct SolvedScene {
         gap[static_cast<Eigen::Index>(problem.rows[i])] = problem.gap[static_cast<Eigen::Index>(i)];
       }
     }
-    return estimate::intensity_of(adjoint,
-                                  {analysis::loads_with_supports(model(), scene()) * factor,
-                                   scene().case_displacement * factor, gap});
+    return estimate::adjoint_intensity(adjoint,
+                                       {analysis::loads_with_supports(model(), scene()) * factor,
+                                        scene().case_displacement * factor, gap});
   }
 };
 
