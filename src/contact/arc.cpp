@@ -15,13 +15,13 @@ namespace {
 using std::numbers::pi;
 
 // Over closed chains' seams and crack mouths.
-Links links_of(const Surface& surface, const std::vector<NodePressure>& nodes) {
-  Links links(nodes.size());
+SequenceLinks links_of(const ContactSurface& surface, const std::vector<NodePressure>& nodes) {
+  SequenceLinks links(nodes.size());
   std::vector<std::pair<std::size_t, std::size_t>> open; // first and last node of open chains
   std::size_t first = 0;
   for (const EdgeChain& chain : surface.plane.chains) {
     std::size_t count = chain.closed ? 0 : 1;
-    for (const Edge& edge : surface.plane.of(chain)) {
+    for (const Edge& edge : surface.plane.edges_of_chain(chain)) {
       count += static_cast<std::size_t>(edge.count) - 1;
     }
     for (std::size_t i = first; i + 1 < first + count; ++i) {
@@ -46,15 +46,15 @@ Links links_of(const Surface& surface, const std::vector<NodePressure>& nodes) {
 }
 
 // Way from a to its neighbour b: angle about the centre, or length.
-double way(const Surface& surface, const NodePressure& a, const NodePressure& b) {
+double way(const ContactSurface& surface, const NodePressure& a, const NodePressure& b) {
   return surface.circle ? std::remainder(b.theta - a.theta, 2.0 * pi) : (b.x - a.x).norm();
 }
 
 // The end of contact behind the closed nodes `last`, running to the first open one: the place where
 // c sqrt(L - t) with the force and the moment of the last pressures ends, L = 5/2 M1/M0
 // (contact.11). The way from the last closed node.
-double beyond(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers,
-              const std::vector<std::size_t>& last) {
+double beyond(const ContactSurface& surface, const std::vector<NodePressure>& nodes,
+              bool multipliers, const std::vector<std::size_t>& last) {
   const auto pressure = [&](std::size_t i) {
     return std::max(0.0, multipliers ? nodes[i].p_consistent : nodes[i].p_lumped);
   };
@@ -78,15 +78,16 @@ double beyond(const Surface& surface, const std::vector<NodePressure>& nodes, bo
 }
 
 // Where a stretch of closed nodes begins and how far it runs.
-struct Stretch {
+struct ClosedContactInterval {
   double begin = 0.0;
   double run = 0.0; // negative where the chain goes round clockwise
 };
 
-Stretch measure(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers,
-                const Links& links, const std::vector<std::size_t>& closed) {
+ClosedContactInterval measure(const ContactSurface& surface, const std::vector<NodePressure>& nodes,
+                              bool multipliers, const SequenceLinks& links,
+                              const std::vector<std::size_t>& closed) {
   const std::size_t start = closed.front();
-  Stretch s;
+  ClosedContactInterval s;
   s.begin = surface.circle ? nodes[start].theta : nodes[start].arc;
   for (std::size_t i = 0; i + 1 < closed.size(); ++i) {
     s.run += way(surface, nodes[closed[i]], nodes[closed[i + 1]]);
@@ -115,17 +116,18 @@ Stretch measure(const Surface& surface, const std::vector<NodePressure>& nodes, 
 
 } // namespace
 
-Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers) {
-  const Links links = links_of(surface, nodes);
+ContactArc longest_arc(const ContactSurface& surface, const std::vector<NodePressure>& nodes,
+                       bool multipliers) {
+  const SequenceLinks links = links_of(surface, nodes);
   const bool round = surface.circle.has_value();
   std::vector<bool> closed;
   closed.reserve(nodes.size());
   for (const NodePressure& node : nodes) {
     closed.push_back(node.closed);
   }
-  std::optional<Stretch> longest;
-  for (const std::vector<std::size_t>& places : stretches(links, closed)) {
-    const Stretch s = measure(surface, nodes, multipliers, links, places);
+  std::optional<ClosedContactInterval> longest;
+  for (const std::vector<std::size_t>& places : contiguous_ranges(links, closed)) {
+    const ClosedContactInterval s = measure(surface, nodes, multipliers, links, places);
     if (!longest || std::abs(s.run) > std::abs(longest->run)) {
       longest = s;
     }
@@ -135,13 +137,13 @@ Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, 
       return {};
     }
     double length = 0.0; // closed all round
-    for (const Edge& edge : surface.plane.of(surface.plane.chains.front())) {
+    for (const Edge& edge : surface.plane.edges_of_chain(surface.plane.chains.front())) {
       length += edge.length;
     }
-    return round ? Arc{-pi, pi} : Arc{0.0, length};
+    return round ? ContactArc{-pi, pi} : ContactArc{0.0, length};
   }
-  Arc arc{std::min(longest->begin, longest->begin + longest->run),
-          std::max(longest->begin, longest->begin + longest->run)};
+  ContactArc arc{std::min(longest->begin, longest->begin + longest->run),
+                 std::max(longest->begin, longest->begin + longest->run)};
   if (round) {
     // Angles start from -pi up to below pi: one that round-off keeps just below pi starts at -pi.
     const double turns = std::floor((arc.from + pi) / (2.0 * pi) + 1e-9);

@@ -8,7 +8,7 @@
 namespace spricka::contact {
 
 /// A stretch of a surface: angles [rad] or lengths.
-struct Arc {
+struct ContactArc {
   double from = 0.0, to = 0.0;
 };
 
@@ -17,6 +17,7 @@ struct Arc {
 /// those of the chains, in order; `multipliers`: p_consistent holds the pressure, else p_lumped. A
 /// stretch ends where a pressure like a square root with the force and moment of the last three
 /// closed nodes does (contact.11), or with its surface; it goes on across a crack's mouth.
-Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers);
+ContactArc longest_arc(const ContactSurface& surface, const std::vector<NodePressure>& nodes,
+                       bool multipliers);
 
 } // namespace spricka::contact

@@ -10,7 +10,7 @@ namespace {
 // Calls `mend(end, mid, next)` for the ends of chains next to the axis on quadratic edges. There
 // the corner function's area, l r / 6, is next to nothing beside its first moment: force over area
 // has no bound. The edge's other two nodes tell the pressure, which is even in r.
-template <class Mend> void for_axis_ends(const Surface& surface, Mend&& mend) {
+template <class Mend> void for_axis_ends(const ContactSurface& surface, Mend&& mend) {
   const auto look = [&](const Edge& edge, std::size_t end, std::size_t next) {
     const double reach = edge.x[next].x() - edge.x[end].x();
     if (edge.count == 3 && edge.x[end].x() < 0.5 * reach) {
@@ -19,15 +19,15 @@ template <class Mend> void for_axis_ends(const Surface& surface, Mend&& mend) {
   };
   for (const EdgeChain& chain : surface.plane.chains) {
     if (!chain.closed) {
-      look(surface.plane.of(chain).front(), 0, 1);
-      look(surface.plane.of(chain).back(), 1, 0);
+      look(surface.plane.edges_of_chain(chain).front(), 0, 1);
+      look(surface.plane.edges_of_chain(chain).back(), 1, 0);
     }
   }
 }
 
 } // namespace
 
-void mend_axis_ends(const Surface& surface, const Numbering& number, base::Vector& p) {
+void extrapolate_to_axis(const ContactSurface& surface, const Numbering& number, base::Vector& p) {
   for_axis_ends(surface, [&](const Edge& edge, std::size_t end, std::size_t next) {
     const auto square = [&](std::size_t i) { return edge.x[i].x() * edge.x[i].x(); };
     const double p_mid = p[number.at(edge.nodes[2])];
@@ -37,7 +37,8 @@ void mend_axis_ends(const Surface& surface, const Numbering& number, base::Vecto
   });
 }
 
-void copy_to_axis_ends(const PairRows& pair, const std::map<base::NodeId, std::size_t>& row_of,
+void copy_to_axis_ends(const PairConstraints& pair,
+                       const std::map<base::NodeId, std::size_t>& row_of,
                        std::vector<NodePressure>& nodes) {
   if (!pair.contact.axial || pair.segments) {
     return;

@@ -35,10 +35,10 @@ base::Matrix held(base::Matrix S, const base::Matrix& Q) {
 }
 
 // Rows on unknowns as columns, each a sparse one.
-solve::SparseColumns as_sparse(const std::vector<std::vector<RowShare>>& rows) {
+solve::SparseColumns as_sparse(const std::vector<std::vector<RowCoefficient>>& rows) {
   solve::SparseColumns F;
-  for (const std::vector<RowShare>& row : rows) {
-    for (const RowShare& share : row) {
+  for (const std::vector<RowCoefficient>& row : rows) {
+    for (const RowCoefficient& share : row) {
       F.row.push_back(share.at);
       F.value.push_back(share.weight);
     }
@@ -65,14 +65,14 @@ base::Matrix CondensedBody::project(base::Matrix F) const {
   return F;
 }
 
-base::Matrix CondensedBody::half_compliance(const base::Matrix& F) const {
+base::Matrix CondensedBody::compliance_root(const base::Matrix& F) const {
   // A layered factor has no modes to project off. Its early rows come first in Y.
   return layered_ ? layered_->L.forward_substitute(spread(F))
                   : factor_.forward_substitute(project(F));
 }
 
 base::Matrix CondensedBody::displacement(const base::Matrix& F) const {
-  if (is_whole()) {
+  if (is_uncondensed()) {
     base::Matrix u = response(off_modes(F));
     if (Q_.cols() > 0) {
       u -= Q_ * (Q_(whole_.weighed, Eigen::all).transpose() * u(whole_.weighed, Eigen::all));
@@ -92,7 +92,7 @@ base::Matrix CondensedBody::spread(const base::Matrix& F) const {
   return all;
 }
 
-CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, WholeBody whole,
+CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, UncondensedBody whole,
                              const base::Matrix& modes)
     : freedom_(std::move(freedom)), Q_(modes), factor_(base::Matrix()), whole_(std::move(whole)) {
   base::Matrix S = whole_.factor->take_schur();
@@ -133,7 +133,7 @@ base::Matrix CondensedBody::off_modes(base::Matrix F) const {
 }
 
 solve::RowCompliance
-CondensedBody::compliance(const std::vector<std::vector<RowShare>>& rows) const {
+CondensedBody::compliance(const std::vector<std::vector<RowCoefficient>>& rows) const {
   solve::RowCompliance out = whole_.factor->compliance(as_sparse(rows));
   if (out.condensed.rows() > 0) {
     out.W.noalias() += out.condensed.transpose() * hold(out.condensed);
@@ -149,7 +149,7 @@ CondensedBody::compliance(const std::vector<std::vector<RowShare>>& rows) const 
   base::Matrix B = base::Matrix::Zero(index(rows.size()), Q_.cols());
   base::Matrix C = B;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (const RowShare& share : rows[r]) {
+    for (const RowCoefficient& share : rows[r]) {
       B.row(index(r)) += share.weight * Q_.row(share.at);
       C.row(index(r)) += share.weight * V.row(share.at);
     }

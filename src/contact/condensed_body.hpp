@@ -13,15 +13,15 @@
 namespace spricka::contact {
 
 /// A row's part in one body: external freedom, or early row of its factor, and weight.
-struct RowShare {
+struct RowCoefficient {
   Eigen::Index at = 0;
   double weight = 0.0;
-  bool operator==(const RowShare&) const = default;
+  bool operator==(const RowCoefficient&) const = default;
 };
 
 /// The net of a body of which nothing is condensed: all of its unknowns are external to contact,
 /// and what loads do is asked of the sparse factor. Rows act on some of the unknowns alone.
-struct WholeBody {
+struct UncondensedBody {
   std::shared_ptr<solve::Condensation> factor; ///< its externals hold the body, and no more
   std::vector<Eigen::Index> weighed;           ///< unknowns that rows weigh
 };
@@ -37,24 +37,25 @@ public:
   CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor);
   /// freedom and modes of all unknowns [m]. Modes are orthonormal on what rows weigh, so that S+ is
   /// that of a body condensed to it (solve.37).
-  CondensedBody(std::vector<std::int32_t> freedom, WholeBody whole, const base::Matrix& modes);
+  CondensedBody(std::vector<std::int32_t> freedom, UncondensedBody whole,
+                const base::Matrix& modes);
 
   [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
   [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
-  [[nodiscard]] bool ok() const {
+  [[nodiscard]] bool is_factorised() const {
     return layered_ ? layered_->L.is_positive_definite() : factor_.is_positive_definite();
   }
   /// The factor in the place of S, else null.
-  [[nodiscard]] const solve::FactoredExternals* layered() const {
+  [[nodiscard]] const solve::FactoredExternals* block_factor() const {
     return layered_ ? &*layered_ : nullptr;
   }
   /// Whether it is a WholeBody; then compliance() stands in the place of half_compliance().
-  [[nodiscard]] bool is_whole() const { return whole_.factor != nullptr; }
+  [[nodiscard]] bool is_uncondensed() const { return whole_.factor != nullptr; }
   /// Y [.., k] with Y^T Y = F^T S+ F.
-  [[nodiscard]] base::Matrix half_compliance(const base::Matrix& F) const;
+  [[nodiscard]] base::Matrix compliance_root(const base::Matrix& F) const;
   /// G S+ G^T [k, k] of rows.
   [[nodiscard]] solve::RowCompliance
-  compliance(const std::vector<std::vector<RowShare>>& rows) const;
+  compliance(const std::vector<std::vector<RowCoefficient>>& rows) const;
   /// S+ F [m, k].
   [[nodiscard]] base::Matrix displacement(const base::Matrix& F) const;
 
@@ -70,7 +71,7 @@ private:
   base::Matrix Q_;
   solve::DenseCholesky factor_; ///< of a whole body that of the externals which hold it
   std::optional<solve::FactoredExternals> layered_;
-  WholeBody whole_;
+  UncondensedBody whole_;
   base::Matrix held_modes_; ///< [externals, r] of a whole body, orthonormal there
 };
 

@@ -38,7 +38,7 @@ struct ConstraintRow {
 /// A place where one surface of a pair ends while the other goes on: the end of a rigid line, the
 /// edge of a punch or of a hub, the mouth of a crack. Where contact is closed up to it, the exact
 /// pressure has no bound, and the largest one found belongs to the mesh. In space an edge.
-struct SharpEnd {
+struct SingularContactEdge {
   base::Vec3 x = base::Vec3::Zero(); ///< in space some place of the edge
   std::vector<base::NodeId> nodes;   ///< contact nodes whose pressure acts there
   bool bounded = false; ///< in space: the body that ends is so soft that its corner gives way
@@ -46,7 +46,7 @@ struct SharpEnd {
 
 /// What presses at a node of a surface in space: one function for each smooth part that the node
 /// belongs to, with a row of its own, that of the neighbour it joined, or none.
-struct SpaceFunction {
+struct MultiplierFunction {
   base::NodeId node;
   std::size_t part = 0;       ///< of the contact surface
   int row = -1;               ///< among the pair's normal rows; -1: nothing lies opposite
@@ -57,11 +57,11 @@ struct SpaceFunction {
 };
 
 /// The rows of one contact pair.
-struct PairRows {
+struct PairConstraints {
   std::vector<ConstraintRow> normal;
   std::vector<ConstraintRow> tangent;      ///< bonded pairs and those with friction
-  Surface contact;                         ///< side that carries the multipliers
-  Surface target;                          ///< no edges where `rigid` stands in its place
+  ContactSurface contact;                  ///< side that carries the multipliers
+  ContactSurface target;                   ///< no edges where `rigid` stands in its place
   std::optional<model::RigidTarget> rigid; ///< rows then weigh nodes of the contact side only
   bool swapped = false;                    ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
@@ -70,14 +70,16 @@ struct PairRows {
   std::string trouble;   ///< why there are no rows (node pairing that does not match)
   std::string choice;    ///< which side carries the multipliers and why, for the listing
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
-  std::vector<SharpEnd> sharp_ends; ///< in the order of the contact surface; none on crack faces
-  std::vector<SpaceFunction> functions; ///< in space, by part and node
-  std::optional<Round> rigid_shape;     ///< in space, of `rigid`
-  double lost = 0.0; ///< in space: area that lies opposite, but whose normal meets nothing there
+  std::vector<SingularContactEdge>
+      sharp_ends; ///< in the order of the contact surface; none on crack faces
+  std::vector<MultiplierFunction> functions; ///< in space, by part and node
+  std::optional<AnalyticShape> rigid_shape;  ///< in space, of `rigid`
+  double unprojected_area =
+      0.0; ///< in space: area that lies opposite, but whose normal meets nothing there
 };
 
 /// Maps each contact node to its place in `pair.normal`; where a node has several normal rows, to
 /// the first of them.
-std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair);
+std::map<base::NodeId, std::size_t> normal_rows(const PairConstraints& pair);
 
 } // namespace spricka::contact

@@ -22,7 +22,7 @@ struct PushedNodes {
 };
 
 // `depth` of a place.
-template <class Depth> PushedNodes face_nodes(const Surface& surface, Depth&& depth) {
+template <class Depth> PushedNodes face_nodes(const ContactSurface& surface, Depth&& depth) {
   PushedNodes nodes;
   for (const Edge& edge : surface.plane.edges) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
@@ -45,20 +45,20 @@ template <class Depth> PushedNodes face_nodes(const Surface& surface, Depth&& de
   return nodes;
 }
 
-Surface face_surface(const model::Model& model, const model::Mesh& mesh,
-                     const std::vector<base::NodeId>& crack_face) {
-  Surface surface = make_surface(model, mesh, mesh::faces_within(mesh, crack_face));
+ContactSurface face_surface(const model::Model& model, const model::Mesh& mesh,
+                            const std::vector<base::NodeId>& crack_face) {
+  ContactSurface surface = make_surface(model, mesh, mesh::faces_within(mesh, crack_face));
   surface.circle.reset(); // places along a face are lengths, also where it is an arc
   return surface;
 }
 
 } // namespace
 
-PairRows crack_face_rows(const model::Model& model, const model::Mesh& mesh,
-                         const mesh::CrackFaces& crack_faces, bool friction) {
+PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& mesh,
+                                const mesh::CrackFaces& crack_faces, bool friction) {
   const bool half = crack_faces.half();
   const std::vector<base::NodeId>& own = crack_faces.own();
-  PairRows pair;
+  PairConstraints pair;
   pair.faces = true;
   pair.found = true;
   pair.choice = half ? "the face of a half model, against its line" : "left face: node pairs";
@@ -77,8 +77,9 @@ PairRows crack_face_rows(const model::Model& model, const model::Mesh& mesh,
   for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {
     opposite[own[i]] = base::NodeId();
   }
-  const PushedNodes nodes = face_nodes(
-      pair.contact, [&](const Vec2& x) { return depth_at(pair.contact, pair.target, x); });
+  const PushedNodes nodes = face_nodes(pair.contact, [&](const Vec2& x) {
+    return out_of_plane_depth(pair.contact, pair.target, x);
+  });
   double largest = 0.0;
   for (const auto& [id, push] : nodes.push) {
     largest = std::max(largest, push.norm());
@@ -92,8 +93,8 @@ PairRows crack_face_rows(const model::Model& model, const model::Mesh& mesh,
     if (push.norm() <= no_area * largest) {
       continue; // the corner of a quadratic edge on the axis
     }
-    add_rows(NodePair{id, other->second, {push.x(), push.y(), 0.0}, push.norm(), 0.0},
-             friction && !half, pair);
+    append_node_rows(NodePair{id, other->second, {push.x(), push.y(), 0.0}, push.norm(), 0.0},
+                     friction && !half, pair);
   }
   return pair;
 }

@@ -20,22 +20,22 @@ shape::ReferenceDomain domain_of(std::size_t corners) {
 
 } // namespace
 
-Facet make_facet(const model::Mesh& mesh, const model::Face& face) {
+ContactFacet make_facet(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
   const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-  Facet facet{face, domain_of(shape::side_corners(type, face.side)), {}};
+  ContactFacet facet{face, domain_of(shape::side_corners(type, face.side)), {}};
   for (const int local : shape::side_nodes(type, face.side)) {
     facet.nodes.push_back(nodes[static_cast<std::size_t>(local)]);
   }
   return facet;
 }
 
-FacetValues facet_N(const Facet& facet, const Vec2& r) {
+FacetValues facet_N(const ContactFacet& facet, const Vec2& r) {
   assert(facet.domain == shape::ReferenceDomain::line);
   return mesh::edge_N(static_cast<int>(facet.nodes.size()), r[0]);
 }
 
-FacetValues facet_hats(const Facet& facet, const Vec2& r) {
+FacetValues facet_hats(const ContactFacet& facet, const Vec2& r) {
   assert(facet.domain == shape::ReferenceDomain::line);
   return line_hats(static_cast<int>(facet.nodes.size()), r[0]);
 }

@@ -13,23 +13,23 @@ namespace spricka::contact {
 using base::Vec2;
 
 /// One side of an element. Its reference coordinates r have two places; a line uses the first.
-struct Facet {
+struct ContactFacet {
   model::Face face;
   shape::ReferenceDomain domain = shape::ReferenceDomain::line; ///< that r runs over
   std::vector<base::NodeId> nodes; ///< corners first; with the domain they tell the shape
 };
 
-Facet make_facet(const model::Mesh& mesh, const model::Face& face);
+ContactFacet make_facet(const model::Mesh& mesh, const model::Face& face);
 
 /// One number for each node of a facet; those behind its last node are zero.
 using FacetValues = std::array<double, 3>;
 
 /// Shape functions of a facet at r; lines of two and three nodes.
-FacetValues facet_N(const Facet& facet, const Vec2& r);
+FacetValues facet_N(const ContactFacet& facet, const Vec2& r);
 
 /// Hats on half edges: piecewise linear, non-negative, sum 1; lines of two and three nodes.
 /// Pressures of SEGMENT pairs are sums of these.
-FacetValues facet_hats(const Facet& facet, const Vec2& r);
+FacetValues facet_hats(const ContactFacet& facet, const Vec2& r);
 
 /// The same by the number of nodes on a line.
 FacetValues line_hats(int count, double xi);

@@ -9,11 +9,12 @@ namespace spricka::contact {
 
 using base::index;
 
-FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load) {
+UnconstrainedResponse unconstrained_response(const ContactSystem& system,
+                                             const std::vector<base::Matrix>& load) {
   const std::vector<const CondensedBody*>& bodies = system.bodies();
   // Loads without contact forces: rigid modes do not move, what acts on them is left in on_mode.
-  FreeResponse out;
-  out.on_mode.resize(system.B().cols(), load.empty() ? 0 : load.front().cols());
+  UnconstrainedResponse out;
+  out.on_mode.resize(system.mode_openings().cols(), load.empty() ? 0 : load.front().cols());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     out.u.push_back(bodies[b]->displacement(load[b]));
     const base::Matrix& Q = bodies[b]->modes();
@@ -23,17 +24,17 @@ FreeResponse free_response(const ContactSystem& system, const std::vector<base::
   return out;
 }
 
-HeldContact::HeldContact(const ContactSystem& system, std::vector<std::size_t> rows)
-    : system_(system), rows_(std::move(rows)), held_(system.compliance(rows_)) {}
+FixedActiveSet::FixedActiveSet(const ContactSystem& system, std::vector<std::size_t> rows)
+    : system_(system), rows_(std::move(rows)), held_(system.equality_problem(rows_)) {}
 
-HeldContact::Response HeldContact::respond(const base::Matrix& gap,
-                                           const base::Matrix& on_mode) const {
+FixedActiveSet::ActiveSetResponse
+FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_mode) const {
   base::Matrix before(index(rows_.size()), gap.cols());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     before.row(index(i)) = gap.row(index(rows_[i]));
   }
   solve::ClosedRowsSolver::ClosedRowsResponse found = held_.respond(before, on_mode);
-  Response out;
+  ActiveSetResponse out;
   out.left_over = found.left_over;
   out.mode = std::move(found.alpha);
   out.force = base::Matrix::Zero(gap.rows(), gap.cols());
@@ -41,12 +42,12 @@ HeldContact::Response HeldContact::respond(const base::Matrix& gap,
     out.force.row(index(rows_[i])) = found.lambda.row(index(i));
   }
   // Of all rows of the system: those that are away open or overlap as they like.
-  out.gap = gap + system_.W() * out.force + system_.B() * out.mode;
+  out.gap = gap + system_.row_compliance() * out.force + system_.mode_openings() * out.mode;
   return out;
 }
 
-std::vector<base::Matrix> HeldContact::displacement(const std::vector<base::Matrix>& load,
-                                                    const Response& response) const {
+std::vector<base::Matrix> FixedActiveSet::displacement(const std::vector<base::Matrix>& load,
+                                                       const ActiveSetResponse& response) const {
   std::vector<base::Matrix> force = load;
   for (const std::size_t row : rows_) {
     system_.add_force(row, response.force.row(index(row)), force);
@@ -60,10 +61,10 @@ std::vector<base::Matrix> HeldContact::displacement(const std::vector<base::Matr
   return u;
 }
 
-base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) const {
+base::Vector FixedActiveSet::pivots(const std::vector<std::size_t>& candidates) const {
   const auto count = index(candidates.size());
-  const base::Matrix& W = system_.W();
-  const base::Matrix& B = system_.B();
+  const base::Matrix& W = system_.row_compliance();
+  const base::Matrix& B = system_.mode_openings();
   // A column for each candidate: the gap of a held row, or the force on another one, is one, and
   // the held rows answer.
   base::Matrix gap = base::Matrix::Zero(W.rows(), count);
@@ -80,7 +81,7 @@ base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) con
       on_mode.col(at) = B.row(row).transpose();
     }
   }
-  const Response response = respond(gap, on_mode);
+  const ActiveSetResponse response = solve_response(gap, on_mode);
   base::Vector pivot(count);
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const auto at = index(c);

@@ -8,37 +8,39 @@
 namespace spricka::contact {
 
 /// Displacements, openings and loads on the modes of bodies under loads, without contact forces.
-struct FreeResponse {
+struct UnconstrainedResponse {
   std::vector<base::Matrix> u; ///< [body][m, k] external displacements
   base::Matrix opening;        ///< [row, k]
   base::Matrix on_mode;        ///< [mode, k]
 };
 /// The response to condensed loads [body][m, k].
-FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load);
+UnconstrainedResponse unconstrained_response(const ContactSystem& system,
+                                             const std::vector<base::Matrix>& load);
 
 /// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
 /// others away: linear, factorised once.
-class HeldContact {
+class FixedActiveSet {
 public:
   /// `system` must outlive it; `rows` of the system, each once.
-  HeldContact(const ContactSystem& system, std::vector<std::size_t> rows);
+  FixedActiveSet(const ContactSystem& system, std::vector<std::size_t> rows);
 
   [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
-  [[nodiscard]] bool ok() const {
+  [[nodiscard]] bool is_consistent() const {
     return held_.is_solvable();
   } ///< false: the rows contradict each other
 
-  struct Response {
+  struct ActiveSetResponse {
     base::Matrix force;     ///< [row, k] zero where not held
     base::Matrix mode;      ///< [mode, k]
     base::Matrix gap;       ///< [row, k]
     double left_over = 0.0; ///< largest load on motions that open no held row: they rest
   };
   /// The response to gaps of all rows before they press [row, k] and loads on the modes [mode, k].
-  [[nodiscard]] Response respond(const base::Matrix& gap, const base::Matrix& on_mode) const;
+  [[nodiscard]] ActiveSetResponse solve_response(const base::Matrix& gap,
+                                                 const base::Matrix& on_mode) const;
   /// External displacements [body][m, k] under condensed loads and a response to them.
   [[nodiscard]] std::vector<base::Matrix> displacement(const std::vector<base::Matrix>& load,
-                                                       const Response& response) const;
+                                                       const ActiveSetResponse& response) const;
 
   /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit
   /// of its own force opens, of a held one the force that a unit of its gap takes (manual,

@@ -10,22 +10,22 @@ namespace {
 constexpr double least_cover = 0.2; // rows covered by less go to a neighbour
 
 // Adds c times what the point p moves along a direction, the target before the contact surface.
-void add_motion(const PairPoint& p, const Facet& facet, const Facet* target, double c,
-                const base::Vec3& along, RowBuilder& row) {
+void add_motion(const MortarPoint& p, const ContactFacet& facet, const ContactFacet* target,
+                double c, const base::Vec3& along, ConstraintRowBuilder& row) {
   const FacetValues N = facet_N(facet, p.r);
   for (std::size_t k = 0; k < facet.nodes.size(); ++k) {
-    row.add(facet.nodes[k], -c * N[k] * along);
+    row.add_contribution(facet.nodes[k], -c * N[k] * along);
   }
   if (target != nullptr) {
     const FacetValues M = facet_N(*target, p.s);
     for (std::size_t k = 0; k < target->nodes.size(); ++k) {
-      row.add(target->nodes[k], c * M[k] * along);
+      row.add_contribution(target->nodes[k], c * M[k] * along);
     }
   }
 }
 
-void add_point(const PairPoint& p, const Facet& facet, const Facet* target, int tangents,
-               RowsByNode& rows) {
+void add_point(const MortarPoint& p, const ContactFacet& facet, const ContactFacet* target,
+               int tangents, RowsByNode& rows) {
   const FacetValues phi = facet_hats(facet, p.r);
   for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
     const double c = p.weight * phi[i];
@@ -33,7 +33,7 @@ void add_point(const PairPoint& p, const Facet& facet, const Facet* target, int 
     if (c == 0.0) {
       continue;
     }
-    NodeRows& row = rows[facet.nodes[i]];
+    NodalRowSums& row = rows[facet.nodes[i]];
     // (contact.2), and along the tangents (contact.21).
     row.normal.gap += c * p.gap;
     row.normal.round_gap += c * p.round_gap;
@@ -46,24 +46,24 @@ void add_point(const PairPoint& p, const Facet& facet, const Facet* target, int 
   }
 }
 
-bool is_covered(const RowBuilder& row) {
+bool is_covered(const ConstraintRowBuilder& row) {
   return row.area >= least_cover * row.whole;
 }
 
 } // namespace
 
-RowsByNode make_rows(const PairPoints& points, std::span<const Facet> contact,
-                     std::span<const Facet> targets, int tangents) {
+RowsByNode integrate_mortar_rows(const MortarPoints& points, std::span<const ContactFacet> contact,
+                                 std::span<const ContactFacet> targets, int tangents) {
   RowsByNode rows;
   // The area of each function over all of its edges, paired or not: the measure of its cover.
-  for (const SurfacePoint& p : points.surface) {
-    const Facet& facet = contact[p.facet];
+  for (const SurfaceQuadraturePoint& p : points.surface) {
+    const ContactFacet& facet = contact[p.facet];
     const FacetValues phi = facet_hats(facet, p.r);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
       rows[facet.nodes[i]].normal.whole += p.weight * phi[i];
     }
   }
-  for (const PairPoint& p : points.points) {
+  for (const MortarPoint& p : points.points) {
     add_point(p, contact[p.facet], targets.empty() ? nullptr : &targets[p.target], tangents, rows);
   }
   return rows;
@@ -96,22 +96,23 @@ int merge_slivers(const NodeOrder& order, RowsByNode& rows) {
     } else if (rows[nodes[i]].normal.area > 1e-9 * rows[nodes[i]].normal.whole) {
       continue; // no neighbour is any better: what is covered must hold
     }
-    NodeRows& own = rows[nodes[i]];
+    NodalRowSums& own = rows[nodes[i]];
     if (to < n) {
-      NodeRows& other = rows[nodes[to]];
-      other.normal.add(own.normal);
+      NodalRowSums& other = rows[nodes[to]];
+      other.normal.add_contribution(own.normal);
       for (std::size_t t = 0; t < own.tangent.size(); ++t) {
-        other.tangent[t].add(own.tangent[t]);
+        other.tangent[t].add_contribution(own.tangent[t]);
       }
       ++merged;
     }
     // Merged, or a cover of round-off that is dropped: without area append_rows() leaves it out.
-    own = NodeRows{};
+    own = NodalRowSums{};
   }
   return merged;
 }
 
-void append_rows(const NodeOrder& order, const RowsByNode& rows, int tangents, PairRows& pair) {
+void append_rows(const NodeOrder& order, const RowsByNode& rows, int tangents,
+                 PairConstraints& pair) {
   for (const base::NodeId node : order.nodes) {
     const auto row = rows.find(node);
     if (row == rows.end() || !(row->second.normal.area > 0.0)) {
@@ -119,9 +120,9 @@ void append_rows(const NodeOrder& order, const RowsByNode& rows, int tangents, P
     }
     const auto normal = static_cast<int>(pair.normal.size());
     for (std::size_t t = 0; t < static_cast<std::size_t>(tangents); ++t) {
-      pair.tangent.push_back(row->second.tangent[t].finish(node, normal));
+      pair.tangent.push_back(row->second.tangent[t].make_row(node, normal));
     }
-    pair.normal.push_back(row->second.normal.finish(node));
+    pair.normal.push_back(row->second.normal.make_row(node));
   }
 }
 

@@ -12,17 +12,17 @@
 namespace spricka::contact {
 
 /// The rows of one node while they are summed: across the surfaces and along them.
-struct NodeRows {
-  RowBuilder normal;
-  std::array<RowBuilder, 2> tangent;
+struct NodalRowSums {
+  ConstraintRowBuilder normal;
+  std::array<ConstraintRowBuilder, 2> tangent;
 };
-using RowsByNode = std::map<base::NodeId, NodeRows>;
+using RowsByNode = std::map<base::NodeId, NodalRowSums>;
 
 /// Weights the motion of the two surfaces at each point by the hats of the contact facet, node by
 /// node. `targets` is empty where the target is rigid; `tangents`: how many of the points' tangents
 /// make rows as well.
-RowsByNode make_rows(const PairPoints& points, std::span<const Facet> contact,
-                     std::span<const Facet> targets, int tangents);
+RowsByNode integrate_mortar_rows(const MortarPoints& points, std::span<const ContactFacet> contact,
+                                 std::span<const ContactFacet> targets, int tangents);
 
 /// The nodes of a contact surface in the order in which rows are merged and stand; after the last
 /// the first one follows where it is closed.
@@ -37,6 +37,7 @@ int merge_slivers(const NodeOrder& order, RowsByNode& rows);
 
 /// Appends the rows that weigh something to those of a pair, in order; tangent rows behind one
 /// another know their normal row.
-void append_rows(const NodeOrder& order, const RowsByNode& rows, int tangents, PairRows& pair);
+void append_rows(const NodeOrder& order, const RowsByNode& rows, int tangents,
+                 PairConstraints& pair);
 
 } // namespace spricka::contact

@@ -23,13 +23,13 @@ double contact_end(double s_inner, double p_inner, double s_last, double p_last,
 
 } // namespace
 
-Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
+ContactArc longest_marked_arc(std::vector<ContactArcNode> nodes, bool round) {
   std::stable_sort(nodes.begin(), nodes.end(),
-                   [](const ArcNode& a, const ArcNode& b) { return a.s < b.s; });
+                   [](const ContactArcNode& a, const ContactArcNode& b) { return a.s < b.s; });
   const std::size_t n = nodes.size();
   std::vector<bool> in;
   in.reserve(n);
-  for (const ArcNode& node : nodes) {
+  for (const ContactArcNode& node : nodes) {
     in.push_back(node.in);
   }
   constexpr double pi = std::numbers::pi;
@@ -37,16 +37,17 @@ Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
   // round, fewer end where they end.
   if (n > 0 && std::ranges::find(in, false) == in.end()) {
     return round && n > 2 && nodes[n - 1].s - nodes[0].s > 1.5 * pi
-               ? Arc{-pi, pi}
-               : Arc{nodes[0].s, nodes[n - 1].s};
+               ? ContactArc{-pi, pi}
+               : ContactArc{nodes[0].s, nodes[n - 1].s};
   }
   // Places of a stretch across the seam go on beyond pi, so that they ascend along it.
   const auto coordinate = [&](std::size_t i) {
     return nodes[i % n].s + 2.0 * pi * static_cast<double>(round ? i / n : 0);
   };
-  Arc best;
+  ContactArc best;
   std::size_t longest = 0;
-  for (const std::vector<std::size_t>& places : stretches(Links::in_order(n, round), in)) {
+  for (const std::vector<std::size_t>& places :
+       contiguous_ranges(SequenceLinks::in_order(n, round), in)) {
     if (places.size() <= longest) {
       continue;
     }

@@ -7,7 +7,7 @@
 namespace spricka::contact {
 
 /// A node of a contact surface, to find a part of the contact such as the sticking one.
-struct ArcNode {
+struct ContactArcNode {
   double s = 0.0;        ///< place along the surface [length]; an angle [rad] where it is round
   bool in = false;       ///< whether the node belongs to the part
   double strength = 0.0; ///< falls to zero at the ends of the part; sticking: mu p - |q| [stress]
@@ -16,6 +16,6 @@ struct ArcNode {
 /// The longest run of nodes that belong to the part. Its ends lie where strength^2 of the last two
 /// nodes, carried on linearly, is zero (square-root law). `round`: s is an angle and closes on
 /// itself.
-Arc marked_arc(std::vector<ArcNode> nodes, bool round);
+ContactArc longest_marked_arc(std::vector<ContactArcNode> nodes, bool round);
 
 } // namespace spricka::contact

@@ -7,11 +7,11 @@ namespace spricka::contact {
 
 namespace {
 
-RowBuilder between(const NodePair& nodes, const base::Vec3& along) {
-  RowBuilder row;
-  row.add(nodes.node, -along);
+ConstraintRowBuilder between(const NodePair& nodes, const base::Vec3& along) {
+  ConstraintRowBuilder row;
+  row.add_contribution(nodes.node, -along);
   if (nodes.other.valid()) {
-    row.add(nodes.other, along);
+    row.add_contribution(nodes.other, along);
   }
   row.area = nodes.area;
   return row;
@@ -19,16 +19,16 @@ RowBuilder between(const NodePair& nodes, const base::Vec3& along) {
 
 } // namespace
 
-void add_rows(const NodePair& nodes, bool tangents, PairRows& pair) {
-  RowBuilder row = between(nodes, nodes.push);
+void append_node_rows(const NodePair& nodes, bool tangents, PairConstraints& pair) {
+  ConstraintRowBuilder row = between(nodes, nodes.push);
   row.gap = nodes.area * nodes.gap;
   row.round_gap = row.gap;
   if (tangents) {
     const base::Vec3 along(-nodes.push.y(), nodes.push.x(), 0.0);
     pair.tangent.push_back(
-        between(nodes, along).finish(nodes.node, static_cast<int>(pair.normal.size())));
+        between(nodes, along).make_row(nodes.node, static_cast<int>(pair.normal.size())));
   }
-  pair.normal.push_back(row.finish(nodes.node));
+  pair.normal.push_back(row.make_row(nodes.node));
 }
 
 } // namespace spricka::contact

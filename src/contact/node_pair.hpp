@@ -15,6 +15,6 @@ struct NodePair {
 
 /// Appends the normal row of two nodes, and if asked that along the surface, the push turned to the
 /// left in the plane.
-void add_rows(const NodePair& nodes, bool tangents, PairRows& pair);
+void append_node_rows(const NodePair& nodes, bool tangents, PairConstraints& pair);
 
 } // namespace spricka::contact

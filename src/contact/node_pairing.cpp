@@ -30,19 +30,19 @@ struct SurfaceNode {
 };
 
 // In the order of the chains, so that rows run along the surface.
-struct SurfaceNodes {
+struct OrderedSurfaceNodes {
   std::map<base::NodeId, SurfaceNode> node;
   std::vector<base::NodeId> order;
 };
 
 // Integral of each shape function over an edge times the depth there: what a uniform pressure puts
 // on the nodes. Three Gauss points: exact on straight edges, about an axis as well.
-std::array<double, 3> nodal_areas(const Edge& edge, const PairRows& pair) {
+std::array<double, 3> nodal_areas(const Edge& edge, const PairConstraints& pair) {
   std::array<double, 3> area{};
   for (const auto& [r, weight] : shape::line_rule(5)) {
     const std::array<double, 3> N = edge_N(edge, r[0]);
     const double w = weight * tangent_on(edge, r[0]).norm() *
-                     depth_at(pair.contact, pair.target, point_on(edge, r[0]));
+                     out_of_plane_depth(pair.contact, pair.target, point_on(edge, r[0]));
     for (std::size_t i = 0; i < area.size(); ++i) {
       area[i] += w * N[i];
     }
@@ -50,8 +50,8 @@ std::array<double, 3> nodal_areas(const Edge& edge, const PairRows& pair) {
   return area;
 }
 
-SurfaceNodes collect(const Surface& surface, const PairRows& pair) {
-  SurfaceNodes all;
+OrderedSurfaceNodes collect(const ContactSurface& surface, const PairConstraints& pair) {
+  OrderedSurfaceNodes all;
   for (const Edge& edge : surface.plane.edges) {
     const std::array<double, 3> xi{-1.0, 1.0, 0.0};
     const std::array<double, 3> area = nodal_areas(edge, pair);
@@ -72,26 +72,26 @@ SurfaceNodes collect(const Surface& surface, const PairRows& pair) {
 }
 
 // What a node has opposite: a node, or a point of a rigid target.
-struct Partner {
+struct OppositePoint {
   base::NodeId node; ///< invalid on a rigid target
   Vec2 normal = Vec2::Zero();
   double gap = 0.0;
 };
 
-std::optional<Partner> rigid_partner(const SurfaceNode& node, const PairRows& pair) {
-  const std::optional<RigidFoot> foot = foot_on(*pair.rigid, node.x);
+std::optional<OppositePoint> rigid_partner(const SurfaceNode& node, const PairConstraints& pair) {
+  const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, node.x);
   if (!foot || foot->beyond || node.normal.dot(foot->normal) <= 0.0 ||
       std::abs(foot->gap) > farthest_opposite * pair.contact.extent) {
     return std::nullopt;
   }
-  return Partner{base::NodeId(), foot->normal, foot->gap};
+  return OppositePoint{base::NodeId(), foot->normal, foot->gap};
 }
 
-std::optional<Partner> partner(const SurfaceNode& node, const SurfaceNodes& targets,
-                               const Surface& contact) {
+std::optional<OppositePoint> partner(const SurfaceNode& node, const OrderedSurfaceNodes& targets,
+                                     const ContactSurface& contact) {
   const Vec2 n = node.normal.normalized();
   double best = std::numeric_limits<double>::infinity();
-  std::optional<Partner> found;
+  std::optional<OppositePoint> found;
   for (const base::NodeId id : targets.order) {
     const SurfaceNode& other = targets.node.at(id);
     const Vec2 d = other.x - node.x;
@@ -100,7 +100,7 @@ std::optional<Partner> partner(const SurfaceNode& node, const SurfaceNodes& targ
     if (other.normal.dot(n) < 0.0 && across <= off_normal * contact.mean_length &&
         std::abs(along) <= farthest_opposite * contact.extent && std::abs(along) < best) {
       best = std::abs(along);
-      found = Partner{id, n, along};
+      found = OppositePoint{id, n, along};
     }
   }
   return found;
@@ -108,13 +108,13 @@ std::optional<Partner> partner(const SurfaceNode& node, const SurfaceNodes& targ
 
 } // namespace
 
-void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
-  const SurfaceNodes nodes = collect(pair.contact, pair);
-  const SurfaceNodes targets = collect(pair.target, pair);
+void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents) {
+  const OrderedSurfaceNodes nodes = collect(pair.contact, pair);
+  const OrderedSurfaceNodes targets = collect(pair.target, pair);
   int lonely = 0;
   for (const base::NodeId id : nodes.order) {
     const SurfaceNode& node = nodes.node.at(id);
-    const std::optional<Partner> other =
+    const std::optional<OppositePoint> other =
         pair.rigid ? rigid_partner(node, pair) : partner(node, targets, pair.contact);
     if (!other) {
       lonely += pair.rigid ? 0 : 1; // beyond a rigid target there is nothing
@@ -127,12 +127,12 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents
       continue;
     }
     const Vec2 push = node.area * n;
-    add_rows(
+    append_node_rows(
         NodePair{id,
                  other->node,
                  {push.x(), push.y(), 0.0},
                  node.area,
-                 declared_gap.value_or(beyond_digits(other->gap, node.x.cwiseAbs().maxCoeff()))},
+                 declared_gap.value_or(zero_round_off(other->gap, node.x.cwiseAbs().maxCoeff()))},
         tangents, pair);
   }
   if (pair.found && lonely > 0) {

@@ -10,6 +10,6 @@ namespace spricka::contact {
 /// `pair`: each contact node with the target node on its normal. Rows are scaled by the lumped
 /// area of the node. Without a partner within 1e-3 of the edge length off the normal the pair is
 /// in `trouble`.
-void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents);
+void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents);
 
 } // namespace spricka::contact

@@ -24,9 +24,9 @@ double turn_between(const Vec2& n, const Vec2& m) {
 
 } // namespace
 
-Outline::Outline(const Surface& surface, const base::Vector& u) {
+BoundaryPolyline::BoundaryPolyline(const ContactSurface& surface, const base::Vector& u) {
   for (const EdgeChain& chain : surface.plane.chains) {
-    const std::span<const Edge> edges = surface.plane.of(chain);
+    const std::span<const Edge> edges = surface.plane.edges_of_chain(chain);
     std::vector<Vec2> points;
     for (std::size_t e = 0; e < edges.size(); ++e) {
       Edge edge = edges[e];
@@ -46,7 +46,7 @@ Outline::Outline(const Surface& surface, const base::Vector& u) {
   sort_in();
 }
 
-void Outline::add_chain(std::vector<Vec2> points, bool closed) {
+void BoundaryPolyline::add_chain(std::vector<Vec2> points, bool closed) {
   const std::size_t n = closed ? points.size() : points.size() - 1;
   if (points.size() < 2) {
     return;
@@ -66,15 +66,15 @@ void Outline::add_chain(std::vector<Vec2> points, bool closed) {
   }
 }
 
-Outline::QuadratureCell Outline::cell_of(const Vec2& x) const {
+BoundaryPolyline::QuadratureCell BoundaryPolyline::cell_of(const Vec2& x) const {
   return {std::lround(std::floor((x.x() - low_.x()) / size_)),
           std::lround(std::floor((x.y() - low_.y()) / size_))};
 }
 
-void Outline::sort_in() {
+void BoundaryPolyline::sort_in() {
   double length = 0.0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& p = pieces_[i];
+    const PolylineSegment& p = pieces_[i];
     low_ = i == 0 ? Vec2(p.a.cwiseMin(p.b)) : Vec2(low_.cwiseMin(p.a).cwiseMin(p.b));
     high_ = i == 0 ? Vec2(p.a.cwiseMax(p.b)) : Vec2(high_.cwiseMax(p.a).cwiseMax(p.b));
     length += (p.b - p.a).norm();
@@ -93,9 +93,9 @@ void Outline::sort_in() {
 }
 
 // Takes a piece for the nearest one so far if it is.
-void Outline::look(const Vec2& x, std::size_t i, double& best,
-                   std::optional<OutlinePlace>& found) const {
-  const Piece& p = pieces_[i];
+void BoundaryPolyline::look(const Vec2& x, std::size_t i, double& best,
+                            std::optional<BoundaryDistance>& found) const {
+  const PolylineSegment& p = pieces_[i];
   const Vec2 chord = p.b - p.a;
   const double t = (x - p.a).dot(chord) / chord.squaredNorm();
   const Vec2 off = x - p.a - std::clamp(t, 0.0, 1.0) * chord;
@@ -110,8 +110,9 @@ void Outline::look(const Vec2& x, std::size_t i, double& best,
   found = {off.dot(n) < 0.0 ? -best : best, chord.norm() * p.turn / 8.0};
 }
 
-std::optional<OutlinePlace> Outline::nearest(const Vec2& x, double reach) const {
-  std::optional<OutlinePlace> found;
+std::optional<BoundaryDistance> BoundaryPolyline::signed_distance(const Vec2& x,
+                                                                  double reach) const {
+  std::optional<BoundaryDistance> found;
   double best = reach;
   const Vec2 r = Vec2::Constant(reach);
   const QuadratureCell from = cell_of((x - r).cwiseMax(low_).cwiseMin(high_));

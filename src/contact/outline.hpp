@@ -11,35 +11,36 @@
 namespace spricka::contact {
 
 /// The nearest place of an outline.
-struct OutlinePlace {
+struct BoundaryDistance {
   double distance = 0.0; ///< negative inside the body [length]
   double facet = 0.0;    ///< how far the polyline may leave the curve there [length]
 };
 
-class Outline {
+class BoundaryPolyline {
 public:
   /// The outline of a surface moved by u [2 * node] [length]; empty: as drawn. Quadratic edges
   /// become four straight ones.
-  Outline(const Surface& surface, const base::Vector& u);
+  BoundaryPolyline(const ContactSurface& surface, const base::Vector& u);
 
   /// The nearest place no further off than `reach`, if there is one.
-  [[nodiscard]] std::optional<OutlinePlace> nearest(const Vec2& x, double reach) const;
-  [[nodiscard]] const Vec2& low() const { return low_; } ///< corners of the bounding box
-  [[nodiscard]] const Vec2& high() const { return high_; }
+  [[nodiscard]] std::optional<BoundaryDistance> signed_distance(const Vec2& x, double reach) const;
+  [[nodiscard]] const Vec2& lower_corner() const { return low_; } ///< corners of the bounding box
+  [[nodiscard]] const Vec2& upper_corner() const { return high_; }
 
 private:
-  struct Piece {
+  struct PolylineSegment {
     Vec2 a, b;
     Vec2 at_a, at_b;   ///< sums of the normals that meet at its ends
     double turn = 0.0; ///< to its neighbours, corners left out [rad]
   };
   using QuadratureCell = std::pair<long, long>;
   [[nodiscard]] QuadratureCell cell_of(const Vec2& x) const;
-  void look(const Vec2& x, std::size_t i, double& best, std::optional<OutlinePlace>& found) const;
+  void look(const Vec2& x, std::size_t i, double& best,
+            std::optional<BoundaryDistance>& found) const;
   void add_chain(std::vector<Vec2> points, bool closed);
   void sort_in();
 
-  std::vector<Piece> pieces_;
+  std::vector<PolylineSegment> pieces_;
   Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();
   double size_ = 1.0; ///< of a cell
   std::map<QuadratureCell, std::vector<std::size_t>> cells_;

@@ -23,7 +23,7 @@ struct Opposite {
 };
 
 // How far along n the circle that the nodes of a surface lie on is from a point of its edges.
-double to_circle(const Surface& surface, const Vec2& x, const Vec2& n) {
+double to_circle(const ContactSurface& surface, const Vec2& x, const Vec2& n) {
   if (!surface.circle || !surface.circle->exact) {
     return 0.0;
   }
@@ -33,34 +33,34 @@ double to_circle(const Surface& surface, const Vec2& x, const Vec2& n) {
   return std::abs(along) < 0.5 ? 0.0 : (surface.circle->radius - d.norm()) / along;
 }
 
-std::optional<Opposite> opposite(const Surface& contact, const model::RigidTarget& rigid,
-                                 const Segment& s, double xi) {
+std::optional<Opposite> opposite(const ContactSurface& contact, const model::RigidTarget& rigid,
+                                 const MortarSegment& s, double xi) {
   const Vec2 x = point_on(contact.plane.edges[s.contact_edge], xi);
-  const std::optional<RigidFoot> foot = foot_on(rigid, x);
+  const std::optional<RigidProjection> foot = normal_projection(rigid, x);
   if (!foot) {
     return std::nullopt;
   }
-  const double gap = beyond_digits(foot->gap, x.cwiseAbs().maxCoeff());
+  const double gap = zero_round_off(foot->gap, x.cwiseAbs().maxCoeff());
   return Opposite{0.0, foot->normal, gap, gap - to_circle(contact, x, foot->normal)};
 }
 
-std::optional<Opposite> opposite(const Surface& contact, const Surface& other, const Segment& s,
-                                 double xi) {
+std::optional<Opposite> opposite(const ContactSurface& contact, const ContactSurface& other,
+                                 const MortarSegment& s, double xi) {
   const Edge& edge = contact.plane.edges[s.contact_edge];
   const Edge& target = other.plane.edges[s.target_edge];
   const Vec2 x = point_on(edge, xi);
   const Vec2 n = surface_normal(contact, edge, xi);
-  const std::optional<double> eta = hit_on(target, x, n);
+  const std::optional<double> eta = ray_intersection(target, x, n);
   if (!eta) {
     return std::nullopt;
   }
   const Vec2 y = point_on(target, *eta);
   // (contact.7), and the same between the circles: each surface is moved onto its own.
-  const double gap = beyond_digits((y - x).dot(n), x.cwiseAbs().maxCoeff());
+  const double gap = zero_round_off((y - x).dot(n), x.cwiseAbs().maxCoeff());
   return Opposite{*eta, n, gap, gap - to_circle(contact, x, n) + to_circle(other, y, n)};
 }
 
-bool covered_twice(const std::vector<Segment>& segments) {
+bool covered_twice(const std::vector<MortarSegment>& segments) {
   // Segments of an edge stand in the order of `from`; neighbours that share a node may overlap by
   // round-off.
   for (std::size_t i = 1; i < segments.size(); ++i) {
@@ -74,8 +74,8 @@ bool covered_twice(const std::vector<Segment>& segments) {
 
 // False if a point of the segment finds no target: its area would be lost.
 template <class Target, class Depth>
-bool add_segment(const Surface& contact, const Target& target, const Segment& s, Depth&& depth,
-                 std::vector<PairPoint>& points) {
+bool add_segment(const ContactSurface& contact, const Target& target, const MortarSegment& s,
+                 Depth&& depth, std::vector<MortarPoint>& points) {
   const Edge& edge = contact.plane.edges[s.contact_edge];
   for (const auto& [r, weight] : shape::line_rule(degree)) {
     const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * r[0]);
@@ -84,7 +84,7 @@ bool add_segment(const Surface& contact, const Target& target, const Segment& s,
     if (!other) {
       return false;
     }
-    PairPoint p;
+    MortarPoint p;
     p.facet = s.contact_edge;
     p.target = s.target_edge;
     p.r = {xi, 0.0};
@@ -103,8 +103,8 @@ bool add_segment(const Surface& contact, const Target& target, const Segment& s,
 
 // Half edges, on which hats are polynomials.
 template <class Depth>
-void add_whole_edge(const Surface& contact, std::size_t facet, Depth&& depth,
-                    std::vector<SurfacePoint>& points) {
+void add_whole_edge(const ContactSurface& contact, std::size_t facet, Depth&& depth,
+                    std::vector<SurfaceQuadraturePoint>& points) {
   const Edge& edge = contact.plane.edges[facet];
   for (const double half : {-0.5, 0.5}) {
     for (const auto& [r, weight] : shape::line_rule(degree)) {
@@ -116,10 +116,10 @@ void add_whole_edge(const Surface& contact, std::size_t facet, Depth&& depth,
 }
 
 template <class Target, class Depth>
-PairPoints find_points(const Surface& contact, const Target& target,
-                       std::optional<double> declared_gap, Depth&& depth) {
-  PairPoints all;
-  const std::vector<Segment> segments = find_segments(contact, target);
+MortarPoints find_points(const ContactSurface& contact, const Target& target,
+                         std::optional<double> declared_gap, Depth&& depth) {
+  MortarPoints all;
+  const std::vector<MortarSegment> segments = find_segments(contact, target);
   if (covered_twice(segments)) {
     all.trouble = "the surfaces face each other twice at one place (folded or cornered surfaces "
                   "are not available in this version)";
@@ -129,14 +129,14 @@ PairPoints find_points(const Surface& contact, const Target& target,
   for (std::size_t facet = 0; facet < contact.facets.size(); ++facet) {
     add_whole_edge(contact, facet, depth, all.surface);
   }
-  for (const Segment& s : segments) {
+  for (const MortarSegment& s : segments) {
     if (!add_segment(contact, target, s, depth, all.points)) {
       all.trouble = "the normals of one surface miss the other within a stretch that faces it (too "
                     "strongly curved for its edges?)";
       return all;
     }
   }
-  for (PairPoint& p : all.points) {
+  for (MortarPoint& p : all.points) {
     // A declared gap holds for the circles as well: then the two gaps do not differ.
     p.gap = declared_gap.value_or(p.gap);
     p.round_gap = declared_gap.value_or(p.round_gap);
@@ -146,16 +146,16 @@ PairPoints find_points(const Surface& contact, const Target& target,
 
 } // namespace
 
-PairPoints pair_points(const Surface& contact, const Surface& target,
-                       std::optional<double> declared_gap) {
+MortarPoints mortar_points(const ContactSurface& contact, const ContactSurface& target,
+                           std::optional<double> declared_gap) {
   return find_points(contact, target, declared_gap,
-                     [&](const Vec2& x) { return depth_at(contact, target, x); });
+                     [&](const Vec2& x) { return out_of_plane_depth(contact, target, x); });
 }
 
-PairPoints pair_points(const Surface& contact, const model::RigidTarget& target,
-                       std::optional<double> declared_gap) {
+MortarPoints mortar_points(const ContactSurface& contact, const model::RigidTarget& target,
+                           std::optional<double> declared_gap) {
   return find_points(contact, target, declared_gap,
-                     [&](const Vec2& x) { return depth_at(contact, contact, x); });
+                     [&](const Vec2& x) { return out_of_plane_depth(contact, contact, x); });
 }
 
 } // namespace spricka::contact

@@ -13,7 +13,7 @@
 namespace spricka::contact {
 
 /// One integration point. Reference coordinates have one place in use in the plane.
-struct PairPoint {
+struct MortarPoint {
   std::size_t facet = 0;  ///< of the contact surface
   std::size_t target = 0; ///< facet of the target; 0 on a rigid one, which has none
   Vec2 r = Vec2::Zero();  ///< on the facet
@@ -28,25 +28,25 @@ struct PairPoint {
 };
 
 /// A point of the contact surface whether something lies opposite or not.
-struct SurfacePoint {
+struct SurfaceQuadraturePoint {
   std::size_t facet = 0;
   Vec2 r = Vec2::Zero();
   double weight = 0.0;
 };
 
-struct PairPoints {
-  std::vector<PairPoint> points;     ///< facet by facet
-  std::vector<SurfacePoint> surface; ///< over all of every facet
-  bool found = false;                ///< the surfaces face each other somewhere
-  std::string trouble;               ///< why there are no points though they do
+struct MortarPoints {
+  std::vector<MortarPoint> points;             ///< facet by facet
+  std::vector<SurfaceQuadraturePoint> surface; ///< over all of every facet
+  bool found = false;                          ///< the surfaces face each other somewhere
+  std::string trouble;                         ///< why there are no points though they do
 };
 
 /// The points at which a contact surface sees a target along its normals, or along those of a rigid
 /// one. In the plane: Gauss points of degree 9 on the stretches of segment.hpp. A declared gap
 /// stands in the place of the measured ones.
-PairPoints pair_points(const Surface& contact, const Surface& target,
-                       std::optional<double> declared_gap);
-PairPoints pair_points(const Surface& contact, const model::RigidTarget& target,
-                       std::optional<double> declared_gap);
+MortarPoints mortar_points(const ContactSurface& contact, const ContactSurface& target,
+                           std::optional<double> declared_gap);
+MortarPoints mortar_points(const ContactSurface& contact, const model::RigidTarget& target,
+                           std::optional<double> declared_gap);
 
 } // namespace spricka::contact

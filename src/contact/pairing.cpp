@@ -23,7 +23,7 @@ namespace {
 
 // Whether two chains of the surface end in one place of one net: a crack opens there. Where nets
 // meet a tie may join the ends, and two rows would ask the same of one displacement.
-bool has_mouth(const model::Mesh& mesh, const Surface& surface) {
+bool has_mouth(const model::Mesh& mesh, const ContactSurface& surface) {
   struct End {
     Vec2 x;
     base::NetId net;
@@ -31,8 +31,8 @@ bool has_mouth(const model::Mesh& mesh, const Surface& surface) {
   std::vector<End> ends;
   for (const EdgeChain& chain : surface.plane.chains) {
     if (!chain.closed) {
-      const Edge& first = surface.plane.of(chain).front();
-      const Edge& last = surface.plane.of(chain).back();
+      const Edge& first = surface.plane.edges_of_chain(chain).front();
+      const Edge& last = surface.plane.edges_of_chain(chain).back();
       ends.push_back({first.x[0], mesh.node_net[first.nodes[0].index()]});
       ends.push_back({last.x[1], mesh.node_net[last.nodes[1].index()]});
     }
@@ -53,13 +53,13 @@ constexpr double alike = 1.5;
 // In space, where each function is met by more of the other side's, less difference tells.
 constexpr double alike_in_space = 1.3;
 
-struct Choice {
+struct MultiplierSideChoice {
   bool swap = false;
   std::string why;
 };
 
 // Of sides alike in size.
-Choice softer_side(const Surface& slave, const Surface& master) {
+MultiplierSideChoice softer_side(const ContactSurface& slave, const ContactSurface& master) {
   if (slave.stiffness > master.stiffness) {
     return {true, "master side: softer, sizes alike"};
   }
@@ -76,40 +76,44 @@ struct MetFaces {
 };
 
 MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
-  const Sighting sighting(surface, target);
+  const SurfaceProjection sighting(surface, target);
   std::vector<bool> seen(surface.faces.size(), false);
   for (const SurfaceTriangle& t : surface.triangles) {
     const SolidFace& face = surface.faces[t.face];
-    const Vec2 middle = (node_r(face.shape, t.node[0]) + node_r(face.shape, t.node[1]) +
-                         node_r(face.shape, t.node[2])) /
+    const Vec2 middle = (node_local_coordinates(face.shape, t.node[0]) +
+                         node_local_coordinates(face.shape, t.node[1]) +
+                         node_local_coordinates(face.shape, t.node[2])) /
                         3.0;
-    const FacePoint at = point_on(face, middle);
-    seen[t.face] = seen[t.face] || sighting.look(at.x, surface_normal(surface, t.face, at));
+    const SolidFacePoint at = point_on(face, middle);
+    seen[t.face] =
+        seen[t.face] || sighting.project_along_normal(at.x, surface_normal(surface, t.face, at));
   }
   MetFaces found;
   for (std::size_t f = 0; f < seen.size(); ++f) {
     found.faces += seen[f] ? 1 : 0;
-    found.area += seen[f] ? area_of(surface.faces[f]) : 0.0;
+    found.area += seen[f] ? face_area(surface.faces[f]) : 0.0;
   }
   return found;
 }
 
 // In space sizes are those of the faces that meet. A part smaller than a few faces of the coarser
 // side would have few functions there: the finer side has them then.
-Choice choose_space_side(const Surface& slave, const Surface& master) {
+MultiplierSideChoice choose_space_side(const ContactSurface& slave, const ContactSurface& master) {
   constexpr double few = 9.0; // faces, three each way
   const MetFaces own = met_faces(slave.space, master.space);
   const MetFaces other = met_faces(master.space, slave.space);
   if (own.faces == 0 || other.faces == 0) { // the other lies within one face
-    return own.faces >= other.faces ? Choice{false, "slave side: it lies within one face"}
-                                    : Choice{true, "master side: it lies within one face"};
+    return own.faces >= other.faces
+               ? MultiplierSideChoice{false, "slave side: it lies within one face"}
+               : MultiplierSideChoice{true, "master side: it lies within one face"};
   }
   const double ratio = own.size() / other.size();
   const double met = std::min(own.area, other.area);
   const double coarse = std::pow(std::max(own.size(), other.size()), 2);
   if ((ratio > alike_in_space || ratio < 1.0 / alike_in_space) && met < few * coarse) {
-    return ratio < 1.0 ? Choice{false, "slave side: few faces of the coarser one are met"}
-                       : Choice{true, "master side: few faces of the coarser one are met"};
+    return ratio < 1.0
+               ? MultiplierSideChoice{false, "slave side: few faces of the coarser one are met"}
+               : MultiplierSideChoice{true, "master side: few faces of the coarser one are met"};
   }
   if (ratio > alike_in_space) {
     return {false, "slave side: coarser where they meet"};
@@ -124,7 +128,8 @@ Choice choose_space_side(const Surface& slave, const Surface& master) {
 // across the mouth, know one pressure for both (K2 of short cracks then is off by some per cent of
 // K1). Pressures of the stiffer side would go up and down where a coarse soft one can't follow its
 // small elements.
-Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
+MultiplierSideChoice choose_side(const model::Mesh& mesh, const ContactSurface& slave,
+                                 const ContactSurface& master) {
   if (!slave.space.faces.empty()) {
     return choose_space_side(slave, master);
   }
@@ -145,14 +150,15 @@ Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface&
   return softer_side(slave, master);
 }
 
-Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
+MultiplierSideChoice choose_node_side(const model::Mesh& mesh, const ContactSurface& slave,
+                                      const ContactSurface& master) {
   // both crack faces of a mouth need their row
   return has_mouth(mesh, master) && !has_mouth(mesh, slave)
-             ? Choice{true, "master side: node pairs, a crack opens into it"}
-             : Choice{false, "slave side: node pairs"};
+             ? MultiplierSideChoice{true, "master side: node pairs, a crack opens into it"}
+             : MultiplierSideChoice{false, "slave side: node pairs"};
 }
 
-void add_rows(PairRows& pair, const model::Contact& contact) {
+void add_rows(PairConstraints& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   if (!pair.contact.space.faces.empty()) {
     if (contact.pairing == model::PairingMethod::node) {
@@ -162,46 +168,46 @@ void add_rows(PairRows& pair, const model::Contact& contact) {
     if (contact.multiplier == model::MultiplierNodes::corners) {
       pair.contact.space.triangles = corner_triangles(pair.contact.space);
     }
-    space_rows(pair, contact.gap, tangents);
+    fill_space_mortar_rows(pair, contact.gap, tangents);
     if (pair.found) {
-      pair.sharp_ends = sharp_edges(pair);
+      pair.sharp_ends = find_space_singular_edges(pair);
     }
     return;
   }
   if (contact.pairing == model::PairingMethod::node) {
     node_rows(pair, contact.gap, tangents);
   } else {
-    segment_rows(pair, contact.gap, tangents);
+    fill_mortar_rows(pair, contact.gap, tangents);
   }
   if (pair.found) {
-    pair.sharp_ends = sharp_ends(pair);
+    pair.sharp_ends = find_singular_edges(pair);
   }
 }
 
 } // namespace
 
-PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
-                   const model::Contact& contact) {
-  PairRows pair;
+PairConstraints pair_rows(const model::Model& model, const model::Mesh& mesh,
+                          const model::Contact& contact) {
+  PairConstraints pair;
   const bool nodes = contact.pairing == model::PairingMethod::node;
-  Surface slave = make_surface(model, mesh, contact.slave);
+  ContactSurface slave = make_surface(model, mesh, contact.slave);
   if (contact.rigid.valid()) {
     pair.contact = std::move(slave);
     pair.target.thickness = pair.contact.thickness;
     pair.rigid = model.rigids[contact.rigid.index()];
     if (mesh.dim == 3) {
-      pair.rigid_shape = rigid_round(*pair.rigid);
+      pair.rigid_shape = rigid_target_shape(*pair.rigid);
     }
     pair.choice = "slave side: the master is rigid";
     add_rows(pair, contact);
     return pair;
   }
-  Surface master = make_surface(model, mesh, contact.master);
+  ContactSurface master = make_surface(model, mesh, contact.master);
   if (slave.facets.empty() || master.facets.empty()) {
     pair.trouble = "a surface has no edges";
     return pair;
   }
-  const Choice choice =
+  const MultiplierSideChoice choice =
       nodes ? choose_node_side(mesh, slave, master) : choose_side(mesh, slave, master);
   pair.swapped = choice.swap;
   pair.choice = choice.why;

@@ -28,11 +28,11 @@ struct EdgeChain {
 };
 
 /// The order of a surface along its curves.
-struct PlaneFeatures {
+struct PlanarEdgeChains {
   std::vector<Edge> edges; ///< [facet], chain by chain
   std::vector<EdgeChain> chains;
 
-  [[nodiscard]] std::span<const Edge> of(const EdgeChain& chain) const {
+  [[nodiscard]] std::span<const Edge> edges_of_chain(const EdgeChain& chain) const {
     return std::span(edges).subspan(chain.first, chain.count);
   }
 };

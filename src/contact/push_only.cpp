@@ -25,10 +25,10 @@ std::optional<std::size_t> neighbour(const ChainRange& chain, std::size_t i, std
 }
 
 // One chain of keep_pushing.
-class Chain {
+class ChainTensionRedistribution {
 public:
-  Chain(const ChainRange& range, std::vector<Index> order, const base::Vector& area,
-        NodalTraction traction)
+  ChainTensionRedistribution(const ChainRange& range, std::vector<Index> order,
+                             const base::Vector& area, NodalTraction traction)
       : range_(range), order_(std::move(order)), area_(area), at_(traction) {}
 
   void push() {
@@ -92,7 +92,7 @@ private:
 };
 
 // Part of the way to its neighbour that a node's row stands for.
-double own_part(const PairRows& pair, const ChainRange& chain, std::size_t i) {
+double own_part(const PairConstraints& pair, const ChainRange& chain, std::size_t i) {
   const bool quadratic = chain.count > 1 && pair.contact.plane.edges.front().count == 3;
   if (pair.segments || !quadratic) {
     return 0.5;
@@ -120,12 +120,12 @@ double end_of_contact(const std::vector<std::array<double, 2>>& last, double ope
 
 } // namespace
 
-std::vector<ChainRange> chain_ranges(const Surface& surface) {
+std::vector<ChainRange> chain_ranges(const ContactSurface& surface) {
   std::vector<ChainRange> all;
   std::size_t first = 0;
   for (const EdgeChain& chain : surface.plane.chains) {
     std::size_t count = chain.closed ? 0 : 1;
-    for (const Edge& edge : surface.plane.of(chain)) {
+    for (const Edge& edge : surface.plane.edges_of_chain(chain)) {
       count += static_cast<std::size_t>(edge.count) - 1;
     }
     all.push_back({first, count, chain.closed});
@@ -134,15 +134,17 @@ std::vector<ChainRange> chain_ranges(const Surface& surface) {
   return all;
 }
 
-void keep_pushing(const Surface& surface, const std::vector<Index>& order, const base::Vector& area,
-                  NodalTraction traction) {
+void redistribute_tension(const ContactSurface& surface, const std::vector<Index>& order,
+                          const base::Vector& area, NodalTraction traction) {
   for (const ChainRange& range : chain_ranges(surface)) {
     const auto begin = order.begin() + static_cast<std::ptrdiff_t>(range.first);
-    Chain(range, {begin, begin + static_cast<std::ptrdiff_t>(range.count)}, area, traction).push();
+    ChainTensionRedistribution(range, {begin, begin + static_cast<std::ptrdiff_t>(range.count)},
+                               area, traction)
+        .push();
   }
 }
 
-double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes) {
+double contact_area(const PairConstraints& pair, const std::vector<NodePressure>& nodes) {
   double area = 0.0;
   for (const NodePressure& node : nodes) {
     if (node.row >= 0 && node.closed) {
@@ -176,7 +178,7 @@ double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes
         // The way that the closed row's area covers is taken off (contact.10): below zero where
         // contact ends before that.
         const double beyond = end_of_contact(last, t) - own_part(pair, chain, i) * way;
-        area += beyond * depth_at(pair.contact, pair.target, at(i).x.head<2>());
+        area += beyond * out_of_plane_depth(pair.contact, pair.target, at(i).x.head<2>());
       }
     }
   }

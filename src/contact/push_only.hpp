@@ -15,7 +15,7 @@ struct ChainRange {
   std::size_t first = 0, count = 0;
   bool closed = false;
 };
-std::vector<ChainRange> chain_ranges(const Surface& surface);
+std::vector<ChainRange> chain_ranges(const ContactSurface& surface);
 
 /// Nodal pressures with the shear beside them [node, as numbered]; no shear: empty.
 struct NodalTraction {
@@ -26,11 +26,11 @@ struct NodalTraction {
 /// Makes p >= 0 and keeps sum area * p and sum area * q of each chain (contact.24): what a node
 /// pulls is taken from the nearest nodes of its chain that push, and its shear goes with it, so
 /// that a ratio q / p that all nodes have stays. `order` [node]: chain by chain.
-void keep_pushing(const Surface& surface, const std::vector<Eigen::Index>& order,
-                  const base::Vector& area, NodalTraction traction);
+void redistribute_tension(const ContactSurface& surface, const std::vector<Eigen::Index>& order,
+                          const base::Vector& area, NodalTraction traction);
 
 /// Area of the part in contact: closed rows, up to where the square-root law (contact.11) ends the
 /// pressure behind the last of them. Nodes as recover_pressure has them.
-double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes);
+double contact_area(const PairConstraints& pair, const std::vector<NodePressure>& nodes);
 
 } // namespace spricka::contact

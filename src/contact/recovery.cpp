@@ -34,12 +34,12 @@ constexpr double covered = 1e-4; // of a hat's area: what integration may miss
 constexpr double no_hat = 1e-9;  // of a hat's area
 
 // Surface mass matrix C = sum over edges of integral N N^T, times the depth.
-Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& number) {
+Eigen::SparseMatrix<double> surface_mass(const PairConstraints& pair, const Numbering& number) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](const Edge& edge, double xi, double weight) {
     const std::array<double, 3> N = edge_N(edge, xi);
     const double w = weight * tangent_on(edge, xi).norm() *
-                     depth_at(pair.contact, pair.target, point_on(edge, xi));
+                     out_of_plane_depth(pair.contact, pair.target, point_on(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       for (std::size_t j = 0; j < static_cast<std::size_t>(edge.count); ++j) {
         entries.emplace_back(number.at(edge.nodes[i]), number.at(edge.nodes[j]), w * N[i] * N[j]);
@@ -58,17 +58,18 @@ Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& 
 }
 
 // Nodes of the surface chain by chain in running order, with their place and mean normal.
-struct Place {
+struct RecoveryNode {
   NodePressure at;
   Vec2 normal = Vec2::Zero();
 };
 
-void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Place>& places) {
-  const std::span<const Edge> edges = surface.plane.of(chain);
+void append_chain(const ContactSurface& surface, const EdgeChain& chain,
+                  std::vector<RecoveryNode>& places) {
+  const std::span<const Edge> edges = surface.plane.edges_of_chain(chain);
   const std::size_t first = places.size();
   double arc = 0.0;
   const auto add = [&](const Edge& edge, std::size_t i, double xi, double s) {
-    Place p;
+    RecoveryNode p;
     p.at.node = edge.nodes[i];
     p.at.x.head<2>() = edge.x[i];
     p.at.arc = s;
@@ -94,12 +95,12 @@ void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Pl
   }
 }
 
-std::vector<Place> ordered_places(const Surface& surface) {
-  std::vector<Place> places;
+std::vector<RecoveryNode> ordered_places(const ContactSurface& surface) {
+  std::vector<RecoveryNode> places;
   for (const EdgeChain& chain : surface.plane.chains) {
     append_chain(surface, chain, places);
   }
-  for (Place& p : places) {
+  for (RecoveryNode& p : places) {
     p.normal.normalize();
     if (surface.circle) {
       const Vec2 d = p.at.x.head<2>() - surface.circle->centre;
@@ -110,7 +111,7 @@ std::vector<Place> ordered_places(const Surface& surface) {
 }
 
 // A crack mouth cuts the surface: two nodes of different numbers stand in one point.
-void mark_crack_faces(const Surface& surface, std::vector<Place>& places) {
+void mark_crack_faces(const ContactSurface& surface, std::vector<RecoveryNode>& places) {
   std::vector<std::size_t> ends;
   for (const ChainRange& chain : chain_ranges(surface)) {
     if (!chain.closed) {
@@ -129,7 +130,7 @@ void mark_crack_faces(const Surface& surface, std::vector<Place>& places) {
 }
 
 // Chain after chain: lengths along the whole surface.
-void string_chains(const Surface& surface, std::vector<Place>& places) {
+void string_chains(const ContactSurface& surface, std::vector<RecoveryNode>& places) {
   const std::vector<double> starts = chain_starts(surface);
   const std::vector<ChainRange> chains = chain_ranges(surface);
   for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -145,7 +146,8 @@ struct SideForce {
   base::Vec3 total = base::Vec3::Zero();
 };
 
-SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Numbering& number) {
+SideForce side_force(const PairConstraints& pair, const base::Vector& lambda,
+                     const Numbering& number) {
   SideForce force;
   const auto add = [&](const ConstraintRow& row, double value) {
     for (const RowEntry& entry : row.entries) {
@@ -183,21 +185,21 @@ struct NodeArea {
   base::Vector facing, hat;
 };
 
-NodeArea node_areas(const PairRows& pair, const std::vector<Place>& places,
+NodeArea node_areas(const PairConstraints& pair, const std::vector<RecoveryNode>& places,
                     const Numbering& number) {
-  const Surface& surface = pair.contact;
+  const ContactSurface& surface = pair.contact;
   const auto n = index(number.size());
   NodeArea area{base::Vector::Zero(n), base::Vector::Zero(n)};
   std::vector<Vec2> normal(number.size());
-  for (const Place& p : places) {
+  for (const RecoveryNode& p : places) {
     normal[at(number.at(p.at.node))] = p.normal;
   }
   const auto add = [&](const Edge& edge, double xi, double weight) {
     const std::array<double, 3> N = edge_N(edge, xi);
     const std::array<double, 3> hat = edge_hats(edge, xi);
     const Vec2 here = surface_normal(surface, edge, xi);
-    const double w =
-        weight * tangent_on(edge, xi).norm() * depth_at(surface, pair.target, point_on(edge, xi));
+    const double w = weight * tangent_on(edge, xi).norm() *
+                     out_of_plane_depth(surface, pair.target, point_on(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       const Eigen::Index k = number.at(edge.nodes[i]);
       area.facing[k] += w * N[i] * here.dot(normal[at(k)]);
@@ -216,7 +218,7 @@ NodeArea node_areas(const PairRows& pair, const std::vector<Place>& places,
 
 // Edges that face the other surface with their whole length and, if asked, are closed at every
 // node, chain by chain.
-std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
+std::vector<bool> whole_edges(const PairConstraints& pair, const base::Vector& hat,
                               const Numbering& number, const std::vector<bool>* closed) {
   std::vector<bool> good(number.size(), false);
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
@@ -234,8 +236,9 @@ std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
 
 // A node at the rim of the paired part has the pressure of its row: its force belongs to a part of
 // its area only.
-void rim_pressure(const PairRows& pair, const Numbering& number, const std::vector<bool>& whole,
-                  const base::Vector& lambda, base::Vector& pressure) {
+void rim_pressure(const PairConstraints& pair, const Numbering& number,
+                  const std::vector<bool>& whole, const base::Vector& lambda,
+                  base::Vector& pressure) {
   std::size_t e = 0;
   for (const Edge& edge : pair.contact.plane.edges) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && !whole[e]; ++i) {
@@ -248,12 +251,12 @@ void rim_pressure(const PairRows& pair, const Numbering& number, const std::vect
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
 // pressure is right to second order even where edges of different length meet; the second moment
 // meets the turn of the normal, which the facing areas count.
-NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideForce& force,
-                      const std::vector<Place>& places, const Numbering& number) {
+NodalPressure recover(const PairConstraints& pair, const Multipliers& row, const SideForce& force,
+                      const std::vector<RecoveryNode>& places, const Numbering& number) {
   const auto n = index(number.size());
   base::Vector R = base::Vector::Zero(n);
   base::Vector T = base::Vector::Zero(n); // along the tangent, normal turned to the left
-  for (const Place& p : places) {
+  for (const RecoveryNode& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
       R[number.at(p.at.node)] = 0.0 - at->second.head<2>().dot(p.normal);
@@ -268,12 +271,12 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
   NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n), T.cwiseQuotient(area.facing),
                   base::Vector::Zero(n)};
   if (pair.contact.axial) {
-    mend_axis_ends(pair.contact, number, p.lumped);
-    mend_axis_ends(pair.contact, number, p.shear_lumped);
+    extrapolate_to_axis(pair.contact, number, p.lumped);
+    extrapolate_to_axis(pair.contact, number, p.shear_lumped);
   }
   std::vector<Eigen::Index> order;
   order.reserve(places.size());
-  for (const Place& place : places) {
+  for (const RecoveryNode& place : places) {
     order.push_back(number.at(place.at.node));
   }
   if (!pair.segments) {
@@ -285,8 +288,8 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
       p.shear_consistent = factor.solve(p.shear_lumped.cwiseProduct(lump));
     }
     if (!row.may_pull) { // the consistent one oscillates where contact ends
-      keep_pushing(pair.contact, order, lump, {p.consistent, p.shear_consistent});
-      keep_pushing(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
+      redistribute_tension(pair.contact, order, lump, {p.consistent, p.shear_consistent});
+      redistribute_tension(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
     }
     return p;
   }
@@ -296,17 +299,17 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
   const std::vector<bool> paired = whole_edges(pair, area.hat, number, nullptr);
   const std::vector<bool> sound = whole_edges(pair, area.hat, number, &row.closed);
   rim_pressure(pair, number, paired, p.consistent, p.lumped);
-  smooth_pressure(pair.contact, number, sound, p.consistent, p.lumped);
+  filter_pressure(pair.contact, number, sound, p.consistent, p.lumped);
   if (!pair.tangent.empty()) { // shear is treated as pressure, so that their ratio keeps its bound
     for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
       p.shear_consistent[number.at(pair.tangent[i].node)] =
           -row.lambda[index(pair.normal.size() + i)];
     }
     rim_pressure(pair, number, paired, p.shear_consistent, p.shear_lumped);
-    smooth_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
+    filter_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
   }
   if (!row.may_pull) { // corner functions are negative in part: a steep end pulls at a corner
-    keep_pushing(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
+    redistribute_tension(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
   }
   return p;
 }
@@ -327,17 +330,17 @@ void close_tips(std::vector<NodePressure>& nodes) {
 
 } // namespace
 
-PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
+PairPressure recover_pressure(const PairConstraints& pair, const base::Vector& lambda,
                               const base::Vector& gap, const std::vector<bool>& closed,
                               bool may_pull) {
   if (!pair.functions.empty()) {
     return recover_space_pressure(pair, lambda, gap, closed);
   }
-  std::vector<Place> places = ordered_places(pair.contact);
+  std::vector<RecoveryNode> places = ordered_places(pair.contact);
   mark_crack_faces(pair.contact, places);
   string_chains(pair.contact, places);
   Numbering number;
-  for (const Place& p : places) {
+  for (const RecoveryNode& p : places) {
     number.try_emplace(p.at.node, index(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
@@ -356,7 +359,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     result.closed += closed[i] ? 1 : 0;
     result.max_penetration = std::max(result.max_penetration, -gap[at] / pair.normal[i].area);
   }
-  for (Place& place : places) {
+  for (RecoveryNode& place : places) {
     const Eigen::Index k = number.at(place.at.node);
     place.at.p_lumped = p.lumped[k];
     place.at.p_consistent = p.consistent[k];
@@ -376,12 +379,12 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
   }
   const double area = contact_area(pair, result.nodes);
   result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
-  Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
+  ContactArc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   if (std::ranges::any_of(result.nodes, &NodePressure::closed)) {
-    count_along_slave(pair, result.nodes, arc);
+    to_slave_coordinates(pair, result.nodes, arc);
   } else {
-    Arc nothing;
-    count_along_slave(pair, result.nodes, nothing);
+    ContactArc nothing;
+    to_slave_coordinates(pair, result.nodes, nothing);
   }
   result.arc_from = arc.from;
   result.arc_to = arc.to;

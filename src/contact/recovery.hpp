@@ -14,7 +14,7 @@ namespace spricka::contact {
 /// Recovers the pressures of a pair from lambda [normal rows, then tangent rows] [stress], weighted
 /// gap [normal rows] and closed [normal rows]. `may_pull`: a bonded pair, whose pressures may be
 /// negative.
-PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
+PairPressure recover_pressure(const PairConstraints& pair, const base::Vector& lambda,
                               const base::Vector& gap, const std::vector<bool>& closed,
                               bool may_pull = false);
 

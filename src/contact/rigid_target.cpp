@@ -13,13 +13,13 @@ namespace {
 
 constexpr double snap = 1e-9; // cuts this near to a node, or points to an end, are there
 
-RigidFoot foot_on_line(const model::RigidTarget& line, const Vec2& x) {
+RigidProjection foot_on_line(const model::RigidTarget& line, const Vec2& x) {
   const Vec2 first = line.first.head<2>();
   const Vec2 chord = line.second.head<2>() - first;
   const double length = chord.norm();
   const Vec2 t = chord / length;
   const double along = (x - first).dot(t);
-  RigidFoot foot;
+  RigidProjection foot;
   foot.normal = {t.y(), -t.x()};                 // the body is on the left
   foot.gap = 0.0 - (x - first).dot(foot.normal); // never -0
   foot.point = x + foot.gap * foot.normal;
@@ -64,15 +64,16 @@ void settle(std::vector<double>& cuts) {
 }
 
 // Whether a point of an edge looks at the target, near enough and between its ends.
-bool faces(const Surface& contact, const Edge& edge, const model::RigidTarget& rigid, double xi) {
-  const std::optional<RigidFoot> foot = foot_on(rigid, point_on(edge, xi));
+bool faces(const ContactSurface& contact, const Edge& edge, const model::RigidTarget& rigid,
+           double xi) {
+  const std::optional<RigidProjection> foot = normal_projection(rigid, point_on(edge, xi));
   return foot && !foot->beyond && outer_normal(edge, xi).dot(foot->normal) > 0.0 &&
          std::abs(foot->gap) <= farthest_opposite * contact.extent;
 }
 
 } // namespace
 
-std::optional<RigidFoot> foot_on(const model::RigidTarget& rigid, const Vec2& x) {
+std::optional<RigidProjection> normal_projection(const model::RigidTarget& rigid, const Vec2& x) {
   if (rigid.shape == model::RigidTargetShape::line) {
     return foot_on_line(rigid, x);
   }
@@ -83,7 +84,7 @@ std::optional<RigidFoot> foot_on(const model::RigidTarget& rigid, const Vec2& x)
     return std::nullopt;
   }
   const Vec2 outward = (x - centre) / distance;
-  RigidFoot foot;
+  RigidProjection foot;
   foot.point = centre + radius * outward;
   // (contact.13): with a radius above 0 the body is outside, below 0 inside.
   foot.gap = rigid.radius > 0.0 ? distance - radius : radius - distance;
@@ -91,8 +92,9 @@ std::optional<RigidFoot> foot_on(const model::RigidTarget& rigid, const Vec2& x)
   return foot;
 }
 
-std::vector<Segment> find_segments(const Surface& contact, const model::RigidTarget& rigid) {
-  std::vector<Segment> all;
+std::vector<MortarSegment> find_segments(const ContactSurface& contact,
+                                         const model::RigidTarget& rigid) {
+  std::vector<MortarSegment> all;
   std::size_t number = 0;
   for (const Edge& edge : contact.plane.edges) {
     std::vector<double> cuts{-1.0, 1.0};

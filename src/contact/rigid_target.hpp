@@ -11,7 +11,7 @@
 namespace spricka::contact {
 
 /// Where a point of a body stands to a rigid target.
-struct RigidFoot {
+struct RigidProjection {
   double gap = 0.0;           ///< distance, negative inside the target [length]
   Vec2 normal = Vec2::Zero(); ///< unit, towards the target: a motion u closes the gap by normal . u
   Vec2 point = Vec2::Zero();  ///< the target's nearest point
@@ -19,11 +19,12 @@ struct RigidFoot {
 };
 
 /// The target's nearest point; none at the centre of an arc.
-std::optional<RigidFoot> foot_on(const model::RigidTarget& rigid, const Vec2& x);
+std::optional<RigidProjection> normal_projection(const model::RigidTarget& rigid, const Vec2& x);
 
 /// The stretches of contact edges that face the target, in the order of the edges, cut exactly at
 /// the ends of a line and in the middle of quadratic edges; target_edge is 0. What looks away from
 /// the target or lies farther off than a fifth of the surface's extent does not count.
-std::vector<Segment> find_segments(const Surface& contact, const model::RigidTarget& rigid);
+std::vector<MortarSegment> find_segments(const ContactSurface& contact,
+                                         const model::RigidTarget& rigid);
 
 } // namespace spricka::contact

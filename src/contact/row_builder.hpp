@@ -7,17 +7,17 @@
 namespace spricka::contact {
 
 /// Collects the weights of one row; a map keeps the nodes in order whatever the order of adding.
-struct RowBuilder {
+struct ConstraintRowBuilder {
   std::map<base::NodeId, base::Vec3> weight;
   double gap = 0.0;
   double round_gap = 0.0;
   double area = 0.0;
   double whole = 0.0; ///< area of the function over its whole support, paired or not
 
-  void add(base::NodeId node, const base::Vec3& w) {
+  void add_contribution(base::NodeId node, const base::Vec3& w) {
     weight.try_emplace(node, base::Vec3::Zero()).first->second += w;
   }
-  void add(const RowBuilder& other) {
+  void add_contribution(const ConstraintRowBuilder& other) {
     for (const auto& [node, w] : other.weight) {
       weight.try_emplace(node, base::Vec3::Zero()).first->second += w;
     }
@@ -26,7 +26,7 @@ struct RowBuilder {
     area += other.area;
   }
   /// The row of a contact node; a tangential one has the place of its normal row.
-  [[nodiscard]] ConstraintRow finish(base::NodeId node, int normal = -1, int along = 0) const {
+  [[nodiscard]] ConstraintRow make_row(base::NodeId node, int normal = -1, int along = 0) const {
     ConstraintRow row;
     for (const auto& [n, w] : weight) {
       row.entries.push_back({n, w});

@@ -8,13 +8,13 @@ namespace spricka::contact {
 
 namespace {
 
-struct Ball {
+struct EdgeBoundingCircle {
   Vec2 centre;
   double radius;
 };
 
 // A circle about an edge, to leave out at once what is too far off.
-Ball ball_of(const Edge& edge) {
+EdgeBoundingCircle ball_of(const Edge& edge) {
   const Vec2 centre = point_on(edge, 0.0);
   return {centre, std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm())};
 }
@@ -24,10 +24,10 @@ double cross(const Vec2& a, const Vec2& b) {
 }
 
 // The part of the contact edge that the target edge covers, cut at xi = 0 of quadratic edges.
-void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
-                  const Segment& proto, std::vector<Segment>& out) {
-  const std::optional<double> a = foot_on(contact, edge, target.x[0]);
-  const std::optional<double> b = foot_on(contact, edge, target.x[1]);
+void add_segments(const ContactSurface& contact, const Edge& edge, const Edge& target,
+                  const MortarSegment& proto, std::vector<MortarSegment>& out) {
+  const std::optional<double> a = normal_projection(contact, edge, target.x[0]);
+  const std::optional<double> b = normal_projection(contact, edge, target.x[1]);
   if (!a || !b) {
     return;
   }
@@ -39,14 +39,14 @@ void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
   const double middle = 0.5 * (from + to);
   const Vec2 n = surface_normal(contact, edge, middle);
   const Vec2 x = point_on(edge, middle);
-  const std::optional<double> eta = hit_on(target, x, n);
+  const std::optional<double> eta = ray_intersection(target, x, n);
   // Judged in the middle of the stretch: sides that look the same way, as those of a thin body, and
   // edges far off are not faced.
   if (!eta || outer_normal(target, std::clamp(*eta, -1.0, 1.0)).dot(n) >= 0.0 ||
       std::abs((point_on(target, *eta) - x).dot(n)) > farthest_opposite * contact.extent) {
     return;
   }
-  Segment s = proto;
+  MortarSegment s = proto;
   if (edge.count == 3 && from < -shortest_stretch && to > shortest_stretch) {
     s.from = from;
     s.to = 0.0;
@@ -63,7 +63,8 @@ void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
 
 } // namespace
 
-std::optional<double> foot_on(const Surface& surface, const Edge& edge, const Vec2& point) {
+std::optional<double> normal_projection(const ContactSurface& surface, const Edge& edge,
+                                        const Vec2& point) {
   // Newton on r(xi) = cross(point - x, n) with the normal frozen in the slope; xi = +-1 exact ends
   // are met to round-off, which matters where meshes match.
   const Vec2 chord = edge.x[1] - edge.x[0];
@@ -99,7 +100,7 @@ std::optional<double> foot_on(const Surface& surface, const Edge& edge, const Ve
   return xi;
 }
 
-std::optional<double> hit_on(const Edge& target, const Vec2& x, const Vec2& normal) {
+std::optional<double> ray_intersection(const Edge& target, const Vec2& x, const Vec2& normal) {
   const Vec2 chord = target.x[1] - target.x[0];
   const double slope0 = cross(chord, normal);
   if (std::abs(slope0) < 1e-6 * chord.norm()) {
@@ -121,17 +122,18 @@ std::optional<double> hit_on(const Edge& target, const Vec2& x, const Vec2& norm
   return eta;
 }
 
-std::vector<Segment> find_segments(const Surface& contact, const Surface& target) {
+std::vector<MortarSegment> find_segments(const ContactSurface& contact,
+                                         const ContactSurface& target) {
   const std::vector<Edge>& targets = target.plane.edges;
-  std::vector<Ball> balls;
+  std::vector<EdgeBoundingCircle> balls;
   balls.reserve(targets.size());
   for (const Edge& edge : targets) {
     balls.push_back(ball_of(edge));
   }
-  std::vector<Segment> all;
+  std::vector<MortarSegment> all;
   std::size_t number = 0;
   for (const Edge& edge : contact.plane.edges) {
-    const Ball own = ball_of(edge);
+    const EdgeBoundingCircle own = ball_of(edge);
     const auto begin = static_cast<std::ptrdiff_t>(all.size());
     for (std::size_t t = 0; t < targets.size(); ++t) {
       const double reach = own.radius + balls[t].radius + farthest_opposite * contact.extent;
@@ -140,7 +142,7 @@ std::vector<Segment> find_segments(const Surface& contact, const Surface& target
       }
     }
     // Along the edge, so that the order does not depend on how the target is numbered.
-    std::sort(all.begin() + begin, all.end(), [](const Segment& a, const Segment& b) {
+    std::sort(all.begin() + begin, all.end(), [](const MortarSegment& a, const MortarSegment& b) {
       return std::pair(a.from, a.target_edge) < std::pair(b.from, b.target_edge);
     });
     ++number;

@@ -12,20 +12,22 @@ namespace spricka::contact {
 /// Stretches shorter than this in xi carry nothing.
 inline constexpr double shortest_stretch = 1e-10;
 
-struct Segment {
+struct MortarSegment {
   std::size_t contact_edge = 0; ///< among all edges of the contact surface, chain by chain
   std::size_t target_edge = 0;
   double from = -1.0, to = 1.0; ///< xi on the contact edge; never crosses a node of the half edges
 };
 
 /// xi on `edge` (extended a little beyond its ends) at which `point` lies on the surface normal.
-std::optional<double> foot_on(const Surface& surface, const Edge& edge, const Vec2& point);
+std::optional<double> normal_projection(const ContactSurface& surface, const Edge& edge,
+                                        const Vec2& point);
 
 /// eta on the target edge that the ray from `x` along `normal` meets; may lie outside [-1, 1].
-std::optional<double> hit_on(const Edge& target, const Vec2& x, const Vec2& normal);
+std::optional<double> ray_intersection(const Edge& target, const Vec2& x, const Vec2& normal);
 
 /// All segments, in the order of the contact edges. Target edges that look the same way, or lie
 /// further off than a fifth of the contact surface's extent, do not count.
-std::vector<Segment> find_segments(const Surface& contact, const Surface& target);
+std::vector<MortarSegment> find_segments(const ContactSurface& contact,
+                                         const ContactSurface& target);
 
 } // namespace spricka::contact

@@ -6,9 +6,9 @@
 
 namespace spricka::contact {
 
-void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
-  const PairPoints points = pair.rigid ? pair_points(pair.contact, *pair.rigid, declared_gap)
-                                       : pair_points(pair.contact, pair.target, declared_gap);
+void fill_mortar_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents) {
+  const MortarPoints points = pair.rigid ? mortar_points(pair.contact, *pair.rigid, declared_gap)
+                                         : mortar_points(pair.contact, pair.target, declared_gap);
   pair.found = points.found;
   pair.segments = points.trouble.empty() || points.found;
   pair.trouble = points.trouble;
@@ -16,9 +16,10 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tange
     return;
   }
   const int slips = tangents ? 1 : 0; // a curve has one direction along it
-  RowsByNode rows = make_rows(points, pair.contact.facets, pair.target.facets, slips);
+  RowsByNode rows = integrate_mortar_rows(points, pair.contact.facets, pair.target.facets, slips);
   for (const EdgeChain& chain : pair.contact.plane.chains) {
-    const NodeOrder order{ordered_nodes(pair.contact.plane.of(chain), chain.closed), chain.closed};
+    const NodeOrder order{ordered_nodes(pair.contact.plane.edges_of_chain(chain), chain.closed),
+                          chain.closed};
     pair.merged += merge_slivers(order, rows);
     append_rows(order, rows, slips, pair);
   }

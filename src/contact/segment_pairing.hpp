@@ -7,6 +7,6 @@
 namespace spricka::contact {
 
 /// Fills the rows of a SEGMENT pair whose two surfaces stand in `pair`.
-void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents);
+void fill_mortar_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents);
 
 } // namespace spricka::contact

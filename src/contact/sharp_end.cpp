@@ -20,10 +20,10 @@ struct EdgeEnds {
   bool open_last = false;
 };
 
-std::vector<EdgeEnds> edges_with_ends(const Surface& surface) {
+std::vector<EdgeEnds> edges_with_ends(const ContactSurface& surface) {
   std::vector<EdgeEnds> all;
   for (const EdgeChain& chain : surface.plane.chains) {
-    const std::span<const Edge> edges = surface.plane.of(chain);
+    const std::span<const Edge> edges = surface.plane.edges_of_chain(chain);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       all.push_back({&edges[i], !chain.closed && i == 0, !chain.closed && i + 1 == edges.size()});
     }
@@ -32,18 +32,19 @@ std::vector<EdgeEnds> edges_with_ends(const Surface& surface) {
 }
 
 // Whether the target's surface ends opposite a point of a contact edge.
-bool target_ends(const PairRows& pair, const std::vector<EdgeEnds>& targets, const Edge& edge,
-                 const Segment& s, double xi) {
+bool target_ends(const PairConstraints& pair, const std::vector<EdgeEnds>& targets,
+                 const Edge& edge, const MortarSegment& s, double xi) {
   const Vec2 x = point_on(edge, xi);
   if (pair.rigid) {
-    const std::optional<RigidFoot> foot = foot_on(*pair.rigid, x);
+    const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x);
     const double near = at_node * edge.length;
     return foot && pair.rigid->shape == model::RigidTargetShape::line &&
            std::min((foot->point - pair.rigid->first.head<2>()).norm(),
                     (foot->point - pair.rigid->second.head<2>()).norm()) < near;
   }
   const EdgeEnds& target = targets[s.target_edge];
-  const std::optional<double> eta = hit_on(*target.edge, x, surface_normal(pair.contact, edge, xi));
+  const std::optional<double> eta =
+      ray_intersection(*target.edge, x, surface_normal(pair.contact, edge, xi));
   return eta && ((target.open_first && std::abs(*eta + 1.0) < 10.0 * at_node) ||
                  (target.open_last && std::abs(*eta - 1.0) < 10.0 * at_node));
 }
@@ -60,8 +61,9 @@ std::vector<base::NodeId> nodes_at(const Edge& edge, double xi) {
 }
 
 // The two crack faces of a mouth are one place.
-void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd& end) {
-  const auto same = std::find_if(ends.begin(), ends.end(), [&](const SharpEnd& other) {
+void add_end(std::vector<SingularContactEdge>& ends, const ContactSurface& contact,
+             const SingularContactEdge& end) {
+  const auto same = std::find_if(ends.begin(), ends.end(), [&](const SingularContactEdge& other) {
     return (other.x - end.x).norm() < at_node * contact.mean_length;
   });
   if (same == ends.end()) {
@@ -73,19 +75,19 @@ void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd
 
 } // namespace
 
-std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
-  const auto closed = [](const Surface& surface) {
+std::vector<SingularContactEdge> find_singular_edges(const PairConstraints& pair) {
+  const auto closed = [](const ContactSurface& surface) {
     return std::ranges::all_of(surface.plane.chains, &EdgeChain::closed);
   };
   if (pair.faces || (!pair.rigid && closed(pair.contact) && closed(pair.target))) {
     return {};
   }
-  const std::vector<Segment> segments = pair.rigid ? find_segments(pair.contact, *pair.rigid)
-                                                   : find_segments(pair.contact, pair.target);
+  const std::vector<MortarSegment> segments = pair.rigid ? find_segments(pair.contact, *pair.rigid)
+                                                         : find_segments(pair.contact, pair.target);
   const std::vector<EdgeEnds> edges = edges_with_ends(pair.contact);
   const std::vector<EdgeEnds> targets = edges_with_ends(pair.target);
-  std::vector<SharpEnd> ends;
-  for (const Segment& s : segments) {
+  std::vector<SingularContactEdge> ends;
+  for (const MortarSegment& s : segments) {
     const EdgeEnds& own = edges[s.contact_edge];
     for (const bool upward : {false, true}) {
       const double xi = upward ? s.to : s.from;

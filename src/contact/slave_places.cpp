@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-const Surface& slave_of(const PairRows& pair) {
+const ContactSurface& slave_of(const PairConstraints& pair) {
   return pair.swapped ? pair.target : pair.contact;
 }
 
@@ -56,23 +56,23 @@ double nearest_xi(const Edge& edge, const Vec2& x) {
   return best;
 }
 
-double length_of(const Surface& surface) {
+double length_of(const ContactSurface& surface) {
   double length = 0.0;
   for (const EdgeChain& chain : surface.plane.chains) {
-    length += length_of(surface.plane.of(chain));
+    length += length_of(surface.plane.edges_of_chain(chain));
   }
   return length;
 }
 
 /// Length along a surface at its point nearest to x.
-double place_on(const Surface& surface, const std::vector<double>& starts, const Vec2& x) {
+double place_on(const ContactSurface& surface, const std::vector<double>& starts, const Vec2& x) {
   const double whole = (1.0 - 1e-12) * length_of(surface); // summed in another order
   double least = std::numeric_limits<double>::infinity();
   double place = 0.0;
   for (std::size_t c = 0; c < surface.plane.chains.size(); ++c) {
     const EdgeChain& chain = surface.plane.chains[c];
     double before = starts[c];
-    for (const Edge& edge : surface.plane.of(chain)) {
+    for (const Edge& edge : surface.plane.edges_of_chain(chain)) {
       const double xi = nearest_xi(edge, x);
       const Vec2 off = x - point_on(edge, xi);
       if (off.norm() < least) {
@@ -127,7 +127,7 @@ private:
   bool from_angles_, to_angles_;
 };
 
-Arc ordered(Arc arc, bool angles) {
+ContactArc ordered(ContactArc arc, bool angles) {
   if (!angles) {
     return {std::min(arc.from, arc.to), std::max(arc.from, arc.to)};
   }
@@ -139,11 +139,11 @@ Arc ordered(Arc arc, bool angles) {
 
 } // namespace
 
-bool counts_angles(const PairRows& pair) {
+bool uses_angles(const PairConstraints& pair) {
   return slave_of(pair).circle.has_value();
 }
 
-std::vector<double> chain_starts(const Surface& surface) {
+std::vector<double> chain_starts(const ContactSurface& surface) {
   const std::size_t count = surface.plane.chains.size();
   std::vector<std::optional<std::size_t>> next(count);
   std::vector<std::optional<std::size_t>> last(count);
@@ -152,8 +152,9 @@ std::vector<double> chain_starts(const Surface& surface) {
       const EdgeChain& one = surface.plane.chains[a];
       const EdgeChain& other = surface.plane.chains[b];
       if (a != b && !one.closed && !other.closed && !next[a] && !last[b] &&
-          (surface.plane.of(one).back().x[1] - surface.plane.of(other).front().x[0]).norm() <
-              1e-9 * surface.extent) {
+          (surface.plane.edges_of_chain(one).back().x[1] -
+           surface.plane.edges_of_chain(other).front().x[0])
+                  .norm() < 1e-9 * surface.extent) {
         next[a] = b;
         last[b] = a;
       }
@@ -174,17 +175,18 @@ std::vector<double> chain_starts(const Surface& surface) {
     for (std::optional<std::size_t> at = first; at && !done[*at]; at = next[*at]) {
       done[*at] = true;
       starts[*at] = length;
-      length += length_of(surface.plane.of(surface.plane.chains[*at]));
+      length += length_of(surface.plane.edges_of_chain(surface.plane.chains[*at]));
     }
   }
   return starts;
 }
 
-void count_along_slave(const PairRows& pair, std::vector<NodePressure>& nodes, Arc& arc) {
+void to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
+                          ContactArc& arc) {
   if (!pair.swapped || nodes.size() < 2) {
     return;
   }
-  const Surface& slave = pair.target;
+  const ContactSurface& slave = pair.target;
   const bool from_angles = pair.contact.circle.has_value();
   const bool to_angles = slave.circle.has_value();
   const std::vector<double> starts = chain_starts(slave);
@@ -203,7 +205,7 @@ void count_along_slave(const PairRows& pair, std::vector<NodePressure>& nodes, A
   if (from_angles && to_angles && arc.to - arc.from >= 2.0 * pi - 1e-12) {
     return; // all round
   }
-  Arc found{carry(arc.from, 1.0), carry(arc.to, -1.0)};
+  ContactArc found{carry(arc.from, 1.0), carry(arc.to, -1.0)};
   if (to_angles) { // the way from end to end goes through its middle
     const double middle = near_to(carry(0.5 * (arc.from + arc.to), 0.0), found.from);
     found.to = near_to(found.to, middle);

@@ -11,16 +11,17 @@ namespace spricka::contact {
 
 /// Whether places are angles about the centre of the slave's circle [rad]; else they are lengths
 /// along the slave.
-bool counts_angles(const PairRows& pair);
+bool uses_angles(const PairConstraints& pair);
 
 /// [chain] where its lengths start. They run with the body on their left from the start of the
 /// first chain on, across the mouths of cracks; chains that hang on no earlier one follow behind
 /// it, in the order of the surface.
-std::vector<double> chain_starts(const Surface& surface);
+std::vector<double> chain_starts(const ContactSurface& surface);
 
 /// Turns theta and arc of the nodes, and the ends of `arc`, from those of the surface with the
 /// multipliers into those of the slave: of its nearest point; beyond its
 /// first start and last end along the tangent.
-void count_along_slave(const PairRows& pair, std::vector<NodePressure>& nodes, Arc& arc);
+void to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
+                          ContactArc& arc);
 
 } // namespace spricka::contact

@@ -35,7 +35,7 @@ Vec2 shift_at(const Edge& edge, double xi, const base::Vector& u) {
 
 class Sliding {
 public:
-  Sliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+  Sliding(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& u,
           std::span<const base::Matrix* const> motions)
       : pair_(pair), lambda_(lambda), u_(u), motions_(motions), edges_(pair.contact.plane.edges),
         targets_(pair.target.plane.edges), row_(normal_rows(pair)) {
@@ -47,18 +47,18 @@ public:
     }
   }
 
-  Slide look() {
+  SlideMeasures look() {
     if (!(largest_ > 0.0)) {
       return {};
     }
-    for (const Segment& s : pair_.rigid ? find_segments(pair_.contact, *pair_.rigid)
-                                        : find_segments(pair_.contact, pair_.target)) {
+    for (const MortarSegment& s : pair_.rigid ? find_segments(pair_.contact, *pair_.rigid)
+                                              : find_segments(pair_.contact, pair_.target)) {
       for (const double r : gauss) {
         add(s, 0.5 * ((s.to + s.from) + (s.to - s.from) * r));
       }
     }
     found_.thrust = thrust_;
-    found_.lost = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
+    found_.unsupported_part = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
     return found_;
   }
 
@@ -85,7 +85,7 @@ private:
       if ((centre - x).norm() > 1.01 * radius + near) {
         continue;
       }
-      const std::optional<double> eta = hit_on(target, x, n);
+      const std::optional<double> eta = ray_intersection(target, x, n);
       if (eta && std::abs(*eta) <= 1.0 + 1e-6) {
         const double g = (point_on(target, *eta) - x).dot(n);
         // The nearest of several: the ray may run on through the body and out at its far side.
@@ -95,7 +95,7 @@ private:
     return gap;
   }
 
-  void add(const Segment& s, double xi) {
+  void add(const MortarSegment& s, double xi) {
     const Edge& edge = edges_[s.contact_edge];
     const double p = pressure(edge, xi);
     if (p <= least_looked_at * largest_) {
@@ -103,7 +103,7 @@ private:
     }
     const Vec2 x = point_on(edge, xi);
     const double length = 0.5 * (s.to - s.from) * tangent_on(edge, xi).norm();
-    const double thrust = p * length * depth_at(pair_.contact, pair_.target, x);
+    const double thrust = p * length * out_of_plane_depth(pair_.contact, pair_.target, x);
     Vec2 n = surface_normal(pair_.contact, edge, xi);
     // Motion of the target side less that of this one, as rows weigh it.
     Vec2 relative = -shift_at(edge, xi, u_);
@@ -113,8 +113,8 @@ private:
     Vec2 place;
     std::optional<double> eta;
     if (pair_.rigid) {
-      const std::optional<RigidFoot> before = foot_on(*pair_.rigid, x);
-      const std::optional<RigidFoot> after = foot_on(*pair_.rigid, x - relative);
+      const std::optional<RigidProjection> before = normal_projection(*pair_.rigid, x);
+      const std::optional<RigidProjection> after = normal_projection(*pair_.rigid, x - relative);
       if (!before || !after) {
         return;
       }
@@ -125,7 +125,7 @@ private:
       place = point_on(moved(edge, u_), xi);
     } else {
       const Edge& target = targets_[s.target_edge];
-      eta = hit_on(target, x, n);
+      eta = ray_intersection(target, x, n);
       if (!eta) {
         return;
       }
@@ -165,7 +165,7 @@ private:
     }
   }
 
-  const PairRows& pair_;
+  const PairConstraints& pair_;
   const base::Vector& lambda_;
   const base::Vector& u_;
   std::span<const base::Matrix* const> motions_;
@@ -173,15 +173,15 @@ private:
   std::vector<Edge> moved_;
   std::map<base::NodeId, std::size_t> row_;
   double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;
-  Slide found_;
+  SlideMeasures found_;
 };
 
 } // namespace
 
-Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
-               std::span<const base::Matrix* const> motions) {
+SlideMeasures measure_slide(const PairConstraints& pair, const base::Vector& lambda,
+                            const base::Vector& u, std::span<const base::Matrix* const> motions) {
   return pair.contact.space.faces.empty() ? Sliding(pair, lambda, u, motions).look()
-                                          : space_slide_of(pair, lambda, u, motions);
+                                          : measure_space_slide(pair, lambda, u, motions);
 }
 
 } // namespace spricka::contact

@@ -13,7 +13,7 @@ inline constexpr double least_looked_at = 0.01;
 
 /// Where thrust acts on the target, once displacements have taken it there; of a rigid target where
 /// the contact side is then.
-struct PressedPlace {
+struct DisplacedContactPoint {
   base::Vec3 x = base::Vec3::Zero();
   double thrust = 0.0; ///< [force]
   double gap = 0.0;    ///< as rows count it, to the contact side [length]
@@ -24,14 +24,15 @@ struct PressedPlace {
 };
 
 /// How far the pressed part of a pair has moved.
-struct Slide {
-  double thrust = 0.0;  ///< sum of pressure times area [force]
-  double lost = 0.0;    ///< part of the thrust that acts where nothing stands opposite any more
+struct SlideMeasures {
+  double thrust = 0.0; ///< sum of pressure times area [force]
+  double unsupported_part =
+      0.0;              ///< part of the thrust that acts where nothing stands opposite any more
   double way = 0.0;     ///< largest slide of one side along the other [length]
   double facet = 0.0;   ///< longest edge of either side where that is [length]
   double pressed = 0.0; ///< length of the pressed part
   double misfit = 0.0;  ///< largest gap of the deformed bodies that no row counts [length]
-  std::vector<PressedPlace> places;
+  std::vector<DisplacedContactPoint> places;
 };
 
 /// What motions [dim * node, n] add to a gap, one after the other, by `opening` of one of them.

@@ -27,7 +27,7 @@ constexpr double believed = 1e-2; // of a row's area: what a surface that slides
 constexpr std::size_t most_combined = 8;
 
 /// What a surface does under the modes of its body: sums over its points.
-struct SurfaceMotion {
+struct SurfaceMotionSums {
   std::size_t contact = 0;
   base::Matrix opening; ///< [mode, mode] of squares along the normals
   base::Matrix motion;  ///< [mode, mode] of squares of all that they move
@@ -39,10 +39,10 @@ struct SurfaceMotion {
 /// whose other one it turns.
 class SlidingBody {
 public:
-  explicit SlidingBody(const std::vector<SurfaceMotion>& surfaces)
+  explicit SlidingBody(const std::vector<SurfaceMotionSums>& surfaces)
       : surfaces_(surfaces), size_(surfaces.front().motion.rows()) {
     base::Matrix metric = base::Matrix::Zero(size_, size_);
-    for (const SurfaceMotion& s : surfaces_) {
+    for (const SurfaceMotionSums& s : surfaces_) {
       metric += s.motion / s.points;
     }
     // Motions that move no point of the body's surfaces count by a little.
@@ -55,7 +55,7 @@ public:
   void remove(std::size_t surface, const std::vector<double>& area,
               Eigen::Ref<base::Matrix> B) const {
     base::Matrix own(size_, 0); // scaled by the metric
-    for (const Motion& m : motions_) {
+    for (const SelfSlidingMotion& m : motions_) {
       if (m.passes[surface] && seems_to_slide(surface, area, B, m.direction)) {
         own.conservativeResize(Eigen::NoChange, own.cols() + 1);
         own.rightCols(1) = m.direction;
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  struct Motion {
+  struct SelfSlidingMotion {
     base::Vector direction;   ///< [mode] scaled by the metric, of length 1
     std::vector<bool> passes; ///< [surface]
   };
@@ -83,7 +83,7 @@ private:
     return LT_.triangularView<Eigen::Upper>().solve(y);
   }
 
-  [[nodiscard]] bool lets_pass(const SurfaceMotion& s, const base::Vector& v) const {
+  [[nodiscard]] bool lets_pass(const SurfaceMotionSums& s, const base::Vector& v) const {
     constexpr double round_off = 1e-20;
     const double moved = v.dot(s.motion * v);
     return v.dot(s.opening * v) <= slides * slides * moved + round_off * s.points;
@@ -93,7 +93,7 @@ private:
   [[nodiscard]] bool seems_to_slide(std::size_t surface, const std::vector<double>& area,
                                     const base::Matrix& B, const base::Vector& y) const {
     const base::Vector v = unscaled(y);
-    const SurfaceMotion& s = surfaces_[surface];
+    const SurfaceMotionSums& s = surfaces_[surface];
     const double moved = std::sqrt(std::max(0.0, v.dot(s.motion * v)) / s.points);
     const Eigen::Map<const base::Vector> of_rows(area.data(), index(area.size()));
     return (B * v).norm() <= believed * moved * of_rows.norm();
@@ -102,7 +102,7 @@ private:
   void find_motions() {
     for (const std::vector<bool>& some : combinations()) {
       base::Matrix known(size_, 0);
-      for (const Motion& m : motions_) {
+      for (const SelfSlidingMotion& m : motions_) {
         bool all = true;
         for (std::size_t s = 0; s < some.size(); ++s) {
           all = all && (!some[s] || m.passes[s]);
@@ -136,7 +136,7 @@ private:
     for (Eigen::Index k = 0; k < found.vectors.cols(); ++k) {
       const base::Vector direction = across * found.vectors.col(k);
       const base::Vector v = unscaled(direction);
-      Motion motion{.direction = direction, .passes = {}};
+      SelfSlidingMotion motion{.direction = direction, .passes = {}};
       bool all = true;
       for (std::size_t s = 0; s < some.size(); ++s) {
         motion.passes.push_back(lets_pass(surfaces_[s], v));
@@ -172,22 +172,23 @@ private:
     return all;
   }
 
-  const std::vector<SurfaceMotion>& surfaces_;
+  const std::vector<SurfaceMotionSums>& surfaces_;
   Eigen::Index size_;
   base::Matrix LT_; ///< upper factor of the metric: squares of what all surfaces move
-  std::vector<Motion> motions_;
+  std::vector<SelfSlidingMotion> motions_;
 };
 
 // The surface of each body on one side of a contact.
-std::map<std::size_t, SurfaceMotion>
-motions_on(std::size_t contact, const std::vector<SurfacePoint>& points, const ModesAt& modes_at) {
-  std::map<std::size_t, SurfaceMotion> found;
-  for (const SurfacePoint& point : points) {
-    const std::optional<ModesAtNode> at = modes_at(point.node);
+std::map<std::size_t, SurfaceMotionSums> motions_on(std::size_t contact,
+                                                    const std::vector<SurfaceNodeNormal>& points,
+                                                    const ModesAt& modes_at) {
+  std::map<std::size_t, SurfaceMotionSums> found;
+  for (const SurfaceNodeNormal& point : points) {
+    const std::optional<RigidModesAtNode> at = modes_at(point.node);
     if (!at || at->motion.cols() == 0) {
       continue;
     }
-    SurfaceMotion& own = found[at->body];
+    SurfaceMotionSums& own = found[at->body];
     if (own.points == 0.0) {
       own.contact = contact;
       own.opening = own.motion = base::Matrix::Zero(at->motion.cols(), at->motion.cols());
@@ -202,12 +203,13 @@ motions_on(std::size_t contact, const std::vector<SurfacePoint>& points, const M
 
 } // namespace
 
-std::vector<SurfacePoint> surface_points(const Surface& surface) {
-  std::vector<SurfacePoint> points;
+std::vector<SurfaceNodeNormal> surface_node_normals(const ContactSurface& surface) {
+  std::vector<SurfaceNodeNormal> points;
   for (std::size_t f = 0; f < surface.space.faces.size(); ++f) {
     const SolidFace& face = surface.space.faces[f];
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      const FacePoint at = point_on(face, node_r(face.shape, static_cast<int>(i)));
+      const SolidFacePoint at =
+          point_on(face, node_local_coordinates(face.shape, static_cast<int>(i)));
       points.push_back({face.nodes[i], surface_normal(surface.space, f, at)});
     }
   }
@@ -221,10 +223,10 @@ std::vector<SurfacePoint> surface_points(const Surface& surface) {
   return points;
 }
 
-void remove_sliding(const std::vector<SlidingContact>& contacts,
-                    const std::vector<Eigen::Index>& first_mode, const ModesAt& modes_at,
-                    base::Matrix& B) {
-  std::map<std::size_t, std::vector<SurfaceMotion>> bodies;
+void remove_self_sliding(const std::vector<ContactRowSurfaces>& contacts,
+                         const std::vector<Eigen::Index>& first_mode, const ModesAt& modes_at,
+                         base::Matrix& B) {
+  std::map<std::size_t, std::vector<SurfaceMotionSums>> bodies;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     auto own = motions_on(c, contacts[c].surface[0], modes_at);
     auto other = motions_on(c, contacts[c].surface[1], modes_at);
@@ -241,7 +243,7 @@ void remove_sliding(const std::vector<SlidingContact>& contacts,
   for (const auto& [body, surfaces] : bodies) {
     const SlidingBody sliding(surfaces);
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const SlidingContact& contact = contacts[surfaces[s].contact];
+      const ContactRowSurfaces& contact = contacts[surfaces[s].contact];
       sliding.remove(s, contact.area,
                      B.block(index(contact.first), first_mode[body], index(contact.area.size()),
                              surfaces[s].motion.cols()));

@@ -16,32 +16,32 @@
 namespace spricka::contact {
 
 /// A node of a surface and the outer normal that the shape of its part has there.
-struct SurfacePoint {
+struct SurfaceNodeNormal {
   base::NodeId node;
   base::Vec3 normal = base::Vec3::Zero();
 };
 /// The nodes of a surface, face by face.
-std::vector<SurfacePoint> surface_points(const Surface& surface);
+std::vector<SurfaceNodeNormal> surface_node_normals(const ContactSurface& surface);
 
 /// The normal rows of one contact and the surfaces that they keep apart.
-struct SlidingContact {
-  std::size_t first = 0;                            ///< of its rows among all
-  std::vector<double> area;                         ///< [row of the contact]
-  std::array<std::vector<SurfacePoint>, 2> surface; ///< of either side; empty if rigid
+struct ContactRowSurfaces {
+  std::size_t first = 0;                                 ///< of its rows among all
+  std::vector<double> area;                              ///< [row of the contact]
+  std::array<std::vector<SurfaceNodeNormal>, 2> surface; ///< of either side; empty if rigid
 };
 
 /// The free rigid modes of the body that a node belongs to, at that node [dim, its modes].
-struct ModesAtNode {
+struct RigidModesAtNode {
   std::size_t body = 0;
   base::Matrix motion;
 };
-using ModesAt = std::function<std::optional<ModesAtNode>(base::NodeId)>;
+using ModesAt = std::function<std::optional<RigidModesAtNode>(base::NodeId)>;
 
 /// Takes from B [row, mode], what a unit of each rigid mode opens, all that motions open by which
 /// the surface of a body slides on itself within 1e-4 (root mean square of what its points move
 /// along their normals over that of what they move). `first_mode` [body + 1].
-void remove_sliding(const std::vector<SlidingContact>& contacts,
-                    const std::vector<Eigen::Index>& first_mode, const ModesAt& modes_at,
-                    base::Matrix& B);
+void remove_self_sliding(const std::vector<ContactRowSurfaces>& contacts,
+                         const std::vector<Eigen::Index>& first_mode, const ModesAt& modes_at,
+                         base::Matrix& B);
 
 } // namespace spricka::contact

@@ -51,12 +51,12 @@ std::vector<EdgePressure> edge_pressures(std::span<const Edge> edges, const Numb
 
 } // namespace
 
-void smooth_pressure(const Surface& surface, const Numbering& number,
+void filter_pressure(const ContactSurface& surface, const Numbering& number,
                      const std::vector<bool>& sound, const base::Vector& lambda,
                      base::Vector& pressure) {
   std::size_t first = 0;
   for (const EdgeChain& chain : surface.plane.chains) {
-    const std::span<const Edge> edges = surface.plane.of(chain);
+    const std::span<const Edge> edges = surface.plane.edges_of_chain(chain);
     const std::vector<EdgePressure> p = edge_pressures(edges, number, sound, first, lambda);
     const std::size_t n = p.size();
     const auto at = [&](std::size_t e, std::size_t i) -> double& {

@@ -32,9 +32,9 @@ void find_behind(const SolidFace& face, const std::set<base::NodeId>& front, Nod
 
 } // namespace
 
-PairRows solid_crack_rows(const model::Model& model, const model::Mesh& mesh,
-                          const mesh::CrackFaces& crack_faces, bool friction) {
-  PairRows pair;
+PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& mesh,
+                                 const mesh::CrackFaces& crack_faces, bool friction) {
+  PairConstraints pair;
   pair.faces = true;
   pair.choice = "upper face: twins";
   pair.contact = make_surface(model, mesh, crack_faces.left_sides);
@@ -53,7 +53,7 @@ PairRows solid_crack_rows(const model::Model& model, const model::Mesh& mesh,
   for (const SolidFace& face : pair.contact.space.faces) {
     find_behind(face, front, behind);
   }
-  space_rows(pair, 0.0, friction, behind);
+  fill_space_mortar_rows(pair, 0.0, friction, behind);
   return pair;
 }
 

@@ -36,18 +36,19 @@ double share_of(std::size_t c, std::size_t k, std::size_t corners) {
 }
 
 // Where the mean that each function weighs is taken: int phi x dA / int phi dA.
-std::vector<base::Vec3> centres_of(const PairRows& pair,
+std::vector<base::Vec3> centres_of(const PairConstraints& pair,
                                    const std::vector<std::vector<std::size_t>>& faces) {
   const SpaceSurface& surface = pair.contact.space;
   std::vector<base::Vec3> moment(pair.functions.size(), base::Vec3::Zero());
   base::Vector area = base::Vector::Zero(index(pair.functions.size()));
   for (const SurfaceTriangle& t : surface.triangles) {
     const SolidFace& face = surface.faces[t.face];
-    const std::array<Vec2, 3> r{node_r(face.shape, t.node[0]), node_r(face.shape, t.node[1]),
-                                node_r(face.shape, t.node[2])};
+    const std::array<Vec2, 3> r{node_local_coordinates(face.shape, t.node[0]),
+                                node_local_coordinates(face.shape, t.node[1]),
+                                node_local_coordinates(face.shape, t.node[2])};
     for (const auto& [q, weight] : shape::triangle_rule(hat_degree)) {
       const std::array<double, 3> hat{1.0 - q[0] - q[1], q[0], q[1]};
-      const FacePoint at = point_on(face, hat[0] * r[0] + hat[1] * r[1] + hat[2] * r[2]);
+      const SolidFacePoint at = point_on(face, hat[0] * r[0] + hat[1] * r[1] + hat[2] * r[2]);
       for (std::size_t k = 0; k < hat.size(); ++k) {
         const std::size_t i = faces[t.face][static_cast<std::size_t>(t.node[k])];
         const double w = weight * at.area_vector().norm() * hat[k];
@@ -65,12 +66,12 @@ std::vector<base::Vec3> centres_of(const PairRows& pair,
 // Pressures at the corners of faces (contact_space.6), and what is linear between them.
 class Averages {
 public:
-  Averages(const PairRows& pair, const base::Vector& p, const std::vector<bool>& closed)
+  Averages(const PairConstraints& pair, const base::Vector& p, const std::vector<bool>& closed)
       : pair_(pair), p_(p), faces_(functions_by_face(pair)), centre_(centres_of(pair, faces_)),
         given_(pair.functions.size()), sound_(pair.functions.size(), true),
         beside_(pair.functions.size()), normal_(pair.functions.size(), base::Vec3::Zero()),
         place_(pair.functions.size(), base::Vec3::Zero()), mean_(p.size()) {
-    for (const SharpEnd& end : pair.sharp_ends) {
+    for (const SingularContactEdge& end : pair.sharp_ends) {
       if (!end.bounded) {
         sharp_.insert(end.nodes.begin(), end.nodes.end());
       }
@@ -114,11 +115,11 @@ private:
     const SolidFace& face = pair_.contact.space.faces[f];
     // Corners of node pairs on faces of 6 nodes open and close at random: nothing acts there.
     const bool all = !pair_.segments || std::ranges::all_of(faces_[f], [&](std::size_t i) {
-      const SpaceFunction& own = pair_.functions[i];
+      const MultiplierFunction& own = pair_.functions[i];
       return closed[i] && !own.joined && own.area >= all_covered * own.whole &&
              !sharp_.contains(own.node);
     });
-    const base::Vec3 normal = point_on(face, centre_r(face.shape)).area_vector();
+    const base::Vec3 normal = point_on(face, centre_local_coordinates(face.shape)).area_vector();
     for (std::size_t c = 0; c < corners_of(f); ++c) {
       const std::size_t corner = faces_[f][c];
       sound_[corner] = sound_[corner] && all;
@@ -186,7 +187,7 @@ private:
     return least >= 0.0 ? std::max(p, 0.0) : p;
   }
 
-  const PairRows& pair_;
+  const PairConstraints& pair_;
   const base::Vector& p_;
   std::set<base::NodeId> sharp_;
   std::vector<std::vector<std::size_t>> faces_;      ///< [face] its functions
@@ -201,7 +202,7 @@ private:
 
 } // namespace
 
-base::Vector corner_averages(const PairRows& pair, const base::Vector& p,
+base::Vector corner_averages(const PairConstraints& pair, const base::Vector& p,
                              const std::vector<bool>& closed) {
   // Twins pass pressures on without a ripple; their faces are coarse where a crack is wide, and a
   // mean would flatten what changes over a few of them.

@@ -49,9 +49,10 @@ FaceValues shape_areas(const SolidFace& face) {
 // Integrals of the hats on its triangles.
 FaceValues hat_areas(const SolidFace& face) {
   FaceValues area = FaceValues::Zero(index(face.nodes.size()));
-  for (const FaceTriangle& t : triangles_of(face.shape)) {
-    const std::array<Vec2, 3> r{node_r(face.shape, t[0]), node_r(face.shape, t[1]),
-                                node_r(face.shape, t[2])};
+  for (const FaceTriangle& t : face_triangles(face.shape)) {
+    const std::array<Vec2, 3> r{node_local_coordinates(face.shape, t[0]),
+                                node_local_coordinates(face.shape, t[1]),
+                                node_local_coordinates(face.shape, t[2])};
     const Vec2 a = r[1] - r[0];
     const Vec2 b = r[2] - r[0];
     const double r_area2 = a.x() * b.y() - a.y() * b.x();
@@ -74,7 +75,8 @@ PartNodes nodes_by_part(const SpaceSurface& surface) {
         face.shape == base::ElementType::trimc6 ? hat_areas(face) : shape_areas(face);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       PartNodeArea& node = all[{surface.part[f], face.nodes[i]}];
-      const FacePoint at = point_on(face, node_r(face.shape, static_cast<int>(i)));
+      const SolidFacePoint at =
+          point_on(face, node_local_coordinates(face.shape, static_cast<int>(i)));
       node.x = face.X.col(index(i));
       node.normal += surface_normal(surface, f, at);
       node.area += area[index(i)];
@@ -93,7 +95,7 @@ class Targets {
 public:
   Targets(const SpaceSurface& surface, double reach, double across)
       : reach_(reach), across_(across), tree_({}) {
-    std::vector<Box> boxes;
+    std::vector<ContactBoundingBox> boxes;
     for (const auto& [key, node] : nodes_by_part(surface)) {
       nodes_.emplace_back(key.second, node);
       boxes.push_back({node.x, node.x});
@@ -101,22 +103,23 @@ public:
     tree_ = BoxTree(boxes);
   }
 
-  struct Partner {
+  struct OppositeNode {
     base::NodeId node;
     double gap = 0.0;
   };
-  [[nodiscard]] std::optional<Partner> before(const Vec3& x, const Vec3& n) const {
+  [[nodiscard]] std::optional<OppositeNode> before(const Vec3& x, const Vec3& n) const {
     const Vec3 more = Vec3::Constant(across_);
     const Vec3 up = x + reach_ * n;
     const Vec3 down = x - reach_ * n;
-    std::optional<Partner> found;
-    for (const std::size_t i : tree_.met_by({up.cwiseMin(down) - more, up.cwiseMax(down) + more})) {
+    std::optional<OppositeNode> found;
+    for (const std::size_t i :
+         tree_.overlapping_boxes({up.cwiseMin(down) - more, up.cwiseMax(down) + more})) {
       const auto& [node, other] = nodes_[i];
       const Vec3 d = other.x - x;
       const double along = d.dot(n);
       if (other.normal.dot(n) < 0.0 && (d - along * n).norm() <= across_ &&
           std::abs(along) <= reach_ && (!found || std::abs(along) < std::abs(found->gap))) {
-        found = Partner{node, along};
+        found = OppositeNode{node, along};
       }
     }
     return found;
@@ -130,7 +133,7 @@ private:
 
 } // namespace
 
-void space_node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
+void space_node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents) {
   const SpaceSurface& own = pair.contact.space;
   if (pair.rigid) {
     pair.trouble = "PAIRING=NODE is not for rigid targets of solids (use PAIRING=SEGMENT)";
@@ -143,13 +146,13 @@ void space_node_rows(PairRows& pair, std::optional<double> declared_gap, bool ta
   }
   const Targets targets(pair.target.space, farthest_opposite * own.extent,
                         off_normal_in_space * own.mean_size);
-  const Frames frames(own);
+  const SurfaceFrames frames(own);
   const PartNodes nodes = nodes_by_part(own);
   std::size_t lonely = 0;
   for (const auto& [key, node] : nodes) {
     const Vec3 n = node.normal.normalized();
     const auto other = targets.before(node.x, n);
-    SpaceFunction function{.node = key.second, .part = key.first, .held = {}};
+    MultiplierFunction function{.node = key.second, .part = key.first, .held = {}};
     function.whole = node.area;
     if (!other) {
       ++lonely;
@@ -162,18 +165,18 @@ void space_node_rows(PairRows& pair, std::optional<double> declared_gap, bool ta
     pair.functions.push_back(function);
     const std::array<Vec3, 3> along = frames.at(key.first, n);
     for (std::size_t k = 0; k < (tangents ? 3U : 1U); ++k) {
-      RowBuilder row;
+      ConstraintRowBuilder row;
       row.area = node.area;
-      row.add(key.second, -node.area * along[k]);
-      row.add(other->node, node.area * along[k]);
+      row.add_contribution(key.second, -node.area * along[k]);
+      row.add_contribution(other->node, node.area * along[k]);
       if (k > 0) {
-        pair.tangent.push_back(row.finish(key.second, function.row));
+        pair.tangent.push_back(row.make_row(key.second, function.row));
         continue;
       }
       row.gap = node.area *
-                declared_gap.value_or(beyond_digits(other->gap, node.x.cwiseAbs().maxCoeff()));
+                declared_gap.value_or(zero_round_off(other->gap, node.x.cwiseAbs().maxCoeff()));
       row.round_gap = row.gap;
-      pair.normal.push_back(row.finish(key.second));
+      pair.normal.push_back(row.make_row(key.second));
     }
   }
   if (pair.found && lonely > 0) {

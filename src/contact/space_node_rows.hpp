@@ -10,6 +10,6 @@ namespace spricka::contact {
 /// node and smooth part. A node stands for the integral of its shape function, on faces of 6 nodes
 /// for that of its hat, since a uniform pressure puts nothing on their corners; on those of 8 nodes
 /// it pulls at corners, and the pair is refused. `tangents`: two rows along the surface for each.
-void space_node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents);
+void space_node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents);
 
 } // namespace spricka::contact

@@ -21,7 +21,7 @@ using base::index;
 namespace {
 
 // Shear along x, y and z [function], each averaged as the pressure is.
-std::array<base::Vector, 3> averaged_shear(const PairRows& pair,
+std::array<base::Vector, 3> averaged_shear(const PairConstraints& pair,
                                            const std::vector<base::Vec3>& shear,
                                            const std::vector<bool>& touches) {
   std::array<base::Vector, 3> all;
@@ -38,7 +38,7 @@ std::array<base::Vector, 3> averaged_shear(const PairRows& pair,
 }
 
 // By how much averages change across the faces round each function.
-base::Vector changes_of(const PairRows& pair, const base::Vector& smooth) {
+base::Vector changes_of(const PairConstraints& pair, const base::Vector& smooth) {
   base::Vector most = base::Vector::Zero(smooth.size());
   for (const std::vector<std::size_t>& face : functions_by_face(pair)) {
     const auto [low, high] =
@@ -54,7 +54,7 @@ base::Vector changes_of(const PairRows& pair, const base::Vector& smooth) {
 // How much multipliers go up and down about their averages. Averages are linear between corners:
 // where they change, toward the edge of a surface, a pressure that is curved leaves them by up to
 // half the change without going up and down.
-double unrest_of(const PairRows& pair, const base::Vector& p, const base::Vector& smooth) {
+double unrest_of(const PairConstraints& pair, const base::Vector& p, const base::Vector& smooth) {
   constexpr double no_strain = 1e-9; // pressure over modulus: round-off of larger ones
   if (!pair.segments || p.size() == 0 ||
       p.cwiseAbs().maxCoeff() < no_strain * pair.contact.stiffness) {
@@ -74,12 +74,13 @@ double unrest_of(const PairRows& pair, const base::Vector& p, const base::Vector
 }
 
 // Node by node: the function's part of the surface says where it stands about an axis.
-NodePressure place_of(const PairRows& pair, const SpaceFunction& function, const base::Vec3& x) {
+NodePressure place_of(const PairConstraints& pair, const MultiplierFunction& function,
+                      const base::Vec3& x) {
   NodePressure at;
   at.node = function.node;
   at.x = x;
-  if (const std::optional<Round>& round = pair.contact.space.rounds[function.part]) {
-    const RoundPlace place = place_on(*round, x);
+  if (const std::optional<AnalyticShape>& round = pair.contact.space.rounds[function.part]) {
+    const CylindricalCoordinates place = cylindrical_coordinates(*round, x);
     at.theta = place.angle;
     at.arc = place.along;
   }
@@ -93,7 +94,7 @@ struct RowForces {
   std::vector<base::Vec3> moment; ///< [row] about the origin
 };
 
-RowForces forces_on_contact_side(const PairRows& pair,
+RowForces forces_on_contact_side(const PairConstraints& pair,
                                  const std::map<base::NodeId, base::Vec3>& x) {
   RowForces all;
   for (const std::vector<ConstraintRow>* rows : {&pair.normal, &pair.tangent}) {
@@ -112,7 +113,7 @@ RowForces forces_on_contact_side(const PairRows& pair,
 }
 
 // Shear tractions on the deck's slave [normal row]: of a row's functions, along their mean tangent.
-std::vector<base::Vec3> shear_on_slave(const PairRows& pair, const base::Vector& lambda,
+std::vector<base::Vec3> shear_on_slave(const PairConstraints& pair, const base::Vector& lambda,
                                        const std::vector<base::Vec3>& forces) {
   std::vector<base::Vec3> shear(pair.normal.size(), base::Vec3::Zero());
   for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
@@ -135,7 +136,7 @@ std::map<base::NodeId, base::Vec3> places_of_nodes(const SpaceSurface& surface) 
 }
 
 // What the rows say together.
-void add_totals(const PairRows& pair, const base::Vector& lambda, const base::Vector& gap,
+void add_totals(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& gap,
                 const std::vector<bool>& closed, PairPressure& result) {
   double thrust = 0.0;
   double area = 0.0;
@@ -155,7 +156,7 @@ void add_totals(const PairRows& pair, const base::Vector& lambda, const base::Ve
 
 } // namespace
 
-PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& lambda,
+PairPressure recover_space_pressure(const PairConstraints& pair, const base::Vector& lambda,
                                     const base::Vector& gap, const std::vector<bool>& closed) {
   const auto n = index(pair.functions.size());
   base::Vector p = base::Vector::Zero(n);
@@ -187,7 +188,7 @@ PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& la
     result.max_pressure = smooth.maxCoeff();
   }
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
-    const SpaceFunction& function = pair.functions[i];
+    const MultiplierFunction& function = pair.functions[i];
     NodePressure at = place_of(pair, function, x.at(function.node));
     at.p_consistent = p[index(i)];
     at.p_lumped = smooth[index(i)];

@@ -29,7 +29,7 @@ constexpr double twice = 1e-6;     // of a triangle: more than all of it
 using PartNode = std::pair<std::size_t, base::NodeId>;
 
 // Integrals of a triangle's three hats times what the two surfaces move along one direction.
-struct Motion {
+struct HatMotionIntegrals {
   using OfHats = std::array<NodePlaces, 3>; ///< [hat] by face node
   OfHats own;
   std::vector<OfHats> target;
@@ -39,23 +39,23 @@ struct HatIntegrals {
   Eigen::Matrix3d moment = Eigen::Matrix3d::Zero(); ///< hat times hat
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();
   Eigen::Vector3d round_gap = Eigen::Vector3d::Zero();
-  std::vector<std::size_t> targets; ///< faces met
-  std::array<Motion, 3> motion;     ///< along the normal and the tangents
+  std::vector<std::size_t> targets;         ///< faces met
+  std::array<HatMotionIntegrals, 3> motion; ///< along the normal and the tangents
 };
 
 class SpaceRows {
 public:
-  SpaceRows(PairRows& pair, std::optional<double> declared_gap, bool tangents,
+  SpaceRows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents,
             const NodesBehind& at_front)
       : pair_(pair), own_(pair.contact.space), other_(pair.target.space), declared_(declared_gap),
         directions_(tangents ? 3 : 1), at_front_(at_front), frames_(own_) {}
 
   void make() {
     number_functions();
-    const std::function<Sight(const SurfaceTriangle&)> see = sight_of(pair_);
+    const std::function<ProjectedTriangle(const SurfaceTriangle&)> see = target_projector(pair_);
     for (const SurfaceTriangle& triangle : own_.triangles) {
-      const Sight sight = see(triangle);
-      pair_.lost += sight.lost;
+      const ProjectedTriangle sight = see(triangle);
+      pair_.unprojected_area += sight.unprojected_area;
       if (sight.flat_seen > (1.0 + twice) * sight.flat_area) {
         pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
                         "lie within a fifth of the slave's extent)";
@@ -87,7 +87,8 @@ private:
     beside_.resize(pair_.functions.size());
   }
 
-  [[nodiscard]] HatIntegrals integrate(const SurfaceTriangle& triangle, const Sight& sight) const {
+  [[nodiscard]] HatIntegrals integrate(const SurfaceTriangle& triangle,
+                                       const ProjectedTriangle& sight) const {
     HatIntegrals sum;
     const SolidFace& face = own_.faces[triangle.face];
     const auto nodes = static_cast<Eigen::Index>(face.nodes.size());
@@ -97,7 +98,7 @@ private:
       }
     }
     const bool rigid = pair_.rigid.has_value();
-    for (const SightPoint& p : sight.points) {
+    for (const ProjectionPoint& p : sight.points) {
       if (!rigid && (sum.targets.empty() || sum.targets.back() != p.target)) {
         sum.targets.push_back(p.target);
         const auto count = static_cast<Eigen::Index>(other_.faces[p.target].nodes.size());
@@ -116,7 +117,7 @@ private:
       sum.gap += declared_.value_or(p.gap) * w;
       sum.round_gap += declared_.value_or(p.round_gap) * w;
       for (int k = 0; k < directions_; ++k) {
-        Motion& motion = sum.motion[static_cast<std::size_t>(k)];
+        HatMotionIntegrals& motion = sum.motion[static_cast<std::size_t>(k)];
         for (std::size_t h = 0; h < 3; ++h) {
           const Vec3 push = w[static_cast<Eigen::Index>(h)] * along[static_cast<std::size_t>(k)];
           motion.own[h] -= push * N.transpose();
@@ -129,7 +130,7 @@ private:
     return sum;
   }
 
-  void add(const SurfaceTriangle& triangle, const Sight& sight) {
+  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& sight) {
     const std::array<std::size_t, 3> at = functions_of(triangle);
     for (std::size_t a = 0; a < at.size(); ++a) {
       pair_.functions[at[a]].whole += sight.whole[static_cast<Eigen::Index>(a)];
@@ -141,7 +142,7 @@ private:
     const Eigen::Matrix3d dual = dual_weights(sum.moment);
     for (std::size_t a = 0; a < at.size(); ++a) {
       const Eigen::RowVector3d weight = dual.row(static_cast<Eigen::Index>(a));
-      std::array<RowBuilder, 3>& row = rows_[at[a]];
+      std::array<ConstraintRowBuilder, 3>& row = rows_[at[a]];
       row[0].gap += weight * sum.gap;
       row[0].round_gap += weight * sum.round_gap;
       const double area = weight * sum.moment.rowwise().sum();
@@ -168,12 +169,12 @@ private:
   }
 
   void add_motion(const SurfaceTriangle& triangle, const HatIntegrals& sum, std::size_t k,
-                  const Eigen::RowVector3d& weight, RowBuilder& row) const {
+                  const Eigen::RowVector3d& weight, ConstraintRowBuilder& row) const {
     const auto add_nodes = [&](const std::vector<base::NodeId>& nodes, const auto& of_hat) {
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         const auto c = static_cast<Eigen::Index>(i);
-        row.add(nodes[i], weight[0] * of_hat[0].col(c) + weight[1] * of_hat[1].col(c) +
-                              weight[2] * of_hat[2].col(c));
+        row.add_contribution(nodes[i], weight[0] * of_hat[0].col(c) + weight[1] * of_hat[1].col(c) +
+                                           weight[2] * of_hat[2].col(c));
       }
     };
     add_nodes(own_.faces[triangle.face].nodes, sum.motion[k].own);
@@ -218,7 +219,7 @@ private:
       }
       root_[i] = root_[best];
       for (std::size_t k = 0; k < rows_[i].size(); ++k) {
-        rows_[root_[i]][k].add(rows_[i][k]);
+        rows_[root_[i]][k].add_contribution(rows_[i][k]);
       }
       rows_[i] = {};
       ++pair_.merged;
@@ -235,7 +236,7 @@ private:
       if (const auto taker = place_.find({key.first, behind->second}); taker != place_.end()) {
         root_[i] = root_[taker->second];
         for (std::size_t k = 0; k < rows_[i].size(); ++k) {
-          rows_[root_[i]][k].add(rows_[i][k]);
+          rows_[root_[i]][k].add_contribution(rows_[i][k]);
         }
       }
       rows_[i] = {};
@@ -251,9 +252,9 @@ private:
       row_of[i] = static_cast<int>(pair_.normal.size());
       const base::NodeId node = pair_.functions[i].node;
       for (int k = 1; k < directions_; ++k) {
-        pair_.tangent.push_back(rows_[i][static_cast<std::size_t>(k)].finish(node, row_of[i], k));
+        pair_.tangent.push_back(rows_[i][static_cast<std::size_t>(k)].make_row(node, row_of[i], k));
       }
-      pair_.normal.push_back(rows_[i][0].finish(node));
+      pair_.normal.push_back(rows_[i][0].make_row(node));
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       pair_.functions[i].row = row_of[root_[i]];
@@ -261,46 +262,47 @@ private:
     }
   }
 
-  PairRows& pair_;
+  PairConstraints& pair_;
   const SpaceSurface& own_;
   const SpaceSurface& other_;
   std::optional<double> declared_;
   int directions_; ///< 1, or 3 with tangents
   const NodesBehind& at_front_;
-  Frames frames_;
+  SurfaceFrames frames_;
   std::map<PartNode, std::size_t> place_;
-  std::vector<std::array<RowBuilder, 3>> rows_;  ///< [function] along normal and tangents
-  std::vector<std::vector<std::size_t>> beside_; ///< [function] those of covered triangles
-  std::vector<std::size_t> root_;                ///< [function] whose row has it
+  std::vector<std::array<ConstraintRowBuilder, 3>> rows_; ///< [function] along normal and tangents
+  std::vector<std::vector<std::size_t>> beside_;          ///< [function] those of covered triangles
+  std::vector<std::size_t> root_;                         ///< [function] whose row has it
 };
 
 } // namespace
 
-void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents,
-                const NodesBehind& at_front) {
+void fill_space_mortar_rows(PairConstraints& pair, std::optional<double> declared_gap,
+                            bool tangents, const NodesBehind& at_front) {
   SpaceRows(pair, declared_gap, tangents, at_front).make();
 }
 
-std::function<Sight(const SurfaceTriangle&)> sight_of(const PairRows& pair) {
+std::function<ProjectedTriangle(const SurfaceTriangle&)>
+target_projector(const PairConstraints& pair) {
   const SpaceSurface& own = pair.contact.space;
   if (pair.faces) {
     const std::optional<std::vector<TwinFace>> twins = twin_faces(own, pair.target.space);
     assert(twins);
     return [&own, twins = *twins](const SurfaceTriangle& triangle) {
-      return see_twin(own, twins[triangle.face], triangle);
+      return project_onto_twin(own, twins[triangle.face], triangle);
     };
   }
   if (pair.rigid_shape) {
     return [&own, shape = *pair.rigid_shape](const SurfaceTriangle& triangle) {
-      return see_rigid(own, shape, triangle);
+      return project_onto_rigid(own, shape, triangle);
     };
   }
   // A std::function can be copied, the tree of a Sighting can't.
-  return [sighting = std::make_shared<Sighting>(own, pair.target.space)](
-             const SurfaceTriangle& triangle) { return sighting->see(triangle); };
+  return [sighting = std::make_shared<SurfaceProjection>(own, pair.target.space)](
+             const SurfaceTriangle& triangle) { return sighting->project_triangle(triangle); };
 }
 
-std::vector<std::vector<std::size_t>> functions_by_face(const PairRows& pair) {
+std::vector<std::vector<std::size_t>> functions_by_face(const PairConstraints& pair) {
   const SpaceSurface& surface = pair.contact.space;
   std::map<PartNode, std::size_t> place;
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {

@@ -20,15 +20,16 @@ using NodesBehind = std::map<base::NodeId, base::NodeId>;
 /// each weight is positive on any face type and any part of a face. A node covered by less than a
 /// fifth joins a neighbour. `tangents`: two rows along the surface for each normal one.
 /// Functions of nodes at a crack's front, where the faces cannot part, go to the nodes behind it.
-void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents,
-                const NodesBehind& at_front = {});
+void fill_space_mortar_rows(PairConstraints& pair, std::optional<double> declared_gap,
+                            bool tangents, const NodesBehind& at_front = {});
 
 /// What the triangles of a pair's contact surface see of its target, which may be rigid. The pair
 /// must outlive it.
-std::function<Sight(const SurfaceTriangle&)> sight_of(const PairRows& pair);
+std::function<ProjectedTriangle(const SurfaceTriangle&)>
+target_projector(const PairConstraints& pair);
 
 /// Places among the pair's functions of the nodes of each face of its contact surface, or of its
 /// corners where only these have functions.
-std::vector<std::vector<std::size_t>> functions_by_face(const PairRows& pair);
+std::vector<std::vector<std::size_t>> functions_by_face(const PairConstraints& pair);
 
 } // namespace spricka::contact

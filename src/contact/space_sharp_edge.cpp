@@ -24,7 +24,7 @@ constexpr double softer = 10.0; // a corner of a body on one that much stiffer b
 constexpr double lifted = 1e-3; // of an edge's length: a place just within the face
 
 // A side of a face with no neighbour in its smooth part.
-struct Rim {
+struct PartBoundaryEdge {
   std::size_t face = 0;
   std::vector<base::NodeId> nodes; ///< both corners, then the middle if there is one
   std::array<Vec3, 3> x;           ///< corner, middle, corner
@@ -33,28 +33,30 @@ struct Rim {
   double length = 0.0;
 };
 
-Rim rim_of(const SpaceSurface& surface, std::size_t f, int corner) {
+PartBoundaryEdge rim_of(const SpaceSurface& surface, std::size_t f, int corner) {
   const SolidFace& face = surface.faces[f];
   const int corners = base::element_info(face.shape).corners;
   const int next = (corner + 1) % corners;
-  Rim rim;
+  PartBoundaryEdge rim;
   rim.face = f;
   rim.nodes = {face.nodes[static_cast<std::size_t>(corner)],
                face.nodes[static_cast<std::size_t>(next)]};
   if (static_cast<int>(face.nodes.size()) >= 2 * corners) {
     rim.nodes.push_back(face.nodes[static_cast<std::size_t>(corners + corner)]);
   }
-  const Vec2 middle = 0.5 * (node_r(face.shape, corner) + node_r(face.shape, next));
+  const Vec2 middle =
+      0.5 * (node_local_coordinates(face.shape, corner) + node_local_coordinates(face.shape, next));
   rim.x = {face.X.col(corner), point_on(face, middle).x, face.X.col(next)};
   rim.length = (rim.x[2] - rim.x[0]).norm();
-  const FacePoint at = point_on(face, middle + lifted * (centre_r(face.shape) - middle));
+  const SolidFacePoint at =
+      point_on(face, middle + lifted * (centre_local_coordinates(face.shape) - middle));
   rim.inside = at.x;
   rim.normal = surface_normal(surface, f, at);
   return rim;
 }
 
 // The rims of all smooth parts.
-std::vector<Rim> rims_of(const SpaceSurface& surface) {
+std::vector<PartBoundaryEdge> rims_of(const SpaceSurface& surface) {
   std::map<std::tuple<std::size_t, base::NodeId, base::NodeId>, int> met;
   const auto each_side = [&](const auto& visit) {
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
@@ -68,7 +70,7 @@ std::vector<Rim> rims_of(const SpaceSurface& surface) {
     }
   };
   each_side([&](std::size_t, int, const auto& key) { ++met[key]; });
-  std::vector<Rim> rims;
+  std::vector<PartBoundaryEdge> rims;
   each_side([&](std::size_t f, int i, const auto& key) {
     if (met.at(key) == 1) {
       rims.push_back(rim_of(surface, f, i));
@@ -84,29 +86,30 @@ double distance_to_line(const Vec3& x, const Vec3& a, const Vec3& b) {
 }
 
 // The rims of a surface in a tree, to ask whether it ends at a place.
-class Ends {
+class PartBoundaryTree {
 public:
-  explicit Ends(const std::vector<Rim>& rims) : rims_(rims), tree_(boxes(rims)) {}
+  explicit PartBoundaryTree(const std::vector<PartBoundaryEdge>& rims)
+      : rims_(rims), tree_(boxes(rims)) {}
 
   [[nodiscard]] bool at(const Vec3& x, double near) const {
     const Vec3 more = Vec3::Constant(near);
-    return std::ranges::any_of(tree_.met_by({x - more, x + more}), [&](std::size_t i) {
+    return std::ranges::any_of(tree_.overlapping_boxes({x - more, x + more}), [&](std::size_t i) {
       const std::array<Vec3, 3>& y = rims_[i].x;
       return std::min(distance_to_line(x, y[0], y[1]), distance_to_line(x, y[1], y[2])) < near;
     });
   }
 
 private:
-  static std::vector<Box> boxes(const std::vector<Rim>& rims) {
-    std::vector<Box> all;
+  static std::vector<ContactBoundingBox> boxes(const std::vector<PartBoundaryEdge>& rims) {
+    std::vector<ContactBoundingBox> all;
     all.reserve(rims.size());
-    for (const Rim& rim : rims) {
+    for (const PartBoundaryEdge& rim : rims) {
       all.push_back({rim.x[0].cwiseMin(rim.x[1]).cwiseMin(rim.x[2]),
                      rim.x[0].cwiseMax(rim.x[1]).cwiseMax(rim.x[2])});
     }
     return all;
   }
-  const std::vector<Rim>& rims_;
+  const std::vector<PartBoundaryEdge>& rims_;
   BoxTree tree_;
 };
 
@@ -118,7 +121,7 @@ struct AtEdge {
 };
 
 // Places that have nodes in common are one edge.
-std::vector<SharpEnd> joined(const std::vector<AtEdge>& places) {
+std::vector<SingularContactEdge> joined(const std::vector<AtEdge>& places) {
   std::map<base::NodeId, std::size_t> edge_of;
   std::vector<std::size_t> root(places.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
@@ -138,14 +141,14 @@ std::vector<SharpEnd> joined(const std::vector<AtEdge>& places) {
       }
     }
   }
-  std::map<std::size_t, SharpEnd> ends;
+  std::map<std::size_t, SingularContactEdge> ends;
   std::map<std::size_t, std::set<base::NodeId>> nodes;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto end = ends.try_emplace(find(i), SharpEnd{places[i].x, {}, true}).first;
+    const auto end = ends.try_emplace(find(i), SingularContactEdge{places[i].x, {}, true}).first;
     end->second.bounded = end->second.bounded && places[i].bounded;
     nodes[find(i)].insert(places[i].nodes.begin(), places[i].nodes.end());
   }
-  std::vector<SharpEnd> all;
+  std::vector<SingularContactEdge> all;
   for (auto& [at, end] : ends) {
     end.nodes.assign(nodes.at(at).begin(), nodes.at(at).end());
     all.push_back(std::move(end));
@@ -155,28 +158,30 @@ std::vector<SharpEnd> joined(const std::vector<AtEdge>& places) {
 
 } // namespace
 
-std::vector<SharpEnd> sharp_edges(const PairRows& pair) {
+std::vector<SingularContactEdge> find_space_singular_edges(const PairConstraints& pair) {
   if (pair.rigid_shape) { // without end: a body's corner on it is of a right angle or less
     return {};
   }
   const SpaceSurface& own = pair.contact.space;
   const SpaceSurface& other = pair.target.space;
-  const std::vector<Rim> own_rims = rims_of(own);
-  const std::vector<Rim> other_rims = rims_of(other);
-  const Ends own_ends(own_rims);
-  const Ends other_ends(other_rims);
+  const std::vector<PartBoundaryEdge> own_rims = rims_of(own);
+  const std::vector<PartBoundaryEdge> other_rims = rims_of(other);
+  const PartBoundaryTree own_ends(own_rims);
+  const PartBoundaryTree other_ends(other_rims);
   std::vector<AtEdge> places;
-  const Sighting from_own(own, other);
-  for (const Rim& rim : own_rims) {
-    const std::optional<SightPoint> met = from_own.look(rim.inside, rim.normal);
+  const SurfaceProjection from_own(own, other);
+  for (const PartBoundaryEdge& rim : own_rims) {
+    const std::optional<ProjectionPoint> met =
+        from_own.project_along_normal(rim.inside, rim.normal);
     if (met && !other_ends.at(rim.inside + met->gap * rim.normal, together * rim.length)) {
       places.push_back(
           {rim.x[1], rim.nodes, softer * pair.contact.stiffness < pair.target.stiffness});
     }
   }
-  const Sighting from_other(other, own);
-  for (const Rim& rim : other_rims) {
-    const std::optional<SightPoint> met = from_other.look(rim.inside, rim.normal);
+  const SurfaceProjection from_other(other, own);
+  for (const PartBoundaryEdge& rim : other_rims) {
+    const std::optional<ProjectionPoint> met =
+        from_other.project_along_normal(rim.inside, rim.normal);
     if (met && !own_ends.at(rim.inside + met->gap * rim.normal, together * rim.length)) {
       places.push_back({rim.x[1], own.faces[met->target].nodes,
                         softer * pair.target.stiffness < pair.contact.stiffness});

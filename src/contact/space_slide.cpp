@@ -58,7 +58,7 @@ double largest_shift(const base::Vector& u) {
 
 class SpaceSliding {
 public:
-  SpaceSliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
+  SpaceSliding(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& u,
                std::span<const base::Matrix* const> motions)
       : pair_(pair), lambda_(lambda), u_(u), motions_(motions), own_(pair.contact.space),
         other_(pair.target.space), moved_own_(moved(own_, u)), moved_other_(moved(other_, u)),
@@ -69,14 +69,14 @@ public:
       largest_ = std::max(largest_, lambda[index(i)]);
     }
     for (const SolidFace& face : own_.faces) {
-      own_size_.push_back(std::sqrt(area_of(face)));
+      own_size_.push_back(std::sqrt(face_area(face)));
     }
     for (const SolidFace& face : other_.faces) {
-      other_size_.push_back(std::sqrt(area_of(face)));
+      other_size_.push_back(std::sqrt(face_area(face)));
     }
   }
 
-  Slide look() {
+  SlideMeasures look() {
     if (!(largest_ > 0.0)) {
       return {};
     }
@@ -86,12 +86,12 @@ public:
       if (p.maxCoeff() <= least_looked_at * largest_) {
         continue;
       }
-      for (const SightPoint& point : see(triangle)) {
+      for (const ProjectionPoint& point : see(triangle)) {
         add(triangle, point, p.dot(point.hat));
       }
     }
     found_.thrust = thrust_;
-    found_.lost = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
+    found_.unsupported_part = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
     found_.pressed = std::sqrt(found_.pressed);
     return found_;
   }
@@ -99,27 +99,30 @@ public:
 private:
   // Points of a triangle that see the target as drawn. Of a body those of one rule on the whole
   // triangle: rows clip it by all that is opposite, but what is told here are largest ways.
-  [[nodiscard]] std::function<std::vector<SightPoint>(const SurfaceTriangle&)> points_of() const {
+  [[nodiscard]] std::function<std::vector<ProjectionPoint>(const SurfaceTriangle&)>
+  points_of() const {
     if (pair_.rigid_shape) {
-      return [see = sight_of(pair_)](const SurfaceTriangle& t) { return see(t).points; };
+      return [see = target_projector(pair_)](const SurfaceTriangle& t) { return see(t).points; };
     }
-    return [this, drawn = std::make_shared<const Sighting>(own_, other_)](
+    return [this, drawn = std::make_shared<const SurfaceProjection>(own_, other_)](
                const SurfaceTriangle& t) { return looked_at(t, *drawn); };
   }
 
-  [[nodiscard]] std::vector<SightPoint> looked_at(const SurfaceTriangle& t,
-                                                  const Sighting& drawn) const {
+  [[nodiscard]] std::vector<ProjectionPoint> looked_at(const SurfaceTriangle& t,
+                                                       const SurfaceProjection& drawn) const {
     const SolidFace& face = own_.faces[t.face];
-    const std::array<Vec2, 3> r{node_r(face.shape, t.node[0]), node_r(face.shape, t.node[1]),
-                                node_r(face.shape, t.node[2])};
+    const std::array<Vec2, 3> r{node_local_coordinates(face.shape, t.node[0]),
+                                node_local_coordinates(face.shape, t.node[1]),
+                                node_local_coordinates(face.shape, t.node[2])};
     const Vec2 a = r[1] - r[0];
     const Vec2 b = r[2] - r[0];
     const double r_area2 = std::abs(a.x() * b.y() - a.y() * b.x());
-    std::vector<SightPoint> points;
+    std::vector<ProjectionPoint> points;
     for (const auto& [q, weight] : shape::triangle_rule(rule_degree)) {
       const Vec2 at = r[0] + q[0] * a + q[1] * b;
-      const FacePoint here = point_on(face, at);
-      if (std::optional<SightPoint> met = drawn.look(here.x, surface_normal(own_, t.face, here))) {
+      const SolidFacePoint here = point_on(face, at);
+      if (std::optional<ProjectionPoint> met =
+              drawn.project_along_normal(here.x, surface_normal(own_, t.face, here))) {
         met->hat = {1.0 - q[0] - q[1], q[0], q[1]};
         met->r = at;
         met->weight = weight * r_area2 * here.area_vector().norm();
@@ -140,7 +143,7 @@ private:
     return p;
   }
 
-  void add(const SurfaceTriangle& triangle, const SightPoint& at, double p) {
+  void add(const SurfaceTriangle& triangle, const ProjectionPoint& at, double p) {
     if (p <= least_looked_at * largest_) {
       return;
     }
@@ -148,16 +151,17 @@ private:
     Vec3 relative = -shift_at(own_.faces[triangle.face], at.r, u_);
     double facet = own_size_[triangle.face];
     std::optional<double> now;
-    const FacePoint here = point_on(moved_own_.faces[triangle.face], at.r);
+    const SolidFacePoint here = point_on(moved_own_.faces[triangle.face], at.r);
     Vec3 place = here.x;
     if (pair_.rigid_shape) {
-      const Round& shape = *pair_.rigid_shape;
+      const AnalyticShape& shape = *pair_.rigid_shape;
       now = shape.sense * distance_to(shape, at.x - relative);
     } else {
       relative += shift_at(other_.faces[at.target], at.s, u_);
       facet = std::max(facet, other_size_[at.target]);
       // Along the normal as it is now: bodies that have turned face one another otherwise.
-      if (const auto met = sighting_.look(here.x, here.area_vector().normalized())) {
+      if (const auto met =
+              sighting_.project_along_normal(here.x, here.area_vector().normalized())) {
         now = met->gap;
       }
       place = point_on(moved_other_.faces[at.target], at.s).x;
@@ -191,24 +195,25 @@ private:
     }
   }
 
-  const PairRows& pair_;
+  const PairConstraints& pair_;
   const base::Vector& lambda_;
   const base::Vector& u_;
   std::span<const base::Matrix* const> motions_;
   const SpaceSurface& own_;
   const SpaceSurface& other_;
   SpaceSurface moved_own_, moved_other_;
-  Sighting sighting_; ///< of the moved target
+  SurfaceProjection sighting_; ///< of the moved target
   std::vector<std::vector<std::size_t>> functions_;
   std::vector<double> own_size_, other_size_; ///< [face]
   double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;
-  Slide found_;
+  SlideMeasures found_;
 };
 
 } // namespace
 
-Slide space_slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u,
-                     std::span<const base::Matrix* const> motions) {
+SlideMeasures measure_space_slide(const PairConstraints& pair, const base::Vector& lambda,
+                                  const base::Vector& u,
+                                  std::span<const base::Matrix* const> motions) {
   return SpaceSliding(pair, lambda, u, motions).look();
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double no_edge = std::numeric_limits<double>::infinity();
 
 // Whether nodes in the middle of edges have pressures of their own.
-bool has_middle_rows(const PairRows& pair) {
+bool has_middle_rows(const PairConstraints& pair) {
   const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto corners =
@@ -26,8 +26,8 @@ bool has_middle_rows(const PairRows& pair) {
   return false;
 }
 
-bool is_at_sharp_edge(const PairRows& pair, base::NodeId node) {
-  return std::ranges::any_of(pair.sharp_ends, [&](const SharpEnd& end) {
+bool is_at_sharp_edge(const PairConstraints& pair, base::NodeId node) {
+  return std::ranges::any_of(pair.sharp_ends, [&](const SingularContactEdge& end) {
     return std::ranges::find(end.nodes, node) != end.nodes.end();
   });
 }
@@ -75,7 +75,7 @@ int largest_disc(const std::vector<std::set<std::size_t>>& next, std::size_t row
 
 } // namespace
 
-std::vector<std::set<std::size_t>> row_neighbours(const PairRows& pair) {
+std::vector<std::set<std::size_t>> row_neighbours(const PairConstraints& pair) {
   std::vector<std::set<std::size_t>> next(pair.normal.size());
   const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
   const auto row_of = [&](const SurfaceTriangle& t, int i) {
@@ -95,7 +95,7 @@ std::vector<std::set<std::size_t>> row_neighbours(const PairRows& pair) {
   return next;
 }
 
-double elements_across_peak(const PairRows& pair, const base::Vector& lambda,
+double elements_across_peak(const PairConstraints& pair, const base::Vector& lambda,
                             const std::vector<bool>& closed) {
   if (!pair.segments || pair.normal.empty()) {
     return no_edge;

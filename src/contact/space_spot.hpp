@@ -8,12 +8,12 @@
 namespace spricka::contact {
 
 /// Normal rows of a solid pair whose pressures meet on a triangle of its surface [row].
-std::vector<std::set<std::size_t>> row_neighbours(const PairRows& pair);
+std::vector<std::set<std::size_t>> row_neighbours(const PairConstraints& pair);
 
 /// How many elements of its surface lie across the spot where a solid pair presses most: across the
 /// largest disc of closed nodes that holds its largest pressure. Infinite where the contact has no
 /// open edge, or its largest pressure stands at an edge of one surface, where it has no bound.
-double elements_across_peak(const PairRows& pair, const base::Vector& lambda,
+double elements_across_peak(const PairConstraints& pair, const base::Vector& lambda,
                             const std::vector<bool>& closed);
 
 } // namespace spricka::contact

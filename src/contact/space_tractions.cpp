@@ -18,7 +18,7 @@ namespace {
 // Rows of a function: along the normal and the two tangents; -1: none.
 using RowsAlong = std::array<std::int64_t, 3>;
 
-std::vector<RowsAlong> rows_along(const PairRows& pair) {
+std::vector<RowsAlong> rows_along(const PairConstraints& pair) {
   std::vector<RowsAlong> of_row(pair.normal.size(), RowsAlong{-1, -1, -1});
   for (std::size_t r = 0; r < pair.normal.size(); ++r) {
     of_row[r][0] = static_cast<std::int64_t>(r);
@@ -33,7 +33,7 @@ std::vector<RowsAlong> rows_along(const PairRows& pair) {
 
 class Tractions {
 public:
-  Tractions(const PairRows& pair, const std::function<bool(const model::Face&)>& wanted)
+  Tractions(const PairConstraints& pair, const std::function<bool(const model::Face&)>& wanted)
       : pair_(pair), own_(pair.contact.space), other_(pair.target.space), frames_(own_),
         rows_(rows_along(pair)), functions_(functions_by_face(pair)) {
     for (std::size_t f = 0; f < own_.faces.size(); ++f) {
@@ -44,15 +44,15 @@ public:
     }
   }
 
-  std::vector<UnitTraction> make() {
+  std::vector<UnitFaceTraction> make() {
     const bool target_side = std::ranges::any_of(other_wanted_, [](bool wanted) { return wanted; });
-    const std::function<Sight(const SurfaceTriangle&)> see = sight_of(pair_);
+    const std::function<ProjectedTriangle(const SurfaceTriangle&)> see = target_projector(pair_);
     for (const SurfaceTriangle& triangle : own_.triangles) {
       if (own_wanted_[triangle.face] || target_side) {
         add(triangle, see(triangle));
       }
     }
-    std::vector<UnitTraction> all;
+    std::vector<UnitFaceTraction> all;
     for (auto& [face, points] : points_) {
       all.push_back({face, std::move(points)});
     }
@@ -61,9 +61,9 @@ public:
 
 private:
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const SurfaceTriangle& triangle, const Sight& sight) {
+  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& sight) {
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-    for (const SightPoint& p : sight.points) {
+    for (const ProjectionPoint& p : sight.points) {
       moment += p.weight * p.hat * p.hat.transpose();
     }
     const Eigen::Matrix3d dual = dual_weights(moment);
@@ -73,10 +73,10 @@ private:
       const int row = pair_.functions[at].row;
       rows[a] = row < 0 ? RowsAlong{-1, -1, -1} : rows_[static_cast<std::size_t>(row)];
     }
-    for (const SightPoint& p : sight.points) {
+    for (const ProjectionPoint& p : sight.points) {
       const Eigen::Vector3d weight = dual * (p.weight * p.hat);
       const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.face], p.normal);
-      std::vector<UnitTractionPoint::OfRow> forces;
+      std::vector<UnitTractionPoint::RowForce> forces;
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t k = 0; k < 3; ++k) {
           if (rows[a][k] >= 0) {
@@ -88,7 +88,7 @@ private:
       if (own_wanted_[triangle.face]) {
         UnitTractionPoint& point =
             points_[own_.faces[triangle.face].face].emplace_back(UnitTractionPoint{p.r, forces});
-        for (UnitTractionPoint::OfRow& one : point.rows) {
+        for (UnitTractionPoint::RowForce& one : point.rows) {
           one.force = -one.force;
         }
       }
@@ -98,10 +98,10 @@ private:
     }
   }
 
-  const PairRows& pair_;
+  const PairConstraints& pair_;
   const SpaceSurface& own_;
   const SpaceSurface& other_;
-  Frames frames_;
+  SurfaceFrames frames_;
   std::vector<RowsAlong> rows_; ///< [normal row]
   std::vector<std::vector<std::size_t>> functions_;
   std::vector<bool> own_wanted_, other_wanted_;
@@ -110,23 +110,24 @@ private:
 
 } // namespace
 
-std::vector<UnitTraction>
-space_unit_tractions(const PairRows& pair, const std::function<bool(const model::Face&)>& wanted) {
+std::vector<UnitFaceTraction>
+space_unit_tractions(const PairConstraints& pair,
+                     const std::function<bool(const model::Face&)>& wanted) {
   if (!pair.segments || pair.contact.space.faces.empty()) {
     return {};
   }
   return Tractions(pair, wanted).make();
 }
 
-std::vector<FaceTraction> space_tractions(const PairRows& pair, const base::Vector& lambda,
+std::vector<FaceTraction> space_tractions(const PairConstraints& pair, const base::Vector& lambda,
                                           const std::function<bool(const model::Face&)>& wanted) {
   std::vector<FaceTraction> all;
-  for (const UnitTraction& unit : space_unit_tractions(pair, wanted)) {
+  for (const UnitFaceTraction& unit : space_unit_tractions(pair, wanted)) {
     FaceTraction& on_face = all.emplace_back();
     on_face.face = unit.face;
     for (const UnitTractionPoint& point : unit.points) {
       Vec3 force = Vec3::Zero();
-      for (const UnitTractionPoint::OfRow& one : point.rows) {
+      for (const UnitTractionPoint::RowForce& one : point.rows) {
         force += lambda[static_cast<Eigen::Index>(one.row)] * one.force;
       }
       on_face.points.push_back({point.r, force});

@@ -23,25 +23,26 @@ struct FaceTraction {
 /// press on the faces of both sides that `wanted` names, point by point: the sum of a face's node
 /// functions times the forces is what the rows put on the nodes. Empty where rows are made of
 /// single nodes (PAIRING=NODE).
-std::vector<FaceTraction> space_tractions(const PairRows& pair, const base::Vector& lambda,
+std::vector<FaceTraction> space_tractions(const PairConstraints& pair, const base::Vector& lambda,
                                           const std::function<bool(const model::Face&)>& wanted);
 
 /// What a unit of each row's multiplier presses at a point of a face.
 struct UnitTractionPoint {
   base::Vec2 r = base::Vec2::Zero(); ///< on the face
-  struct OfRow {
+  struct RowForce {
     std::size_t row = 0; ///< of the pair: normal ones, then tangential ones
     base::Vec3 force = base::Vec3::Zero();
   };
-  std::vector<OfRow> rows;
+  std::vector<RowForce> rows;
 };
-struct UnitTraction {
+struct UnitFaceTraction {
   model::Face face;
   std::vector<UnitTractionPoint> points;
 };
 
 /// The same by row: space_tractions() is their sum times the multipliers.
-std::vector<UnitTraction>
-space_unit_tractions(const PairRows& pair, const std::function<bool(const model::Face&)>& wanted);
+std::vector<UnitFaceTraction>
+space_unit_tractions(const PairConstraints& pair,
+                     const std::function<bool(const model::Face&)>& wanted);
 
 } // namespace spricka::contact

@@ -3,8 +3,8 @@
 
 namespace spricka::contact {
 
-Links Links::in_order(std::size_t count, bool ring) {
-  Links links(count);
+SequenceLinks SequenceLinks::in_order(std::size_t count, bool ring) {
+  SequenceLinks links(count);
   for (std::size_t i = 0; i + 1 < count; ++i) {
     links.join(i, i + 1);
   }
@@ -14,8 +14,8 @@ Links Links::in_order(std::size_t count, bool ring) {
   return links;
 }
 
-std::vector<std::vector<std::size_t>> stretches(const Links& links, const std::vector<bool>& marked,
-                                                std::size_t from) {
+std::vector<std::vector<std::size_t>>
+contiguous_ranges(const SequenceLinks& links, const std::vector<bool>& marked, std::size_t from) {
   const std::size_t n = marked.size();
   const auto is_marked = [&](const std::optional<std::size_t>& i) { return i && marked[*i]; };
   std::vector<std::vector<std::size_t>> all;

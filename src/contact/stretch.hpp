@@ -8,12 +8,12 @@
 namespace spricka::contact {
 
 /// The place that follows each one and the one before.
-struct Links {
+struct SequenceLinks {
   std::vector<std::optional<std::size_t>> next, last;
 
-  explicit Links(std::size_t count) : next(count), last(count) {}
+  explicit SequenceLinks(std::size_t count) : next(count), last(count) {}
   /// Places in the order of their numbers; `ring`: the first follows the last.
-  static Links in_order(std::size_t count, bool ring);
+  static SequenceLinks in_order(std::size_t count, bool ring);
   void join(std::size_t a, std::size_t b) {
     next[a] = b;
     last[b] = a;
@@ -23,7 +23,8 @@ struct Links {
 /// Marked places one behind the other, as long as they go, each by its places. They come in the
 /// order in which they begin, places counted from `from` on, round to it. A ring marked all round
 /// begins nowhere and is none.
-std::vector<std::vector<std::size_t>> stretches(const Links& links, const std::vector<bool>& marked,
-                                                std::size_t from = 0);
+std::vector<std::vector<std::size_t>> contiguous_ranges(const SequenceLinks& links,
+                                                        const std::vector<bool>& marked,
+                                                        std::size_t from = 0);
 
 } // namespace spricka::contact

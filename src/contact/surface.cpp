@@ -17,7 +17,7 @@ namespace {
 
 // Kasa's fit: |x|^2 = 2 c.x + (r^2 - |c|^2) in the least-squares sense, about the mean for
 // accuracy.
-std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent) {
+std::optional<SurfaceCircle> fit_circle(const std::vector<Vec2>& points, double extent) {
   if (points.size() < 3) {
     return std::nullopt;
   }
@@ -46,7 +46,7 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
   const double grid = std::ldexp(1.0, std::ilogb(extent) - 43);
   const auto snapped = [grid](double x) { return grid * std::round(x / grid); };
   const Vec2 centre = mean + extent * s.head<2>();
-  Circle circle{{snapped(centre.x()), snapped(centre.y())}, snapped(radius), true};
+  SurfaceCircle circle{{snapped(centre.x()), snapped(centre.y())}, snapped(radius), true};
   for (const Vec2& p : points) {
     const double off = std::abs((p - circle.centre).norm() - radius);
     if (off > 1e-4 * radius) {
@@ -57,9 +57,9 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
   return radius < 1e3 * extent ? std::optional(circle) : std::nullopt;
 }
 
-Surface solid_surface(const model::Model& model, const model::Mesh& mesh,
-                      const std::vector<model::Face>& faces) {
-  Surface surface;
+ContactSurface solid_surface(const model::Model& model, const model::Mesh& mesh,
+                             const std::vector<model::Face>& faces) {
+  ContactSurface surface;
   surface.space = make_space_surface(mesh, faces);
   surface.extent = surface.space.extent;
   surface.mean_length = surface.space.mean_size;
@@ -73,23 +73,25 @@ Surface solid_surface(const model::Model& model, const model::Mesh& mesh,
 
 } // namespace
 
-double depth_at(const Surface& contact, const Surface& target, const Vec2& x) {
+double out_of_plane_depth(const ContactSurface& contact, const ContactSurface& target,
+                          const Vec2& x) {
   if (contact.axial) {
     return 2.0 * std::numbers::pi * std::max(0.0, x.x()); // round-off at the axis
   }
   return std::min(contact.thickness, target.thickness);
 }
 
-Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set) {
+ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
+                            base::FaceSetId set) {
   return make_surface(model, mesh, mesh.set_with_id(set).faces);
 }
 
-Surface make_surface(const model::Model& model, const model::Mesh& mesh,
-                     const std::vector<model::Face>& faces) {
+ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
+                            const std::vector<model::Face>& faces) {
   if (mesh.dim == 3) {
     return solid_surface(model, mesh, faces);
   }
-  Surface surface;
+  ContactSurface surface;
   surface.axial = model::axisymmetric(model);
   std::vector<Vec2> points;
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
@@ -125,7 +127,7 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh,
   return surface;
 }
 
-Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi) {
+Vec2 surface_normal(const ContactSurface& surface, const Edge& edge, double xi) {
   Vec2 n = outer_normal(edge, xi);
   if (!surface.circle) {
     return n;

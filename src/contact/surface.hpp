@@ -15,17 +15,17 @@
 namespace spricka::contact {
 
 /// A circle that all nodes of a surface lie on.
-struct Circle {
+struct SurfaceCircle {
   Vec2 centre = Vec2::Zero();
   double radius = 0.0;
   bool exact = false; ///< all nodes lie on it within 1e-6 of the radius
 };
 
-struct Surface {
-  std::vector<Facet> facets;
-  PlaneFeatures plane; ///< order of the facets; none in space
-  SpaceSurface space;  ///< no faces in the plane
-  std::optional<Circle> circle;
+struct ContactSurface {
+  std::vector<ContactFacet> facets;
+  PlanarEdgeChains plane; ///< order of the facets; none in space
+  SpaceSurface space;     ///< no faces in the plane
+  std::optional<SurfaceCircle> circle;
   double extent = 0.0;      ///< diagonal of the bounding box
   double mean_length = 0.0; ///< of the facets; in space the root of their mean area
   double stiffness = 0.0;   ///< Young's modulus behind the surface
@@ -35,15 +35,17 @@ struct Surface {
 
 /// What a unit of length at a point of the section stands for: the smaller thickness, about an axis
 /// the whole circumference there.
-double depth_at(const Surface& contact, const Surface& target, const Vec2& x);
+double out_of_plane_depth(const ContactSurface& contact, const ContactSurface& target,
+                          const Vec2& x);
 
 /// In the plane strings the faces of a set into chains and looks whether they lie on one circle
 /// (deviation below 1e-4 of the radius, radius below 1e3 extents); in space make_space_surface().
-Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set);
-Surface make_surface(const model::Model& model, const model::Mesh& mesh,
-                     const std::vector<model::Face>& faces);
+ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
+                            base::FaceSetId set);
+ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
+                            const std::vector<model::Face>& faces);
 
 /// Unit normal of the surface at a point of an edge: radial where the surface is a circle.
-Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi);
+Vec2 surface_normal(const ContactSurface& surface, const Edge& edge, double xi);
 
 } // namespace spricka::contact

@@ -30,16 +30,17 @@ struct Glance {
 
 // Samples the segments; `look(segment, edge, xi)` tells what is seen there, if anything.
 template <class Look>
-Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& look) {
+GapSurvey sample(const ContactSurface& from, const std::vector<MortarSegment>& segments,
+                 Look&& look) {
   const std::vector<Edge>& edges = from.plane.edges;
-  Survey found;
+  GapSurvey found;
   found.edges = edges.size();
   for (const Edge& edge : edges) {
     found.length += edge.length;
   }
   std::vector<bool> faces(edges.size(), false);
   bool first = true;
-  for (const Segment& s : segments) {
+  for (const MortarSegment& s : segments) {
     const Edge& edge = edges[s.contact_edge];
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
@@ -64,15 +65,15 @@ Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& 
   return found;
 }
 
-template <class See> Survey survey_space(const SpaceSurface& from, See&& see) {
-  Survey found;
+template <class See> GapSurvey survey_space(const SpaceSurface& from, See&& see) {
+  GapSurvey found;
   found.edges = from.faces.size();
   std::vector<bool> faces(from.faces.size(), false);
   bool first = true;
   for (const SurfaceTriangle& t : from.triangles) {
-    const Sight sight = see(t);
+    const ProjectedTriangle sight = see(t);
     found.length += sight.whole.sum();
-    for (const SightPoint& p : sight.points) {
+    for (const ProjectionPoint& p : sight.points) {
       faces[t.face] = true;
       found.seen += p.weight;
       found.gap_mean += p.weight * p.gap;
@@ -90,19 +91,20 @@ template <class See> Survey survey_space(const SpaceSurface& from, See&& see) {
 
 } // namespace
 
-Survey survey(const Surface& from, const Surface& to) {
+GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to) {
   if (!from.space.faces.empty()) {
-    const Sighting sighting(from.space, to.space);
-    return survey_space(from.space,
-                        [&](const SurfaceTriangle& triangle) { return sighting.see(triangle); });
+    const SurfaceProjection sighting(from.space, to.space);
+    return survey_space(from.space, [&](const SurfaceTriangle& triangle) {
+      return sighting.project_triangle(triangle);
+    });
   }
   const std::vector<Edge>& targets = to.plane.edges;
   return sample(from, find_segments(from, to),
-                [&](const Segment& s, const Edge& edge, double xi) -> std::optional<Glance> {
+                [&](const MortarSegment& s, const Edge& edge, double xi) -> std::optional<Glance> {
                   const Edge& target = targets[s.target_edge];
                   const Vec2 n = surface_normal(from, edge, xi);
                   const Vec2 x = point_on(edge, xi);
-                  const std::optional<double> eta = hit_on(target, x, n);
+                  const std::optional<double> eta = ray_intersection(target, x, n);
                   if (!eta) {
                     return std::nullopt;
                   }
@@ -111,16 +113,17 @@ Survey survey(const Surface& from, const Surface& to) {
                 });
 }
 
-Survey survey(const Surface& from, const model::RigidTarget& to) {
+GapSurvey survey_gaps(const ContactSurface& from, const model::RigidTarget& to) {
   if (!from.space.faces.empty()) {
-    const Round shape = rigid_round(to);
+    const AnalyticShape shape = rigid_target_shape(to);
     return survey_space(from.space, [&](const SurfaceTriangle& triangle) {
-      return see_rigid(from.space, shape, triangle);
+      return project_onto_rigid(from.space, shape, triangle);
     });
   }
   return sample(from, find_segments(from, to),
-                [&](const Segment&, const Edge& edge, double xi) -> std::optional<Glance> {
-                  const std::optional<RigidFoot> foot = foot_on(to, point_on(edge, xi));
+                [&](const MortarSegment&, const Edge& edge, double xi) -> std::optional<Glance> {
+                  const std::optional<RigidProjection> foot =
+                      normal_projection(to, point_on(edge, xi));
                   if (!foot) {
                     return std::nullopt;
                   }

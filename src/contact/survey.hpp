@@ -7,7 +7,7 @@
 namespace spricka::contact {
 
 /// What one surface sees of another along its normals, whatever gap a deck declares.
-struct Survey {
+struct GapSurvey {
   std::size_t edges = 0;   ///< of the surface; in space its faces
   std::size_t facing = 0;  ///< of these, that see the other surface at least in part
   double length = 0.0;     ///< of the surface; in space its area
@@ -23,9 +23,9 @@ struct Survey {
 
 /// Surveys the segments that pairing uses: at their ends and at Gauss points between; in space at
 /// its points.
-Survey survey(const Surface& from, const Surface& to);
+GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to);
 
 /// The same for a rigid target, along its normals.
-Survey survey(const Surface& from, const model::RigidTarget& to);
+GapSurvey survey_gaps(const ContactSurface& from, const model::RigidTarget& to);
 
 } // namespace spricka::contact

@@ -17,10 +17,11 @@ using base::index;
 namespace {
 
 // The rows of a body as columns [m, k].
-base::Matrix as_columns(const std::vector<std::vector<RowShare>>& rows, std::size_t freedoms) {
+base::Matrix as_columns(const std::vector<std::vector<RowCoefficient>>& rows,
+                        std::size_t freedoms) {
   base::Matrix GT = base::Matrix::Zero(index(freedoms), index(rows.size()));
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const RowShare& share : rows[k]) {
+    for (const RowCoefficient& share : rows[k]) {
       GT(share.at, index(k)) += share.weight;
     }
   }
@@ -28,9 +29,9 @@ base::Matrix as_columns(const std::vector<std::vector<RowShare>>& rows, std::siz
 }
 
 // What a row opens by if all its freedoms move by one against it.
-double row_size(const std::vector<RowShare>& row) {
+double row_size(const std::vector<RowCoefficient>& row) {
   double size = 0.0;
-  for (const RowShare& share : row) {
+  for (const RowCoefficient& share : row) {
     size += std::abs(share.weight);
   }
   return size;
@@ -40,7 +41,8 @@ double row_size(const std::vector<RowShare>& row) {
 
 ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
                              std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms,
-                             const std::vector<SlidingContact>& sliding, const Lasting& lasting)
+                             const std::vector<ContactRowSurfaces>& sliding,
+                             const PersistentRowSet& lasting)
     : bodies_(std::move(bodies)), rows_(rows.size()) {
   // By freedom of the mesh: the body that has it among its externals, and where; -1: none has.
   std::vector<std::pair<std::int32_t, std::int32_t>> place(freedoms, {-1, -1});
@@ -74,10 +76,10 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   let_slide(sliding, dim, place);
 }
 
-void ContactSystem::let_slide(const std::vector<SlidingContact>& sliding, int dim,
+void ContactSystem::let_slide(const std::vector<ContactRowSurfaces>& sliding, int dim,
                               const std::vector<std::pair<std::int32_t, std::int32_t>>& place) {
-  const auto modes_at = [&](base::NodeId node) -> std::optional<ModesAtNode> {
-    std::optional<ModesAtNode> found;
+  const auto modes_at = [&](base::NodeId node) -> std::optional<RigidModesAtNode> {
+    std::optional<RigidModesAtNode> found;
     for (int c = 0; c < dim; ++c) {
       const auto [body, i] =
           place[static_cast<std::size_t>(dim) * node.index() + static_cast<std::size_t>(c)];
@@ -86,7 +88,7 @@ void ContactSystem::let_slide(const std::vector<SlidingContact>& sliding, int di
       }
       const base::Matrix& Q = bodies_[at(body)]->modes();
       if (!found) {
-        found = ModesAtNode{at(body), base::Matrix::Zero(dim, Q.cols())};
+        found = RigidModesAtNode{at(body), base::Matrix::Zero(dim, Q.cols())};
       }
       if (Q.cols() > 0) {
         found->motion.row(c) = Q.row(i);
@@ -95,41 +97,41 @@ void ContactSystem::let_slide(const std::vector<SlidingContact>& sliding, int di
     return found;
   };
   slid_ = B_;
-  remove_sliding(sliding, mode_start_, modes_at, B_);
+  remove_self_sliding(sliding, mode_start_, modes_at, B_);
   slid_ -= B_;
 }
 
 // Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
 // whole or not at all.
 bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
-  const solve::FactoredExternals* factor = bodies_[body]->layered();
-  return factor == nullptr || std::ranges::all_of(rows_[row], [&](const Entry& e) {
+  const solve::FactoredExternals* factor = bodies_[body]->block_factor();
+  return factor == nullptr || std::ranges::all_of(rows_[row], [&](const BodyRowEntry& e) {
            return e.body != body || factor->row[at(e.at)] < factor->L.first_block_size();
          });
 }
 
-std::vector<std::vector<RowShare>>
+std::vector<std::vector<RowCoefficient>>
 ContactSystem::shares_of(std::size_t body, const std::vector<std::size_t>& list, bool early) const {
-  std::vector<std::vector<RowShare>> out;
+  std::vector<std::vector<RowCoefficient>> out;
   for (const std::size_t r : list) {
-    std::vector<RowShare>& own = out.emplace_back();
-    for (const Entry& e : rows_[r]) {
+    std::vector<RowCoefficient>& own = out.emplace_back();
+    for (const BodyRowEntry& e : rows_[r]) {
       if (e.body == body) {
-        own.push_back({early ? bodies_[body]->layered()->row[at(e.at)] : e.at, e.weight});
+        own.push_back({early ? bodies_[body]->block_factor()->row[at(e.at)] : e.at, e.weight});
       }
     }
   }
   return out;
 }
 
-void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
+void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
                              const std::vector<const ConstraintRow*>& rows) {
   std::vector<std::size_t> stay; // rows of the body that last, and those that do not
   std::vector<std::size_t> move;
-  const bool keeps =
-      body < lasting.kept.size() && lasting.kept[body] != nullptr && !bodies_[body]->is_whole();
+  const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr &&
+                     !bodies_[body]->is_uncondensed();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    if (std::ranges::any_of(rows_[r], [&](const Entry& e) { return e.body == body; })) {
+    if (std::ranges::any_of(rows_[r], [&](const BodyRowEntry& e) { return e.body == body; })) {
       (keeps && lasting.row[r] && may_last(body, r) ? stay : move).push_back(r);
     }
   }
@@ -137,10 +139,10 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   // kept would not be known again.
   std::ranges::stable_sort(
       stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
-  const std::vector<std::vector<RowShare>> moving = shares_of(body, move, false);
+  const std::vector<std::vector<RowCoefficient>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
-  const solve::FactoredExternals* factor = own.layered();
-  if (own.is_whole()) {
+  const solve::FactoredExternals* factor = own.block_factor();
+  if (own.is_uncondensed()) {
     const solve::RowCompliance found = own.compliance(moving);
     row_flops_ += found.flops;
     add_compliance(move, move, found.W);
@@ -148,14 +150,14 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
     return;
   }
   // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
-  const base::Matrix Y = own.half_compliance(as_columns(moving, own.freedom().size()));
+  const base::Matrix Y = own.compliance_root(as_columns(moving, own.freedom().size()));
   add_compliance(move, move, solve::gram(Y));
   add_modes(body, move, moving);
   if (stay.empty()) {
     return;
   }
-  LastingRows& kept = *lasting.kept[body];
-  std::vector<std::vector<RowShare>> staying = shares_of(body, stay, factor != nullptr);
+  PersistentRows& kept = *lasting.kept[body];
+  std::vector<std::vector<RowCoefficient>> staying = shares_of(body, stay, factor != nullptr);
   // What is kept serves only if its rows weigh the same freedoms, number by number.
   if (kept.rows != staying) {
     if (factor != nullptr) {
@@ -164,7 +166,7 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
           early.forward_substitute(as_columns(staying, static_cast<std::size_t>(early.count())));
       kept.late_load = early.second_block_load(kept.Y);
     } else {
-      kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));
+      kept.Y = own.compliance_root(as_columns(staying, own.freedom().size()));
     }
     kept.W = solve::gram(kept.Y);
     kept.rows = std::move(staying);
@@ -194,12 +196,12 @@ void ContactSystem::add_compliance(const std::vector<std::size_t>& r,
 }
 
 void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& list,
-                              const std::vector<std::vector<RowShare>>& shares) {
+                              const std::vector<std::vector<RowCoefficient>>& shares) {
   const base::Matrix& Q = bodies_[body]->modes();
   const double motion = Q.size() > 0 ? Q.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t k = 0; k < list.size() && Q.cols() > 0; ++k) {
     auto row = B_.block(index(list[k]), mode_start_[body], 1, Q.cols());
-    for (const RowShare& share : shares[k]) {
+    for (const RowCoefficient& share : shares[k]) {
       row += share.weight * Q.row(share.at);
     }
     // By the motion of the whole body, not by what its modes open here: a mode that no row feels
@@ -224,7 +226,7 @@ std::vector<base::Vector> ContactSystem::resting_force(const std::vector<std::si
 
 double ContactSystem::opening(std::size_t row, const std::vector<base::Vector>& u) const {
   double sum = 0.0;
-  for (const Entry& e : rows_[row]) {
+  for (const BodyRowEntry& e : rows_[row]) {
     sum += e.weight * u[e.body][e.at];
   }
   return sum;
@@ -238,16 +240,16 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
   return b;
 }
 
-base::Vector ContactSystem::motion_of(const Problem& problem, std::size_t body) const {
+base::Vector ContactSystem::motion_of(const IncrementProblem& problem, std::size_t body) const {
   const bool known = body < problem.motion.size() && problem.motion[body].size() > 0;
   return known ? problem.motion[body]
                : base::Vector(bodies_[body]->displacement(problem.load[body]));
 }
 
-solve::ContactProblem ContactSystem::condensed(const Problem& problem) const {
+solve::ContactProblem ContactSystem::condensed(const IncrementProblem& problem) const {
   const auto n = index(problem.rows.size());
   std::vector<base::Vector> u(bodies_.size());
-  solve::ContactProblem small = compliance(problem.rows);
+  solve::ContactProblem small = equality_problem(problem.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     // b and h of (solve.11): gaps as the loads alone leave them, and the loads on the modes.
     u[b] = motion_of(problem, b);
@@ -262,7 +264,7 @@ solve::ContactProblem ContactSystem::condensed(const Problem& problem) const {
   return small;
 }
 
-solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& rows) const {
+solve::ContactProblem ContactSystem::equality_problem(const std::vector<std::size_t>& rows) const {
   const auto n = index(rows.size());
   solve::ContactProblem small;
   small.W.resize(n, n);
@@ -284,7 +286,7 @@ solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& 
 base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
   base::Matrix out = base::Matrix::Zero(index(rows_.size()), u.empty() ? 0 : u.front().cols());
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    for (const Entry& e : rows_[r]) {
+    for (const BodyRowEntry& e : rows_[r]) {
       out.row(index(r)) += e.weight * u[e.body].row(e.at);
     }
   }
@@ -293,21 +295,22 @@ base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
 
 void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,
                               std::vector<base::Matrix>& load) const {
-  for (const Entry& e : rows_[row]) {
+  for (const BodyRowEntry& e : rows_[row]) {
     load[e.body].row(e.at) += e.weight * force;
   }
 }
 
-solve::Uniqueness ContactSystem::unique(const Problem& problem) const {
+solve::Uniqueness ContactSystem::unique(const IncrementProblem& problem) const {
   if (solve::has_round_cones(problem.friction)) {
     return {}; // the test is one of signs
   }
   return solve::check_uniqueness({condensed(problem), problem.friction, {}});
 }
 
-ContactSystem::Solution ContactSystem::solve(const Problem& problem,
-                                             const solve::ContactSettings& settings) const {
-  Solution solution;
+ContactSystem::IncrementSolution
+ContactSystem::solve(const IncrementProblem& problem,
+                     const solve::ContactSettings& settings) const {
+  IncrementSolution solution;
   if (problem.friction.empty()) {
     solution.contact = solve::solve_contact(condensed(problem), settings, problem.start);
   } else {
@@ -330,7 +333,7 @@ ContactSystem::Solution ContactSystem::solve(const Problem& problem,
     }
   }
   for (Eigen::Index i = 0; i < s.lambda.size(); ++i) {
-    for (const Entry& e : rows_[problem.rows[at(i)]]) {
+    for (const BodyRowEntry& e : rows_[problem.rows[at(i)]]) {
       force[e.body][e.at] += s.lambda[i] * e.weight;
     }
   }

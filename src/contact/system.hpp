@@ -15,18 +15,18 @@
 namespace spricka::contact {
 
 /// The part of a body's compliance that belongs to rows which the next crack length has again.
-struct LastingRows {
-  std::vector<std::vector<RowShare>> rows; ///< [k] in a canonical order
-  base::Matrix Y;                          ///< [m, k] their half compliance; of early rows only
-  base::Matrix W;                          ///< [k, k] Y^T Y
-  base::Matrix late_load;                  ///< [late, k] EarlyRows::late_load of Y
+struct PersistentRows {
+  std::vector<std::vector<RowCoefficient>> rows; ///< [k] in a canonical order
+  base::Matrix Y;         ///< [m, k] their half compliance; of early rows only
+  base::Matrix W;         ///< [k, k] Y^T Y
+  base::Matrix late_load; ///< [late, k] EarlyRows::late_load of Y
 };
 
 /// The rows that the next crack length has again, and what is kept of them for each body. The
 /// compliances come out with the same bits whether anything was kept before or not.
-struct Lasting {
-  std::vector<bool> row;          ///< [row] whether it is one of them; empty: none is
-  std::vector<LastingRows*> kept; ///< [body]; null where nothing may be kept
+struct PersistentRowSet {
+  std::vector<bool> row;             ///< [row] whether it is one of them; empty: none is
+  std::vector<PersistentRows*> kept; ///< [body]; null where nothing may be kept
 };
 
 /// All constraint rows of an increment on all bodies, condensed to compliances once; then any
@@ -36,10 +36,10 @@ public:
   /// `bodies` and `rows` must outlive the system; freedoms = dim * node_count. By their surfaces
   /// `sliding` tells which rigid modes no pressure resists.
   ContactSystem(std::vector<const CondensedBody*> bodies, std::vector<const ConstraintRow*> rows,
-                int dim, std::size_t freedoms, const std::vector<SlidingContact>& sliding = {},
-                const Lasting& lasting = {});
+                int dim, std::size_t freedoms, const std::vector<ContactRowSurfaces>& sliding = {},
+                const PersistentRowSet& lasting = {});
 
-  struct Problem {
+  struct IncrementProblem {
     std::vector<std::size_t> rows;  ///< the rows in force
     std::vector<bool> equality;     ///< [rows in force]
     base::Vector gap;               ///< [rows in force] g at zero displacement, weighted
@@ -53,7 +53,7 @@ public:
     base::Vector alpha; ///< with friction: where bodies that nothing holds stay; empty: at zero
     solve::ExpectedForces expected; ///< with friction
   };
-  struct Solution {
+  struct IncrementSolution {
     solve::ContactSolution contact;      ///< lambda, gap, closed by rows in force
     std::vector<solve::SlipState> touch; ///< [rows in force] with friction; else empty
     bool slides = false;         ///< the mode that is not held would be held by more friction
@@ -62,23 +62,23 @@ public:
     /// empty: nothing
     std::vector<base::Vector> resting_force;
   };
-  [[nodiscard]] Solution solve(const Problem& problem,
-                               const solve::ContactSettings& settings) const;
+  [[nodiscard]] IncrementSolution solve(const IncrementProblem& problem,
+                                        const solve::ContactSettings& settings) const;
   /// What is left of a problem once the bodies are condensed: compliances and gaps of its rows.
-  [[nodiscard]] solve::ContactProblem condensed(const Problem& problem) const;
+  [[nodiscard]] solve::ContactProblem condensed(const IncrementProblem& problem) const;
 
   /// W and B of some rows, b and h zero, all of them equalities.
-  [[nodiscard]] solve::ContactProblem compliance(const std::vector<std::size_t>& rows) const;
+  [[nodiscard]] solve::ContactProblem equality_problem(const std::vector<std::size_t>& rows) const;
 
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
-  [[nodiscard]] solve::Uniqueness unique(const Problem& problem) const;
+  [[nodiscard]] solve::Uniqueness unique(const IncrementProblem& problem) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
   /// The same of all rows for several displacements [body][m, k]: [row, k].
   [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
-  [[nodiscard]] const base::Matrix& W() const { return W_; }    ///< [row, row] compliance
-  [[nodiscard]] const base::Matrix& B() const { return B_; }    ///< [row, mode]
+  [[nodiscard]] const base::Matrix& row_compliance() const { return W_; } ///< [row, row] compliance
+  [[nodiscard]] const base::Matrix& mode_openings() const { return B_; }  ///< [row, mode]
   [[nodiscard]] double row_flops() const { return row_flops_; } ///< of rows on whole bodies
   /// Adds what forces [k] of a row load the bodies with [body][m, k].
   void add_force(std::size_t row, const Eigen::RowVectorXd& force,
@@ -90,28 +90,28 @@ public:
 
 private:
   /// What the loads of a problem alone move a body by.
-  [[nodiscard]] base::Vector motion_of(const Problem& problem, std::size_t body) const;
+  [[nodiscard]] base::Vector motion_of(const IncrementProblem& problem, std::size_t body) const;
   [[nodiscard]] std::vector<base::Vector> resting_force(const std::vector<std::size_t>& rows,
                                                         const base::Vector& lambda) const;
-  void let_slide(const std::vector<SlidingContact>& sliding, int dim,
+  void let_slide(const std::vector<ContactRowSurfaces>& sliding, int dim,
                  const std::vector<std::pair<std::int32_t, std::int32_t>>& place);
-  void add_body(std::size_t body, const Lasting& lasting,
+  void add_body(std::size_t body, const PersistentRowSet& lasting,
                 const std::vector<const ConstraintRow*>& rows);
-  [[nodiscard]] std::vector<std::vector<RowShare>>
+  [[nodiscard]] std::vector<std::vector<RowCoefficient>>
   shares_of(std::size_t body, const std::vector<std::size_t>& list, bool early) const;
   /// Whether a row can be among the kept ones of a body.
   [[nodiscard]] bool may_last(std::size_t body, std::size_t row) const;
   void add_compliance(const std::vector<std::size_t>& r, const std::vector<std::size_t>& c,
                       const base::Matrix& part);
   void add_modes(std::size_t body, const std::vector<std::size_t>& list,
-                 const std::vector<std::vector<RowShare>>& shares);
-  struct Entry {
+                 const std::vector<std::vector<RowCoefficient>>& shares);
+  struct BodyRowEntry {
     std::size_t body = 0;
     Eigen::Index at = 0;
     double weight = 0.0;
   };
   std::vector<const CondensedBody*> bodies_;
-  std::vector<std::vector<Entry>> rows_;
+  std::vector<std::vector<BodyRowEntry>> rows_;
   std::vector<Eigen::Index> mode_start_; ///< [body + 1]
   base::Matrix W_;                       ///< [row, row]
   base::Matrix B_;                       ///< [row, mode]

@@ -14,7 +14,7 @@ constexpr double opposite_ends = 1e-2; // of the length of an edge, as node pair
 constexpr double whole = 0.99;         // of a target edge: faced all along
 
 // Two edges that lie end on end run against each other, bodies on their left.
-bool match(const contact::Edge& a, const contact::Edge& b, const contact::Surface& surface) {
+bool match(const contact::Edge& a, const contact::Edge& b, const contact::ContactSurface& surface) {
   for (const int end : {0, 1}) {
     const double xi = end == 0 ? -1.0 : 1.0;
     const base::Vec2 n = contact::surface_normal(surface, a, xi);
@@ -49,7 +49,8 @@ std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge
   return at == index.end() ? std::nullopt : std::optional<std::size_t>(at->second);
 }
 
-std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair) {
+std::vector<ContactEdge> contact_edges(const EdgeTable& table,
+                                       const contact::PairConstraints& pair) {
   const EdgeIndex index = boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   const std::vector<contact::Edge>& own = pair.contact.plane.edges;
@@ -77,7 +78,7 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
   }
   if (!pair.rigid) {
     std::vector<double> faced(others.size(), 0.0);
-    for (const contact::Segment& s : contact::find_segments(pair.contact, pair.target)) {
+    for (const contact::MortarSegment& s : contact::find_segments(pair.contact, pair.target)) {
       ContactEdge& a = result[s.contact_edge];
       ContactEdge& b = result[own.size() + s.target_edge];
       const contact::Edge& ea = own[s.contact_edge];
@@ -109,7 +110,7 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
   return found;
 }
 
-void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
+void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairConstraints& pair,
                       const std::vector<bool>& closed, bool bonded,
                       std::vector<ClosedEdge>& result) {
   const bool loaded = pair.segments && !pair.rigid && !pair.faces && !bonded;

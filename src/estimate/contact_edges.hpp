@@ -31,7 +31,8 @@ std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge
 
 /// The edges of both surfaces of a pair, which they point into. Edges that match end to end to a
 /// hundredth of their length are opposite each other.
-std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair);
+std::vector<ContactEdge> contact_edges(const EdgeTable& table,
+                                       const contact::PairConstraints& pair);
 
 /// A closed edge: all its rows are.
 struct ClosedEdge {
@@ -42,7 +43,7 @@ struct ClosedEdge {
 };
 /// closed [normal row of the pair], bonded: all of them; appended to `result`, which keeps pointers
 /// into `edges`.
-void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
+void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairConstraints& pair,
                       const std::vector<bool>& closed, bool bonded,
                       std::vector<ClosedEdge>& result);
 

@@ -8,16 +8,17 @@
 
 namespace spricka::estimate {
 
-std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contact::PairRows& pair) {
+std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
+                                            const contact::PairConstraints& pair) {
   if (!pair.segments || pair.rigid) {
     return {};
   }
   const EdgeIndex index = boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
-  for (const contact::PairPoint& p :
-       contact::pair_points(pair.contact, pair.target, std::nullopt).points) {
-    const contact::Facet& facet = pair.contact.facets[p.facet];
+  for (const contact::MortarPoint& p :
+       contact::mortar_points(pair.contact, pair.target, std::nullopt).points) {
+    const contact::ContactFacet& facet = pair.contact.facets[p.facet];
     const contact::Edge& target = pair.target.plane.edges[p.target];
     const std::optional<std::size_t> at = find_edge(index, target);
     if (!at) {

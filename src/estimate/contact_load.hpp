@@ -16,6 +16,7 @@ struct ModeWeight {
 /// The modes of target edges in the rows of a pair of hats on half edges: integral of hat times
 /// mode along the normal of the rows (manual, estimate.14). Nothing for node pairs and rigid
 /// targets.
-std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contact::PairRows& pair);
+std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
+                                            const contact::PairConstraints& pair);
 
 } // namespace spricka::estimate

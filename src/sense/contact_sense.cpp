@@ -66,7 +66,7 @@ public:
 
 private:
   void look_at(const model::Contact& contact) {
-    const contact::Surface slave = contact::make_surface(model_, mesh_, contact.slave);
+    const contact::ContactSurface slave = contact::make_surface(model_, mesh_, contact.slave);
     if (contact.mu > most_mu) {
       list_.warning(contact.span, "W445",
                     fmt::format("contact {}: MU = {:.4g} is a coefficient that hardly any pair of "
@@ -76,15 +76,16 @@ private:
                                 0.01 * contact.mu));
     }
     if (contact.rigid.valid()) {
-      const contact::Survey seen = contact::survey(slave, model_.rigids[contact.rigid.index()]);
+      const contact::GapSurvey seen =
+          contact::survey_gaps(slave, model_.rigids[contact.rigid.index()]);
       look_at_gap(contact, seen, facets_of(slave), slave);
       return;
     }
-    const contact::Surface master = contact::make_surface(model_, mesh_, contact.master);
+    const contact::ContactSurface master = contact::make_surface(model_, mesh_, contact.master);
     // Rays go out from the smaller surface: all of it should meet the other.
     const bool slave_smaller = slave.extent <= master.extent;
-    const contact::Survey seen =
-        slave_smaller ? contact::survey(slave, master) : contact::survey(master, slave);
+    const contact::GapSurvey seen =
+        slave_smaller ? contact::survey_gaps(slave, master) : contact::survey_gaps(master, slave);
     look_at_gap(contact, seen, facets_of(slave) + facets_of(master),
                 slave_smaller ? slave : master);
     look_for_missing(contact, slave, contact.slave, master, contact.master);
@@ -92,8 +93,8 @@ private:
   }
 
   // Of the smaller surface: how the declared fit goes with the drawing, and with the size.
-  void look_at_gap(const model::Contact& contact, const contact::Survey& seen, double facets,
-                   const contact::Surface& surface) {
+  void look_at_gap(const model::Contact& contact, const contact::GapSurvey& seen, double facets,
+                   const contact::ContactSurface& surface) {
     if (seen.facing == 0) {
       return; // E411
     }
@@ -132,7 +133,7 @@ private:
   // A declared gap counts along the normals of surfaces that are drawn closer: far from them they
   // would meet elsewhere, and in other directions.
   void look_at_clearance(const model::Contact& contact, double drawn,
-                         const contact::Surface& surface) {
+                         const contact::ContactSurface& surface) {
     const double gap = contact.gap.value_or(0.0);
     const double size = size_of(surface);
     const std::string& unit = model_.units.length_name;
@@ -158,8 +159,8 @@ private:
   }
 
   // Faces of other bodies that lie next to a part of a surface that sees nothing of its partner.
-  void look_for_missing(const model::Contact& contact, const contact::Surface& surface,
-                        base::FaceSetId own, const contact::Surface& partner,
+  void look_for_missing(const model::Contact& contact, const contact::ContactSurface& surface,
+                        base::FaceSetId own, const contact::ContactSurface& partner,
                         base::FaceSetId other) {
     std::vector<model::Face> rest;
     const std::vector<bool> mine = bodies_of(own);
@@ -173,7 +174,7 @@ private:
     if (rest.empty()) {
       return;
     }
-    const contact::Surface left = contact::make_surface(model_, mesh_, rest);
+    const contact::ContactSurface left = contact::make_surface(model_, mesh_, rest);
     const std::vector<double> measure = measures(surface);
     std::vector<double> seen(measure.size(), 0.0);
     std::vector<double> missed(measure.size(), 0.0);
@@ -242,7 +243,7 @@ private:
     for (const model::Face& face : rim_) {
       faces[body_[face.element.index()]].push_back(face);
     }
-    std::vector<contact::BodyOutline> outlines;
+    std::vector<contact::BodyBoundary> outlines;
     outlines.reserve(faces.size());
     for (const std::vector<model::Face>& own : faces) {
       outlines.emplace_back(model_, mesh_, own, base::Vector());
@@ -262,7 +263,7 @@ private:
 
   void look_at_overlap(std::size_t a, std::size_t b,
                        const std::vector<std::vector<model::Face>>& faces,
-                       const std::vector<contact::BodyOutline>& outlines) {
+                       const std::vector<contact::BodyBoundary>& outlines) {
     const double extent = std::min(outlines[a].extent(), outlines[b].extent());
     // In space places farther in than what is told are left alone: between them and the surface
     // there are others that are deep enough to say that the overlap is meant.
@@ -273,7 +274,7 @@ private:
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       for (const base::NodeId n : mesh::nodes_of_faces(mesh_, faces[from])) {
         const base::Vec3& x = mesh_.x[n.index()];
-        const std::optional<contact::OutlinePlace> at = outlines[to].nearest(x, reach);
+        const std::optional<contact::BoundaryDistance> at = outlines[to].signed_distance(x, reach);
         if (at && -at->distance - 2.0 * at->facet > depth) {
           // Facets of both bodies may cut into each other.
           depth = -at->distance - 2.0 * at->facet;

@@ -14,8 +14,8 @@ constexpr double same_side = 3e-3;  // of a face's size
 constexpr double same_point = 1e-6; // of the mesh's size
 constexpr double bulge = 0.1;       // of a face's size, beyond the box of its nodes
 
-contact::Box box_of(const std::vector<base::Vec3>& points) {
-  contact::Box box{points.front(), points.front()};
+contact::ContactBoundingBox box_of(const std::vector<base::Vec3>& points) {
+  contact::ContactBoundingBox box{points.front(), points.front()};
   for (const base::Vec3& x : points) {
     box.low = box.low.cwiseMin(x);
     box.high = box.high.cwiseMax(x);
@@ -23,7 +23,7 @@ contact::Box box_of(const std::vector<base::Vec3>& points) {
   return box;
 }
 
-contact::Box grown(const contact::Box& box, double by) {
+contact::ContactBoundingBox grown(const contact::ContactBoundingBox& box, double by) {
   return {box.low.array() - by, box.high.array() + by};
 }
 
@@ -40,12 +40,13 @@ std::vector<base::Vec3> corners_of(const model::Mesh& mesh, const model::Face& f
 Places::Places(const model::Mesh& mesh, std::vector<model::Face> faces,
                const std::vector<base::NodeId>& nodes)
     : mesh_(mesh), faces_(std::move(faces)) {
-  const contact::Box all = mesh.x.empty() ? contact::Box{} : box_of(mesh.x);
+  const contact::ContactBoundingBox all =
+      mesh.x.empty() ? contact::ContactBoundingBox{} : box_of(mesh.x);
   same_point_ = mesh.x.empty() ? 0.0 : same_point * (all.high - all.low).norm();
-  std::vector<contact::Box> boxes;
+  std::vector<contact::ContactBoundingBox> boxes;
   for (const model::Face& face : faces_) {
     const std::vector<base::Vec3> x = corners_of(mesh, face);
-    const contact::Box box = box_of(x);
+    const contact::ContactBoundingBox box = box_of(x);
     size_.push_back((box.high - box.low).norm());
     boxes.push_back(grown(box, bulge * size_.back()));
     fe::with_any_side(mesh, face, [&](const auto& side, const auto& X) {
@@ -69,7 +70,7 @@ bool Places::has(const base::Vec3& x) const {
   if (!tree_) {
     return false;
   }
-  for (const std::size_t i : tree_->met_by({x, x})) {
+  for (const std::size_t i : tree_->overlapping_boxes({x, x})) {
     double off = 0.0;
     double allowed = same_point_;
     if (i >= faces_.size()) {

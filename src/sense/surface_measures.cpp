@@ -16,7 +16,7 @@ namespace {
 constexpr double corner = 0.6; // turns of more between edges are no facets [rad]
 
 // How far edges between their nodes leave the circle that the nodes lie on.
-double facet_of(const contact::PlaneFeatures& plane, const contact::Circle& circle) {
+double facet_of(const contact::PlanarEdgeChains& plane, const contact::SurfaceCircle& circle) {
   double most = 0.0;
   for (const contact::Edge& edge : plane.edges) {
     for (const double xi : {-0.5, 0.0, 0.5}) {
@@ -29,10 +29,10 @@ double facet_of(const contact::PlaneFeatures& plane, const contact::Circle& circ
 
 // How far straight edges leave the curve that they stand for: half a chord times half the turn
 // between two of them, halved.
-double facet_of(const contact::Surface& surface) {
+double facet_of(const contact::ContactSurface& surface) {
   double most = surface.circle ? facet_of(surface.plane, *surface.circle) : 0.0;
   for (const contact::EdgeChain& chain : surface.plane.chains) {
-    const std::span<const contact::Edge> edges = surface.plane.of(chain);
+    const std::span<const contact::Edge> edges = surface.plane.edges_of_chain(chain);
     const std::size_t n = edges.size();
     for (std::size_t e = 0; e < n && n > 1; ++e) {
       if (e + 1 == n && !chain.closed) {
@@ -57,7 +57,7 @@ double facet_of(const contact::SpaceSurface& surface) {
       {{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}};
   double most = 0.0;
   for (const contact::SurfaceTriangle& triangle : surface.triangles) {
-    const std::optional<contact::Round>& round = surface.round_of(triangle.face);
+    const std::optional<contact::AnalyticShape>& round = surface.analytic_shape(triangle.face);
     if (!round) {
       continue;
     }
@@ -65,7 +65,7 @@ double facet_of(const contact::SpaceSurface& surface) {
     for (const std::array<double, 3>& at : middles) {
       contact::Vec2 r = contact::Vec2::Zero();
       for (std::size_t i = 0; i < at.size(); ++i) {
-        r += at[i] * contact::node_r(face.shape, triangle.node[i]);
+        r += at[i] * contact::node_local_coordinates(face.shape, triangle.node[i]);
       }
       const base::Vec3 x = contact::point_on(face, r).x;
       most = std::max(most, std::abs(contact::distance_to(*round, x)));
@@ -74,49 +74,50 @@ double facet_of(const contact::SpaceSurface& surface) {
   return most;
 }
 
-double gap_at(const contact::Surface& surface, const contact::Edge& edge,
-              const contact::Surface& target, const contact::Segment& s) {
+double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
+              const contact::ContactSurface& target, const contact::MortarSegment& s) {
   const double xi = 0.5 * (s.from + s.to);
   const base::Vec2 x = contact::point_on(edge, xi);
   const base::Vec2 n = contact::surface_normal(surface, edge, xi);
   const contact::Edge& other = target.plane.edges[s.target_edge];
-  const std::optional<double> eta = contact::hit_on(other, x, n);
+  const std::optional<double> eta = contact::ray_intersection(other, x, n);
   return eta ? (contact::point_on(other, *eta) - x).dot(n) : 0.0;
 }
 
 } // namespace
 
-double facets_of(const contact::Surface& surface) {
+double facets_of(const contact::ContactSurface& surface) {
   return surface.space.faces.empty() ? facet_of(surface) : facet_of(surface.space);
 }
 
-std::optional<double> radius_of(const contact::Surface& surface) {
+std::optional<double> radius_of(const contact::ContactSurface& surface) {
   if (surface.circle) {
     return surface.circle->radius;
   }
   const bool one = surface.space.rounds.size() == 1 && surface.space.rounds.front();
-  return one && surface.space.rounds.front()->kind != contact::RoundKind::plane
+  return one && surface.space.rounds.front()->kind != contact::AnalyticShapeKind::plane
              ? std::optional(surface.space.rounds.front()->radius)
              : std::nullopt;
 }
 
-double size_of(const contact::Surface& surface) {
+double size_of(const contact::ContactSurface& surface) {
   return radius_of(surface).value_or(0.5 * surface.extent);
 }
 
-std::vector<SeenPart> seen_parts(const contact::Surface& surface, const contact::Surface& target,
+std::vector<SeenPart> seen_parts(const contact::ContactSurface& surface,
+                                 const contact::ContactSurface& target,
                                  const std::vector<double>& measure) {
   std::vector<SeenPart> parts;
   if (!surface.space.faces.empty()) {
-    const contact::Sighting sighting(surface.space, target.space);
+    const contact::SurfaceProjection sighting(surface.space, target.space);
     for (const contact::SurfaceTriangle& t : surface.space.triangles) {
-      for (const contact::SightPoint& p : sighting.see(t).points) {
+      for (const contact::ProjectionPoint& p : sighting.project_triangle(t).points) {
         parts.push_back({t.face, p.weight / measure[t.face], p.gap});
       }
     }
     return parts;
   }
-  for (const contact::Segment& s : contact::find_segments(surface, target)) {
+  for (const contact::MortarSegment& s : contact::find_segments(surface, target)) {
     // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
     parts.push_back({s.contact_edge, 0.5 * (s.to - s.from),
                      gap_at(surface, surface.plane.edges[s.contact_edge], target, s)});
@@ -124,21 +125,21 @@ std::vector<SeenPart> seen_parts(const contact::Surface& surface, const contact:
   return parts;
 }
 
-std::vector<double> measures(const contact::Surface& surface) {
+std::vector<double> measures(const contact::ContactSurface& surface) {
   std::vector<double> all;
   for (const contact::Edge& edge : surface.plane.edges) {
     all.push_back(edge.length);
   }
   for (const contact::SolidFace& face : surface.space.faces) {
-    all.push_back(contact::area_of(face));
+    all.push_back(contact::face_area(face));
   }
   return all;
 }
 
-base::Vec3 middle_of(const contact::Surface& surface, std::size_t facet) {
+base::Vec3 middle_of(const contact::ContactSurface& surface, std::size_t facet) {
   if (!surface.space.faces.empty()) {
     const contact::SolidFace& face = surface.space.faces[facet];
-    return contact::point_on(face, contact::centre_r(face.shape)).x;
+    return contact::point_on(face, contact::centre_local_coordinates(face.shape)).x;
   }
   const base::Vec2 x = contact::point_on(surface.plane.edges[facet], 0.0);
   return {x.x(), x.y(), 0.0};

@@ -11,17 +11,17 @@ namespace spricka::sense {
 
 /// How far straight edges or flat faces leave the curve or the round shape that they stand for
 /// [length].
-double facets_of(const contact::Surface& surface);
+double facets_of(const contact::ContactSurface& surface);
 
 /// The radius of a surface that is one circle, cylinder, cone or sphere [length].
-std::optional<double> radius_of(const contact::Surface& surface);
+std::optional<double> radius_of(const contact::ContactSurface& surface);
 /// That radius, of others half of the extent [length].
-double size_of(const contact::Surface& surface);
+double size_of(const contact::ContactSurface& surface);
 
 /// Lengths of edges, areas of faces, by facet.
-std::vector<double> measures(const contact::Surface& surface);
+std::vector<double> measures(const contact::ContactSurface& surface);
 /// The middle of a facet.
-base::Vec3 middle_of(const contact::Surface& surface, std::size_t facet);
+base::Vec3 middle_of(const contact::ContactSurface& surface, std::size_t facet);
 
 /// A part of a facet that sees another surface, as a share of it.
 struct SeenPart {
@@ -30,7 +30,8 @@ struct SeenPart {
   double gap = 0.0;
 };
 /// What of `surface` sees `target`; `measure` are the measures of its facets.
-std::vector<SeenPart> seen_parts(const contact::Surface& surface, const contact::Surface& target,
+std::vector<SeenPart> seen_parts(const contact::ContactSurface& surface,
+                                 const contact::ContactSurface& target,
                                  const std::vector<double>& measure);
 
 } // namespace spricka::sense

@@ -57,16 +57,18 @@ public:
         order.push_back(b);
       }
     }
-    std::ranges::stable_sort(order, {}, [&](std::size_t b) { return outlines_[b].low().x(); });
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t b) { return outlines_[b].lower_corner().x(); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-      const contact::Outline& one = outlines_[order[i]];
+      const contact::BoundaryPolyline& one = outlines_[order[i]];
       for (std::size_t k = i + 1; k < order.size(); ++k) {
-        const contact::Outline& two = outlines_[order[k]];
+        const contact::BoundaryPolyline& two = outlines_[order[k]];
         // Bodies are in order of their left ends: no later one can touch either.
-        if (two.low().x() > one.high().x() + slack_) {
+        if (two.lower_corner().x() > one.upper_corner().x() + slack_) {
           break;
         }
-        if (two.low().y() <= one.high().y() + slack_ && one.low().y() <= two.high().y() + slack_) {
+        if (two.lower_corner().y() <= one.upper_corner().y() + slack_ &&
+            one.lower_corner().y() <= two.upper_corner().y() + slack_) {
           look_at(std::min(order[i], order[k]), std::max(order[i], order[k]));
         }
       }
@@ -185,7 +187,7 @@ private:
     sides_.resize(bodies_.size());
     length_.resize(bodies_.size(), 0.0);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const contact::Surface surface = contact::make_surface(model_, mesh_, faces[b]);
+      const contact::ContactSurface surface = contact::make_surface(model_, mesh_, faces[b]);
       outlines_.emplace_back(surface, base::Vector());
       for (const contact::Edge& edge : surface.plane.edges) {
         sides_[b].push_back(edge);
@@ -213,7 +215,7 @@ private:
   }
 
   // How much of the boundary of a body lies on another one, which begins where it ends.
-  [[nodiscard]] Touch touch(std::size_t body, const contact::Outline& other) const {
+  [[nodiscard]] Touch touch(std::size_t body, const contact::BoundaryPolyline& other) const {
     // The middles of the four quarters of a side: divisions of the other body need not be the same.
     constexpr std::array places{-0.75, -0.25, 0.25, 0.75};
     Touch found;
@@ -226,12 +228,14 @@ private:
       for (const double xi : places) {
         const base::Vec2 x = contact::point_on(side, xi);
         const base::Vec2 out = beside * side.length * contact::outer_normal(side, xi);
-        const std::optional<contact::OutlinePlace> on = other.nearest(x, side.length);
+        const std::optional<contact::BoundaryDistance> on = other.signed_distance(x, side.length);
         if (!on || std::abs(on->distance) > same_place * side.length + 2.0 * on->facet) {
           continue;
         }
-        const std::optional<contact::OutlinePlace> ahead = other.nearest(x + out, side.length);
-        const std::optional<contact::OutlinePlace> behind = other.nearest(x - out, side.length);
+        const std::optional<contact::BoundaryDistance> ahead =
+            other.signed_distance(x + out, side.length);
+        const std::optional<contact::BoundaryDistance> behind =
+            other.signed_distance(x - out, side.length);
         // One body ends where the other begins; sides of bodies that lie in each other touch as
         // well, but look the same way.
         if (ahead && behind && ahead->distance < 0.0 && behind->distance > 0.0) {
@@ -302,7 +306,7 @@ private:
   std::vector<bool> cared_for_; ///< [node]
   std::vector<model::FreedomClass> cls_;
   std::set<std::pair<std::size_t, std::size_t>> joined_;
-  std::vector<contact::Outline> outlines_; ///< [body]
+  std::vector<contact::BoundaryPolyline> outlines_; ///< [body]
   std::vector<std::vector<contact::Edge>> sides_;
   std::vector<double> length_;
   double slack_ = 0.0;

@@ -70,8 +70,8 @@ private:
   const contact::SpaceSurface& target_;
 };
 
-std::size_t points_of(const contact::PairRows& pair) {
-  const auto see = contact::sight_of(pair);
+std::size_t points_of(const contact::PairConstraints& pair) {
+  const auto see = contact::target_projector(pair);
   std::size_t sum = 0;
   for (const contact::SurfaceTriangle& t : pair.contact.space.triangles) {
     sum += see(t).points.size();
@@ -80,15 +80,15 @@ std::size_t points_of(const contact::PairRows& pair) {
 }
 
 // CPU seconds of one pair's rows, the best of several.
-double time_rows(const contact::PairRows& pair, const model::Contact& card, int repeats) {
+double time_rows(const contact::PairConstraints& pair, const model::Contact& card, int repeats) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repeats; ++i) {
-    contact::PairRows again = pair;
+    contact::PairConstraints again = pair;
     again.functions.clear();
     again.normal.clear();
     again.tangent.clear();
     const base::Stopwatch watch;
-    contact::space_rows(again, card.gap, !pair.tangent.empty());
+    contact::fill_space_mortar_rows(again, card.gap, !pair.tangent.empty());
     best = std::min(best, watch.cpu_time());
   }
   return best;
@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   }
   double all = 0.0;
   for (std::size_t c = 0; c < length->scene().pairs.size(); ++c) {
-    const contact::PairRows& pair = length->scene().pairs[c];
+    const contact::PairConstraints& pair = length->scene().pairs[c];
     if (pair.functions.empty() || pair.rigid_shape) {
       continue;
     }

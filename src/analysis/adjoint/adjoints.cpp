@@ -60,7 +60,7 @@ void Adjoints::condense_rows() {
 
 std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solver,
                                                          const std::vector<bool>& closed,
-                                                         const contact::HeldContact* held) {
+                                                         const contact::FixedActiveSet* held) {
   if (rows_.empty()) {
     condense_rows();
   }
@@ -69,18 +69,18 @@ std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solve
   std::vector<base::Matrix> external(bodies_.size());
   base::Matrix w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), columns);
   std::string why_not;
-  if (held != nullptr && !held->ok()) {
+  if (held != nullptr && !held->is_consistent()) {
     why_not = "the closed contacts contradict each other";
   } else if (held != nullptr) {
     if (free_.u.empty()) {
       for (const std::size_t b : solver.condensed()) {
         external_.push_back(condensed_[b].external);
       }
-      free_ = contact::free_response(*solver.system(), external_);
+      free_ = contact::unconstrained_response(*solver.system(), external_);
     }
     // K has a term of the forces between faces, for which z leaves a gap there (sensitivity.13).
-    const contact::HeldContact::Response found =
-        held->respond(free_.opening + by_force_, free_.on_mode);
+    const contact::FixedActiveSet::ActiveSetResponse found =
+        held->solve_response(free_.opening + by_force_, free_.on_mode);
     double size = 0.0;
     for (const base::Matrix& load : external_) {
       size = std::max(size, load.cwiseAbs().maxCoeff());
@@ -115,8 +115,8 @@ std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solve
   return out;
 }
 
-std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
-                                           const std::vector<bool>& closed) {
+std::unique_ptr<contact::FixedActiveSet> hold(const StepSolver& solver,
+                                              const std::vector<bool>& closed) {
   if (solver.system() == nullptr) {
     return nullptr;
   }
@@ -126,7 +126,7 @@ std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
       rows.push_back(r);
     }
   }
-  return std::make_unique<contact::HeldContact>(*solver.system(), std::move(rows));
+  return std::make_unique<contact::FixedActiveSet>(*solver.system(), std::move(rows));
 }
 
 const std::vector<estimate::IntensityAdjoint>& Adjoints::of_last_step(const StepSolver& solver) {
@@ -134,7 +134,7 @@ const std::vector<estimate::IntensityAdjoint>& Adjoints::of_last_step(const Step
   std::vector<bool> closed(scene_.table.size(), false);
   bool rubs = false;
   if (solver.system() != nullptr) {
-    const contact::ContactSystem::Problem problem = solver.problem();
+    const contact::ContactSystem::IncrementProblem problem = solver.problem();
     rubs = !problem.friction.empty();
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       // A next problem would begin with the rows that the last one ended with.

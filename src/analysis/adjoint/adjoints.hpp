@@ -13,8 +13,8 @@
 namespace spricka::analysis {
 
 /// The closed rows of the table [row] held; null where no body has externals.
-std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
-                                           const std::vector<bool>& closed);
+std::unique_ptr<contact::FixedActiveSet> hold(const StepSolver& solver,
+                                              const std::vector<bool>& closed);
 
 class Adjoints {
 public:
@@ -25,12 +25,12 @@ public:
   /// the same rows closed share the answer. The rows are those of the tips' fields.
   const std::vector<estimate::IntensityAdjoint>& of_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
-  [[nodiscard]] const contact::HeldContact* held() const { return held_.get(); }
+  [[nodiscard]] const contact::FixedActiveSet* held() const { return held_.get(); }
 
   /// [tip] with these rows of the table closed, which `held` holds.
   std::vector<estimate::IntensityAdjoint> of_set(const StepSolver& solver,
                                                  const std::vector<bool>& closed,
-                                                 const contact::HeldContact* held);
+                                                 const contact::FixedActiveSet* held);
 
 private:
   void condense_rows();
@@ -40,10 +40,10 @@ private:
   const std::vector<BodyNet>& bodies_;
   std::vector<base::Matrix> rows_;  ///< [tip][dim * node, 2]
   std::vector<BodyLoad> condensed_; ///< [body] columns: K1 and K2 of the first tip, of the next ..
-  std::vector<base::Matrix> external_; ///< [body of the contact system] the same at externals
-  contact::FreeResponse free_;         ///< to those, where there is a contact system
+  std::vector<base::Matrix> external_;  ///< [body of the contact system] the same at externals
+  contact::UnconstrainedResponse free_; ///< to those, where there is a contact system
   base::Matrix by_force_; ///< [table row, crack::KLayout] of forces between crack faces
-  std::unique_ptr<contact::HeldContact> held_;
+  std::unique_ptr<contact::FixedActiveSet> held_;
   std::vector<estimate::IntensityAdjoint> last_;
 };
 

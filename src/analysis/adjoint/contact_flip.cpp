@@ -22,7 +22,7 @@ struct Candidate {
   bool sharp = false; ///< closed at an edge of one surface
 };
 
-std::map<base::NodeId, base::Vec2> node_places(const contact::Surface& surface) {
+std::map<base::NodeId, base::Vec2> node_places(const contact::ContactSurface& surface) {
   std::map<base::NodeId, base::Vec2> place;
   for (const contact::Edge& edge : surface.plane.edges) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
@@ -33,7 +33,7 @@ std::map<base::NodeId, base::Vec2> node_places(const contact::Surface& surface) 
 }
 
 // Node spacing of the surface's edge that is nearest to x.
-double spacing_at(const contact::Surface& surface, const base::Vec2& x) {
+double spacing_at(const contact::ContactSurface& surface, const base::Vec2& x) {
   double closest = std::numeric_limits<double>::infinity();
   double spacing = 0.0;
   for (const contact::Edge& edge : surface.plane.edges) {
@@ -50,14 +50,14 @@ double spacing_at(const contact::Surface& surface, const base::Vec2& x) {
 
 // Closed rows that lie nearer to an edge of one surface than the coarser surface has nodes there:
 // it does not see how the pressure is spread among them.
-std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
+std::vector<bool> beside_sharp_ends(const contact::PairConstraints& pair,
                                     const std::vector<bool>& closed) {
   std::vector<bool> beside(pair.normal.size(), false);
   if (pair.sharp_ends.empty()) {
     return beside;
   }
   const std::map<base::NodeId, base::Vec2> place = node_places(pair.contact);
-  for (const contact::SharpEnd& end : pair.sharp_ends) {
+  for (const contact::SingularContactEdge& end : pair.sharp_ends) {
     // A node that stands one spacing off does not count, whatever round-off makes of its place.
     constexpr double within = 0.99;
     const double reach = within * std::max(spacing_at(pair.contact, end.x.head<2>()),
@@ -77,7 +77,7 @@ std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
 // at edges of one surface.
 void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
                     std::vector<Candidate>& found) {
-  const contact::PairRows& pair = scene.pairs[c];
+  const contact::PairConstraints& pair = scene.pairs[c];
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::vector<bool> ends(pair.normal.size(), false);
   const std::vector<bool>& closed = state.pair_closed[c];
@@ -119,7 +119,7 @@ double opening(const contact::ConstraintRow& row, int dim, const base::Matrix& z
 
 std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
                                         const std::vector<estimate::IntensityAdjoint>& adjoints,
-                                        const contact::HeldContact* held) {
+                                        const contact::FixedActiveSet* held) {
   std::vector<ContactFlips> flips(adjoints.size());
   std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
@@ -128,7 +128,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
       add_candidates(scene, state, c, candidates);
     }
   }
-  if (candidates.empty() || held == nullptr || !held->ok()) {
+  if (candidates.empty() || held == nullptr || !held->is_consistent()) {
     return flips;
   }
   std::vector<std::size_t> rows;

@@ -18,6 +18,6 @@ struct ContactFlips {
 /// [tip]. `held`: the rows closed at the end of the step, or null where there is no contact.
 std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
                                         const std::vector<estimate::IntensityAdjoint>& adjoints,
-                                        const contact::HeldContact* held);
+                                        const contact::FixedActiveSet* held);
 
 } // namespace spricka::analysis

@@ -15,7 +15,7 @@ constexpr double small = 1e-8; ///< of the largest force or gap: may change eith
 
 FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const StepState& state)
     : system_(*solver.system()) {
-  const contact::ContactSystem::Problem problem = solver.problem();
+  const contact::ContactSystem::IncrementProblem problem = solver.problem();
   double force_size = 0.0;
   double gap_size = 0.0;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
@@ -44,7 +44,7 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
 
 std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates, Eigen::Index k,
                                                               double sign) const {
-  contact::ContactSystem::Problem problem;
+  contact::ContactSystem::IncrementProblem problem;
   std::vector<double> gap;
   for (const Row& row : rows_) {
     if (row.closed || row.weak) {
@@ -71,10 +71,10 @@ std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates
   return closed;
 }
 
-std::vector<std::array<double, 2>> FrozenContact::reach(const contact::HeldContact& held,
+std::vector<std::array<double, 2>> FrozenContact::reach(const contact::FixedActiveSet& held,
                                                         const Rates& rates) const {
-  const contact::HeldContact::Response rate =
-      held.respond(rates.gap + rates.free.opening, rates.free.on_mode);
+  const contact::FixedActiveSet::ActiveSetResponse rate =
+      held.solve_response(rates.gap + rates.free.opening, rates.free.on_mode);
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> out(static_cast<std::size_t>(rates.gap.cols()),
                                          {-never, never});

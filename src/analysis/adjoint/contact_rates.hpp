@@ -12,10 +12,10 @@ namespace spricka::analysis {
 
 /// Loads and gaps per unit of something; condensed as the contact system takes them.
 struct Rates {
-  std::vector<base::Matrix> load; ///< [body][m, k]
-  contact::FreeResponse free;     ///< to them
-  base::Matrix gap;               ///< [table row, k] that come on top
-  base::Vector load_scale;        ///< [k] a typical force
+  std::vector<base::Matrix> load;      ///< [body][m, k]
+  contact::UnconstrainedResponse free; ///< to them
+  base::Matrix gap;                    ///< [table row, k] that come on top
+  base::Vector load_scale;             ///< [k] a typical force
 };
 
 /// Contact at the end of a step: rows in force, their forces and gaps.
@@ -36,7 +36,7 @@ public:
 
   /// How far each column can go on, down and up, until a row changes (manual, sensitivity.11);
   /// infinite where none does. Small ones do not count. [k]
-  [[nodiscard]] std::vector<std::array<double, 2>> reach(const contact::HeldContact& held,
+  [[nodiscard]] std::vector<std::array<double, 2>> reach(const contact::FixedActiveSet& held,
                                                          const Rates& rates) const;
 
 private:

@@ -148,7 +148,7 @@ void ErrorBars::prepare() {
   }
   estimate::EdgeTable edges = estimate::find_edges(mesh);
   std::vector<bool> framed(edges.edges.size(), false);
-  for (const contact::PairRows& pair : scene_.pairs) {
+  for (const contact::PairConstraints& pair : scene_.pairs) {
     contact_edges_.push_back(estimate::contact_edges(edges, pair));
     std::vector<bool> alone(2 * edges.edges.size(), false);
     for (const estimate::ContactEdge& edge : contact_edges_.back()) {
@@ -287,7 +287,7 @@ void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
 }
 
 void ErrorBars::add(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
-                    const contact::HeldContact* held, results::StepResult& step) {
+                    const contact::FixedActiveSet* held, results::StepResult& step) {
   if (!prepared_) {
     prepare();
   }

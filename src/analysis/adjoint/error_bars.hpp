@@ -26,7 +26,7 @@ public:
   /// Gives the tips of a step, which was solved last, their bars, or says why they have none.
   /// `held`: the contact that the adjoints keep, null where there is none.
   void add(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
-           const contact::HeldContact* held, results::StepResult& step);
+           const contact::FixedActiveSet* held, results::StepResult& step);
 
 private:
   void prepare();

@@ -257,7 +257,7 @@ void FrontAdvance::move_pairs() {
     if (c >= model_.contacts.size()) {
       continue; // between the faces of a crack
     }
-    contact::PairRows& pair = moved_.pairs[c];
+    contact::PairConstraints& pair = moved_.pairs[c];
     pair = contact::pair_rows(model_, moved_.cracked.mesh, model_.contacts[c]);
     take_in_supports(pair, scene_.cls);
     const auto same_row = [](const auto& own, const auto& other) { return own.node == other.node; };
@@ -297,7 +297,7 @@ base::Vector FrontAdvance::loads(const Scene& side, const StepState& state) cons
     }
   }
   for (const std::size_t c : pairs_) {
-    const contact::PairRows& pair = side.pairs[c];
+    const contact::PairConstraints& pair = side.pairs[c];
     Eigen::Index r = 0;
     for (const auto* rows : {&pair.normal, &pair.tangent}) {
       for (const contact::ConstraintRow& row : *rows) {

@@ -95,7 +95,7 @@ FrontBars::FrontBars(const model::Model& model, const Scene& scene)
 void FrontBars::prepare() {
   prepared_ = true;
   why_not_ = estimate::solid_enrichment_obstacle(model_, scene_.cracked.mesh);
-  for (const contact::PairRows& pair : scene_.pairs) {
+  for (const contact::PairConstraints& pair : scene_.pairs) {
     if (!pair.segments && !pair.normal.empty()) {
       why_not_ = "a contact is one of single nodes (PAIRING=NODE)";
     }

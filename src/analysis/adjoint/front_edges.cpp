@@ -67,13 +67,14 @@ void add_lines(const Neighbours& next, std::vector<bool> chosen, const RowLine& 
 }
 
 // The rows of a pair at sharp edges that are closed.
-std::vector<bool> at_sharp_edges(const contact::PairRows& pair, const std::vector<bool>& closed) {
+std::vector<bool> at_sharp_edges(const contact::PairConstraints& pair,
+                                 const std::vector<bool>& closed) {
   std::set<base::NodeId> nodes;
-  for (const contact::SharpEnd& end : pair.sharp_ends) {
+  for (const contact::SingularContactEdge& end : pair.sharp_ends) {
     nodes.insert(end.nodes.begin(), end.nodes.end());
   }
   std::vector<bool> at(pair.normal.size(), false);
-  for (const contact::SpaceFunction& function : pair.functions) {
+  for (const contact::MultiplierFunction& function : pair.functions) {
     if (function.row >= 0 && nodes.contains(function.node)) {
       const auto r = static_cast<std::size_t>(function.row);
       at[r] = closed[r];
@@ -104,7 +105,7 @@ bool presses_on_a_crack(const Scene& scene, const model::Contact& contact) {
 
 void add_lines_of(const Scene& scene, const StepState& state, std::size_t c,
                   std::vector<RowLine>& lines) {
-  const contact::PairRows& pair = scene.pairs[c];
+  const contact::PairConstraints& pair = scene.pairs[c];
   const std::vector<bool>& closed = state.pair_closed[c];
   const Neighbours next = contact::row_neighbours(pair);
   std::vector<bool> last(closed.size(), false);
@@ -202,7 +203,7 @@ double share_together(const Scene& scene, const FrozenStep& step, const RowLine&
 EdgeChanges edge_changes(const Scene& scene, const FrozenStep& step, const FrontFunctionals& K) {
   EdgeChanges changes{base::Vector::Zero(K.rows.cols()), base::Vector::Zero(K.rows.cols())};
   const std::vector<RowLine> lines = lines_of(scene, step.state);
-  if (lines.empty() || step.system.held() == nullptr || !step.system.held()->ok()) {
+  if (lines.empty() || step.system.held() == nullptr || !step.system.held()->is_consistent()) {
     return changes;
   }
   const Trials trials = trials_of(scene, step, lines);

@@ -17,7 +17,7 @@ ClosedRows closed_rows(const StepSolver& solver, const Scene& scene) {
   ClosedRows rows;
   rows.closed.assign(scene.table.size(), false);
   if (solver.system() != nullptr) {
-    const contact::ContactSystem::Problem problem = solver.problem();
+    const contact::ContactSystem::IncrementProblem problem = solver.problem();
     rows.rubs = !problem.friction.empty();
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       // A next problem would begin with the rows that the last one ended with.
@@ -33,7 +33,7 @@ FrozenSystem::FrozenSystem(const StepSolver& solver, const Scene& scene,
 
 FrozenChange FrozenSystem::change(base::Matrix loads, const base::Matrix& gaps) const {
   FrozenChange out;
-  if (held_ && !held_->ok()) {
+  if (held_ && !held_->is_consistent()) {
     out.why_not = "the closed contacts contradict each other";
     return out;
   }
@@ -52,10 +52,10 @@ FrozenChange FrozenSystem::change(base::Matrix loads, const base::Matrix& gaps) 
       load.push_back(condensed[b].external);
       size = std::max(size, load.back().size() > 0 ? load.back().cwiseAbs().maxCoeff() : 0.0);
     }
-    out.free = contact::free_response(*solver_.system(), load);
-    const contact::HeldContact::Response found =
-        held_->respond(gaps.cols() > 0 ? base::Matrix(out.free.opening + gaps) : out.free.opening,
-                       out.free.on_mode);
+    out.free = contact::unconstrained_response(*solver_.system(), load);
+    const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
+        gaps.cols() > 0 ? base::Matrix(out.free.opening + gaps) : out.free.opening,
+        out.free.on_mode);
     if (found.left_over > unheld_load * size) {
       out.why_not = "no closed contact holds a body against it";
       return out;

@@ -17,10 +17,10 @@ ClosedRows closed_rows(const StepSolver& solver, const Scene& scene);
 /// What displacements and contact forces change by as loads and gaps do, rows that are closed
 /// staying so and open ones open: one back-substitution for each column.
 struct FrozenChange {
-  base::Matrix u;             ///< [dim * node, k]
-  base::Matrix force;         ///< [row of the table, k]
-  contact::FreeResponse free; ///< without contact forces, where there are contacts
-  std::string why_not;        ///< empty: there is one
+  base::Matrix u;                      ///< [dim * node, k]
+  base::Matrix force;                  ///< [row of the table, k]
+  contact::UnconstrainedResponse free; ///< without contact forces, where there are contacts
+  std::string why_not;                 ///< empty: there is one
 };
 
 /// All must outlive it.
@@ -32,13 +32,13 @@ public:
   /// Loads [dim * node, k], of which only those on independent freedoms count once ties are
   /// reduced; gaps [row, k], or no columns.
   [[nodiscard]] FrozenChange change(base::Matrix loads, const base::Matrix& gaps) const;
-  [[nodiscard]] const contact::HeldContact* held() const { return held_.get(); }
+  [[nodiscard]] const contact::FixedActiveSet* held() const { return held_.get(); }
 
 private:
   const StepSolver& solver_;
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
-  std::unique_ptr<contact::HeldContact> held_;
+  std::unique_ptr<contact::FixedActiveSet> held_;
 };
 
 } // namespace spricka::analysis

@@ -64,11 +64,11 @@ Vec3 in_plane(const Vec2& x) {
 
 // Edge of the square, or of half of a square, of the same area.
 double size_of(const contact::SolidFace& face) {
-  const std::size_t corners = contact::corner_triangles_of(face.shape).size() + 2;
-  return std::sqrt(contact::area_of(face) * (corners == 3 ? 2.0 : 1.0));
+  const std::size_t corners = contact::face_corner_triangles(face.shape).size() + 2;
+  return std::sqrt(contact::face_area(face) * (corners == 3 ? 2.0 : 1.0));
 }
 
-void add_sides(const contact::Surface& surface, std::vector<Side>& sides) {
+void add_sides(const contact::ContactSurface& surface, std::vector<Side>& sides) {
   for (const contact::Edge& edge : surface.plane.edges) {
     sides.push_back(
         {{in_plane(edge.x[0]), in_plane(contact::point_on(edge, 0.0)), in_plane(edge.x[1])},
@@ -83,7 +83,7 @@ void add_sides(const contact::Surface& surface, std::vector<Side>& sides) {
 }
 
 Partners partners_of(const Scene& scene, const StepState& state, std::size_t c) {
-  const contact::PairRows& pair = scene.pairs[c];
+  const contact::PairConstraints& pair = scene.pairs[c];
   const model::Contact& contact = scene.contacts[c];
   Partners found{"contact " + contact.name, {}, {}, contact.type == model::ContactType::bonded};
   add_sides(pair.contact, found.sides);
@@ -219,7 +219,7 @@ CoarsePartner effect_of(const Partners& partners, const FrontScene& front) {
 CoarsePartner coarse_partner(const Scene& scene, const StepState& state, const FrontScene& front) {
   CoarsePartner all;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = scene.pairs[c];
+    const contact::PairConstraints& pair = scene.pairs[c];
     if (state.mounted[c] && !pair.faces && !pair.rigid) {
       const CoarsePartner one = effect_of(partners_of(scene, state, c), front);
       all.why_not = one.part > all.part ? one.why_not : all.why_not;
@@ -237,7 +237,7 @@ CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::Front& front
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };
   for (std::size_t c = 0; c < set.scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = set.scene.pairs[c];
+    const contact::PairConstraints& pair = set.scene.pairs[c];
     if (set.state.mounted[c] && !pair.faces && !pair.rigid) {
       add(partners_of(set.scene, set.state, c));
     }

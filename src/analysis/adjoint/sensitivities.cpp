@@ -205,7 +205,7 @@ Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& 
     for (const std::size_t b : solver.condensed()) {
       case_externals_.emplace_back(bodies_[b].external_load.leftCols(cases));
     }
-    of_cases_ = contact::free_response(*solver.system(), case_externals_);
+    of_cases_ = contact::unconstrained_response(*solver.system(), case_externals_);
   }
   const auto k = static_cast<Eigen::Index>(count);
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
@@ -246,7 +246,7 @@ Rates Sensitivities::all_rates(const StepSolver& solver, const std::vector<KCaus
     load.leftCols(case_externals_[b].cols()) = case_externals_[b];
     out.load.push_back(std::move(load));
   }
-  out.free = contact::free_response(*solver.system(), out.load);
+  out.free = contact::unconstrained_response(*solver.system(), out.load);
   return out;
 }
 
@@ -257,7 +257,7 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
                               results::StepResult& result) {
   const Rates all = all_rates(solver, causes);
   struct Side {
-    std::unique_ptr<contact::HeldContact> held;
+    std::unique_ptr<contact::FixedActiveSet> held;
     std::vector<estimate::IntensityAdjoint> adjoint;
   };
   std::map<std::vector<bool>, Side> sides;

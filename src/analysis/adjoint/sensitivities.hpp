@@ -50,7 +50,7 @@ private:
   const std::vector<BodyNet>& bodies_;
   base::Matrix case_load_;                   ///< [dim * node, case] with the pull of supports
   std::vector<base::Matrix> case_externals_; ///< [body of the contact system] condensed
-  contact::FreeResponse of_cases_;
+  contact::UnconstrainedResponse of_cases_;
   std::vector<base::Matrix> of_loads_;  ///< [tip][2, case]
   std::vector<base::Matrix> of_moduli_; ///< [tip][2, case] E d/dE of those, E of the tip's material
   std::vector<std::unique_ptr<TipAdvance>> advances_; ///< [tip]

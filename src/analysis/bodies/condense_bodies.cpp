@@ -289,7 +289,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       const std::vector<std::int32_t>& freedom = body.region.map.freedom;
       if (body.is_whole()) {
         body.condensed = std::make_shared<contact::CondensedBody>(
-            freedom, contact::WholeBody{body.region.factor, body.region.weighed},
+            freedom, contact::UncondensedBody{body.region.factor, body.region.weighed},
             rows_of(body.free_modes, freedom));
         return;
       }
@@ -307,7 +307,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   });
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].condensed) {
-      if (!bodies[b].condensed->ok() && !log.trouble) {
+      if (!bodies[b].condensed->is_factorised() && !log.trouble) {
         log.trouble = base::OperationFailure{
             .kind = base::Outcome::not_solvable,
             .why = fmt::format("{}: the condensed stiffness is singular (a mechanism?)",

@@ -76,8 +76,8 @@ bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble
   const int by_t =
       // Round-off of t must not cost another increment.
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
-  const auto seen = [&](const contact::ContactSystem::Problem& problem,
-                        const contact::ContactSystem::Solution& solution) {
+  const auto seen = [&](const contact::ContactSystem::IncrementProblem& problem,
+                        const contact::ContactSystem::IncrementSolution& solution) {
     here_ = paths_.intensities(problem, solution, *solver_);
     if (here_.size() > 0) {
       largest_ = std::max(largest_, here_.lpNorm<Eigen::Infinity>());
@@ -85,7 +85,7 @@ bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble
     way.push_back(here_);
     ++increments_;
   };
-  std::optional<contact::ContactSystem::Solution> solution =
+  std::optional<contact::ContactSystem::IncrementSolution> solution =
       solver_->go_to(place.factors, place.increments > 0 ? place.increments : by_t, seen, trouble);
   if (!solution) {
     trouble->why = fmt::format("while the loads of the growth were followed: {}", trouble->why);

@@ -72,8 +72,8 @@ private:
   std::vector<int> parts_;                ///< [step] increments it was cut into
   // while it is followed
   StepSolver* solver_ = nullptr;
-  contact::ContactSystem::Solution solution_; ///< of the last increment
-  base::Vector here_;                         ///< K there
+  contact::ContactSystem::IncrementSolution solution_; ///< of the last increment
+  base::Vector here_;                                  ///< K there
   double t_ = 0.0, per_unit_ = 1.0;
   double largest_ = 0.0;   ///< K so far
   double unsettled_ = 0.0; ///< of cycles of blocks in the last pass

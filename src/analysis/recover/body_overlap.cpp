@@ -24,9 +24,9 @@ constexpr double round_off = 1e-9; // of the bodies' extent
 struct Rim {
   std::vector<model::Face> faces;
   std::vector<base::NodeId> nodes;
-  contact::BodyOutline moved;
-  std::optional<contact::BodyOutline> drawn; ///< once it is asked for: most bodies never meet
-  double displacement = 0.0;                 ///< largest of the nodes
+  contact::BodyBoundary moved;
+  std::optional<contact::BodyBoundary> drawn; ///< once it is asked for: most bodies never meet
+  double displacement = 0.0;                  ///< largest of the nodes
 };
 
 class Overlaps {
@@ -49,7 +49,7 @@ public:
     }
     for (const std::vector<model::Face>& own : faces) {
       Rim rim{own, mesh::nodes_of_faces(mesh_, own),
-              contact::BodyOutline(model, mesh_, own, state.u), std::nullopt, 0.0};
+              contact::BodyBoundary(model, mesh_, own, state.u), std::nullopt, 0.0};
       for (const base::NodeId n : rim.nodes) {
         rim.displacement = std::max(rim.displacement, shift(n).norm());
       }
@@ -79,7 +79,7 @@ private:
         state_.u.segment(static_cast<Eigen::Index>(n.index()) * mesh_.dim, mesh_.dim);
     return u;
   }
-  const contact::BodyOutline& drawn(std::size_t b) const {
+  const contact::BodyBoundary& drawn(std::size_t b) const {
     Rim& rim = rims_[b];
     return rim.drawn ? *rim.drawn : rim.drawn.emplace(model_, mesh_, rim.faces, base::Vector());
   }
@@ -88,7 +88,7 @@ private:
   // Nodes that contacts or ties look after, whatever they let them do.
   void mark_held() {
     held_.assign(mesh_.node_count(), false);
-    for (const contact::PairRows& pair : scene_.pairs) {
+    for (const contact::PairConstraints& pair : scene_.pairs) {
       for (const contact::ConstraintRow& row : pair.normal) {
         for (const contact::RowEntry& entry : row.entries) {
           held_[entry.node.index()] = true;
@@ -115,15 +115,17 @@ private:
     Worst worst;
     for (const base::NodeId n : rims_[a].nodes) {
       const Vec3 now = place(n) + shift(n);
-      if (held_[n.index()] || (now - other.moved.low()).minCoeff() < 0.0 ||
-          (other.moved.high() - now).minCoeff() < 0.0) {
+      if (held_[n.index()] || (now - other.moved.lower_corner()).minCoeff() < 0.0 ||
+          (other.moved.upper_corner() - now).minCoeff() < 0.0) {
         continue;
       }
-      const std::optional<contact::OutlinePlace> there = other.moved.nearest(now, reach);
+      const std::optional<contact::BoundaryDistance> there =
+          other.moved.signed_distance(now, reach);
       if (!there || there->distance > -least) {
         continue;
       }
-      const std::optional<contact::OutlinePlace> before = drawn(b).nearest(place(n), 3.0 * reach);
+      const std::optional<contact::BoundaryDistance> before =
+          drawn(b).signed_distance(place(n), 3.0 * reach);
       const double first = before ? before->distance : 0.0;
       worst.drawn = worst.drawn || first < -(there->facet + 1e-6 * extent);
       // What lay inside as drawn, and what facets leave of a curve, is not of this step.
@@ -147,7 +149,8 @@ private:
       for (const base::NodeId n : nodes) {
         centre += place(n) / static_cast<double>(nodes.size());
       }
-      const std::optional<contact::OutlinePlace> at = drawn(b).nearest(centre, drawn(b).extent());
+      const std::optional<contact::BoundaryDistance> at =
+          drawn(b).signed_distance(centre, drawn(b).extent());
       return at && at->distance < 0.0;
     }
     return false;
@@ -155,13 +158,13 @@ private:
 
   // The contact that stands between two bodies, if any.
   [[nodiscard]] std::optional<std::string> between(std::size_t a, std::size_t b) const {
-    const auto touches = [&](const contact::Surface& surface, std::size_t body) {
+    const auto touches = [&](const contact::ContactSurface& surface, std::size_t body) {
       return !surface.facets.empty() &&
              std::ranges::binary_search(bodies_[body].body.nodes,
                                         surface.facets.front().nodes.front());
     };
     for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-      const contact::PairRows& pair = scene_.pairs[c];
+      const contact::PairConstraints& pair = scene_.pairs[c];
       if ((touches(pair.contact, a) && touches(pair.target, b)) ||
           (touches(pair.contact, b) && touches(pair.target, a))) {
         return scene_.contacts[c].name;

@@ -39,7 +39,7 @@ std::pair<double, double> ClosedRun::find(const std::vector<bool>& closed) const
   std::size_t best = 0;
   std::size_t length = 0;
   for (const std::vector<std::size_t>& places :
-       contact::stretches(contact::Links::in_order(n, round_), in_order, first)) {
+       contact::contiguous_ranges(contact::SequenceLinks::in_order(n, round_), in_order, first)) {
     if (places.size() > length) {
       length = places.size();
       best = places.front() < first ? places.front() + n : places.front();

@@ -26,26 +26,26 @@ constexpr double worth_a_word = 5e-3; // of the largest contact force: what mesh
 constexpr double most_off = 0.1;      // of the same: more is no answer
 
 // How far pressure moves the surfaces: p L / E of both.
-double elastic_way(const contact::PairRows& pair, double pressure, double pressed) {
-  const auto soft = [](const contact::Surface& s) {
+double elastic_way(const contact::PairConstraints& pair, double pressure, double pressed) {
+  const auto soft = [](const contact::ContactSurface& s) {
     return s.stiffness > 0.0 ? 1.0 / s.stiffness : 0.0;
   };
   return pressure * pressed * (soft(pair.contact) + soft(pair.target));
 }
 
-double largest_pressure(const contact::PairRows& pair, const base::Vector& lambda) {
+double largest_pressure(const contact::PairConstraints& pair, const base::Vector& lambda) {
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
   return normals > 0 ? lambda.head(normals).maxCoeff() : 0.0;
 }
 
 // What straight edges on circles leave of the circle; nothing worth telling on curved ones.
-double facets(const contact::PairRows& pair, double facet) {
+double facets(const contact::PairConstraints& pair, double facet) {
   const contact::SpaceSurface& space = pair.contact.space;
   if (!space.faces.empty()) {
     const bool flat = static_cast<int>(space.faces.front().nodes.size()) ==
                       base::element_info(space.faces.front().shape).corners;
-    const std::optional<contact::Round>& round = space.rounds.front();
-    const bool curved = round && round->kind != contact::RoundKind::plane;
+    const std::optional<contact::AnalyticShape>& round = space.rounds.front();
+    const bool curved = round && round->kind != contact::AnalyticShapeKind::plane;
     return flat && curved ? facet * facet / (4.0 * round->radius) : 0.0;
   }
   const bool straight = !pair.contact.plane.edges.empty() &&
@@ -57,33 +57,37 @@ double facets(const contact::PairRows& pair, double facet) {
 struct Moved {
   std::size_t pair = 0; ///< in scene.pairs
   std::string contact;
-  contact::Slide slide;
+  contact::SlideMeasures slide;
   bool far = false;    ///< by more than an element
   double turned = 0.0; ///< gap that no row counts, in elastic ways of its pressure; 0: little
 
-  [[nodiscard]] bool matters() const { return slide.lost > most_lost || far || turned > 0.0; }
+  [[nodiscard]] bool matters() const {
+    return slide.unsupported_part > most_lost || far || turned > 0.0;
+  }
 
   // As a part of its force: what slides off an edge has nothing to act on, what slides far acts
   // that far off, and a gap that no row counts is pressed shut, or opens, by its share of the
   // pressure.
   [[nodiscard]] double off() const {
     const double way = slide.pressed > 0.0 ? std::min(1.0, slide.way / slide.pressed) : 1.0;
-    return std::max({slide.lost > most_lost ? slide.lost : 0.0, far ? way : 0.0, turned});
+    return std::max({slide.unsupported_part > most_lost ? slide.unsupported_part : 0.0,
+                     far ? way : 0.0, turned});
   }
 };
 
 // Gap that no row counts, in elastic ways of the largest pressure; 0: little.
-double turned_by(const contact::PairRows& pair, double pressure, const contact::Slide& slide) {
+double turned_by(const contact::PairConstraints& pair, double pressure,
+                 const contact::SlideMeasures& slide) {
   const double turned =
       (slide.misfit - facets(pair, slide.facet)) / elastic_way(pair, pressure, slide.pressed);
   return turned > most_misfit ? turned : 0.0;
 }
 
 // The body of a pair's contact side where displacements have taken it.
-std::optional<contact::BodyOutline> moved_body(const model::Model& model, const Scene& scene,
-                                               const std::vector<BodyNet>& bodies,
-                                               const StepState& state,
-                                               const contact::PairRows& pair) {
+std::optional<contact::BodyBoundary> moved_body(const model::Model& model, const Scene& scene,
+                                                const std::vector<BodyNet>& bodies,
+                                                const StepState& state,
+                                                const contact::PairConstraints& pair) {
   const base::NodeId node = pair.contact.facets.front().nodes.front();
   const auto body = std::ranges::find_if(
       bodies, [&](const BodyNet& one) { return std::ranges::binary_search(one.body.nodes, node); });
@@ -93,29 +97,29 @@ std::optional<contact::BodyOutline> moved_body(const model::Model& model, const 
   const std::set<base::ElementId> own(body->body.elements.begin(), body->body.elements.end());
   std::vector<model::Face> faces = mesh::boundary_faces(scene.cracked.mesh);
   std::erase_if(faces, [&](const model::Face& face) { return !own.contains(face.element); });
-  return contact::BodyOutline(model, scene.cracked.mesh, faces, state.u);
+  return contact::BodyBoundary(model, scene.cracked.mesh, faces, state.u);
 }
 
 // The part of the thrust that acts on places of the target which the contact side's body has left.
 // Where a body slides along one that goes on beyond the sets, or out of one end and into the other,
 // the surfaces that press are the same as before: nothing is lost from the other side.
-double left_alone(const contact::BodyOutline& body, const contact::Slide& slide) {
+double left_alone(const contact::BodyBoundary& body, const contact::SlideMeasures& slide) {
   constexpr double beside = 0.02; // of the slide: how near a body is opposite
   double left = 0.0;
   double all = 0.0;
-  for (const contact::PressedPlace& place : slide.places) {
+  for (const contact::DisplacedContactPoint& place : slide.places) {
     const double near = std::abs(place.gap) + slide.misfit + beside * slide.way;
-    const std::optional<contact::OutlinePlace> at = body.nearest(place.x, 2.0 * near);
+    const std::optional<contact::BoundaryDistance> at = body.signed_distance(place.x, 2.0 * near);
     all += place.thrust;
     left += at && std::abs(at->distance) <= near + at->facet ? 0.0 : place.thrust;
   }
-  return all > 0.0 ? left / all : slide.lost;
+  return all > 0.0 ? left / all : slide.unsupported_part;
 }
 
 std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
                              const std::vector<BodyNet>& bodies, const StepState& state,
                              std::size_t c) {
-  const contact::PairRows& pair = scene.pairs[c];
+  const contact::PairConstraints& pair = scene.pairs[c];
   const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
   if (!state.mounted[c] || bonded || pair.faces || !pair.found || pair.contact.facets.empty()) {
     return std::nullopt;
@@ -126,11 +130,11 @@ std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
   }
   Moved found{.pair = c,
               .contact = scene.contacts[c].name,
-              .slide = contact::slide_of(pair, state.pair_lambda[c], state.u)};
-  contact::Slide& slide = found.slide;
-  if (slide.lost > most_lost && !pair.rigid && !pair.rigid_shape) {
+              .slide = contact::measure_slide(pair, state.pair_lambda[c], state.u)};
+  contact::SlideMeasures& slide = found.slide;
+  if (slide.unsupported_part > most_lost && !pair.rigid && !pair.rigid_shape) {
     if (const auto body = moved_body(model, scene, bodies, state, pair)) {
-      slide.lost = std::min(slide.lost, left_alone(*body, slide));
+      slide.unsupported_part = std::min(slide.unsupported_part, left_alone(*body, slide));
     }
   }
   found.far = slide.way > slide.facet && slide.way > most_slide * slide.pressed;
@@ -144,8 +148,9 @@ std::vector<const base::Matrix*> free_motions(const Scene& scene,
   std::set<base::NodeId> bonded;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     if (scene.contacts[c].type == model::ContactType::bonded) {
-      for (const contact::Surface* side : {&scene.pairs[c].contact, &scene.pairs[c].target}) {
-        for (const contact::Facet& facet : side->facets) {
+      for (const contact::ContactSurface* side :
+           {&scene.pairs[c].contact, &scene.pairs[c].target}) {
+        for (const contact::ContactFacet& facet : side->facets) {
           bonded.insert(facet.nodes.begin(), facet.nodes.end());
         }
       }
@@ -167,14 +172,14 @@ std::vector<const base::Matrix*> free_motions(const Scene& scene,
 void close_by_rigid_motions(const Scene& scene, const std::vector<BodyNet>& bodies,
                             const StepState& state, std::vector<Moved>& all) {
   const std::vector<const base::Matrix*> motions = free_motions(scene, bodies);
-  std::vector<std::vector<contact::PressedPlace>> places;
+  std::vector<std::vector<contact::DisplacedContactPoint>> places;
   base::Matrix normal_matrix;
   base::Vector unseen;
   for (const Moved& one : all) {
     places.push_back(
-        contact::slide_of(scene.pairs[one.pair], state.pair_lambda[one.pair], state.u, motions)
+        contact::measure_slide(scene.pairs[one.pair], state.pair_lambda[one.pair], state.u, motions)
             .places);
-    for (const contact::PressedPlace& place : places.back()) {
+    for (const contact::DisplacedContactPoint& place : places.back()) {
       if (unseen.size() == 0) {
         normal_matrix = base::Matrix::Zero(place.opening.size(), place.opening.size());
         unseen = base::Vector::Zero(place.opening.size());
@@ -192,11 +197,11 @@ void close_by_rigid_motions(const Scene& scene, const std::vector<BodyNet>& bodi
   const base::Vector closing = normal_matrix.completeOrthogonalDecomposition().solve(-unseen);
   for (std::size_t i = 0; i < all.size(); ++i) {
     double left = 0.0;
-    for (const contact::PressedPlace& place : places[i]) {
+    for (const contact::DisplacedContactPoint& place : places[i]) {
       left = place.unseen ? std::max(left, std::abs(*place.unseen + place.opening.dot(closing)))
                           : left;
     }
-    const contact::PairRows& pair = scene.pairs[all[i].pair];
+    const contact::PairConstraints& pair = scene.pairs[all[i].pair];
     all[i].slide.misfit = std::min(all[i].slide.misfit, left);
     all[i].turned =
         turned_by(pair, largest_pressure(pair, state.pair_lambda[all[i].pair]), all[i].slide);
@@ -204,14 +209,14 @@ void close_by_rigid_motions(const Scene& scene, const std::vector<BodyNet>& bodi
 }
 
 std::string what_moves(const Moved& one) {
-  const contact::Slide& slide = one.slide;
+  const contact::SlideMeasures& slide = one.slide;
   std::string text = fmt::format(
       "contact {}: the bodies slide by {:.3g} ({:.2g} element lengths) along {:.3g} "
       "that is pressed",
       one.contact, slide.way, slide.facet > 0.0 ? slide.way / slide.facet : 0.0, slide.pressed);
-  if (slide.lost > most_lost) {
+  if (slide.unsupported_part > most_lost) {
     text += fmt::format(", and {:.0f} % of the force acts where nothing stands opposite any more",
-                        100.0 * slide.lost);
+                        100.0 * slide.unsupported_part);
   }
   if (one.turned > 0.0) {
     text += fmt::format(", and their gap changes by {:.2g} that small displacements do not see",

@@ -40,7 +40,7 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
     if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
       continue;
     }
-    contact::PairRows pair =
+    contact::PairConstraints pair =
         contact::crack_face_rows(model, scene.cracked.mesh, scene.cracked.faces[i], true);
     for (std::size_t r = 0; r < pair.normal.size(); ++r) {
       Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
@@ -125,8 +125,8 @@ void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
   }
 }
 
-base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& problem,
-                                    const contact::ContactSystem::Solution& solution,
+base::Vector LoadPaths::intensities(const contact::ContactSystem::IncrementProblem& problem,
+                                    const contact::ContactSystem::IncrementSolution& solution,
                                     const StepSolver& solver) {
   if (!rows_) {
     rows_ = functionals(solver);
@@ -176,8 +176,8 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& probl
 
 // Smooth, and K1 is 0 where faces touch; what the mesh finds a little below 0 for faces in contact
 // is 0 as well, as in steps (judge_front).
-base::Vector LoadPaths::along_fronts(const contact::ContactSystem::Problem& problem,
-                                     const contact::ContactSystem::Solution& solution,
+base::Vector LoadPaths::along_fronts(const contact::ContactSystem::IncrementProblem& problem,
+                                     const contact::ContactSystem::IncrementSolution& solution,
                                      const base::Vector& value) const {
   const crack::KLayout layout = scene_.k_layout();
   base::Vector K(layout.count());

@@ -277,14 +277,14 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
     while (last < rows.size() && rows[last] < scene_.table.first[c + 1]) {
       ++last;
     }
-    const contact::PairRows& pair = scene_.pairs[c];
+    const contact::PairConstraints& pair = scene_.pairs[c];
     const std::size_t normal = std::min(pair.normal.size(), last - first);
     if (normal == 0) {
       continue; // not mounted
     }
     results::PathContact contact;
     contact.name = scene_.contacts[c].name;
-    contact.round = contact::counts_angles(pair);
+    contact.round = contact::uses_angles(pair);
     contact.rows = static_cast<int>(normal);
     std::unordered_map<std::int32_t, double> place_of;
     for (const results::ContactPoint& p : end.result.contacts[c].points) {

@@ -30,8 +30,8 @@ public:
   /// K of each tip in a solved increment [crack::KLayout], along fronts in space the smooth one; K1
   /// is 0 where its faces touch at the tip, or in the plane what a law with R < 0 wants there.
   /// Looks at the faces, too.
-  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Problem& problem,
-                                         const contact::ContactSystem::Solution& solution,
+  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::IncrementProblem& problem,
+                                         const contact::ContactSystem::IncrementSolution& solution,
                                          const StepSolver& solver);
   /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
   /// its two nodes are apart and how far along the face.
@@ -41,7 +41,7 @@ public:
 private:
   /// Loads and gaps at the end of a step.
   struct End {
-    contact::ContactSystem::Problem problem;
+    contact::ContactSystem::IncrementProblem problem;
     base::Vector case_factor;
     results::StepResult result; ///< without its fields
   };
@@ -63,8 +63,8 @@ private:
   /// [point of front f] its row among those in force, if faces bear behind it.
   [[nodiscard]] std::vector<std::optional<std::size_t>>
   rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const;
-  [[nodiscard]] base::Vector along_fronts(const contact::ContactSystem::Problem& problem,
-                                          const contact::ContactSystem::Solution& solution,
+  [[nodiscard]] base::Vector along_fronts(const contact::ContactSystem::IncrementProblem& problem,
+                                          const contact::ContactSystem::IncrementSolution& solution,
                                           const base::Vector& value) const;
   [[nodiscard]] base::Matrix front_columns(Eigen::Index first, Eigen::Index most) const;
   /// Of watches, from displacements [dim * node].

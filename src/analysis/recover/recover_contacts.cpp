@@ -31,7 +31,7 @@ constexpr double off_by_one_across = 0.3;
 // contact side. The slave's along itself is the negative on either side: both run opposite ways.
 void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
                      const contact::PairPressure& p, results::ContactResult& result) {
-  const contact::PairRows& pair = scene.pairs[c];
+  const contact::PairConstraints& pair = scene.pairs[c];
   const PairFriction& friction = state.friction[c];
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
   base::Vector shear = base::Vector::Zero(normals); // size, of all tangents of a normal row
@@ -39,13 +39,13 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
     double& sum = shear[pair.tangent[i].normal];
     sum = std::hypot(sum, state.pair_lambda[c][normals + static_cast<Eigen::Index>(i)]);
   }
-  const bool round = contact::counts_angles(pair);
-  std::vector<contact::ArcNode> arc;
+  const bool round = contact::uses_angles(pair);
+  std::vector<contact::ContactArcNode> arc;
   std::vector<bool> counted(pair.normal.size(), false); // in space nodes may have one row
   result.rubs = true;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     results::ContactPoint& point = result.points[i];
-    contact::ArcNode node{round ? point.theta : point.arc, false, 0.0};
+    contact::ContactArcNode node{round ? point.theta : point.arc, false, 0.0};
     if (p.nodes[i].row >= 0 && point.closed) {
       const auto row = static_cast<Eigen::Index>(p.nodes[i].row);
       const double area = pair.normal[static_cast<std::size_t>(row)].area;
@@ -67,7 +67,7 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
     arc.push_back(node);
   }
   if (!result.space) {
-    const contact::Arc stick = contact::marked_arc(std::move(arc), round);
+    const contact::ContactArc stick = contact::longest_marked_arc(std::move(arc), round);
     result.stick_from = stick.from;
     result.stick_to = stick.to;
   }
@@ -76,10 +76,10 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
 
 // Edges of one surface against the other that are pressed. A place in space is that of the node
 // which is pressed most.
-std::vector<base::Vec3> pressed_edges(const contact::PairRows& pair,
+std::vector<base::Vec3> pressed_edges(const contact::PairConstraints& pair,
                                       const std::vector<contact::NodePressure>& nodes) {
   std::vector<base::Vec3> places;
-  for (const contact::SharpEnd& end : pair.sharp_ends) {
+  for (const contact::SingularContactEdge& end : pair.sharp_ends) {
     double most = 0.0;
     base::Vec3 place = end.x;
     for (const contact::NodePressure& n : nodes) {
@@ -242,7 +242,7 @@ void by_places(const contact::PairPressure& pressure, results::ContactResult& re
 void recover_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
   std::vector<Spot> spots;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = scene.pairs[c];
+    const contact::PairConstraints& pair = scene.pairs[c];
     const contact::PairPressure p = contact::recover_pressure(
         pair, state.pair_lambda[c], state.pair_gap[c], state.pair_closed[c],
         scene.contacts[c].type == model::ContactType::bonded);
@@ -255,7 +255,7 @@ void recover_contacts(const Scene& scene, const StepState& state, results::StepR
     result.max_penetration = p.max_penetration;
     result.area = p.area;
     result.space = scene.cracked.mesh.dim == 3;
-    result.round = contact::counts_angles(pair);
+    result.round = contact::uses_angles(pair);
     result.arc_from = p.arc_from;
     result.arc_to = p.arc_to;
     result.closed = p.closed;

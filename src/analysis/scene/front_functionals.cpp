@@ -26,13 +26,13 @@ ForcePlaces force_places(const Scene& scene, const crack::FrontFields& fields) {
   ForcePlaces places;
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    for (const contact::UnitTraction& traction : contact::space_unit_tractions(
+    for (const contact::UnitFaceTraction& traction : contact::space_unit_tractions(
              scene.pairs[c], [&](const model::Face& face) { return moved.contains(face); })) {
       crack::FaceForces& on_face = places.faces.emplace_back();
       on_face.face = traction.face;
       for (const contact::UnitTractionPoint& point : traction.points) {
         on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, base::Vec3::Zero()});
-        for (const contact::UnitTractionPoint::OfRow& one : point.rows) {
+        for (const contact::UnitTractionPoint::RowForce& one : point.rows) {
           for (Eigen::Index k = 0; k < 3; ++k) {
             places.by_row.emplace_back(
                 at + k, static_cast<Eigen::Index>(scene.table.first[c] + one.row), one.force[k]);

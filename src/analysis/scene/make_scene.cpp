@@ -26,26 +26,26 @@ namespace {
 
 constexpr double most_lost = 1e-3; // of the area between solids
 
-double lost_part(const contact::PairRows& pair) {
+double lost_part(const contact::PairConstraints& pair) {
   double area = 0.0;
-  for (const contact::SpaceFunction& function : pair.functions) {
+  for (const contact::MultiplierFunction& function : pair.functions) {
     area += function.area;
   }
-  return area > 0.0 ? pair.lost / (area + pair.lost) : 0.0;
+  return area > 0.0 ? pair.unprojected_area / (area + pair.unprojected_area) : 0.0;
 }
 
 // Nodes whose freedoms rows weigh. In the plane those of both surfaces, so that what is condensed
 // is the same at the next crack length; in space, where nodes that see nothing are many, those
 // alone.
 std::vector<base::NodeId> contact_nodes(const model::Mesh& mesh, const model::Contact& contact,
-                                        const contact::PairRows& pair) {
+                                        const contact::PairConstraints& pair) {
   if (mesh.dim == 2) {
     return contact::surface_nodes(mesh, contact);
   }
   return weighed_nodes(pair);
 }
 
-void note_pair(const model::Contact& contact, const contact::PairRows& pair, Scene& scene) {
+void note_pair(const model::Contact& contact, const contact::PairConstraints& pair, Scene& scene) {
   if (pair.swapped) {
     scene.notes.push_back(fmt::format("contact {}: pressures are those at nodes of the master ({})",
                                       contact.name, pair.choice));
@@ -68,7 +68,7 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
     if (mesh.dim == 3) {
       take_in_supports(scene.pairs.back(), scene.cls);
     }
-    const contact::PairRows& pair = scene.pairs.back();
+    const contact::PairConstraints& pair = scene.pairs.back();
     if (!pair.trouble.empty()) {
       diagnostics.error(contact.span, "E410",
                         fmt::format("contact {}: {}", contact.name, pair.trouble));

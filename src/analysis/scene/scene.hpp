@@ -64,8 +64,8 @@ struct Scene {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
   std::shared_ptr<const fe::ConstraintTransformation> ties;
-  std::vector<model::Contact> contacts; ///< the deck's, then those between faces of cracks
-  std::vector<contact::PairRows> pairs; ///< [contact]
+  std::vector<model::Contact> contacts;        ///< the deck's, then those between faces of cracks
+  std::vector<contact::PairConstraints> pairs; ///< [contact]
   std::vector<std::optional<CrackFacePair>>
       crack_face_pairs; ///< [crack line] empty: its faces are open
   RowTable table;
@@ -91,7 +91,7 @@ struct Scene {
   /// Row r of the table, as its pair has it.
   [[nodiscard]] const contact::ConstraintRow& row(std::size_t r) const {
     const RowTable::Place at = table.places[r];
-    const contact::PairRows& pair = pairs[at.pair];
+    const contact::PairConstraints& pair = pairs[at.pair];
     return at.index < pair.normal.size() ? pair.normal[at.index]
                                          : pair.tangent[at.index - pair.normal.size()];
   }

@@ -58,7 +58,7 @@ void reduce_rows(Scene& scene) {
 
 void make_table(Scene& scene) {
   scene.table = {};
-  for (const contact::PairRows& pair : scene.pairs) {
+  for (const contact::PairConstraints& pair : scene.pairs) {
     scene.table.first.push_back(scene.table.size());
     for (std::size_t i = 0; i < pair.normal.size() + pair.tangent.size(); ++i) {
       scene.table.places.push_back({scene.table.first.size() - 1, i});

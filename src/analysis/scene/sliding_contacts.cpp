@@ -7,11 +7,11 @@ namespace spricka::analysis {
 
 namespace {
 
-std::vector<contact::SurfacePoint> independent_points(const Scene& scene,
-                                                      const contact::Surface& surface) {
+std::vector<contact::SurfaceNodeNormal> independent_points(const Scene& scene,
+                                                           const contact::ContactSurface& surface) {
   const int dim = scene.cracked.mesh.dim;
-  std::vector<contact::SurfacePoint> points = contact::surface_points(surface);
-  std::erase_if(points, [&](const contact::SurfacePoint& point) {
+  std::vector<contact::SurfaceNodeNormal> points = contact::surface_node_normals(surface);
+  std::erase_if(points, [&](const contact::SurfaceNodeNormal& point) {
     for (int c = 0; c < dim; ++c) {
       if (scene.ties->find_row(static_cast<std::int32_t>(point.node.index()) * dim + c) !=
           nullptr) {
@@ -25,14 +25,14 @@ std::vector<contact::SurfacePoint> independent_points(const Scene& scene,
 
 } // namespace
 
-std::vector<contact::SlidingContact> sliding_contacts(const Scene& scene) {
-  std::vector<contact::SlidingContact> found;
+std::vector<contact::ContactRowSurfaces> sliding_contacts(const Scene& scene) {
+  std::vector<contact::ContactRowSurfaces> found;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = scene.pairs[c];
+    const contact::PairConstraints& pair = scene.pairs[c];
     if (pair.faces || scene.contacts[c].type == model::ContactType::bonded) {
       continue;
     }
-    contact::SlidingContact& own = found.emplace_back();
+    contact::ContactRowSurfaces& own = found.emplace_back();
     own.first = scene.table.first[c];
     for (const contact::ConstraintRow& row : pair.normal) {
       own.area.push_back(row.area);

@@ -11,7 +11,7 @@ namespace {
 // Between solids there is no slip where supports, as those of a symmetry plane, hold a node of the
 // contact side and the target before it in one direction: a row of friction or of a bond in it
 // would press across the plane.
-void drop_held_slips(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
+void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
   constexpr double most = 0.7; // of a row's weight, squared: a surface turns on to one side
   std::set<base::NodeId> own;
   for (const contact::SolidFace& face : pair.contact.space.faces) {
@@ -38,8 +38,9 @@ void drop_held_slips(contact::PairRows& pair, const std::vector<model::FreedomCl
 
 // Where a support holds a node along an axis the surface may end at a plane of symmetry, across
 // which the pressure has no slope.
-void mark_held_functions(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
-  for (contact::SpaceFunction& function : pair.functions) {
+void mark_held_functions(contact::PairConstraints& pair,
+                         const std::vector<model::FreedomClass>& cls) {
+  for (contact::MultiplierFunction& function : pair.functions) {
     for (std::size_t c = 0; c < function.held.size(); ++c) {
       const model::FreedomClass type = cls[3 * function.node.index() + c];
       function.held[c] =
@@ -50,12 +51,12 @@ void mark_held_functions(contact::PairRows& pair, const std::vector<model::Freed
 
 } // namespace
 
-void take_in_supports(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
+void take_in_supports(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
   drop_held_slips(pair, cls);
   mark_held_functions(pair, cls);
 }
 
-std::vector<base::NodeId> weighed_nodes(const contact::PairRows& pair) {
+std::vector<base::NodeId> weighed_nodes(const contact::PairConstraints& pair) {
   std::set<base::NodeId> nodes;
   for (const auto* rows : {&pair.normal, &pair.tangent}) {
     for (const contact::ConstraintRow& row : *rows) {

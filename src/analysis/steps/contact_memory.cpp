@@ -24,9 +24,10 @@ std::vector<bool> lasting_nodes(const Scene& scene) {
 
 } // namespace
 
-contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<BodyNet>& bodies,
-                                        const std::vector<std::size_t>& condensed) {
-  contact::Lasting lasting;
+contact::PersistentRowSet ContactMemory::lasting(const Scene& scene,
+                                                 const std::vector<BodyNet>& bodies,
+                                                 const std::vector<std::size_t>& condensed) {
+  contact::PersistentRowSet lasting;
   // Without elements that no crack touches nothing lasts from length to length.
   const bool several = std::ranges::find(scene.rest_element, true) != scene.rest_element.end();
   if (!several) {
@@ -42,7 +43,7 @@ contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<Bo
     // A body with elements of the region is condensed anew for each length, but for early rows.
     const bool stays = std::ranges::all_of(
         bodies[b].body.elements, [&](base::ElementId e) { return scene.rest_element[e.index()]; });
-    const solve::FactoredExternals* factor = bodies[b].condensed->layered();
+    const solve::FactoredExternals* factor = bodies[b].condensed->block_factor();
     if (!stays && factor == nullptr) {
       lasting.kept.push_back(nullptr);
       continue;

@@ -19,8 +19,8 @@ class ContactMemory {
 public:
   /// Rows whose nodes no crack touches, and what is kept of them for these bodies (indices of
   /// `bodies`, in the order of the contact system).
-  contact::Lasting lasting(const Scene& scene, const std::vector<BodyNet>& bodies,
-                           const std::vector<std::size_t>& condensed);
+  contact::PersistentRowSet lasting(const Scene& scene, const std::vector<BodyNet>& bodies,
+                                    const std::vector<std::size_t>& condensed);
 
   /// Rows [row] that a step may begin with as closed: `before` changed to what the same step ended
   /// with at the last length, row by row of its nodes. Empty: nothing is known of the step.
@@ -36,7 +36,7 @@ public:
 private:
   struct Kept {
     std::shared_ptr<const void> of; ///< what the rows are kept for: a body, or its early rows
-    contact::LastingRows rows;
+    contact::PersistentRows rows;
   };
   using Place = std::array<std::int64_t, 3>; ///< contact, node, which of the node's rows
   std::vector<std::unique_ptr<Kept>> bodies_;

@@ -52,7 +52,7 @@ std::vector<base::NodeId> from_tip(const mesh::CrackFaces& crack_faces, base::No
 }
 
 // Of the pair's normal rows, that of a node.
-std::size_t row_of(const contact::PairRows& pair, base::NodeId node) {
+std::size_t row_of(const contact::PairConstraints& pair, base::NodeId node) {
   const auto at = std::ranges::find(pair.normal, node, &contact::ConstraintRow::node);
   return static_cast<std::size_t>(at - pair.normal.begin());
 }
@@ -113,7 +113,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
     return faces;
   }
   faces.in_contact = true;
-  const contact::PairRows& pair = scene.pairs[crack_face->pair];
+  const contact::PairConstraints& pair = scene.pairs[crack_face->pair];
   const std::vector<bool>& closed = state.pair_closed[crack_face->pair];
   if (!pair.normal.empty()) {
     faces.pressure = state.pair_lambda[crack_face->pair]

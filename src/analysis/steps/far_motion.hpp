@@ -13,8 +13,8 @@ namespace spricka::analysis {
 struct SolvedContact {
   const contact::ContactSystem& system;
   const std::vector<std::size_t>& condensed;
-  const contact::ContactSystem::Problem& problem;
-  const contact::ContactSystem::Solution& solution;
+  const contact::ContactSystem::IncrementProblem& problem;
+  const contact::ContactSystem::IncrementSolution& solution;
 };
 
 /// A body that moves as a rigid one, along surfaces that hardly resist it, by more than ten times

@@ -28,7 +28,7 @@ FrictionHistory::FrictionHistory(const Scene& scene)
   }
 }
 
-void FrictionHistory::add_to(contact::ContactSystem::Problem& problem) const {
+void FrictionHistory::add_to(contact::ContactSystem::IncrementProblem& problem) const {
   std::vector<int> place(normal_of_.size(), -1);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     place[problem.rows[i]] = static_cast<int>(i);
@@ -57,8 +57,8 @@ void FrictionHistory::add_to(contact::ContactSystem::Problem& problem) const {
   problem.alpha = memory_.alpha;
 }
 
-void FrictionHistory::take(const contact::ContactSystem::Problem& problem,
-                           const contact::ContactSystem::Solution& solution) {
+void FrictionHistory::take(const contact::ContactSystem::IncrementProblem& problem,
+                           const contact::ContactSystem::IncrementSolution& solution) {
   memory_.alpha = solution.contact.alpha;
   for (std::size_t i = 0; i < solution.touch.size(); ++i) {
     memory_.touch[problem.rows[i]] = solution.touch[i];

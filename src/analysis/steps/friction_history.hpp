@@ -36,11 +36,11 @@ public:
   [[nodiscard]] bool rubs(std::size_t row) const { return normal_of_[row] >= 0; }
 
   /// Adds to a problem whose rows are there what friction needs: pairs of rows and first states.
-  void add_to(contact::ContactSystem::Problem& problem) const;
+  void add_to(contact::ContactSystem::IncrementProblem& problem) const;
 
   /// Takes a solved increment: states, slips, work of friction.
-  void take(const contact::ContactSystem::Problem& problem,
-            const contact::ContactSystem::Solution& solution);
+  void take(const contact::ContactSystem::IncrementProblem& problem,
+            const contact::ContactSystem::IncrementSolution& solution);
 
   /// A pair is mounted or leaves: what its rows have slipped counts from here.
   void begin(std::size_t contact);

@@ -84,15 +84,15 @@ public:
   }
 
 private:
-  [[nodiscard]] std::optional<contact::ModesAtNode> at(base::NodeId node) const {
+  [[nodiscard]] std::optional<contact::RigidModesAtNode> at(base::NodeId node) const {
     const std::int32_t b = body_of_[node.index()];
     if (b < 0) {
       return std::nullopt;
     }
     const int dim = scene_.cracked.mesh.dim;
-    return contact::ModesAtNode{static_cast<std::size_t>(b),
-                                bodies_[static_cast<std::size_t>(b)].free_modes.middleRows(
-                                    static_cast<Eigen::Index>(node.index()) * dim, dim)};
+    return contact::RigidModesAtNode{static_cast<std::size_t>(b),
+                                     bodies_[static_cast<std::size_t>(b)].free_modes.middleRows(
+                                         static_cast<Eigen::Index>(node.index()) * dim, dim)};
   }
 
   void find_openings() {
@@ -106,7 +106,7 @@ private:
         }
       }
     }
-    contact::remove_sliding(
+    contact::remove_self_sliding(
         sliding_contacts(scene_), first_, [&](base::NodeId node) { return at(node); }, B_);
   }
 

@@ -41,7 +41,7 @@ struct Held {
 
 } // namespace
 
-void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Problem& problem,
+void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::IncrementProblem& problem,
                         const StepMotion& motion, std::vector<results::Note>& notes) {
   std::vector<Held> found(scene.contacts.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {

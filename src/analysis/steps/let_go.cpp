@@ -30,7 +30,7 @@ const BodyNet* body_named(const std::vector<BodyNet>& bodies, std::string_view r
   return found == bodies.end() ? nullptr : &*found;
 }
 
-bool has(const BodyNet& body, const contact::Surface& surface) {
+bool has(const BodyNet& body, const contact::ContactSurface& surface) {
   return !surface.facets.empty() &&
          std::ranges::binary_search(body.body.nodes, surface.facets.front().nodes.front());
 }
@@ -73,7 +73,7 @@ std::string let_go(const model::Model& model, const Scene& scene,
   std::string absent;
   std::string pressing;
   for (std::size_t c = 0; c < model.contacts.size() && c < scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = scene.pairs[c];
+    const contact::PairConstraints& pair = scene.pairs[c];
     if (!has(*body, pair.contact) && !has(*body, pair.target)) {
       continue;
     }

@@ -20,7 +20,7 @@ constexpr double least_touch = 0.1; // of the smaller body's nodes
 // The boundary of a body.
 struct Rim {
   std::vector<model::Face> faces;
-  contact::BodyOutline outline;
+  contact::BodyBoundary outline;
 };
 
 Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& body) {
@@ -34,18 +34,18 @@ Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& bo
       faces.push_back(face);
     }
   }
-  contact::BodyOutline outline(model, mesh, faces, {});
+  contact::BodyBoundary outline(model, mesh, faces, {});
   return {std::move(faces), std::move(outline)};
 }
 
 // Faces of one body whose nodes lie next to another one.
 std::vector<model::Face> near_faces(const model::Mesh& mesh, const Rim& rim,
-                                    const contact::BodyOutline& other, double reach) {
+                                    const contact::BodyBoundary& other, double reach) {
   std::vector<model::Face> near;
   for (const model::Face& face : rim.faces) {
     const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
     if (std::ranges::all_of(nodes, [&](base::NodeId n) {
-          return other.nearest(mesh.x[n.index()], reach).has_value();
+          return other.signed_distance(mesh.x[n.index()], reach).has_value();
         })) {
       near.push_back(face);
     }
@@ -71,11 +71,11 @@ std::string set_of(const model::Mesh& mesh, const std::vector<model::Face>& face
 }
 
 bool joined(const Scene& scene, const BodyNet& a, const BodyNet& b) {
-  const auto of = [](const contact::Surface& surface, const BodyNet& body) {
+  const auto of = [](const contact::ContactSurface& surface, const BodyNet& body) {
     return !surface.facets.empty() &&
            std::ranges::binary_search(body.body.nodes, surface.facets.front().nodes.front());
   };
-  return std::ranges::any_of(scene.pairs, [&](const contact::PairRows& pair) {
+  return std::ranges::any_of(scene.pairs, [&](const contact::PairConstraints& pair) {
     return (of(pair.contact, a) && of(pair.target, b)) ||
            (of(pair.contact, b) && of(pair.target, a));
   });

@@ -7,7 +7,8 @@ namespace spricka::analysis {
 
 base::Vector resting_forces(const std::vector<BodyNet>& bodies,
                             const std::vector<std::size_t>& condensed,
-                            const contact::ContactSystem::Solution& solution, Eigen::Index size) {
+                            const contact::ContactSystem::IncrementSolution& solution,
+                            Eigen::Index size) {
   if (solution.resting_force.empty()) {
     return {};
   }

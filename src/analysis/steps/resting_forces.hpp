@@ -14,7 +14,8 @@ namespace spricka::analysis {
 /// nodes]; empty: there are none. `condensed`: the solved ones of `bodies`.
 base::Vector resting_forces(const std::vector<BodyNet>& bodies,
                             const std::vector<std::size_t>& condensed,
-                            const contact::ContactSystem::Solution& solution, Eigen::Index size);
+                            const contact::ContactSystem::IncrementSolution& solution,
+                            Eigen::Index size);
 
 /// What is to be said of them beside the contact forces, if they are more than round-off.
 std::optional<results::Note> note_of_resting(const base::Vector& resting,

@@ -16,9 +16,9 @@ namespace {
 constexpr double worst_change = 0.05; // of the largest pressure of the pair
 
 // What the increment asks for without friction, with gaps as drawn.
-contact::ContactSystem::Problem without_friction(const Scene& scene,
-                                                 const contact::ContactSystem::Problem& of) {
-  contact::ContactSystem::Problem d;
+contact::ContactSystem::IncrementProblem
+without_friction(const Scene& scene, const contact::ContactSystem::IncrementProblem& of) {
+  contact::ContactSystem::IncrementProblem d;
   std::vector<double> gap;
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
     const bool rubs = scene.contacts[scene.table.contact_of(of.rows[i])].mu > 0.0;
@@ -37,9 +37,10 @@ contact::ContactSystem::Problem without_friction(const Scene& scene,
 }
 
 // Pressures of one contact as the results show them, from an answer to a problem without friction.
-contact::PairPressure pressures(const Scene& scene, const contact::ContactSystem::Problem& d,
+contact::PairPressure pressures(const Scene& scene,
+                                const contact::ContactSystem::IncrementProblem& d,
                                 const solve::ContactSolution& s, std::size_t contact) {
-  const contact::PairRows& pair = scene.pairs[contact];
+  const contact::PairConstraints& pair = scene.pairs[contact];
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
   const auto all = normals + static_cast<Eigen::Index>(pair.tangent.size());
   base::Vector lambda = base::Vector::Zero(all);
@@ -74,7 +75,7 @@ double change(const contact::PairPressure& a, const contact::PairPressure& b) {
 }
 
 // By how much the gap of a contact differs where it does most [length].
-double depth(const contact::PairRows& pair) {
+double depth(const contact::PairConstraints& pair) {
   double most = 0.0;
   for (const contact::ConstraintRow& row : pair.normal) {
     most = std::max(most, std::abs(row.round_gap - row.gap) / row.area);
@@ -85,11 +86,11 @@ double depth(const contact::PairRows& pair) {
 } // namespace
 
 void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
-                     const contact::ContactSystem::Problem& problem,
-                     const contact::ContactSystem::Solution& solution,
+                     const contact::ContactSystem::IncrementProblem& problem,
+                     const contact::ContactSystem::IncrementSolution& solution,
                      std::vector<results::Note>& notes) {
-  const contact::ContactSystem::Problem drawn = without_friction(scene, problem);
-  contact::ContactSystem::Problem round = drawn;
+  const contact::ContactSystem::IncrementProblem drawn = without_friction(scene, problem);
+  contact::ContactSystem::IncrementProblem round = drawn;
   std::vector<bool> differs(scene.contacts.size(), false);
   for (std::size_t i = 0; i < round.rows.size(); ++i) {
     const contact::ConstraintRow& row = scene.row(round.rows[i]);

@@ -13,8 +13,8 @@ namespace spricka::analysis {
 /// where that changes pressures: solves the increment `solution` belongs to once more with the gaps
 /// of those circles, without friction, and compares.
 void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
-                     const contact::ContactSystem::Problem& problem,
-                     const contact::ContactSystem::Solution& solution,
+                     const contact::ContactSystem::IncrementProblem& problem,
+                     const contact::ContactSystem::IncrementSolution& solution,
                      std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

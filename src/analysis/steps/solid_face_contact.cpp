@@ -36,9 +36,9 @@ Motion motion_of(const contact::ConstraintRow& row, const base::Vector& u) {
 
 } // namespace
 
-contact::PairRows solid_face_pair(const model::Model& model, const Scene& scene, std::size_t line,
-                                  bool friction) {
-  contact::PairRows pair =
+contact::PairConstraints solid_face_pair(const model::Model& model, const Scene& scene,
+                                         std::size_t line, bool friction) {
+  contact::PairConstraints pair =
       contact::solid_crack_rows(model, scene.cracked.mesh, scene.cracked.faces[line], friction);
   take_in_supports(pair, scene.cls);
   return pair;
@@ -66,12 +66,12 @@ std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
   if (!crack_face) {
     return {};
   }
-  const contact::PairRows& pair = scene.pairs[crack_face->pair];
+  const contact::PairConstraints& pair = scene.pairs[crack_face->pair];
   std::vector<std::optional<std::size_t>> rows;
   for (const mesh::FrontPoint& point : front.points) {
     std::optional<std::size_t>& row = rows.emplace_back();
     const auto function =
-        std::ranges::find(pair.functions, point.node, &contact::SpaceFunction::node);
+        std::ranges::find(pair.functions, point.node, &contact::MultiplierFunction::node);
     if (function != pair.functions.end() && function->row >= 0) {
       row = static_cast<std::size_t>(function->row);
     }
@@ -85,7 +85,7 @@ std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front
   if (!crack_face) {
     return {};
   }
-  const contact::PairRows& pair = scene.pairs[crack_face->pair];
+  const contact::PairConstraints& pair = scene.pairs[crack_face->pair];
   const std::vector<bool>& closed = state.pair_closed[crack_face->pair];
   std::vector<bool> slipped(pair.normal.size(), pair.tangent.empty());
   for (const contact::ConstraintRow& row : pair.tangent) {

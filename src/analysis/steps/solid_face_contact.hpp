@@ -11,8 +11,8 @@
 namespace spricka::analysis {
 
 /// The faces of a crack line as a pair, with what supports make of its rows.
-contact::PairRows solid_face_pair(const model::Model& model, const Scene& scene, std::size_t line,
-                                  bool friction);
+contact::PairConstraints solid_face_pair(const model::Model& model, const Scene& scene,
+                                         std::size_t line, bool friction);
 
 /// By how much the faces of a crack lie in one another in u [3 * node], as rows between them weigh
 /// it, over the largest displacement of one against the other.

@@ -72,7 +72,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
   if (!condensed.empty()) {
     system_.emplace(std::move(condensed), scene.acting_rows(), scene.cracked.mesh.dim,
                     static_cast<std::size_t>(u_.size()), sliding_contacts(scene),
-                    contact == nullptr ? contact::Lasting{}
+                    contact == nullptr ? contact::PersistentRowSet{}
                                        : contact->lasting(scene, bodies, condensed_));
   }
 }
@@ -116,8 +116,8 @@ base::Vector StepSolver::prescribed() const {
   return scene_.case_displacement * factors_.case_factor;
 }
 
-contact::ContactSystem::Problem StepSolver::problem() const {
-  contact::ContactSystem::Problem d;
+contact::ContactSystem::IncrementProblem StepSolver::problem() const {
+  contact::ContactSystem::IncrementProblem d;
   const base::Vector fixed = prescribed();
   const int dim = scene_.cracked.mesh.dim;
   std::vector<double> gap;
@@ -195,7 +195,8 @@ std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
                      slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 
-base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Solution& solution) const {
+base::Trouble
+StepSolver::trouble_of(const contact::ContactSystem::IncrementSolution& solution) const {
   const solve::ContactSolution& s = solution.contact;
   switch (s.status) {
   case solve::ContactStatus::solved:
@@ -216,8 +217,8 @@ base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Solution& sol
   return std::nullopt;
 }
 
-bool StepSolver::accept(const contact::ContactSystem::Solution& solution,
-                        const contact::ContactSystem::Problem& problem, StepState& state,
+bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solution,
+                        const contact::ContactSystem::IncrementProblem& problem, StepState& state,
                         base::Trouble& trouble) {
   const solve::ContactSolution& s = solution.contact;
   if (base::Trouble none = trouble_of(solution)) {
@@ -399,7 +400,8 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, base::Troubl
   StepState state = begin_state();
   std::vector<base::Vector> external;
   if (system_) {
-    std::optional<contact::ContactSystem::Solution> solution = walk(before, step, state, trouble);
+    std::optional<contact::ContactSystem::IncrementSolution> solution =
+        walk(before, step, state, trouble);
     if (!solution) {
       trouble->span = step.span;
       return std::nullopt;

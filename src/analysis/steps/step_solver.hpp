@@ -41,14 +41,14 @@ public:
   [[nodiscard]] Place place() const;
   void go_back(const Place& place);
   /// Is shown each solved increment.
-  using Seen = std::function<void(const contact::ContactSystem::Problem&,
-                                  const contact::ContactSystem::Solution&)>;
+  using Seen = std::function<void(const contact::ContactSystem::IncrementProblem&,
+                                  const contact::ContactSystem::IncrementSolution&)>;
   /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
   /// nothing is recovered. Empty: refused.
-  std::optional<contact::ContactSystem::Solution> go_to(const StepFactors& to, int increments,
-                                                        const Seen& seen, base::Trouble& trouble);
+  std::optional<contact::ContactSystem::IncrementSolution>
+  go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble);
   /// The state at the end of go_to, from its answer; empty: refused.
-  std::optional<StepState> recover(contact::ContactSystem::Solution solution,
+  std::optional<StepState> recover(contact::ContactSystem::IncrementSolution solution,
                                    base::Trouble& trouble);
   /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
   /// displacements and closed rows.
@@ -59,7 +59,7 @@ public:
   void begin_from(std::vector<bool> closed) { closed_ = std::move(closed); }
 
   /// What the last step asked of the contact system, with the closed rows it ended with.
-  [[nodiscard]] contact::ContactSystem::Problem problem() const;
+  [[nodiscard]] contact::ContactSystem::IncrementProblem problem() const;
   /// Null when no body has externals; its bodies are `condensed()`, indices of the solver's.
   [[nodiscard]] const contact::ContactSystem* system() const {
     return system_ ? &*system_ : nullptr;
@@ -78,12 +78,12 @@ private:
   [[nodiscard]] base::Vector prescribed() const;
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
   /// none: refused.
-  std::optional<contact::ContactSystem::Solution>
+  std::optional<contact::ContactSystem::IncrementSolution>
   walk(const StepFactors& from, const model::Step& step, StepState& state, base::Trouble& trouble);
   struct Walk {
     StepFactors from, to;
-    contact::ContactSystem::Problem problem; ///< of the last increment
-    contact::ContactSystem::Solution solution;
+    contact::ContactSystem::IncrementProblem problem; ///< of the last increment
+    contact::ContactSystem::IncrementSolution solution;
     int increments = 0, iterations = 0, pivots = 0;
     const Seen* seen = nullptr;
     struct Reached {
@@ -106,10 +106,11 @@ private:
   void remember(const Walk& walk);
   void note_uniqueness(const Walk& walk, StepState& state);
   /// Empty: the answer is one.
-  [[nodiscard]] base::Trouble trouble_of(const contact::ContactSystem::Solution& solution) const;
-  [[nodiscard]] bool accept(const contact::ContactSystem::Solution& solution,
-                            const contact::ContactSystem::Problem& problem, StepState& state,
-                            base::Trouble& trouble);
+  [[nodiscard]] base::Trouble
+  trouble_of(const contact::ContactSystem::IncrementSolution& solution) const;
+  [[nodiscard]] bool accept(const contact::ContactSystem::IncrementSolution& solution,
+                            const contact::ContactSystem::IncrementProblem& problem,
+                            StepState& state, base::Trouble& trouble);
   void balance(StepState& state) const;
   [[nodiscard]] base::Vector tie_forces(const base::Vector& left_over) const;
 

@@ -33,9 +33,9 @@ constexpr std::size_t most_rows_tested = 4000;
 
 // Shear of contacts that rub in two answers to the same problem: root mean square of what it
 // changes by over that of the shear, the largest of all contacts (manual, contact.25).
-double friction_change(const Scene& scene, const contact::ContactSystem::Problem& problem,
-                       const contact::ContactSystem::Solution& a,
-                       const contact::ContactSystem::Solution& b) {
+double friction_change(const Scene& scene, const contact::ContactSystem::IncrementProblem& problem,
+                       const contact::ContactSystem::IncrementSolution& a,
+                       const contact::ContactSystem::IncrementSolution& b) {
   struct Sum {
     double change = 0.0, shear = 0.0, limit = 0.0;
   };
@@ -68,9 +68,9 @@ constexpr double least_slip = 1e-3;
 
 // The same of the work of friction, over the largest of all contacts, or of the largest way that a
 // row has slid, whichever changes by more. `solution` and `b` are of the later walk.
-double slip_change(const Scene& scene, const contact::ContactSystem::Problem& problem,
-                   const contact::ContactSystem::Solution& solution, const FrictionMemory& a,
-                   const FrictionMemory& b) {
+double slip_change(const Scene& scene, const contact::ContactSystem::IncrementProblem& problem,
+                   const contact::ContactSystem::IncrementSolution& solution,
+                   const FrictionMemory& a, const FrictionMemory& b) {
   double motion = 0.0;
   for (const base::Vector& u : solution.u) {
     motion = std::max(motion, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
@@ -150,10 +150,10 @@ solve::ContactSettings settings_of(const model::Model& model) {
 
 } // namespace
 
-std::optional<contact::ContactSystem::Solution> StepSolver::walk(const StepFactors& from,
-                                                                 const model::Step& step,
-                                                                 StepState& state,
-                                                                 base::Trouble& trouble) {
+std::optional<contact::ContactSystem::IncrementSolution> StepSolver::walk(const StepFactors& from,
+                                                                          const model::Step& step,
+                                                                          StepState& state,
+                                                                          base::Trouble& trouble) {
   Walk way{.from = from, .to = factors_, .problem = problem(), .solution = {}};
   const bool rubs = !way.problem.friction.empty();
   if (rubs) {
@@ -209,7 +209,7 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
     return false;
   }
   for (;;) {
-    const contact::ContactSystem::Solution last = std::move(walk.solution);
+    const contact::ContactSystem::IncrementSolution last = std::move(walk.solution);
     const FrictionMemory slipped = history_.memory();
     if (!march(walk, start, cut.now, trouble)) {
       return false;
@@ -284,7 +284,7 @@ void StepSolver::go_back(const Place& place) {
   history_.go_back(place.friction);
 }
 
-std::optional<contact::ContactSystem::Solution>
+std::optional<contact::ContactSystem::IncrementSolution>
 StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble) {
   Walk way{.from = factors_, .to = to, .problem = {}, .solution = {}, .seen = &seen};
   for (int k = 0; k < increments; ++k) {
@@ -297,7 +297,7 @@ StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base:
   return std::move(way.solution);
 }
 
-std::optional<StepState> StepSolver::recover(contact::ContactSystem::Solution solution,
+std::optional<StepState> StepSolver::recover(contact::ContactSystem::IncrementSolution solution,
                                              base::Trouble& trouble) {
   StepState state = begin_state();
   if (!accept(solution, problem(), state, trouble) ||

@@ -8,14 +8,14 @@
 
 namespace spricka::contact {
 
-struct Box {
+struct ContactBoundingBox {
   base::Vec3 low, high;
 };
 
 /// Boxes in a tree, so that those which a box meets are found without asking all.
 class BoxTree {
 public:
-  explicit BoxTree(const std::vector<Box>& boxes);
+  explicit BoxTree(const std::vector<ContactBoundingBox>& boxes);
   ~BoxTree();
   BoxTree(BoxTree&&) noexcept;
   BoxTree& operator=(BoxTree&&) noexcept;
@@ -23,7 +23,7 @@ public:
   BoxTree& operator=(const BoxTree&) = delete;
 
   /// Those that `box` meets, ascending.
-  [[nodiscard]] std::vector<std::size_t> met_by(const Box& box) const;
+  [[nodiscard]] std::vector<std::size_t> overlapping_boxes(const ContactBoundingBox& box) const;
 
 private:
   struct Tree;

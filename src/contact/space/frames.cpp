@@ -5,23 +5,23 @@
 
 namespace spricka::contact {
 
-Frames::Frames(const SpaceSurface& surface) {
+SurfaceFrames::SurfaceFrames(const SpaceSurface& surface) {
   std::vector<Vec3> most(surface.rounds.size(), Vec3::Zero()); // |n| along x, y, z
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     const SolidFace& face = surface.faces[f];
-    const FacePoint centre = point_on(face, centre_r(face.shape));
+    const SolidFacePoint centre = point_on(face, centre_local_coordinates(face.shape));
     Vec3& part = most[surface.part[f]];
     part = part.cwiseMax(surface_normal(surface, f, centre).cwiseAbs());
   }
   for (std::size_t p = 0; p < most.size(); ++p) {
-    const std::optional<Round>& round = surface.rounds[p];
+    const std::optional<AnalyticShape>& round = surface.rounds[p];
     Eigen::Index least = 0;
     most[p].minCoeff(&least);
     axis_.push_back(round && has_axis(*round) ? round->axis : Vec3(Vec3::Unit(least)));
   }
 }
 
-std::array<Vec3, 3> Frames::at(std::size_t part, const Vec3& n) const {
+std::array<Vec3, 3> SurfaceFrames::at(std::size_t part, const Vec3& n) const {
   constexpr double along_normal = 1e-6; // a part all round: where the axis leaves it any will do
   const Vec3& a = axis_[part];
   const Vec3 across = a - a.dot(n) * n;

@@ -22,13 +22,13 @@ double angle_of(const Vec3& a, const Vec3& b) {
 
 // The place of a triangle that is nearest to a point: which of its features it is on, and where
 // (Ericson 2005, section 5.1.5).
-struct Nearest {
+struct NearestTriangleFeature {
   Vec3 x = Vec3::Zero();
   int corner = -1; ///< it is this corner
   int side = -1;   ///< or lies on this side; neither: within
 };
 
-Nearest nearest_on(const std::array<Vec3, 3>& t, const Vec3& x) {
+NearestTriangleFeature nearest_on(const std::array<Vec3, 3>& t, const Vec3& x) {
   const Vec3 ab = t[1] - t[0];
   const Vec3 ac = t[2] - t[0];
   const double d1 = ab.dot(x - t[0]);
@@ -63,14 +63,16 @@ Nearest nearest_on(const std::array<Vec3, 3>& t, const Vec3& x) {
 
 } // namespace
 
-Hull::Hull(const model::Mesh& mesh, const std::vector<model::Face>& faces, const base::Vector& u)
+BoundaryTriangulation::BoundaryTriangulation(const model::Mesh& mesh,
+                                             const std::vector<model::Face>& faces,
+                                             const base::Vector& u)
     : tree_({}), low_(Vec3::Constant(std::numeric_limits<double>::infinity())), high_(-low_) {
   std::vector<std::array<base::NodeId, 3>> nodes;
-  std::vector<Box> boxes;
+  std::vector<ContactBoundingBox> boxes;
   for (const model::Face& side : faces) {
     const SolidFace face = make_solid_face(mesh, side);
-    for (const FaceTriangle& t : triangles_of(face.shape)) {
-      Piece piece;
+    for (const FaceTriangle& t : face_triangles(face.shape)) {
+      BoundaryTriangle piece;
       std::array<base::NodeId, 3>& own = nodes.emplace_back();
       for (std::size_t i = 0; i < own.size(); ++i) {
         own[i] = face.nodes[static_cast<std::size_t>(t[i])];
@@ -79,8 +81,8 @@ Hull::Hull(const model::Mesh& mesh, const std::vector<model::Face>& faces, const
           piece.x[i] += u.segment<3>(3 * static_cast<Eigen::Index>(own[i].index()));
         }
       }
-      const Box box{piece.x[0].cwiseMin(piece.x[1]).cwiseMin(piece.x[2]),
-                    piece.x[0].cwiseMax(piece.x[1]).cwiseMax(piece.x[2])};
+      const ContactBoundingBox box{piece.x[0].cwiseMin(piece.x[1]).cwiseMin(piece.x[2]),
+                                   piece.x[0].cwiseMax(piece.x[1]).cwiseMax(piece.x[2])};
       low_ = low_.cwiseMin(box.low);
       high_ = high_.cwiseMax(box.high);
       boxes.push_back(box);
@@ -95,12 +97,12 @@ Hull::Hull(const model::Mesh& mesh, const std::vector<model::Face>& faces, const
 }
 
 // Sums of normals at corners, each by its angle, and at sides.
-void Hull::join(const std::vector<std::array<base::NodeId, 3>>& nodes) {
+void BoundaryTriangulation::join(const std::vector<std::array<base::NodeId, 3>>& nodes) {
   std::map<base::NodeId, Vec3> at_corner;
   // Sides by their ends, so that the two triangles of one follow each other.
   std::vector<std::tuple<base::NodeId, base::NodeId, std::size_t, std::size_t>> sides;
   for (std::size_t t = 0; t < pieces_.size(); ++t) {
-    Piece& piece = pieces_[t];
+    BoundaryTriangle& piece = pieces_[t];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
       const double angle = angle_of(piece.x[next] - piece.x[i], piece.x[(i + 2) % 3] - piece.x[i]);
@@ -139,7 +141,7 @@ void Hull::join(const std::vector<std::array<base::NodeId, 3>>& nodes) {
   }
   // Of triangles of one face two may lie in a plane: the curve above is that beside them.
   std::vector<double> rise;
-  std::ranges::transform(pieces_, std::back_inserter(rise), &Piece::rise);
+  std::ranges::transform(pieces_, std::back_inserter(rise), &BoundaryTriangle::rise);
   for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
     const auto& [a, b, t, i] = sides[k];
     const auto& [c, d, s, j] = sides[k + 1];
@@ -150,23 +152,25 @@ void Hull::join(const std::vector<std::array<base::NodeId, 3>>& nodes) {
   }
 }
 
-std::optional<HullPlace> Hull::nearest(const Vec3& x, double reach) const {
+std::optional<TriangulationDistance> BoundaryTriangulation::signed_distance(const Vec3& x,
+                                                                            double reach) const {
   // Twice as far each time: most places have something near, or nothing for a long way.
   for (double near = std::min(size_, reach);; near = std::min(2.0 * near, reach)) {
-    const std::optional<HullPlace> found = nearest_within(x, near);
+    const std::optional<TriangulationDistance> found = nearest_within(x, near);
     if (found || near >= reach) {
       return found;
     }
   }
 }
 
-std::optional<HullPlace> Hull::nearest_within(const Vec3& x, double reach) const {
-  std::optional<HullPlace> found;
+std::optional<TriangulationDistance> BoundaryTriangulation::nearest_within(const Vec3& x,
+                                                                           double reach) const {
+  std::optional<TriangulationDistance> found;
   double best = reach;
   const Vec3 r = Vec3::Constant(reach);
-  for (const std::size_t t : tree_.met_by({x - r, x + r})) {
-    const Piece& piece = pieces_[t];
-    const Nearest at = nearest_on(piece.x, x);
+  for (const std::size_t t : tree_.overlapping_boxes({x - r, x + r})) {
+    const BoundaryTriangle& piece = pieces_[t];
+    const NearestTriangleFeature at = nearest_on(piece.x, x);
     const Vec3 off = x - at.x;
     if (!(off.norm() <= best)) {
       continue;
@@ -175,7 +179,7 @@ std::optional<HullPlace> Hull::nearest_within(const Vec3& x, double reach) const
     const Vec3& n = at.corner >= 0 ? piece.at_corner[static_cast<std::size_t>(at.corner)]
                     : at.side >= 0 ? piece.at_side[static_cast<std::size_t>(at.side)]
                                    : piece.normal;
-    found = HullPlace{off.dot(n) < 0.0 ? -best : best, piece.rise};
+    found = TriangulationDistance{off.dot(n) < 0.0 ? -best : best, piece.rise};
   }
   return found;
 }

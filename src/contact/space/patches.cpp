@@ -18,7 +18,8 @@ using Edge3 = std::pair<base::NodeId, base::NodeId>; ///< corners, the smaller f
 
 // Unit normal of a face in the middle between two corners that follow one another.
 Vec3 normal_on_edge(const SolidFace& face, int corner, int next) {
-  const Vec2 r = 0.5 * (node_r(face.shape, corner) + node_r(face.shape, next));
+  const Vec2 r =
+      0.5 * (node_local_coordinates(face.shape, corner) + node_local_coordinates(face.shape, next));
   return point_on(face, r).area_vector().normalized();
 }
 

@@ -16,8 +16,8 @@ constexpr int triangle_degree = 7;
 
 } // namespace
 
-Round rigid_round(const model::RigidTarget& rigid) {
-  Round round;
+AnalyticShape rigid_target_shape(const model::RigidTarget& rigid) {
+  AnalyticShape round;
   round.point = rigid.first;
   round.exact = true;
   round.sense = rigid.radius < 0.0 || rigid.second_radius < 0.0 ? -1.0 : 1.0;
@@ -25,48 +25,50 @@ Round rigid_round(const model::RigidTarget& rigid) {
   const Vec3 along = rigid.second - rigid.first;
   switch (rigid.shape) {
   case model::RigidTargetShape::sphere:
-    round.kind = RoundKind::sphere;
+    round.kind = AnalyticShapeKind::sphere;
     return round;
   case model::RigidTargetShape::cylinder:
-    round.kind = RoundKind::cylinder;
+    round.kind = AnalyticShapeKind::cylinder;
     break;
   case model::RigidTargetShape::cone:
-    round.kind = RoundKind::cone;
+    round.kind = AnalyticShapeKind::cone;
     round.slope = (std::abs(rigid.second_radius) - round.radius) / along.norm();
     break;
   default:
-    round.kind = RoundKind::plane;
+    round.kind = AnalyticShapeKind::plane;
     break;
   }
   round.axis = along.normalized();
   return round;
 }
 
-Sight see_rigid(const SpaceSurface& contact, const Round& target, const SurfaceTriangle& triangle) {
+ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const AnalyticShape& target,
+                                     const SurfaceTriangle& triangle) {
   const SolidFace& face = contact.faces[triangle.face];
   std::array<Vec2, 3> r;
   for (std::size_t i = 0; i < r.size(); ++i) {
-    r[i] = node_r(face.shape, triangle.node[i]);
+    r[i] = node_local_coordinates(face.shape, triangle.node[i]);
   }
   const Vec2 a = r[1] - r[0];
   const Vec2 b = r[2] - r[0];
   const double r_area2 = a.x() * b.y() - a.y() * b.x();
   const double reach = farthest_opposite * contact.extent;
-  Sight sight;
+  ProjectedTriangle sight;
   for (const auto& [q, weight] : shape::triangle_rule(triangle_degree)) {
-    SightPoint p;
+    ProjectionPoint p;
     p.hat = Eigen::Vector3d(1.0 - q[0] - q[1], q[0], q[1]);
     p.r = r[0] + q[0] * a + q[1] * b;
-    const FacePoint here = point_on(face, p.r);
+    const SolidFacePoint here = point_on(face, p.r);
     p.x = here.x;
     p.weight = weight * r_area2 * here.area_vector().norm();
     sight.whole += p.weight * p.hat;
     // A motion along the normal closes the gap.
     p.normal = -outer_normal(target, p.x);
     p.turn = here.area_vector().normalized().dot(p.normal);
-    p.gap = beyond_digits(target.sense * distance_to(target, p.x), p.x.cwiseAbs().maxCoeff());
+    p.gap = zero_round_off(target.sense * distance_to(target, p.x), p.x.cwiseAbs().maxCoeff());
     p.round_gap = p.gap;
-    if (const std::optional<Round>& own = contact.round_of(triangle.face); own && own->exact) {
+    if (const std::optional<AnalyticShape>& own = contact.analytic_shape(triangle.face);
+        own && own->exact) {
       // Where the faces were the shape they stand for: along the target's normal.
       p.round_gap -= distance_along(*own, p.x, p.normal).value_or(0.0);
     }

@@ -10,11 +10,12 @@ namespace spricka::contact {
 
 /// The shape of a rigid target; `sense` is +1 where it is solid within (a shaft, a ball), -1 where
 /// it is a bore or a socket; a plane is solid behind its normal, which looks at the body.
-Round rigid_round(const model::RigidTarget& rigid);
+AnalyticShape rigid_target_shape(const model::RigidTarget& rigid);
 
 /// What a triangle of the contact surface sees of a rigid target: all of it that looks at the
 /// target from no farther than a fifth of the surface's extent, point by point. Normals are the
 /// target's.
-Sight see_rigid(const SpaceSurface& contact, const Round& target, const SurfaceTriangle& triangle);
+ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const AnalyticShape& target,
+                                     const SurfaceTriangle& triangle);
 
 } // namespace spricka::contact

@@ -18,7 +18,7 @@ struct AboutAxis {
   double along = 0.0;
 };
 
-AboutAxis about(const Round& round, const Vec3& x) {
+AboutAxis about(const AnalyticShape& round, const Vec3& x) {
   const Vec3 d = x - round.point;
   AboutAxis at;
   at.along = d.dot(round.axis);
@@ -32,43 +32,43 @@ AboutAxis about(const Round& round, const Vec3& x) {
 
 } // namespace
 
-double distance_to(const Round& round, const Vec3& x) {
+double distance_to(const AnalyticShape& round, const Vec3& x) {
   switch (round.kind) {
-  case RoundKind::plane:
+  case AnalyticShapeKind::plane:
     return (x - round.point).dot(round.axis);
-  case RoundKind::sphere:
+  case AnalyticShapeKind::sphere:
     return (x - round.point).norm() - round.radius;
-  case RoundKind::cylinder:
-  case RoundKind::cone:
+  case AnalyticShapeKind::cylinder:
+  case AnalyticShapeKind::cone:
     break;
   }
   const AboutAxis at = about(round, x);
   return (at.radius - round.radius - round.slope * at.along) / std::hypot(1.0, round.slope);
 }
 
-Vec3 gradient_at(const Round& round, const Vec3& x) {
+Vec3 distance_gradient(const AnalyticShape& round, const Vec3& x) {
   switch (round.kind) {
-  case RoundKind::plane:
+  case AnalyticShapeKind::plane:
     return round.axis;
-  case RoundKind::sphere:
+  case AnalyticShapeKind::sphere:
     return (x - round.point).normalized();
-  case RoundKind::cylinder:
-  case RoundKind::cone:
+  case AnalyticShapeKind::cylinder:
+  case AnalyticShapeKind::cone:
     break;
   }
   return (about(round, x).radial - round.slope * round.axis) / std::hypot(1.0, round.slope);
 }
 
-Vec3 outer_normal(const Round& round, const Vec3& x) {
-  return round.sense * gradient_at(round, x);
+Vec3 outer_normal(const AnalyticShape& round, const Vec3& x) {
+  return round.sense * distance_gradient(round, x);
 }
 
-std::optional<double> distance_along(const Round& round, const Vec3& x, const Vec3& n) {
+std::optional<double> distance_along(const AnalyticShape& round, const Vec3& x, const Vec3& n) {
   constexpr int most_steps = 20;
   double g = 0.0;
   for (int i = 0; i < most_steps; ++i) {
     const Vec3 y = x + g * n;
-    const double along = gradient_at(round, y).dot(n);
+    const double along = distance_gradient(round, y).dot(n);
     if (std::abs(along) < 0.5) {
       return std::nullopt;
     }
@@ -81,11 +81,11 @@ std::optional<double> distance_along(const Round& round, const Vec3& x, const Ve
   return g;
 }
 
-bool has_axis(const Round& round) {
-  return round.kind == RoundKind::cylinder || round.kind == RoundKind::cone;
+bool has_axis(const AnalyticShape& round) {
+  return round.kind == AnalyticShapeKind::cylinder || round.kind == AnalyticShapeKind::cone;
 }
 
-RoundPlace place_on(const Round& round, const Vec3& x) {
+CylindricalCoordinates cylindrical_coordinates(const AnalyticShape& round, const Vec3& x) {
   if (!has_axis(round)) {
     return {};
   }

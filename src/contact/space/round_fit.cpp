@@ -48,7 +48,7 @@ Vec3 snapped(const Vec3& x, double extent) {
   return {snapped(x.x(), extent), snapped(x.y(), extent), snapped(x.z(), extent)};
 }
 
-double farthest_off(const Round& round, const std::vector<Vec3>& points) {
+double farthest_off(const AnalyticShape& round, const std::vector<Vec3>& points) {
   double most = 0.0;
   for (const Vec3& p : points) {
     most = std::max(most, std::abs(distance_to(round, p)));
@@ -56,9 +56,9 @@ double farthest_off(const Round& round, const std::vector<Vec3>& points) {
   return most;
 }
 
-std::optional<Round> fit_plane(const std::vector<Vec3>& points, double extent) {
-  Round plane;
-  plane.kind = RoundKind::plane;
+std::optional<AnalyticShape> fit_plane(const std::vector<Vec3>& points, double extent) {
+  AnalyticShape plane;
+  plane.kind = AnalyticShapeKind::plane;
   const Vec3 mean = mean_of(points);
   Vec3 n = snapped(least_direction(points, mean), 1.0).normalized();
   Eigen::Index largest = 0;
@@ -72,12 +72,12 @@ std::optional<Round> fit_plane(const std::vector<Vec3>& points, double extent) {
 
 // Kasa's fit: |x|^2 = 2 c.x + (r^2 - |c|^2) in the least-squares sense, about the mean. `across`:
 // in the directions of these columns only, a sphere in three, a circle in two.
-struct Ball {
+struct FittedSphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
 };
-std::optional<Ball> fit_ball(const std::vector<Vec3>& points, double extent,
-                             const Eigen::Matrix<double, 3, Eigen::Dynamic>& across) {
+std::optional<FittedSphere> fit_ball(const std::vector<Vec3>& points, double extent,
+                                     const Eigen::Matrix<double, 3, Eigen::Dynamic>& across) {
   const Vec3 mean = mean_of(points);
   const Eigen::Index dim = across.cols();
   Eigen::MatrixXd A(static_cast<Eigen::Index>(points.size()), dim + 1);
@@ -94,16 +94,17 @@ std::optional<Ball> fit_ball(const std::vector<Vec3>& points, double extent,
   }
   const base::Vector s = base::least_squares(A, rhs);
   const double square = s[dim] + s.head(dim).squaredNorm();
-  return Ball{mean + extent * (across * s.head(dim)), extent * std::sqrt(std::max(0.0, square))};
+  return FittedSphere{mean + extent * (across * s.head(dim)),
+                      extent * std::sqrt(std::max(0.0, square))};
 }
 
-std::optional<Round> fit_sphere(const std::vector<Vec3>& points, double extent) {
-  const std::optional<Ball> ball = fit_ball(points, extent, Eigen::Matrix3d::Identity());
+std::optional<AnalyticShape> fit_sphere(const std::vector<Vec3>& points, double extent) {
+  const std::optional<FittedSphere> ball = fit_ball(points, extent, Eigen::Matrix3d::Identity());
   if (!ball) {
     return std::nullopt;
   }
-  Round sphere;
-  sphere.kind = RoundKind::sphere;
+  AnalyticShape sphere;
+  sphere.kind = AnalyticShapeKind::sphere;
   sphere.point = snapped(ball->centre, extent);
   sphere.radius = snapped(ball->radius, extent);
   return sphere;
@@ -111,9 +112,9 @@ std::optional<Round> fit_sphere(const std::vector<Vec3>& points, double extent) 
 
 // Distances to a cylinder or cone made least by Gauss and Newton: the point and the axis may move
 // across the axis, the radius and, of a cone, the slope change.
-void refine(const std::vector<Vec3>& points, Round& round) {
+void refine(const std::vector<Vec3>& points, AnalyticShape& round) {
   constexpr int most_steps = 30;
-  const Eigen::Index unknowns = round.kind == RoundKind::cone ? 6 : 5;
+  const Eigen::Index unknowns = round.kind == AnalyticShapeKind::cone ? 6 : 5;
   Eigen::MatrixXd J(static_cast<Eigen::Index>(points.size()), unknowns);
   base::Vector r(J.rows());
   for (int step = 0; step < most_steps; ++step) {
@@ -145,10 +146,11 @@ void refine(const std::vector<Vec3>& points, Round& round) {
 
 // The same shape by one set of numbers: the axis points up its largest part, a cone's the way it
 // widens; the point is that nearest to the origin, of a cone too.
-Round tidied(Round round, double extent) {
+AnalyticShape tidied(AnalyticShape round, double extent) {
   Eigen::Index largest = 0;
   round.axis.cwiseAbs().maxCoeff(&largest);
-  const bool flip = round.kind == RoundKind::cone ? round.slope < 0.0 : round.axis[largest] < 0.0;
+  const bool flip =
+      round.kind == AnalyticShapeKind::cone ? round.slope < 0.0 : round.axis[largest] < 0.0;
   if (flip) {
     round.axis = -round.axis;
     round.slope = -round.slope;
@@ -161,17 +163,17 @@ Round tidied(Round round, double extent) {
   return round;
 }
 
-std::optional<Round> fit_about_axis(RoundKind kind, const std::vector<Vec3>& points,
-                                    const std::vector<Vec3>& normals, double extent) {
-  Round round;
+std::optional<AnalyticShape> fit_about_axis(AnalyticShapeKind kind, const std::vector<Vec3>& points,
+                                            const std::vector<Vec3>& normals, double extent) {
+  AnalyticShape round;
   round.kind = kind;
   // Normals of a cylinder lie in a plane across its axis, those of a cone end in one.
-  const Vec3 about = kind == RoundKind::cone ? mean_of(normals) : Vec3::Zero();
+  const Vec3 about = kind == AnalyticShapeKind::cone ? mean_of(normals) : Vec3::Zero();
   round.axis = least_direction(normals, about);
   Eigen::Matrix<double, 3, 2> across;
   across.col(0) = round.axis.unitOrthogonal();
   across.col(1) = round.axis.cross(Vec3(across.col(0)));
-  const std::optional<Ball> ball = fit_ball(points, extent, across);
+  const std::optional<FittedSphere> ball = fit_ball(points, extent, across);
   if (!ball) {
     return std::nullopt;
   }
@@ -181,23 +183,24 @@ std::optional<Round> fit_about_axis(RoundKind kind, const std::vector<Vec3>& poi
   return tidied(round, extent);
 }
 
-bool fits(const std::vector<Vec3>& points, double extent, Round& round) {
+bool fits(const std::vector<Vec3>& points, double extent, AnalyticShape& round) {
   const double off = farthest_off(round, points);
   // A cone's radius at its point says nothing of its size.
-  const double size = round.kind == RoundKind::cone ? extent : round.radius;
+  const double size = round.kind == AnalyticShapeKind::cone ? extent : round.radius;
   round.exact = off <= is_exact * size;
   return off <= is_round * size && size > 0.0 && size < widest * extent;
 }
 
 } // namespace
 
-std::optional<Round> fit_round(const std::vector<Vec3>& points,
-                               const std::vector<NormalAt>& normals, double extent) {
+std::optional<AnalyticShape> fit_analytic_shape(const std::vector<Vec3>& points,
+                                                const std::vector<PointNormal>& normals,
+                                                double extent) {
   if (points.size() < 3 || normals.empty() || !(extent > 0.0)) {
     return std::nullopt;
   }
-  std::optional<Round> found = fit_plane(points, extent);
-  const auto tried = [&](std::optional<Round> round) {
+  std::optional<AnalyticShape> found = fit_plane(points, extent);
+  const auto tried = [&](std::optional<AnalyticShape> round) {
     if (!found && round && fits(points, extent, *round)) {
       found = round;
     }
@@ -206,15 +209,15 @@ std::optional<Round> fit_round(const std::vector<Vec3>& points,
     tried(fit_sphere(points, extent));
     std::vector<Vec3> directions;
     directions.reserve(normals.size());
-    for (const NormalAt& at : normals) {
+    for (const PointNormal& at : normals) {
       directions.push_back(at.normal);
     }
-    tried(fit_about_axis(RoundKind::cylinder, points, directions, extent));
-    tried(fit_about_axis(RoundKind::cone, points, directions, extent));
+    tried(fit_about_axis(AnalyticShapeKind::cylinder, points, directions, extent));
+    tried(fit_about_axis(AnalyticShapeKind::cone, points, directions, extent));
   }
   double outward = 0.0;
-  for (const NormalAt& at : normals) {
-    outward += found ? at.normal.dot(gradient_at(*found, at.x)) : 0.0;
+  for (const PointNormal& at : normals) {
+    outward += found ? at.normal.dot(distance_gradient(*found, at.x)) : 0.0;
   }
   if (found) {
     found->sense = outward < 0.0 ? -1.0 : 1.0;

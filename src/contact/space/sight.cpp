@@ -28,16 +28,17 @@ std::array<Vec3, 3> corners_of(const SpaceSurface& surface, const SurfaceTriangl
 
 std::array<Vec2, 3> places_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
   const base::ElementType shape = surface.faces[t.face].shape;
-  return {node_r(shape, t.node[0]), node_r(shape, t.node[1]), node_r(shape, t.node[2])};
+  return {node_local_coordinates(shape, t.node[0]), node_local_coordinates(shape, t.node[1]),
+          node_local_coordinates(shape, t.node[2])};
 }
 
-Box box_of(const std::array<Vec3, 3>& x, double wider) {
+ContactBoundingBox box_of(const std::array<Vec3, 3>& x, double wider) {
   const Vec3 more = Vec3::Constant(wider);
   return {x[0].cwiseMin(x[1]).cwiseMin(x[2]) - more, x[0].cwiseMax(x[1]).cwiseMax(x[2]) + more};
 }
 
-std::vector<Box> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
-  std::vector<Box> boxes;
+std::vector<ContactBoundingBox> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
+  std::vector<ContactBoundingBox> boxes;
   boxes.reserve(triangles.size());
   for (const std::array<Vec3, 3>& x : triangles) {
     boxes.push_back(box_of(x, 0.0));
@@ -51,14 +52,14 @@ Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
 
 // How far along n the shape that a surface's nodes lie on is from a point of its faces.
 double to_round(const SpaceSurface& surface, std::size_t face, const Vec3& x, const Vec3& n) {
-  const std::optional<Round>& round = surface.round_of(face);
+  const std::optional<AnalyticShape>& round = surface.analytic_shape(face);
   return round && round->exact ? distance_along(*round, x, n).value_or(0.0) : 0.0;
 }
 
 } // namespace
 
 // A triangle of the contact surface and the plane through its corners.
-struct Sighting::Frame {
+struct SurfaceProjection::Frame {
   const SolidFace& face;
   std::size_t number = 0; ///< of the face
   std::array<Vec3, 3> x;
@@ -86,25 +87,26 @@ struct Sighting::Frame {
   [[nodiscard]] double height(const Vec3& y) const { return (y - x[0]).dot(n); }
 };
 
-Sighting::Sighting(const SpaceSurface& contact, const SpaceSurface& target, double farther)
+SurfaceProjection::SurfaceProjection(const SpaceSurface& contact, const SpaceSurface& target,
+                                     double farther)
     : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther),
       tree_({}) {
   for (const SurfaceTriangle& t : target.triangles) {
     corner_.push_back(corners_of(target, t));
   }
-  const std::vector<Box> boxes = boxes_of(corner_);
-  for (const Box& box : boxes) {
+  const std::vector<ContactBoundingBox> boxes = boxes_of(corner_);
+  for (const ContactBoundingBox& box : boxes) {
     size_ += (box.high - box.low).norm() / static_cast<double>(boxes.size());
   }
   tree_ = BoxTree(boxes);
 }
 
-bool Sighting::meet(std::size_t face, SightPoint& point) const {
+bool SurfaceProjection::meet(std::size_t face, ProjectionPoint& point) const {
   constexpr int most_steps = 12;
   constexpr double beyond = 0.3; // of a face's own size: rays beside it meet its continuation
   const SolidFace& target = target_.faces[face];
   double g = 0.0;
-  FacePoint y = point_on(target, point.s);
+  SolidFacePoint y = point_on(target, point.s);
   double last = std::numeric_limits<double>::infinity();
   double size = last;
   for (int i = 0; i < most_steps; ++i) {
@@ -125,12 +127,13 @@ bool Sighting::meet(std::size_t face, SightPoint& point) const {
   }
   const Vec3 back = y.area_vector();
   point.turn = -back.normalized().dot(point.normal);
-  point.gap = beyond_digits(g, point.x.cwiseAbs().maxCoeff());
-  return size < 1e-6 && outside(target.shape, point.s) <= beyond && point.turn > 0.0 &&
+  point.gap = zero_round_off(g, point.x.cwiseAbs().maxCoeff());
+  return size < 1e-6 && distance_outside(target.shape, point.s) <= beyond && point.turn > 0.0 &&
          std::abs(g) <= reach_;
 }
 
-void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) const {
+void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
+                                   ProjectedTriangle& sight) const {
   const std::array<Vec3, 3>& y = corner_[target];
   const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
   const auto [low, high] = std::ranges::minmax(height);
@@ -156,17 +159,17 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
     bool met = false;
     for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
       const Vec2 at = mixed(piece, {1.0 - q[0] - q[1], q[0], q[1]});
-      SightPoint point;
+      ProjectionPoint point;
       point.target = t.face;
       point.hat = barycentric(frame.flat, at);
       point.r = mixed(frame.r, point.hat);
       point.s = mixed(s, barycentric(flat, at));
-      const FacePoint here = point_on(frame.face, point.r);
+      const SolidFacePoint here = point_on(frame.face, point.r);
       point.x = here.x;
       point.normal = surface_normal(contact_, frame.number, here);
       point.weight = weight * here.area_vector().norm() * area2 * frame.r_area2 / frame.area2;
       if (!meet(t.face, point)) {
-        sight.lost += point.weight;
+        sight.unprojected_area += point.weight;
         continue;
       }
       met = true;
@@ -178,23 +181,25 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
   }
 }
 
-std::optional<SightPoint> Sighting::look(const Vec3& x, const Vec3& n) const {
+std::optional<ProjectionPoint> SurfaceProjection::project_along_normal(const Vec3& x,
+                                                                       const Vec3& n) const {
   // Twice as far each time: most points have the target right before them.
   for (double far = size_ > 0.0 ? std::min(size_, reach_) : reach_;;
        far = std::min(2.0 * far, reach_)) {
-    std::optional<SightPoint> found = look_as_far(x, n, far);
+    std::optional<ProjectionPoint> found = look_as_far(x, n, far);
     if ((found && std::abs(found->gap) <= far) || !(far < reach_)) {
       return found;
     }
   }
 }
 
-std::optional<SightPoint> Sighting::look_as_far(const Vec3& x, const Vec3& n, double far) const {
+std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec3& n,
+                                                              double far) const {
   constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
   constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
-  std::optional<SightPoint> found;
-  for (const std::size_t t : tree_.met_by({x - up, x + up})) {
+  std::optional<ProjectionPoint> found;
+  for (const std::size_t t : tree_.overlapping_boxes({x - up, x + up})) {
     const std::array<Vec3, 3>& y = corner_[t];
     Eigen::Matrix3d J;
     J << y[1] - y[0], y[2] - y[0], -n;
@@ -203,12 +208,13 @@ std::optional<SightPoint> Sighting::look_as_far(const Vec3& x, const Vec3& n, do
       continue;
     }
     const std::array<Vec2, 3> s = places_of(target_, target_.triangles[t]);
-    SightPoint point;
+    ProjectionPoint point;
     point.target = target_.triangles[t].face;
     point.x = x;
     point.normal = n;
     point.s = mixed(s, {1.0 - b[0] - b[1], b[0], b[1]});
-    if (meet(point.target, point) && outside(target_.faces[point.target].shape, point.s) <= on &&
+    if (meet(point.target, point) &&
+        distance_outside(target_.faces[point.target].shape, point.s) <= on &&
         (!found || std::abs(point.gap) < std::abs(found->gap))) {
       found = point;
     }
@@ -216,21 +222,21 @@ std::optional<SightPoint> Sighting::look_as_far(const Vec3& x, const Vec3& n, do
   return found;
 }
 
-Sight Sighting::see(const SurfaceTriangle& triangle) const {
+ProjectedTriangle SurfaceProjection::project_triangle(const SurfaceTriangle& triangle) const {
   const Frame frame(contact_, triangle);
-  Sight sight;
+  ProjectedTriangle sight;
   sight.flat_area = 0.5 * frame.area2;
   for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
     const Eigen::Vector3d hat(1.0 - q[0] - q[1], q[0], q[1]);
-    const FacePoint here = point_on(frame.face, mixed(frame.r, hat));
+    const SolidFacePoint here = point_on(frame.face, mixed(frame.r, hat));
     sight.whole += weight * frame.r_area2 * here.area_vector().norm() * hat;
   }
   // The prism over the triangle, as far as a target may lie off.
   const Vec3 up = reach_ * frame.n.cwiseAbs();
-  Box box = box_of(frame.x, 0.0);
+  ContactBoundingBox box = box_of(frame.x, 0.0);
   box.low -= up;
   box.high += up;
-  for (const std::size_t t : tree_.met_by(box)) {
+  for (const std::size_t t : tree_.overlapping_boxes(box)) {
     see_target(frame, t, sight);
   }
   return sight;

@@ -13,7 +13,7 @@
 namespace spricka::contact {
 
 /// One integration point of a triangle.
-struct SightPoint {
+struct ProjectionPoint {
   std::size_t target = 0;                        ///< face of the target that lies opposite
   Vec2 r = Vec2::Zero();                         ///< on the triangle's face
   Vec2 s = Vec2::Zero();                         ///< on the target's
@@ -27,37 +27,38 @@ struct SightPoint {
   double round_gap = 0.0;
 };
 
-struct Sight {
-  std::vector<SightPoint> points; ///< target face by target face
+struct ProjectedTriangle {
+  std::vector<ProjectionPoint> points; ///< target face by target face
   /// Integrals of the three hats over all of the triangle, whether something lies opposite or not.
   Eigen::Vector3d whole = Eigen::Vector3d::Zero();
-  double flat_area = 0.0; ///< of the plane triangle between the corners
-  double flat_seen = 0.0; ///< of it, what is covered; more than all: covered twice
-  double lost = 0.0;      ///< area of points whose normal met no target though it should
+  double flat_area = 0.0;        ///< of the plane triangle between the corners
+  double flat_seen = 0.0;        ///< of it, what is covered; more than all: covered twice
+  double unprojected_area = 0.0; ///< area of points whose normal met no target though it should
 };
 
 /// A target made ready to be looked for.
-class Sighting {
+class SurfaceProjection {
 public:
   /// Both must outlive this. What lies farther off than a fifth of the extent of `contact` is not
   /// opposite; `farther` [length] adds to that.
-  Sighting(const SpaceSurface& contact, const SpaceSurface& target, double farther = 0.0);
+  SurfaceProjection(const SpaceSurface& contact, const SpaceSurface& target, double farther = 0.0);
 
   /// What a triangle between nodes of a face of the contact surface sees: triangles of the target
   /// that look the other way, projected onto its plane and clipped; a degree 5 rule on each piece,
   /// its points on the curved faces; the target is met along the contact surface's normal.
-  [[nodiscard]] Sight see(const SurfaceTriangle& triangle) const;
+  [[nodiscard]] ProjectedTriangle project_triangle(const SurfaceTriangle& triangle) const;
   /// The target's nearest point on the line through x along the unit vector n, which leaves the
   /// contact surface; only target, s, gap, turn, x and normal are given.
-  [[nodiscard]] std::optional<SightPoint> look(const Vec3& x, const Vec3& n) const;
+  [[nodiscard]] std::optional<ProjectionPoint> project_along_normal(const Vec3& x,
+                                                                    const Vec3& n) const;
 
 private:
   struct Frame;
-  void see_target(const Frame& frame, std::size_t target, Sight& sight) const;
-  [[nodiscard]] bool meet(std::size_t face, SightPoint& point) const;
+  void see_target(const Frame& frame, std::size_t target, ProjectedTriangle& sight) const;
+  [[nodiscard]] bool meet(std::size_t face, ProjectionPoint& point) const;
   /// look(), no farther than `far` either way.
-  [[nodiscard]] std::optional<SightPoint> look_as_far(const Vec3& x, const Vec3& n,
-                                                      double far) const;
+  [[nodiscard]] std::optional<ProjectionPoint> look_as_far(const Vec3& x, const Vec3& n,
+                                                           double far) const;
 
   const SpaceSurface& contact_;
   const SpaceSurface& target_;

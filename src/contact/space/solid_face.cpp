@@ -44,28 +44,28 @@ FaceValues face_N(ElementType type, const Vec2& r) {
   return shape::reference_element<2>(type).N(r);
 }
 
-Vec3 FacePoint::area_vector() const {
+Vec3 SolidFacePoint::area_vector() const {
   return slope.col(0).cross(slope.col(1));
 }
 
-FacePoint point_on(const SolidFace& face, const Vec2& r) {
+SolidFacePoint point_on(const SolidFace& face, const Vec2& r) {
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
   return {face.X * element.N(r), face.X.lazyProduct(element.dN(r))};
 }
 
-Vec2 node_r(ElementType type, int node) {
+Vec2 node_local_coordinates(ElementType type, int node) {
   return shape::reference_element<2>(type).node_coordinates(node);
 }
 
-Vec2 centre_r(ElementType type) {
+Vec2 centre_local_coordinates(ElementType type) {
   return shape::reference_element<2>(type).centre();
 }
 
-double outside(ElementType type, const Vec2& r) {
+double distance_outside(ElementType type, const Vec2& r) {
   return shape::reference_element<2>(type).distance_outside(r);
 }
 
-double area_of(const SolidFace& face) {
+double face_area(const SolidFace& face) {
   const shape::ReferenceDomain domain = shape::reference_element<2>(face.shape).domain;
   double area = 0.0;
   for (const auto& [r, weight] : shape::quadrature<2>(domain, area_degree)) {
@@ -74,7 +74,7 @@ double area_of(const SolidFace& face) {
   return area;
 }
 
-std::span<const FaceTriangle> triangles_of(ElementType type) {
+std::span<const FaceTriangle> face_triangles(ElementType type) {
   switch (type) {
   case ElementType::trimc6:
     return triangles_of_6;
@@ -83,11 +83,11 @@ std::span<const FaceTriangle> triangles_of(ElementType type) {
   case ElementType::quamc9:
     return triangles_of_9;
   default:
-    return corner_triangles_of(type);
+    return face_corner_triangles(type);
   }
 }
 
-std::span<const FaceTriangle> corner_triangles_of(ElementType type) {
+std::span<const FaceTriangle> face_corner_triangles(ElementType type) {
   if (base::element_info(type).corners == 3) {
     return corners_of_triangle;
   }

@@ -31,28 +31,28 @@ SolidFace make_solid_face(const model::Mesh& mesh, const model::Face& face);
 FaceValues face_N(base::ElementType type, const Vec2& r);
 
 /// A point of a face: its place, dx/dr, and dx/dr1 x dx/dr2, which leaves the body.
-struct FacePoint {
+struct SolidFacePoint {
   Vec3 x = Vec3::Zero();
   Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();
   [[nodiscard]] Vec3 area_vector() const;
 };
-FacePoint point_on(const SolidFace& face, const Vec2& r);
+SolidFacePoint point_on(const SolidFace& face, const Vec2& r);
 
 /// Reference coordinates of a node of a face.
-Vec2 node_r(base::ElementType type, int node);
+Vec2 node_local_coordinates(base::ElementType type, int node);
 /// The middle of a face.
-Vec2 centre_r(base::ElementType type);
+Vec2 centre_local_coordinates(base::ElementType type);
 /// How far r lies outside a face, in units of its reference coordinates; negative inside.
-double outside(base::ElementType type, const Vec2& r);
+double distance_outside(base::ElementType type, const Vec2& r);
 /// Area of the curved face.
-double area_of(const SolidFace& face);
+double face_area(const SolidFace& face);
 
 /// Three nodes of a face, round the way the face's corners go.
 using FaceTriangle = std::array<int, 3>;
 /// A face cut into triangles: TRIM3 1, QUAM4 2, TRIMC6 4, QUAMC8 6, QUAMC9 8. Each node is a
 /// corner of some, so that hats on them are one function for each node.
-std::span<const FaceTriangle> triangles_of(base::ElementType type);
+std::span<const FaceTriangle> face_triangles(base::ElementType type);
 /// The same between the corners of the face only: 1 or 2.
-std::span<const FaceTriangle> corner_triangles_of(base::ElementType type);
+std::span<const FaceTriangle> face_corner_triangles(base::ElementType type);
 
 } // namespace spricka::contact

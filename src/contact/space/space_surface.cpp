@@ -14,15 +14,15 @@ namespace spricka::contact {
 
 namespace {
 
-std::optional<Round> shape_of(const model::Mesh& mesh, const SpaceSurface& surface,
-                              std::size_t part) {
+std::optional<AnalyticShape> shape_of(const model::Mesh& mesh, const SpaceSurface& surface,
+                                      std::size_t part) {
   std::set<base::NodeId> nodes;
-  std::vector<NormalAt> normals;
+  std::vector<PointNormal> normals;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     if (surface.part[f] == part) {
       const SolidFace& face = surface.faces[f];
       nodes.insert(face.nodes.begin(), face.nodes.end());
-      const FacePoint centre = point_on(face, centre_r(face.shape));
+      const SolidFacePoint centre = point_on(face, centre_local_coordinates(face.shape));
       normals.push_back({centre.x, centre.area_vector().normalized()});
     }
   }
@@ -31,7 +31,7 @@ std::optional<Round> shape_of(const model::Mesh& mesh, const SpaceSurface& surfa
   for (const base::NodeId n : nodes) {
     points.push_back(mesh.x[n.index()]);
   }
-  return fit_round(points, normals, surface.extent);
+  return fit_analytic_shape(points, normals, surface.extent);
 }
 
 } // namespace
@@ -45,8 +45,8 @@ SpaceSurface make_space_surface(const model::Mesh& mesh, const std::vector<model
     const SolidFace& own = surface.faces.emplace_back(make_solid_face(mesh, face));
     low = low.cwiseMin(own.X.rowwise().minCoeff());
     high = high.cwiseMax(own.X.rowwise().maxCoeff());
-    area += area_of(own);
-    for (const FaceTriangle& nodes : triangles_of(own.shape)) {
+    area += face_area(own);
+    for (const FaceTriangle& nodes : face_triangles(own.shape)) {
       surface.triangles.push_back({surface.faces.size() - 1, nodes});
     }
   }
@@ -66,16 +66,16 @@ SpaceSurface make_space_surface(const model::Mesh& mesh, const std::vector<model
 std::vector<SurfaceTriangle> corner_triangles(const SpaceSurface& surface) {
   std::vector<SurfaceTriangle> triangles;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    for (const FaceTriangle& nodes : corner_triangles_of(surface.faces[f].shape)) {
+    for (const FaceTriangle& nodes : face_corner_triangles(surface.faces[f].shape)) {
       triangles.push_back({f, nodes});
     }
   }
   return triangles;
 }
 
-Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const FacePoint& at) {
+Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const SolidFacePoint& at) {
   Vec3 n = at.area_vector().normalized();
-  const std::optional<Round>& round = surface.round_of(face);
+  const std::optional<AnalyticShape>& round = surface.analytic_shape(face);
   if (!round) {
     return n;
   }

@@ -18,14 +18,14 @@ struct SurfaceTriangle {
 /// A surface of solids: its faces, the smooth parts they belong to and the shapes of these.
 struct SpaceSurface {
   std::vector<SolidFace> faces;
-  std::vector<std::size_t> part;            ///< [face]
-  std::vector<std::optional<Round>> rounds; ///< [part]
+  std::vector<std::size_t> part;                    ///< [face]
+  std::vector<std::optional<AnalyticShape>> rounds; ///< [part]
   /// Face by face; all nodes are corners of some, or only the corners of faces.
   std::vector<SurfaceTriangle> triangles;
   double extent = 0.0;    ///< diagonal of the bounding box [length]
   double mean_size = 0.0; ///< root of the mean area of the faces [length]
 
-  [[nodiscard]] const std::optional<Round>& round_of(std::size_t face) const {
+  [[nodiscard]] const std::optional<AnalyticShape>& analytic_shape(std::size_t face) const {
     return rounds[part[face]];
   }
 };
@@ -37,6 +37,6 @@ std::vector<SurfaceTriangle> corner_triangles(const SpaceSurface& surface);
 
 /// Unit normal of the surface at a point x of a face, given what the face itself has there: that of
 /// its shape where it has one.
-Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const FacePoint& at);
+Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const SolidFacePoint& at);
 
 } // namespace spricka::contact

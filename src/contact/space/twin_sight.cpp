@@ -32,7 +32,8 @@ std::optional<TwinFace> matched(const SolidFace& face, const SolidFace& other, d
     for (std::size_t k = 0; k < corner_count(face) && !met; ++k) {
       met = (face.X.col(static_cast<Eigen::Index>(c)) - other.X.col(static_cast<Eigen::Index>(k)))
                 .norm() <= apart;
-      twin.corner[c] = met ? node_r(face.shape, static_cast<int>(k)) : twin.corner[c];
+      twin.corner[c] =
+          met ? node_local_coordinates(face.shape, static_cast<int>(k)) : twin.corner[c];
     }
     if (!met) {
       return std::nullopt;
@@ -58,7 +59,7 @@ Vec2 place_on_twin(const TwinFace& twin, std::size_t corners, const Vec2& r) {
 std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
                                                 const SpaceSurface& other) {
   const Vec3 apart = Vec3::Constant(twins_apart * own.mean_size);
-  std::vector<Box> boxes;
+  std::vector<ContactBoundingBox> boxes;
   for (const SolidFace& face : other.faces) {
     boxes.push_back({centre_of(face), centre_of(face)});
   }
@@ -67,7 +68,7 @@ std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
   for (const SolidFace& face : own.faces) {
     const Vec3 centre = centre_of(face);
     std::optional<TwinFace> twin;
-    for (const std::size_t f : tree.met_by({centre - apart, centre + apart})) {
+    for (const std::size_t f : tree.overlapping_boxes({centre - apart, centre + apart})) {
       if (!twin && other.faces[f].shape == face.shape) {
         twin = matched(face, other.faces[f], apart.x());
         if (twin) {
@@ -83,23 +84,24 @@ std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
   return twins;
 }
 
-Sight see_twin(const SpaceSurface& own, const TwinFace& twin, const SurfaceTriangle& triangle) {
+ProjectedTriangle project_onto_twin(const SpaceSurface& own, const TwinFace& twin,
+                                    const SurfaceTriangle& triangle) {
   const SolidFace& face = own.faces[triangle.face];
-  const std::array<Vec2, 3> r{node_r(face.shape, triangle.node[0]),
-                              node_r(face.shape, triangle.node[1]),
-                              node_r(face.shape, triangle.node[2])};
+  const std::array<Vec2, 3> r{node_local_coordinates(face.shape, triangle.node[0]),
+                              node_local_coordinates(face.shape, triangle.node[1]),
+                              node_local_coordinates(face.shape, triangle.node[2])};
   const Vec2 a = r[1] - r[0];
   const Vec2 b = r[2] - r[0];
   const double r_area2 = a.x() * b.y() - a.y() * b.x();
   const std::size_t corners = corner_count(face);
-  Sight sight;
+  ProjectedTriangle sight;
   for (const auto& [q, weight] : shape::triangle_rule(twin_degree)) {
-    SightPoint point;
+    ProjectionPoint point;
     point.target = twin.face;
     point.r = r[0] + q[0] * a + q[1] * b;
     point.s = place_on_twin(twin, corners, point.r);
     point.hat = {1.0 - q[0] - q[1], q[0], q[1]};
-    const FacePoint at = point_on(face, point.r);
+    const SolidFacePoint at = point_on(face, point.r);
     point.x = at.x;
     point.normal = surface_normal(own, triangle.face, at);
     point.turn = 1.0;

@@ -22,6 +22,7 @@ struct TwinFace {
 std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own, const SpaceSurface& other);
 
 /// What a triangle sees of the twin of its face: all of it, without a gap, by a rule of degree 5.
-Sight see_twin(const SpaceSurface& own, const TwinFace& twin, const SurfaceTriangle& triangle);
+ProjectedTriangle project_onto_twin(const SpaceSurface& own, const TwinFace& twin,
+                                    const SurfaceTriangle& triangle);
 
 } // namespace spricka::contact

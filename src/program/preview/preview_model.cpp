@@ -129,14 +129,14 @@ std::vector<results::QualityPreview> preview_quality(const model::Model& model,
 std::vector<results::PairPreview> preview_pairs(const analysis::Scene& scene) {
   std::vector<results::PairPreview> list;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    const contact::PairRows& pair = scene.pairs[c];
+    const contact::PairConstraints& pair = scene.pairs[c];
     const model::Contact& card = scene.contacts[c];
-    const contact::Survey own = pair.rigid ? contact::survey(pair.contact, *pair.rigid)
-                                           : contact::survey(pair.contact, pair.target);
-    const contact::Survey other =
-        pair.rigid ? contact::Survey() : contact::survey(pair.target, pair.contact);
-    const contact::Survey& slave = pair.swapped ? other : own;
-    const contact::Survey& master = pair.swapped ? own : other;
+    const contact::GapSurvey own = pair.rigid ? contact::survey_gaps(pair.contact, *pair.rigid)
+                                              : contact::survey_gaps(pair.contact, pair.target);
+    const contact::GapSurvey other =
+        pair.rigid ? contact::GapSurvey() : contact::survey_gaps(pair.target, pair.contact);
+    const contact::GapSurvey& slave = pair.swapped ? other : own;
+    const contact::GapSurvey& master = pair.swapped ? own : other;
     results::PairPreview preview;
     preview.name = card.name;
     preview.rigid = pair.rigid.has_value();

@@ -25,7 +25,7 @@ TEST(FrontPitfalls, TheContactSurfaceHasTheEndsOfTheTube) {
   ASSERT_FALSE(solved.scene().pairs[0].swapped) << solved.scene().pairs[0].choice;
   double whole = 0.0;
   double covered = 0.0;
-  for (const contact::SpaceFunction& function : solved.scene().pairs[0].functions) {
+  for (const contact::MultiplierFunction& function : solved.scene().pairs[0].functions) {
     whole += function.whole;
     covered += function.area;
   }
@@ -44,7 +44,7 @@ TEST(FrontPitfalls, EachLipHasItsOwnPressure) {
     }
     ++on_mouth;
     std::set<int> rows;
-    for (const contact::SpaceFunction& function : solved.scene().pairs[0].functions) {
+    for (const contact::MultiplierFunction& function : solved.scene().pairs[0].functions) {
       if (function.node == upper || function.node == lower) {
         EXPECT_GE(function.row, 0);
         rows.insert(function.row);

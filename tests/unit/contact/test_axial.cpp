@@ -26,8 +26,8 @@ struct Case {
 
 class Axial : public testing::TestWithParam<Case> {
 protected:
-  [[nodiscard]] static contact::PairRows rows(double from, const model::Model& model) {
-    contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  [[nodiscard]] static contact::PairConstraints rows(double from, const model::Model& model) {
+    contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
     EXPECT_TRUE(pair.found && pair.trouble.empty()) << from << pair.trouble;
     return pair;
   }
@@ -46,7 +46,7 @@ protected:
 TEST_P(Axial, AreasAreThoseOfTheWholeCircumference) {
   for (const double from : {0.0, GetParam().pairing == model::PairingMethod::node ? 0.0 : 0.7}) {
     const model::Model model = discs(from);
-    const contact::PairRows pair = rows(from, model);
+    const contact::PairConstraints pair = rows(from, model);
     double area = 0.0;
     double thrust = 0.0; // of a unit pressure, on the upper disc
     for (const contact::ConstraintRow& row : pair.normal) {
@@ -86,7 +86,7 @@ TEST_P(Axial, FirstMomentIsExact) {
 
 TEST_P(Axial, UniformPressureComesBackUpToTheAxis) {
   const model::Model model = discs(0.0);
-  const contact::PairRows pair = rows(0.0, model);
+  const contact::PairConstraints pair = rows(0.0, model);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, base::Vector::Constant(n, 7.0), base::Vector::Zero(n),
@@ -118,7 +118,7 @@ TEST(AxialRecovery, PressureAtTheAxisConverges) {
     TwoBlocks spec;
     spec.lower = spec.upper = n;
     const model::Model model = test::two_blocks(spec);
-    const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
     base::Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       const double r = model.mesh.x[pair.normal[i].node.index()].x();

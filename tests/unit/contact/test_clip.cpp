@@ -70,7 +70,7 @@ TEST(Clip, BarycentricCoordinatesGiveThePointBack) {
 TEST(BoxTree, FindsWhatAllBoxesAskedOneByOneGive) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> at(0.0, 10.0);
-  std::vector<Box> boxes;
+  std::vector<ContactBoundingBox> boxes;
   for (int i = 0; i < 500; ++i) {
     const Vec3 low(at(random), at(random), at(random));
     boxes.push_back({low, low + Vec3(0.7, 0.4, 1.1)});
@@ -78,7 +78,7 @@ TEST(BoxTree, FindsWhatAllBoxesAskedOneByOneGive) {
   const BoxTree tree(boxes);
   for (int i = 0; i < 50; ++i) {
     const Vec3 low(at(random), at(random), at(random));
-    const Box asked{low, low + Vec3(1.0, 2.0, 0.5)};
+    const ContactBoundingBox asked{low, low + Vec3(1.0, 2.0, 0.5)};
     std::vector<std::size_t> met;
     for (std::size_t b = 0; b < boxes.size(); ++b) {
       if ((boxes[b].low.array() <= asked.high.array()).all() &&
@@ -86,7 +86,7 @@ TEST(BoxTree, FindsWhatAllBoxesAskedOneByOneGive) {
         met.push_back(b);
       }
     }
-    EXPECT_EQ(tree.met_by(asked), met);
+    EXPECT_EQ(tree.overlapping_boxes(asked), met);
   }
 }
 

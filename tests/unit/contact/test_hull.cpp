@@ -50,13 +50,13 @@ TEST_P(HullOfABox, TellsDistancesInAndOut) {
   for (Eigen::Index n = 0; n < u.size(); n += 3) {
     u.segment<3>(n) = shift;
   }
-  const Hull hull(mesh, mesh::boundary_faces(mesh), u);
+  const BoundaryTriangulation hull(mesh, mesh::boundary_faces(mesh), u);
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> any(-2.6, 2.6);
   for (int i = 0; i < 400; ++i) {
     const Vec3 x(any(engine), any(engine), any(engine));
     const double exact = distance_to_box(x, 0.5 * size);
-    const std::optional<HullPlace> found = hull.nearest(turn * x + shift, 1.5);
+    const std::optional<TriangulationDistance> found = hull.signed_distance(turn * x + shift, 1.5);
     if (exact > 1.5) {
       EXPECT_FALSE(found);
       continue;
@@ -72,19 +72,19 @@ INSTANTIATE_TEST_SUITE_P(Types, HullOfABox,
                                          ElementType::hexec27, ElementType::hexe8));
 
 // A block blown up to a ball: triangles leave the curve by no more than the hull says.
-TEST(Hull, KnowsHowFarItsTrianglesLeaveACurve) {
+TEST(BoundaryTriangulation, KnowsHowFarItsTrianglesLeaveACurve) {
   model::Mesh mesh = block(ElementType::hexec20, {2.0, 2.0, 2.0});
   for (Vec3& x : mesh.x) {
     const double r = x.cwiseAbs().maxCoeff();
     x = r > 0.0 ? Vec3(10.0 * r * x.normalized()) : x;
   }
-  const Hull hull(mesh, mesh::boundary_faces(mesh), {});
+  const BoundaryTriangulation hull(mesh, mesh::boundary_faces(mesh), {});
   std::mt19937 engine(6);
   std::normal_distribution<double> any;
   for (int i = 0; i < 300; ++i) {
     const Vec3 way = Vec3(any(engine), any(engine), any(engine)).normalized();
     for (const double r : {8.5, 9.5, 10.5, 12.0}) {
-      const std::optional<HullPlace> found = hull.nearest(r * way, 20.0);
+      const std::optional<TriangulationDistance> found = hull.signed_distance(r * way, 20.0);
       ASSERT_TRUE(found);
       EXPECT_GT(found->facet, 0.0);
       EXPECT_NEAR(found->distance, r - 10.0, 1.2 * found->facet + 0.02);

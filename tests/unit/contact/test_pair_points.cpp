@@ -16,33 +16,35 @@ using base::ElementType;
 // five elements against seven, so that no node meets another.
 struct Overlap {
   model::Model model;
-  contact::Surface low, up;
+  contact::ContactSurface low, up;
 };
 
 Overlap overlap(ElementType type) {
   model::Model model = test::two_blocks({type, model::StressState::plane_strain, 5, 7, 0.3, 1.45});
-  contact::Surface low = contact::make_surface(model, model.mesh, test::face_set(model, "LO.YMAX"));
-  contact::Surface up = contact::make_surface(model, model.mesh, test::face_set(model, "UP.YMIN"));
+  contact::ContactSurface low =
+      contact::make_surface(model, model.mesh, test::face_set(model, "LO.YMAX"));
+  contact::ContactSurface up =
+      contact::make_surface(model, model.mesh, test::face_set(model, "UP.YMIN"));
   return {std::move(model), std::move(low), std::move(up)};
 }
 
-class PairPoints : public testing::TestWithParam<ElementType> {};
+class MortarPoints : public testing::TestWithParam<ElementType> {};
 
 // Of blocks that are 5 thick.
-TEST_P(PairPoints, WeightsSumToTheAreaOfTheOverlap) {
+TEST_P(MortarPoints, WeightsSumToTheAreaOfTheOverlap) {
   const Overlap blocks = overlap(GetParam());
   for (const bool swapped : {false, true}) {
-    const contact::PairPoints all = swapped
-                                        ? contact::pair_points(blocks.up, blocks.low, std::nullopt)
-                                        : contact::pair_points(blocks.low, blocks.up, std::nullopt);
+    const contact::MortarPoints all =
+        swapped ? contact::mortar_points(blocks.up, blocks.low, std::nullopt)
+                : contact::mortar_points(blocks.low, blocks.up, std::nullopt);
     ASSERT_TRUE(all.found);
     ASSERT_TRUE(all.trouble.empty()) << all.trouble;
     double paired = 0.0;
     double whole = 0.0;
-    for (const contact::PairPoint& p : all.points) {
+    for (const contact::MortarPoint& p : all.points) {
       paired += p.weight;
     }
-    for (const contact::SurfacePoint& p : all.surface) {
+    for (const contact::SurfaceQuadraturePoint& p : all.surface) {
       whole += p.weight;
     }
     EXPECT_NEAR(paired, 5.0 * 1.15, 1e-12);
@@ -52,10 +54,10 @@ TEST_P(PairPoints, WeightsSumToTheAreaOfTheOverlap) {
 
 // A field that is linear on one surface and on the other: by the place of the points, and by the
 // values that the nodes of either side give there.
-TEST_P(PairPoints, LinearFieldsAreIntegratedExactly) {
+TEST_P(MortarPoints, LinearFieldsAreIntegratedExactly) {
   const Overlap blocks = overlap(GetParam());
   const auto field = [](double x) { return 1.0 - 3.0 * x; };
-  const auto at = [&](const contact::Facet& facet, const base::Vec2& r) {
+  const auto at = [&](const contact::ContactFacet& facet, const base::Vec2& r) {
     const contact::FacetValues N = contact::facet_N(facet, r);
     double sum = 0.0;
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
@@ -67,8 +69,8 @@ TEST_P(PairPoints, LinearFieldsAreIntegratedExactly) {
   double by_place = 0.0;
   double by_own = 0.0;
   double by_other = 0.0;
-  for (const contact::PairPoint& p :
-       contact::pair_points(blocks.low, blocks.up, std::nullopt).points) {
+  for (const contact::MortarPoint& p :
+       contact::mortar_points(blocks.low, blocks.up, std::nullopt).points) {
     by_place += p.weight * field(p.x.x());
     by_own += p.weight * at(blocks.low.facets[p.facet], p.r);
     by_other += p.weight * at(blocks.up.facets[p.target], p.s);
@@ -82,26 +84,28 @@ TEST_P(PairPoints, LinearFieldsAreIntegratedExactly) {
 }
 
 // Whatever surfaces look like: a field that is one weighs as much as the points do.
-TEST_P(PairPoints, RowsAreAPartitionOfUnity) {
+TEST_P(MortarPoints, RowsAreAPartitionOfUnity) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::Surface own = contact::make_surface(model, model.mesh, model.contacts[0].slave);
-  const contact::Surface other = contact::make_surface(model, model.mesh, model.contacts[0].master);
-  const contact::PairPoints all = contact::pair_points(own, other, 0.01);
+  const contact::ContactSurface own =
+      contact::make_surface(model, model.mesh, model.contacts[0].slave);
+  const contact::ContactSurface other =
+      contact::make_surface(model, model.mesh, model.contacts[0].master);
+  const contact::MortarPoints all = contact::mortar_points(own, other, 0.01);
   ASSERT_TRUE(all.found);
   double weight = 0.0;
   base::Vec3 normal = base::Vec3::Zero();
-  for (const contact::PairPoint& p : all.points) {
+  for (const contact::MortarPoint& p : all.points) {
     weight += p.weight;
     normal += p.weight * p.normal;
   }
   double whole = 0.0;
-  for (const contact::SurfacePoint& p : all.surface) {
+  for (const contact::SurfaceQuadraturePoint& p : all.surface) {
     whole += p.weight;
   }
   double area = 0.0;
   double support = 0.0;
   double gap = 0.0;
-  for (const auto& [node, row] : contact::make_rows(all, own.facets, other.facets, 1)) {
+  for (const auto& [node, row] : contact::integrate_mortar_rows(all, own.facets, other.facets, 1)) {
     area += row.normal.area;
     support += row.normal.whole;
     gap += row.normal.gap;
@@ -113,12 +117,12 @@ TEST_P(PairPoints, RowsAreAPartitionOfUnity) {
   EXPECT_NEAR(gap, 0.01 * weight, 1e-13 * weight);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, PairPoints,
+INSTANTIATE_TEST_SUITE_P(Types, MortarPoints,
                          testing::Values(ElementType::quam4, ElementType::quamc8,
                                          ElementType::trimc6));
 
-contact::Facet line_facet(std::initializer_list<std::size_t> nodes) {
-  contact::Facet facet;
+contact::ContactFacet line_facet(std::initializer_list<std::size_t> nodes) {
+  contact::ContactFacet facet;
   for (const std::size_t n : nodes) {
     facet.nodes.emplace_back(n);
   }
@@ -128,19 +132,19 @@ contact::Facet line_facet(std::initializer_list<std::size_t> nodes) {
 // Rows do not ask where a point comes from: one of any direction pushes with its weight, and where
 // it lies, on both sides.
 TEST(MakeRows, APointPushesBothSidesAtItsPlace) {
-  const std::vector<contact::Facet> own{line_facet({0, 1, 2})};
-  const std::vector<contact::Facet> other{line_facet({3, 4})};
+  const std::vector<contact::ContactFacet> own{line_facet({0, 1, 2})};
+  const std::vector<contact::ContactFacet> other{line_facet({3, 4})};
   const std::array<double, 5> place{-1.0, 1.0, 0.0, -1.0, 1.0}; // reference coordinates of nodes
-  contact::PairPoint p;
+  contact::MortarPoint p;
   p.r = {0.3, 0.0};
   p.s = {-0.6, 0.0};
   p.normal = base::Vec3(1.0, 2.0, -2.0) / 3.0;
   p.tangent = {base::Vec3(2.0, 1.0, 2.0) / 3.0, base::Vec3(-2.0, 2.0, 1.0) / 3.0};
   p.weight = 2.5;
   p.gap = -0.1;
-  contact::PairPoints all;
+  contact::MortarPoints all;
   all.points = {p};
-  const contact::RowsByNode rows = contact::make_rows(all, own, other, 2);
+  const contact::RowsByNode rows = contact::integrate_mortar_rows(all, own, other, 2);
   base::Vec3 left = base::Vec3::Zero();
   base::Vec3 right = base::Vec3::Zero();
   double left_at = 0.0;
@@ -172,8 +176,8 @@ TEST(MakeRows, APointPushesBothSidesAtItsPlace) {
 
 // An end that covers a sliver of an edge: its row goes to the neighbour, nothing is lost.
 TEST(MakeRows, SliversJoinTheirNeighbours) {
-  const std::vector<contact::Facet> own{line_facet({0, 1}), line_facet({1, 2})};
-  contact::PairPoints all;
+  const std::vector<contact::ContactFacet> own{line_facet({0, 1}), line_facet({1, 2})};
+  contact::MortarPoints all;
   for (const std::size_t facet : {std::size_t{0}, std::size_t{1}}) {
     for (const double r : {-0.5, 0.5}) {
       all.surface.push_back({facet, {r, 0.0}, 1.0});
@@ -182,19 +186,19 @@ TEST(MakeRows, SliversJoinTheirNeighbours) {
   for (const auto& [facet, r, weight] :
        {std::tuple(std::size_t{0}, -0.5, 1.0), std::tuple(std::size_t{0}, 0.5, 1.0),
         std::tuple(std::size_t{1}, -0.9, 0.1)}) {
-    contact::PairPoint p;
+    contact::MortarPoint p;
     p.facet = facet;
     p.r = {r, 0.0};
     p.weight = weight;
     p.normal = base::Vec3::UnitY();
     all.points.push_back(p);
   }
-  contact::RowsByNode rows = contact::make_rows(all, own, {}, 1);
+  contact::RowsByNode rows = contact::integrate_mortar_rows(all, own, {}, 1);
   const contact::NodeOrder order{
       {base::NodeId(std::size_t{0}), base::NodeId(std::size_t{1}), base::NodeId(std::size_t{2})},
       false};
   EXPECT_EQ(contact::merge_slivers(order, rows), 1);
-  contact::PairRows pair;
+  contact::PairConstraints pair;
   contact::append_rows(order, rows, 1, pair);
   ASSERT_EQ(pair.normal.size(), 2u);
   ASSERT_EQ(pair.tangent.size(), 2u);

@@ -26,7 +26,7 @@ class PairingMethod : public testing::TestWithParam<ElementType> {};
 
 TEST_P(PairingMethod, RowsOfFullCirclesCoverTheWholeSurface) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   ASSERT_TRUE(pair.found);
   EXPECT_TRUE(pair.trouble.empty()) << pair.trouble;
   double area = 0.0;
@@ -43,7 +43,7 @@ TEST_P(PairingMethod, RowsOfFullCirclesCoverTheWholeSurface) {
 
 TEST_P(PairingMethod, ForcesOfARowBalanceAndHaveNoMoment) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
     base::Vec3 sum = base::Vec3::Zero();
     double moment = 0.0;
@@ -59,7 +59,7 @@ TEST_P(PairingMethod, ForcesOfARowBalanceAndHaveNoMoment) {
 
 TEST_P(PairingMethod, RotationOfOneRingOpensNothing) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
     const double g = opening(row, model.mesh, [&](const base::Vec3& x, base::NodeId n) {
       const bool inner = model.mesh.node_net[n.index()] == base::NetId(std::size_t{0});
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Types, PairingMethod,
 TEST(PairingMethod, DeclaredGapIsUsedExactly) {
   model::Model model = test::two_rings(12, 15, ElementType::quamc8);
   model.contacts[0].gap = -0.01;
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
     EXPECT_DOUBLE_EQ(row.gap, -0.01 * row.area);
   }
@@ -99,7 +99,7 @@ TEST(PairingMethod, CoarserSideCarriesTheMultipliers) {
 TEST(PairingMethod, NodePairsThatDoNotMatchAreRefused) {
   model::Model model = test::two_rings(16, 21, ElementType::quamc8);
   model.contacts[0].pairing = model::PairingMethod::node;
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_TRUE(!pair.trouble.empty() || !pair.found);
 }
 
@@ -110,7 +110,7 @@ TEST(PairingMethod, SurfacesThatLookAwayAreNotFound) {
       model.contacts[0].master = base::FaceSetId(i);
     }
   }
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.found);
 }
 
@@ -121,10 +121,10 @@ TEST(PairingMethod, FrictionHasTheSlipRowsOfABondedPair) {
   model::Contact contact = model.contacts[0];
   EXPECT_TRUE(contact::pair_rows(model, model.mesh, contact).tangent.empty());
   contact.mu = 0.3;
-  const contact::PairRows rubs = contact::pair_rows(model, model.mesh, contact);
+  const contact::PairConstraints rubs = contact::pair_rows(model, model.mesh, contact);
   contact.mu = 0.0;
   contact.type = model::ContactType::bonded;
-  const contact::PairRows bonded = contact::pair_rows(model, model.mesh, contact);
+  const contact::PairConstraints bonded = contact::pair_rows(model, model.mesh, contact);
   ASSERT_EQ(rubs.tangent.size(), rubs.normal.size());
   ASSERT_EQ(rubs.tangent.size(), bonded.tangent.size());
   for (std::size_t i = 0; i < rubs.tangent.size(); ++i) {

@@ -35,7 +35,7 @@ TEST(PushOnly, ForceAndShearStayAndNothingPulls) {
   for (const bool round : {false, true}) {
     const model::Model model = round ? test::two_rings(24, 24, base::ElementType::quamc8)
                                      : test::two_blocks({.lower = 12, .upper = 12});
-    const contact::Surface surface =
+    const contact::ContactSurface surface =
         contact::make_surface(model, model.mesh, model.contacts[0].slave);
     const std::size_t n = contact::chain_ranges(surface).front().count;
     ASSERT_EQ(contact::chain_ranges(surface).front().closed, round);
@@ -48,7 +48,7 @@ TEST(PushOnly, ForceAndShearStayAndNothingPulls) {
       }
       Vector q = 0.3 * p;
       const double force = area.dot(p);
-      contact::keep_pushing(surface, running(n), area, {p, q});
+      contact::redistribute_tension(surface, running(n), area, {p, q});
       EXPECT_GE(p.minCoeff(), 0.0);
       ASSERT_GT(force, 0.0);
       EXPECT_NEAR(area.dot(p), force, 1e-12 * force);
@@ -60,12 +60,12 @@ TEST(PushOnly, ForceAndShearStayAndNothingPulls) {
 // A lone pull beside a push: the nearest nodes bear it, those far away are left alone.
 TEST(PushOnly, TheNearestNodesBearIt) {
   const model::Model model = test::two_blocks({.lower = 4, .upper = 4});
-  const contact::Surface surface =
+  const contact::ContactSurface surface =
       contact::make_surface(model, model.mesh, model.contacts[0].slave);
   Vector p = Vector::Constant(9, 2.0);
   Vector q;
   p[3] = -1.0;
-  contact::keep_pushing(surface, running(9), Vector::Ones(9), {p, q});
+  contact::redistribute_tension(surface, running(9), Vector::Ones(9), {p, q});
   EXPECT_EQ(p[3], 0.0);
   EXPECT_DOUBLE_EQ(p[2], 1.5);
   EXPECT_DOUBLE_EQ(p[4], 1.5);
@@ -94,7 +94,8 @@ TEST(PushOnly, MeanOfHertzIsThatOfThePartInContact) {
           {.type = type, .state = model::StressState::plane_strain, .lower = 40, .upper = 40});
       model.contacts[0].pairing =
           nodes ? model::PairingMethod::node : model::PairingMethod::segment;
-      const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+      const contact::PairConstraints pair =
+          contact::pair_rows(model, model.mesh, model.contacts[0]);
       const double spacing = type == base::ElementType::quam4 ? 0.05 : 0.025;
       for (double a = 0.5; a < 0.5 + spacing; a += 0.2 * spacing) {
         Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
@@ -121,7 +122,7 @@ TEST(PushOnly, RecoveredPressureOfARandomPairNeverPulls) {
     model::Model model = test::two_blocks(
         {.state = model::StressState::plane_stress, .lower = 10, .upper = nodes ? 10 : 7});
     model.contacts[0].pairing = nodes ? model::PairingMethod::node : model::PairingMethod::segment;
-    const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
     for (int k = 0; k < 100; ++k) {
       Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
       std::vector<bool> closed;
@@ -145,7 +146,7 @@ TEST(PushOnly, RecoveredPressureOfARandomPairNeverPulls) {
 // What is glued may pull.
 TEST(PushOnly, BondedPairsPull) {
   const model::Model model = test::two_blocks({.state = model::StressState::plane_stress});
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, Vector::Constant(n, -3.0), Vector::Zero(n),
@@ -165,17 +166,17 @@ TEST(Outline, TellsInsideFromOutsideByTheNearestPlace) {
       ring.push_back(face);
     }
   }
-  const contact::Outline outline(contact::make_surface(model, model.mesh, ring), {});
+  const contact::BoundaryPolyline outline(contact::make_surface(model, model.mesh, ring), {});
   for (double theta = 0.05; theta < 6.2; theta += 0.37) {
     for (const double r : {0.7, 0.95, 1.05, 1.4, 1.6, 1.95, 2.05, 2.4}) {
       const double wanted = std::max(1.0 - r, r - 2.0); // negative between the circles
-      const auto at = outline.nearest({r * std::cos(theta), r * std::sin(theta)}, 1.0);
+      const auto at = outline.signed_distance({r * std::cos(theta), r * std::sin(theta)}, 1.0);
       ASSERT_TRUE(at);
       EXPECT_NEAR(at->distance, wanted, at->facet + 1e-4) << r;
       EXPECT_LT(at->facet, 1e-3);
     }
   }
-  EXPECT_FALSE(outline.nearest({2.5, 0.0}, 0.4));
+  EXPECT_FALSE(outline.signed_distance({2.5, 0.0}, 0.4));
 }
 
 } // namespace

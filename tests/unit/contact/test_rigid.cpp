@@ -32,7 +32,7 @@ TwoBlocks plane(ElementType type) {
   return spec;
 }
 
-contact::PairRows pair_of(const model::Model& model) {
+contact::PairConstraints pair_of(const model::Model& model) {
   return contact::pair_rows(model, model.mesh, model.contacts[0]);
 }
 
@@ -40,7 +40,7 @@ contact::PairRows pair_of(const model::Model& model) {
 struct Resultant {
   double force = 0.0, moment = 0.0;
 };
-Resultant resultant(const model::Model& model, const contact::PairRows& pair) {
+Resultant resultant(const model::Model& model, const contact::PairConstraints& pair) {
   Resultant r;
   for (const contact::ConstraintRow& row : pair.normal) {
     for (const contact::RowEntry& entry : row.entries) {
@@ -57,7 +57,7 @@ TEST_P(RigidLine, EndsInsideElementsAreCutExactly) {
   for (const auto& [a, b] : {std::pair(0.37, 1.131), std::pair(0.4, 1.6), std::pair(0.61, 0.63),
                              std::pair(-1.0, 0.013), std::pair(-5.0, 5.0)}) {
     const model::Model model = block_on(plane(GetParam()), line(a, 1.0, b, 1.0));
-    const contact::PairRows pair = pair_of(model);
+    const contact::PairConstraints pair = pair_of(model);
     ASSERT_TRUE(pair.found);
     const double low = std::max(a, 0.0);
     const double high = std::min(b, 2.0);
@@ -106,7 +106,7 @@ TEST(RigidTarget, FacesNothingOnItsOtherSideOrBeyondItsEnds) {
 TEST(RigidTarget, NodePairsStandOnTheirFeet) {
   model::Model model = block_on(plane(ElementType::quamc8), line(-1.0, 0.9, 3.0, 0.9));
   model.contacts[0].pairing = model::PairingMethod::node;
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   ASSERT_TRUE(pair.found && pair.trouble.empty());
   EXPECT_EQ(pair.normal.size(), 11U);
   for (const contact::ConstraintRow& row : pair.normal) {
@@ -119,7 +119,7 @@ TEST(RigidTarget, NodePairsStandOnTheirFeet) {
 TEST(RigidTarget, BondedRowsHoldBothWays) {
   model::Model model = block_on(plane(ElementType::quamc8), line(-1.0, 1.0, 3.0, 1.0));
   model.contacts[0].type = model::ContactType::bonded;
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   ASSERT_EQ(pair.tangent.size(), pair.normal.size());
   double slip = 0.0;
   for (const contact::ConstraintRow& row : pair.tangent) {
@@ -143,7 +143,7 @@ TEST_P(RigidArc, NormalsAreRadialAndGapsThoseOfTheMesh) {
     model.contacts[0].master = {};
     model.contacts[0].rigid = base::RigidId(std::size_t{0});
     model.contacts[0].gap.reset();
-    const contact::PairRows pair = pair_of(model);
+    const contact::PairConstraints pair = pair_of(model);
     ASSERT_TRUE(pair.found);
     EXPECT_EQ(pair.normal.size(), GetParam() == ElementType::quam4 ? 48U : 96U);
     const double sagitta = GetParam() == ElementType::quam4 ? 3e-3 : 1e-5;
@@ -156,18 +156,18 @@ TEST_P(RigidArc, NormalsAreRadialAndGapsThoseOfTheMesh) {
       EXPECT_LT(std::abs(turned), 1e-12 * row.area);
       EXPECT_NEAR(row.gap / row.area, 0.25, sagitta * (bore ? 3.0 : 1.0));
     }
-    const contact::Survey seen = contact::survey(pair.contact, *pair.rigid);
+    const contact::GapSurvey seen = contact::survey_gaps(pair.contact, *pair.rigid);
     EXPECT_EQ(seen.facing, seen.edges);
     EXPECT_NEAR(seen.gap_mean, 0.25, sagitta * (bore ? 3.0 : 1.0));
     EXPECT_LT(seen.overhang(), 1e-9);
-    EXPECT_TRUE(contact::sharp_ends(pair).empty());
+    EXPECT_TRUE(contact::find_singular_edges(pair).empty());
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, RigidArc, testing::Values(ElementType::quam4, ElementType::quamc8));
 
 // Contact on a half circle that reaches the circle's end, a symmetry line say, ends there.
-TEST(Arc, ReachesTheEndOfAnOpenSurface) {
+TEST(ContactArc, ReachesTheEndOfAnOpenSurface) {
   model::Model model = test::two_rings(16, 16, ElementType::quamc8);
   model.mesh = {};
   mesh::RingSpec half;
@@ -185,7 +185,7 @@ TEST(Arc, ReachesTheEndOfAnOpenSurface) {
   model.contacts[0].slave = test::face_set(model, "IN.OUTER");
   model.contacts[0].master = {};
   model.contacts[0].rigid = base::RigidId(std::size_t{0});
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   for (const bool upward : {false, true}) {
     const double c = 0.7; // p = sqrt(c - |theta - end|)
     base::Vector lambda = base::Vector::Zero(static_cast<Eigen::Index>(pair.normal.size()));
@@ -203,10 +203,10 @@ TEST(Arc, ReachesTheEndOfAnOpenSurface) {
   }
 }
 
-TEST(SharpEnd, IsWhereOneSurfaceEndsAndTheOtherGoesOn) {
+TEST(SingularContactEdge, IsWhereOneSurfaceEndsAndTheOtherGoesOn) {
   const auto places = [](const model::Model& model) {
     std::vector<double> x;
-    for (const contact::SharpEnd& end : contact::sharp_ends(pair_of(model))) {
+    for (const contact::SingularContactEdge& end : contact::find_singular_edges(pair_of(model))) {
       EXPECT_NEAR(end.x.y(), 1.0, 1e-12);
       EXPECT_FALSE(end.nodes.empty());
       x.push_back(end.x.x());
@@ -233,7 +233,7 @@ TEST(SharpEnd, IsWhereOneSurfaceEndsAndTheOtherGoesOn) {
 
 // The mouth of a crack in either surface: a double node where a closed circle is cut open. That
 // surface carries the multipliers, be it the softer or coarser one or not.
-TEST(SharpEnd, IsAlsoTheMouthOfACrack) {
+TEST(SingularContactEdge, IsAlsoTheMouthOfACrack) {
   using Case = std::tuple<bool, int, double>;
   for (const auto& [inner, outer_edges, modulus] :
        {Case{true, 20, 1.0}, Case{false, 20, 0.1}, Case{true, 20, 10.0}, Case{false, 20, 1.0},
@@ -258,10 +258,10 @@ TEST(SharpEnd, IsAlsoTheMouthOfACrack) {
         model::add_node(mesh, mesh.x[shared.index()], 9999, mesh.node_net[shared.index()]);
     std::replace(mesh.nodes.begin() + mesh.first[e], mesh.nodes.begin() + mesh.first[e + 1], shared,
                  twin);
-    const contact::PairRows pair = pair_of(model);
+    const contact::PairConstraints pair = pair_of(model);
     ASSERT_TRUE(pair.found);
     EXPECT_EQ(pair.swapped, !inner);
-    const std::vector<contact::SharpEnd> ends = contact::sharp_ends(pair);
+    const std::vector<contact::SingularContactEdge> ends = contact::find_singular_edges(pair);
     ASSERT_EQ(ends.size(), 1U);
     EXPECT_LT((ends[0].x - mesh.x[shared.index()]).norm(), 1e-3);
   }

@@ -22,7 +22,7 @@ namespace {
 using base::ElementType;
 using base::Vec3;
 
-contact::PairRows pair_of(const model::Model& model) {
+contact::PairConstraints pair_of(const model::Model& model) {
   return contact::pair_rows(model, model.mesh, model.contacts[0]);
 }
 
@@ -62,7 +62,7 @@ TEST(RigidInSpace, PlaneMeetsAllOfABlockAtItsDistance) {
   floor.first = {1.0, 2.0, -0.25};
   floor.second = {1.0, 2.0, 5.0};
   const model::Model model = block_on(floor);
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   ASSERT_TRUE(pair.found);
   const base::Vector down =
       field(model.mesh, [](const Vec3&, base::NetId) { return Vec3(0.3, -0.2, -1.0); });
@@ -74,7 +74,7 @@ TEST(RigidInSpace, PlaneMeetsAllOfABlockAtItsDistance) {
   }
   EXPECT_NEAR(area, 36.0, 1e-10);
   EXPECT_TRUE(pair.sharp_ends.empty());
-  const contact::Survey seen = contact::survey(pair.contact, *pair.rigid);
+  const contact::GapSurvey seen = contact::survey_gaps(pair.contact, *pair.rigid);
   EXPECT_NEAR(seen.gap_low, 0.25, 1e-12);
   EXPECT_NEAR(seen.gap_high, 0.25, 1e-12);
 }
@@ -85,7 +85,7 @@ TEST(RigidInSpace, BallIsMetByItsDistance) {
   ball.first = {0.0, 0.0, -50.0};
   ball.radius = 50.0;
   const model::Model model = block_on(ball);
-  const contact::Survey seen = contact::survey(pair_of(model).contact, ball);
+  const contact::GapSurvey seen = contact::survey_gaps(pair_of(model).contact, ball);
   EXPECT_NEAR(seen.gap_low, 0.0, 1e-3);
   // the farthest points of the rule are a little within the corners
   EXPECT_NEAR(seen.gap_high, std::hypot(50.0, 3.0 * std::sqrt(2.0)) - 50.0, 0.03);
@@ -122,10 +122,10 @@ TEST_P(RoundRows, SpinClosesNothing) {
   spec.turn = 0.0;
   const double radius = 12.0;
   const model::Model model = bent_solids(spec, radius);
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   ASSERT_TRUE(pair.found) << pair.trouble;
   ASSERT_TRUE(pair.contact.space.rounds[0].has_value());
-  EXPECT_EQ(pair.contact.space.rounds[0]->kind, contact::RoundKind::cylinder);
+  EXPECT_EQ(pair.contact.space.rounds[0]->kind, contact::AnalyticShapeKind::cylinder);
   const base::Vector spin = field(model.mesh, [&](const Vec3& x, base::NetId net) {
     return net == up ? Vec3(Vec3::UnitY().cross(Vec3(x.x(), 0.0, x.z() + radius)) / radius)
                      : Vec3(Vec3::Zero());
@@ -153,7 +153,7 @@ TEST(SharpEdges, TheFootOfABlockIsOneAndAnyNodeOfItsRim) {
     spec.upper_is_slave = upper_is_slave;
     spec.lower_cells = upper_is_slave ? 6 : 4;
     spec.upper_cells = upper_is_slave ? 4 : 6;
-    const contact::PairRows pair = pair_of(test::stacked_solids(spec));
+    const contact::PairConstraints pair = pair_of(test::stacked_solids(spec));
     ASSERT_EQ(pair.sharp_ends.size(), 1U);
     EXPECT_GE(pair.sharp_ends[0].nodes.size(), 16U);
   }
@@ -168,31 +168,31 @@ TEST(SharpEdges, SurfacesThatEndTogetherHaveNone) {
 
 class Slides : public testing::Test {
 protected:
-  contact::Slide slide(const std::function<Vec3(const Vec3&)>& of_upper) const {
+  contact::SlideMeasures slide(const std::function<Vec3(const Vec3&)>& of_upper) const {
     const base::Vector u = field(model.mesh, [&](const Vec3& x, base::NetId net) {
       return net == up ? of_upper(x) : Vec3(Vec3::Zero());
     });
-    return contact::slide_of(
+    return contact::measure_slide(
         pair,
         base::Vector::Ones(static_cast<Eigen::Index>(pair.normal.size() + pair.tangent.size())), u);
   }
   model::Model model = test::stacked_solids({});
-  contact::PairRows pair = pair_of(model);
+  contact::PairConstraints pair = pair_of(model);
 };
 
 TEST_F(Slides, AShiftIsAWayAndNoMisfit) {
-  const contact::Slide s = slide([](const Vec3&) { return Vec3(0.3, 0.4, -1e-3); });
+  const contact::SlideMeasures s = slide([](const Vec3&) { return Vec3(0.3, 0.4, -1e-3); });
   EXPECT_NEAR(s.way, 0.5, 1e-12);
   EXPECT_NEAR(s.pressed, 6.0, 1e-9);
   EXPECT_NEAR(s.facet, 10.0 / 6.0, 1e-9);
   EXPECT_LT(s.misfit, 1e-12);
-  EXPECT_EQ(s.lost, 0.0);
+  EXPECT_EQ(s.unsupported_part, 0.0);
 }
 
 TEST_F(Slides, OffTheEdgeTheForceIsLost) {
   // The foot is turned by 0.35: half of it stands beyond the edge of a block 10 wide.
-  const contact::Slide s = slide([](const Vec3&) { return Vec3(5.0, 0.0, 0.0); });
-  EXPECT_NEAR(s.lost, 0.5, 0.02);
+  const contact::SlideMeasures s = slide([](const Vec3&) { return Vec3(5.0, 0.0, 0.0); });
+  EXPECT_NEAR(s.unsupported_part, 0.5, 0.02);
 }
 
 TEST_F(Slides, AShiftOnATurnedBodyIsAMisfitThatNoRowCounts) {
@@ -201,8 +201,8 @@ TEST_F(Slides, AShiftOnATurnedBodyIsAMisfitThatNoRowCounts) {
   const base::Vector u = field(model.mesh, [&](const Vec3& x, base::NetId net) {
     return Vec3(turn * x.z() + (net == up ? shift : 0.0), 0.0, -turn * x.x());
   });
-  const contact::Slide s =
-      contact::slide_of(pair, base::Vector::Ones(static_cast<Eigen::Index>(pair.normal.size())), u);
+  const contact::SlideMeasures s = contact::measure_slide(
+      pair, base::Vector::Ones(static_cast<Eigen::Index>(pair.normal.size())), u);
   EXPECT_NEAR(s.misfit, shift * turn, 0.05 * shift * turn);
   EXPECT_NEAR(s.way, shift, 1e-6);
 }
@@ -212,19 +212,19 @@ TEST(Unrest, IsNotTheCurveOfAPressureThatRisesToAnEdge) {
   test::StackSpec spec;
   spec.upper_type = spec.lower_type = ElementType::tet10;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   std::set<base::NodeId> corners;
   for (const contact::SolidFace& face : pair.contact.space.faces) {
     corners.insert(face.nodes.begin(), face.nodes.begin() + 3);
   }
   double far = 0.0; // of the foot along x
-  for (const contact::SpaceFunction& function : pair.functions) {
+  for (const contact::MultiplierFunction& function : pair.functions) {
     far = std::max(far, model.mesh.x[function.node.index()].x());
   }
   const auto unrest_of = [&](const std::function<double(double, bool)>& p) {
     const auto rows = static_cast<Eigen::Index>(pair.normal.size());
     base::Vector lambda = base::Vector::Ones(rows);
-    for (const contact::SpaceFunction& function : pair.functions) {
+    for (const contact::MultiplierFunction& function : pair.functions) {
       const auto row = static_cast<std::size_t>(function.row);
       const double x = model.mesh.x[function.node.index()].x();
       lambda[static_cast<Eigen::Index>(row)] = p(x / far, corners.contains(function.node));
@@ -248,12 +248,12 @@ TEST_P(NodePairs, OfAUniformPressureAreTheSameEverywhere) {
   spec.turn = 0.0;
   model::Model model = test::stacked_solids(spec);
   model.contacts[0].pairing = model::PairingMethod::node;
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   ASSERT_TRUE(pair.trouble.empty()) << pair.trouble;
   // The forces of a pressure of 2: what it puts on each node through the shape functions.
   std::map<base::NodeId, double> force;
   for (const contact::SolidFace& face : pair.contact.space.faces) {
-    const double area = contact::area_of(face);
+    const double area = contact::face_area(face);
     const std::size_t n = face.nodes.size();
     for (std::size_t i = 0; i < n; ++i) {
       const double share = n == 9   ? (i < 4   ? 1.0 / 36.0
@@ -303,7 +303,7 @@ TEST(CornerMultipliers, HaveOneRowForEachCorner) {
   spec.turn = 0.0;
   model::Model model = test::stacked_solids(spec);
   model.contacts[0].multiplier = model::MultiplierNodes::corners;
-  const contact::PairRows pair = pair_of(model);
+  const contact::PairConstraints pair = pair_of(model);
   EXPECT_EQ(pair.normal.size(), 25U); // 4 x 4 faces of the foot
   double area = 0.0;
   for (const contact::ConstraintRow& row : pair.normal) {

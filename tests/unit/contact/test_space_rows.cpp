@@ -44,7 +44,7 @@ protected:
     pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   }
   model::Model model;
-  contact::PairRows pair;
+  contact::PairConstraints pair;
 };
 
 TEST_P(SpaceRows, CoverTheFootAndNoMore) {
@@ -123,7 +123,7 @@ TEST(SpaceSide, TheCoarserSideCarriesTheMultipliers) {
   spec.upper_cells = 3; // 2 wide against 10/9
   spec.lower_cells = 9;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped);
   EXPECT_EQ(pair.choice, "slave side: coarser where they meet");
   spec.upper_is_slave = false;
@@ -137,7 +137,7 @@ TEST(SpaceSide, AFootOnFewCoarseFacesHasThemItself) {
   spec.lower_cells = 2;
   spec.upper_cells = 4;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped);
   EXPECT_EQ(pair.choice, "slave side: few faces of the coarser one are met");
 }
@@ -156,7 +156,7 @@ TEST(SpaceSide, FacesFarFromThePartnerDoNotCount) {
       x[c] *= std::abs(x[c]) > 3.0 ? 1.0 + 4.0 * (std::abs(x[c]) - 3.0) : 1.0;
     }
   }
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped) << pair.choice; // 1 against 0.5
 }
 
@@ -165,12 +165,12 @@ TEST(SpaceOverhang, WeakFunctionsJoinTheirNeighbours) {
   spec.upper_cells = 8;
   spec.lower_cells = 5;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_TRUE(pair.swapped);
   EXPECT_GT(pair.merged, 0);
   double area = 0.0;
   std::map<int, double> by_row;
-  for (const contact::SpaceFunction& function : pair.functions) {
+  for (const contact::MultiplierFunction& function : pair.functions) {
     area += function.area;
     if (function.row >= 0) {
       by_row[function.row] += function.area;
@@ -193,7 +193,7 @@ TEST(SpaceGap, MeasuredAlongTheNormal) {
       model.mesh.x[n].z() += 0.05 + 0.01 * model.mesh.x[n].x();
     }
   }
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   double volume = 0.0;
   double round = 0.0;
   for (const contact::ConstraintRow& row : pair.normal) {
@@ -207,7 +207,7 @@ TEST(SpaceGap, MeasuredAlongTheNormal) {
 
 TEST(SpacePressure, OfEqualMultipliersIsTheSameEverywhere) {
   const model::Model model = test::stacked_solids({});
-  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, base::Vector::Constant(n, 3.0), base::Vector::Zero(n),

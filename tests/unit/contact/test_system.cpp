@@ -20,7 +20,7 @@ TEST(CondensedBody, PseudoInverseLeavesTheFreeModeOut) {
   modes << 3.0, 0.0;
   const contact::CondensedBody body({0, 1}, base::Vector(Eigen::Vector2d(0.0, 4.0)).asDiagonal(),
                                     modes);
-  ASSERT_TRUE(body.ok());
+  ASSERT_TRUE(body.is_factorised());
   base::Matrix F(2, 1);
   F << 5.0, 2.0;
   const base::Matrix u = body.displacement(F);
@@ -42,7 +42,7 @@ TEST(CondensedBody, PseudoInverseOfARandomSemidefiniteMatrix) {
   const base::Matrix u = body.displacement(F);
   EXPECT_LT((S * u - (F - N * F)).norm(), 1e-12);
   EXPECT_LT((modes.transpose() * u).norm(), 1e-12);
-  const base::Matrix Y = body.half_compliance(F);
+  const base::Matrix Y = body.compliance_root(F);
   EXPECT_LT((Y.transpose() * Y - F.transpose() * u).norm(), 1e-12);
 }
 
@@ -59,13 +59,13 @@ TEST(ContactSystem, FloatingBodiesAreHeldByContactAlone) {
                  {base::NodeId(std::size_t{1}), {1.0, 0.0, 0.0}}};
   row.gap = 0.25;
   const contact::ContactSystem system({&left, &right}, {&row}, 2, 4);
-  contact::ContactSystem::Problem problem;
+  contact::ContactSystem::IncrementProblem problem;
   problem.rows = {0};
   problem.equality = {false};
   problem.gap = base::Vector::Constant(1, row.gap);
   problem.load = {base::Vector::Constant(1, 2.0), base::Vector::Zero(1)};
   problem.load_scale = 2.0;
-  const contact::ContactSystem::Solution pressed = system.solve(problem, {});
+  const contact::ContactSystem::IncrementSolution pressed = system.solve(problem, {});
   ASSERT_EQ(pressed.contact.status, solve::ContactStatus::solved);
   EXPECT_NEAR(pressed.contact.lambda[0], 2.0, 1e-13);
   EXPECT_NEAR(pressed.u[1][0], 0.25, 1e-13);
@@ -89,20 +89,22 @@ TEST(ContactSystem, LastingRowsChangeNoBit) {
     all.push_back(&rows[r]);
   }
   const contact::ContactSystem plain({&body}, all, 2, 8);
-  contact::LastingRows kept;
-  const contact::Lasting lasting{{true, false, true, true}, {&kept}};
+  contact::PersistentRows kept;
+  const contact::PersistentRowSet lasting{{true, false, true, true}, {&kept}};
   const contact::ContactSystem made({&body}, all, 2, 8, {}, lasting);
   EXPECT_EQ(kept.rows.size(), 3U);
-  EXPECT_LT((made.W() - plain.W()).norm(), 1e-13 * plain.W().norm());
+  EXPECT_LT((made.row_compliance() - plain.row_compliance()).norm(),
+            1e-13 * plain.row_compliance().norm());
   rows[1].entries[0].weight.x() = 0.5; // what does not last may change
   const contact::ContactSystem taken({&body}, all, 2, 8, {}, lasting);
-  contact::LastingRows none;
+  contact::PersistentRows none;
   const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, false, true, true}, {&none}});
-  EXPECT_EQ((taken.W() - anew.W()).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ((taken.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
   rows[0].entries[0].weight.x() = 0.25; // a row that was to last did not
   const contact::ContactSystem other({&body}, all, 2, 8, {}, lasting);
   const contact::ContactSystem other_plain({&body}, all, 2, 8);
-  EXPECT_LT((other.W() - other_plain.W()).norm(), 1e-13 * other_plain.W().norm());
+  EXPECT_LT((other.row_compliance() - other_plain.row_compliance()).norm(),
+            1e-13 * other_plain.row_compliance().norm());
 }
 
 // A body that comes as a factor: rows on its early rows last although the body does not.
@@ -125,7 +127,7 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     rows[r].entries = {{base::NodeId(r), {value(random), value(random), 0.0}}};
     all.push_back(&rows[r]);
   }
-  contact::LastingRows kept;
+  contact::PersistentRows kept;
   for (int length = 0; length < 3; ++length) {
     const base::Matrix own = positive(6);
     base::Matrix whole = base::Matrix::Zero(10, 10);
@@ -136,17 +138,18 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     const std::vector<Eigen::Index> row{0, 1, 2, 3, 6, 7, 8, 9};
     const contact::CondensedBody body({0, 1, 2, 3, 4, 5, 6, 7},
                                       {solve::TwoBlockCholesky(early, {0, 1}, D), row});
-    ASSERT_TRUE(body.ok());
+    ASSERT_TRUE(body.is_factorised());
     const base::Matrix S = base::Matrix(whole.inverse()(row, row)).inverse();
     const contact::CondensedBody plain_body({0, 1, 2, 3, 4, 5, 6, 7}, S, base::Matrix(8, 0));
     const contact::ContactSystem plain({&plain_body}, all, 2, 8);
     const contact::ContactSystem kept_rows({&body}, all, 2, 8, {},
                                            {{true, true, true, false}, {&kept}});
     EXPECT_EQ(kept.rows.size(), 2U); // row 2 would last, but its freedoms are not early
-    EXPECT_LT((kept_rows.W() - plain.W()).norm(), 1e-11 * plain.W().norm());
-    contact::LastingRows none;
+    EXPECT_LT((kept_rows.row_compliance() - plain.row_compliance()).norm(),
+              1e-11 * plain.row_compliance().norm());
+    contact::PersistentRows none;
     const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, true, true, false}, {&none}});
-    EXPECT_EQ((kept_rows.W() - anew.W()).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ((kept_rows.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
     const base::Matrix F = base::Matrix::NullaryExpr(8, 2, [&] { return value(random); });
     const base::Matrix u = plain_body.displacement(F);
     EXPECT_LT((body.displacement(F) - u).norm(), 1e-11 * u.norm());
@@ -173,8 +176,8 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
   for (const std::size_t i : {std::size_t{1}, std::size_t{3}}) {
     std::vector<std::size_t> without;
     std::ranges::copy_if(held, std::back_inserter(without), [&](std::size_t r) { return r != i; });
-    const base::Vector closed = contact::HeldContact(system, held).pivots({i});
-    const base::Vector open = contact::HeldContact(system, without).pivots({i});
+    const base::Vector closed = contact::FixedActiveSet(system, held).pivots({i});
+    const base::Vector open = contact::FixedActiveSet(system, without).pivots({i});
     ASSERT_EQ(closed.size(), 1);
     ASSERT_EQ(open.size(), 1);
     EXPECT_GT(open[0], 0.0);
@@ -185,12 +188,12 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
   force.col(0).segment<2>(4) = rows[2].entries[0].weight.head<2>();
   base::Matrix on_other = base::Matrix::Zero(2, 1);
   on_other(0, 0) = rows[2].entries[1].weight.x();
-  const contact::HeldContact fixed(system, held);
-  ASSERT_TRUE(fixed.ok());
+  const contact::FixedActiveSet fixed(system, held);
+  ASSERT_TRUE(fixed.is_consistent());
   const std::vector<base::Matrix> load{force, on_other};
-  const contact::FreeResponse free = contact::free_response(system, load);
+  const contact::UnconstrainedResponse free = contact::unconstrained_response(system, load);
   const std::vector<base::Matrix> moved =
-      fixed.displacement(load, fixed.respond(free.opening, free.on_mode));
+      fixed.displacement(load, fixed.solve_response(free.opening, free.on_mode));
   EXPECT_NEAR(system.opening(2, {moved[0].col(0), moved[1].col(0)}), fixed.pivots({2})[0], 1e-12);
 }
 

@@ -50,14 +50,14 @@ $STEP NAME=PULL
 const std::string block = "$MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=-2 LX=1 LY=4 NX=3 NY=12\n";
 
 // A row of the table of rounds in the listing.
-struct Round {
+struct AnalyticShape {
   int number = 0;
   int freedoms = 0;
   double bar = 0.0; ///< [%]
 };
 
-std::vector<Round> rounds(const Folder& folder) {
-  std::vector<Round> found;
+std::vector<AnalyticShape> rounds(const Folder& folder) {
+  std::vector<AnalyticShape> found;
   std::ifstream in(folder.path() / "out" / "listing.txt");
   const std::regex row(R"(^\s+(\d+)\s+(\d+)\s+[\d.]+\s+([\d.e+-]+)\s+[\d.e+-]+\s+K[123] of .*)");
   std::smatch match;
@@ -95,7 +95,7 @@ TEST(Tolerance, BlocksAreRefinedUntilTheBarIsInside) {
   const Folder folder;
   const Outcome outcome = run_text(folder, strip(block, "0.0005", inside(0.0005)));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
-  const std::vector<Round> way = rounds(folder);
+  const std::vector<AnalyticShape> way = rounds(folder);
   ASSERT_GE(way.size(), 2U);
   EXPECT_LE(way.size(), 5U);
   EXPECT_LE(way.back().bar, 0.05);
@@ -140,7 +140,7 @@ $END
 )",
                                                        K, 0.005 * 1.003 * K));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
-  const std::vector<Round> way = rounds(folder);
+  const std::vector<AnalyticShape> way = rounds(folder);
   ASSERT_EQ(way.size(), 2U);
   EXPECT_GT(way[0].bar, 0.5);
   EXPECT_LE(way[1].bar, 0.5);
@@ -246,7 +246,7 @@ TEST(Tolerance, PartlyClosedFacesDoNotRunAway) {
       "$CRACK NAME=C A0=0.35 ANGLE=0\n  0 0\n$TIPNET CRACK=C TOL=4e-3\n"
       "$STEP NAME=S\n  LOAD T 1\n$END\n";
   const Outcome outcome = run_text(folder, text);
-  const std::vector<Round> way = rounds(folder);
+  const std::vector<AnalyticShape> way = rounds(folder);
   ASSERT_FALSE(way.empty()) << outcome.messages;
   EXPECT_LT(way.back().freedoms, 200000);
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 5) << outcome.messages;

@@ -91,7 +91,7 @@ struct SolvedScene {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
     if (solver->system() != nullptr) {
-      const contact::ContactSystem::Problem problem = solver->problem();
+      const contact::ContactSystem::IncrementProblem problem = solver->problem();
       for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         gap[static_cast<Eigen::Index>(problem.rows[i])] = problem.gap[static_cast<Eigen::Index>(i)];
       }
