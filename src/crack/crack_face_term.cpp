@@ -25,7 +25,7 @@ std::size_t nodes_of(const PlaneEdge& edge) {
 }
 
 // A point of a face: what integrals along it need.
-struct FacePoint {
+struct CrackFacePoint {
   double w = 0.0;   ///< weight by xi
   double ds = 0.0;  ///< |dx/dxi|
   base::Vec2 along; ///< unit tangent
@@ -33,8 +33,8 @@ struct FacePoint {
   std::array<double, 3> N, dN;
 };
 
-std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
-  std::vector<FacePoint> points;
+std::vector<CrackFacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
+  std::vector<CrackFacePoint> points;
   for (const auto& [r, weight] : shape::line_rule(degree)) {
     double xi = r[0];
     double w = weight;
@@ -45,7 +45,7 @@ std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
       // d xi = 4 t dt, and dt is half of dr.
       w = 2.0 * t * weight;
     }
-    FacePoint p;
+    CrackFacePoint p;
     p.N = edge_N(edge, xi);
     p.dN = edge_dN(edge, xi);
     p.x = base::Vec2::Zero();
@@ -65,19 +65,19 @@ std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
 using NodeAreas = std::map<base::NodeId, double>;
 
 // What stands behind a point of the faces.
-double depth_of(const TipPlace& tip, const FacePoint& p) {
-  return tip.axial() ? 2.0 * std::numbers::pi * p.x.x() : tip.thickness;
+double depth_of(const TipBody& tip, const CrackFacePoint& p) {
+  return tip.is_axisymmetric() ? 2.0 * std::numbers::pi * p.x.x() : tip.thickness;
 }
 // The same for a unit of the front.
-double depth_per_front(const TipPlace& tip, const FacePoint& p) {
-  return tip.axial() ? p.x.x() / tip.frame.x.x() : 1.0;
+double depth_per_front(const TipBody& tip, const CrackFacePoint& p) {
+  return tip.is_axisymmetric() ? p.x.x() / tip.frame.x.x() : 1.0;
 }
 
 // A_i of (crack.33) with what stands behind it, sums over the edges of a node.
-NodeAreas areas_of(const std::vector<PlaneEdge>& edges, const TipPlace& tip) {
+NodeAreas areas_of(const std::vector<PlaneEdge>& edges, const TipBody& tip) {
   NodeAreas area;
   for (const PlaneEdge& edge : edges) {
-    for (const FacePoint& p : points_of(edge, tip.node)) {
+    for (const CrackFacePoint& p : points_of(edge, tip.node)) {
       for (std::size_t i = 0; i < nodes_of(edge); ++i) {
         area[edge.nodes[i]] += p.w * p.ds * p.N[i] * depth_of(tip, p);
       }
@@ -94,10 +94,10 @@ bool is_on_axis(const PlaneEdge& edge, std::size_t end) {
 // Where the pressure of a node acts on an edge: its own function, with that of the tip added to its
 // neighbour's, as no force between the faces is known there. At the axis likewise.
 std::array<double, 3> pressed(const PlaneEdge& edge, const std::array<double, 3>& N,
-                              const TipPlace& tip) {
+                              const TipBody& tip) {
   std::array<double, 3> own = N;
   for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-    if (edge.nodes[end] == tip.node || (tip.axial() && is_on_axis(edge, end))) {
+    if (edge.nodes[end] == tip.node || (tip.is_axisymmetric() && is_on_axis(edge, end))) {
       own[edge.count == 3 ? 2 : 1 - end] += N[end];
       own[end] = 0.0;
     }
@@ -108,7 +108,7 @@ std::array<double, 3> pressed(const PlaneEdge& edge, const std::array<double, 3>
 // Calls add(edge, i, point, weight / area) for the nodes i of all face edges that the field moves:
 // weight is that of the integral of q times the node's function.
 template <class Add>
-void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionField& field,
+void for_faces(const model::Mesh& mesh, const TipBody& tip, const ExtensionField& field,
                const std::vector<model::Face>& faces, Add&& add) {
   std::vector<PlaneEdge> edges;
   edges.reserve(faces.size());
@@ -116,7 +116,7 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
     edges.push_back(mesh::plane_edge(mesh, face));
   }
   const NodeAreas area = areas_of(edges, tip);
-  const std::map<base::NodeId, double> q = field.q();
+  const std::map<base::NodeId, double> q = field.extension_by_node();
   for (const PlaneEdge& edge : edges) {
     std::array<double, 3> moved{};
     bool moves = false;
@@ -128,7 +128,7 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
     if (!moves) {
       continue;
     }
-    for (const FacePoint& p : points_of(edge, tip.node)) {
+    for (const CrackFacePoint& p : points_of(edge, tip.node)) {
       double here = 0.0;
       for (std::size_t i = 0; i < nodes_of(edge); ++i) {
         here += p.N[i] * moved[i];
@@ -147,12 +147,12 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
 
 } // namespace
 
-CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipPlace& tip,
+CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipBody& tip,
                                     const ExtensionField& field,
                                     const std::vector<model::Face>& faces) {
   CrackFaceWeights weights;
   for_faces(mesh, tip, field, faces,
-            [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
+            [&](const PlaneEdge& edge, std::size_t i, const CrackFacePoint& p, double weight) {
               const auto [at, fresh] = weights.try_emplace(
                   edge.nodes[i], std::array<base::Vec2, 2>{base::Vec2::Zero(), base::Vec2::Zero()});
               // Edges run with the body on their left.
@@ -160,14 +160,14 @@ CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipPlace& tip
               const base::Vec2 x = p.x + inside * (p.x - tip.frame.x).norm() * inward;
               for (int mode = 1; mode <= 2; ++mode) {
                 at->second[static_cast<std::size_t>(mode - 1)] -=
-                    weight * (auxiliary_gradient(tip.frame, x, mode, tip.material, tip.state) *
-                              tip.frame.e1);
+                    weight *
+                    (near_tip_gradient(tip.frame, x, mode, tip.material, tip.state) * tip.frame.e1);
               }
             });
   return weights;
 }
 
-std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipPlace& tip,
+std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipBody& tip,
                                       const ExtensionField& field,
                                       const CrackFaceForces& crack_faces, const base::Vector& u) {
   const auto at = [](const base::Vector& nodal, base::NodeId n) -> base::Vec2 {
@@ -179,7 +179,7 @@ std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipPlace& t
     sum[2] += weight[1].dot(at(crack_faces.force, node));
   }
   for_faces(mesh, tip, field, crack_faces.faces,
-            [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
+            [&](const PlaneEdge& edge, std::size_t i, const CrackFacePoint& p, double weight) {
               base::Vec2 along = base::Vec2::Zero(); // du/ds
               for (std::size_t k = 0; k < nodes_of(edge); ++k) {
                 along += p.dN[k] / p.ds * at(u, edge.nodes[k]);

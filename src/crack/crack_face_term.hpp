@@ -22,28 +22,28 @@ struct CrackFaceForces {
 };
 
 /// A tip and the body it stands in.
-struct TipPlace {
+struct TipBody {
   TipFrame frame;
   base::NodeId node;
   const model::ElasticMaterial& material;
   model::StressState state;
   double thickness = 1.0;
 
-  [[nodiscard]] bool axial() const { return state == model::StressState::axisymmetric; }
+  [[nodiscard]] bool is_axisymmetric() const { return state == model::StressState::axisymmetric; }
 };
 
 /// The terms by which integrals over a domain miss the tip's value (crack.31, crack.32), for
 /// tractions t on the faces, per unit thickness: of G, - integral q t1 u1,1 ds (normal tractions
 /// act where the faces do not part, and the tangential ones have no other component), and of the
 /// interaction with the near-tip fields of modes 1 and 2, - integral q t . v_m,1 ds.
-std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipPlace& tip,
+std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipBody& tip,
                                       const ExtensionField& field,
                                       const CrackFaceForces& crack_faces, const base::Vector& u);
 
 /// The interaction terms as sums over nodal forces (crack.33), [mode - 1] by node: sum of weight .
 /// force.
 using CrackFaceWeights = std::map<base::NodeId, std::array<base::Vec2, 2>>;
-CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipPlace& tip,
+CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipBody& tip,
                                     const ExtensionField& field,
                                     const std::vector<model::Face>& faces);
 

@@ -111,12 +111,12 @@ KinkFunctions kink_functions(double angle) {
           .F22 = in_squares(f22, m)};
 }
 
-double kink_angle(Criterion criterion, double K1, double K2) {
-  return criterion == Criterion::hoop ? hoop_angle(K1, K2) : k2_zero_angle(K1, K2);
+double kink_angle(KinkCriterion criterion, double K1, double K2) {
+  return criterion == KinkCriterion::hoop ? hoop_angle(K1, K2) : k2_zero_angle(K1, K2);
 }
 
-base::Vec2 kinked_mode_one(Criterion criterion, double angle) {
-  if (criterion == Criterion::k2_zero) {
+base::Vec2 kinked_K1_factors(KinkCriterion criterion, double angle) {
+  if (criterion == KinkCriterion::k2_zero) {
     const KinkFunctions F = kink_functions(angle);
     return {F.F11, F.F12};
   }

@@ -32,7 +32,7 @@ struct Momentum {
 /// leave out the same that does not depend on u.
 class ElementTerms {
 public:
-  ElementTerms(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
+  ElementTerms(const TipSetting& set, const std::vector<BodyForceField>& fields, base::ElementId e,
                const base::Vector& u)
       : set_(set), fields_(fields), e_(e), element_(plane_element(set.mesh, e)),
         X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
@@ -46,7 +46,7 @@ public:
     }
   }
 
-  void add(NodalForces& out, bool strained, bool filled) const {
+  void add(ConfigurationalForces& out, bool strained, bool filled) const {
     ModeForces force;
     for (const base::NodeId n : set_.mesh.element_nodes(e_)) {
       force.push_back(&out[n]);
@@ -68,16 +68,17 @@ private:
     const fe::Jacobian<PlaneElement> at = fe::jacobian(element_, X_, r);
     const PlaneValues N = element_.N(r);
     const base::Vec2 x = X_ * N;
-    const double w = weight * at.det * set_.depth(x);
+    const double w = weight * at.det * set_.relative_depth(x);
     const Here own = solution(at, r, x, filled);
     // Partners of K and T meet the affine temperature alone; what differs from it is heat_term's
     // (crack.34).
     const Here met = filled && set_.affine ? under_affine(own, x) : own;
     for (std::size_t k = 0; k < partners; ++k) {
       const Here& here = k == 0 ? own : met;
-      const Partner v = k == 0 ? itself(here) : partner_at(set_, k_, x, k);
-      const Momentum M =
-          strained || set_.axial() ? (k == 0 ? own_momentum(here) : of_both(here, v)) : Momentum();
+      const AuxiliaryField v = k == 0 ? itself(here) : auxiliary_field_at(set_, k_, x, k);
+      const Momentum M = strained || set_.is_axisymmetric()
+                             ? (k == 0 ? own_momentum(here) : of_both(here, v))
+                             : Momentum();
       // What does not hang on the gradient of q: the temperature's gradient on the volume change
       // of u (crack.22) or of v (crack.23), about an axis the way outwards (crack.37) and partners
       // that are not at rest.
@@ -86,7 +87,7 @@ private:
         const double work = k == 0 && carried_ ? 2.0 * here.free_strain : v.dilatation();
         c = work * here.beta_grad_T;
       }
-      if (set_.axial()) {
+      if (set_.is_axisymmetric()) {
         c += base::Vec2(M.hoop / x.x(), 0.0) + here.nodal.transpose() * v.divergence;
       }
       for (int n = 0; n < element_.nodes; ++n) {
@@ -112,9 +113,9 @@ private:
       const Polar place = polar(set_.tip, x);
       for (std::size_t k = 0; k < partners; ++k) {
         const Tensor<2> Hv =
-            k == 0 ? Tensor<2>(U_.lazyProduct(at.dNdx)) : partner_gradient(set_, place, k);
+            k == 0 ? Tensor<2>(U_.lazyProduct(at.dNdx)) : auxiliary_field_gradient(set_, place, k);
         // - q b . u,k (crack.19), or with v in the place of u (crack.23).
-        const base::Vec2 c = weight * at.det * set_.depth(x) * (Hv.transpose() * b);
+        const base::Vec2 c = weight * at.det * set_.relative_depth(x) * (Hv.transpose() * b);
         for (int n = 0; n < element_.nodes; ++n) {
           (*force[static_cast<std::size_t>(n)])[k].head<2>() -= N[n] * c;
         }
@@ -132,7 +133,7 @@ private:
       heat(at, r, x, here);
     }
     // (crack.21).
-    static_cast<SectionState&>(here) = stressed(k_, here.H, here.hoop);
+    static_cast<SectionState&>(here) = state_from_gradient(k_, here.H, here.hoop);
     warm(here, here.beta_T);
     return here;
   }
@@ -140,7 +141,7 @@ private:
   // The normal stresses that a temperature takes out.
   void warm(Here& here, double beta_T) const {
     here.sigma.diagonal().array() -= beta_T;
-    here.sigma_hoop -= set_.axial() ? beta_T : 0.0;
+    here.sigma_hoop -= set_.is_axisymmetric() ? beta_T : 0.0;
   }
 
   // What the partners of K and T meet: the same displacements under the affine temperature.
@@ -170,8 +171,8 @@ private:
   }
 
   // The solution in the place of a partner: it is at rest but for loads, which have terms.
-  static Partner itself(const Here& here) {
-    Partner v;
+  static AuxiliaryField itself(const Here& here) {
+    AuxiliaryField v;
     v.H = here.nodal;
     v.hoop = here.hoop;
     return v;
@@ -187,19 +188,19 @@ private:
   }
 
   // (crack.10), with the components round the axis.
-  static Momentum of_both(const Here& u, const Partner& v) {
+  static Momentum of_both(const Here& u, const AuxiliaryField& v) {
     Tensor<2> T = energy_momentum<2>({u.H, u.sigma}, {v.H, v.sigma});
     T.diagonal().array() -= u.sigma_hoop * v.hoop;
     return {T, u.sigma_hoop * v.hoop + v.sigma_hoop * u.hoop - u.work_on(v)};
   }
 
   const TipSetting& set_;
-  const std::vector<BodyField>& fields_;
+  const std::vector<BodyForceField>& fields_;
   base::ElementId e_;
   const PlaneElement& element_;
   PlaneVectors X_;
   PlaneVectors U_;
-  Stiffness k_;
+  SectionElasticity k_;
   fe::CornerValues<2> T_;
   bool carried_ = false; ///< the nodes, through the free expansion
   fe::FreeExpansion free_;
@@ -222,13 +223,13 @@ Elements united(const std::vector<ExtensionField>& fields, Elements ExtensionFie
 // One vector per node serves all domains (crack.5): outside its own elements the q of a domain is
 // constant, and there the gradients of the shape functions of an element sum to zero.
 void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                      const base::Vector& u, NodalForces& out) {
-  const bool filled = set.loads.fill_elements();
-  const std::vector<BodyField> loads = body_fields(set);
+                      const base::Vector& u, ConfigurationalForces& out) {
+  const bool filled = set.loads.has_element_loads();
+  const std::vector<BodyForceField> loads = body_force_fields(set);
   const Elements strained = united(fields, &ExtensionField::elements);
   Elements rigid;
   // About an axis also elements that q moves as one come to other radii.
-  if (filled || set.axial()) {
+  if (filled || set.is_axisymmetric()) {
     std::ranges::set_difference(united(fields, &ExtensionField::inside), strained,
                                 std::back_inserter(rigid));
   }

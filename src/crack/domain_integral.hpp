@@ -8,6 +8,6 @@ namespace spricka::crack {
 /// crack.10), forces per volume (crack.19) and the temperature's gradient (crack.22) wherever q is
 /// not zero.
 void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                      const base::Vector& u, NodalForces& out);
+                      const base::Vector& u, ConfigurationalForces& out);
 
 } // namespace spricka::crack

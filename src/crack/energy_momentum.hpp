@@ -10,20 +10,21 @@ namespace spricka::crack {
 template <int dim> using Tensor = Eigen::Matrix<double, dim, dim>;
 
 /// Stress of a displacement gradient.
-template <int dim> Tensor<dim> stress_of(const fe::Elasticity<dim>& D, const Tensor<dim>& H) {
+template <int dim>
+Tensor<dim> stress_from_gradient(const fe::Elasticity<dim>& D, const Tensor<dim>& H) {
   const fe::Strain<dim> sigma = D * fe::strain<dim>(H);
   return fe::stress_tensor<dim>(sigma);
 }
 
 /// H and the stress of a displacement.
-template <int dim> struct Deformed {
+template <int dim> struct GradientAndStress {
   const Tensor<dim>& H;
   const Tensor<dim>& sigma;
 };
 
 /// Energy-momentum H^T sigma - W I of one displacement [stress] (manual, crack.4); W is half of
 /// sigma : H, less `heat`, what a temperature has a part in: beta T tr(H).
-template <int dim> Tensor<dim> energy_momentum(const Deformed<dim>& u, double heat = 0.0) {
+template <int dim> Tensor<dim> energy_momentum(const GradientAndStress<dim>& u, double heat = 0.0) {
   Tensor<dim> T = u.H.transpose() * u.sigma;
   T.diagonal().array() -= 0.5 * (u.sigma.cwiseProduct(u.H).sum() - heat);
   return T;
@@ -31,7 +32,8 @@ template <int dim> Tensor<dim> energy_momentum(const Deformed<dim>& u, double he
 
 /// That of the work of two displacements on each other, H_v^T sigma_u + H_u^T sigma_v -
 /// (sigma_u : H_v) I [stress] (crack.10).
-template <int dim> Tensor<dim> energy_momentum(const Deformed<dim>& u, const Deformed<dim>& v) {
+template <int dim>
+Tensor<dim> energy_momentum(const GradientAndStress<dim>& u, const GradientAndStress<dim>& v) {
   Tensor<dim> T = v.H.transpose() * u.sigma + u.H.transpose() * v.sigma;
   T.diagonal().array() -= u.sigma.cwiseProduct(v.H).sum();
   return T;

@@ -49,10 +49,10 @@ private:
 
 } // namespace
 
-Neighbourhood::Neighbourhood(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {}
+TipNeighbourhood::TipNeighbourhood(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {}
 
 // A side that no other element has the corners of.
-bool Neighbourhood::on_boundary(base::NodeId n) const {
+bool TipNeighbourhood::on_boundary(base::NodeId n) const {
   const auto has = [&](base::ElementId e, base::NodeId node) {
     const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
@@ -82,7 +82,7 @@ bool Neighbourhood::on_boundary(base::NodeId n) const {
   return false;
 }
 
-std::map<base::NodeId, double> ExtensionField::q() const {
+std::map<base::NodeId, double> ExtensionField::extension_by_node() const {
   std::map<base::NodeId, double> by_node;
   for (const NodeMotion& moved : motion) {
     by_node.emplace_hint(by_node.end(), moved.node, moved.q);
@@ -90,7 +90,7 @@ std::map<base::NodeId, double> ExtensionField::q() const {
   return by_node;
 }
 
-ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) const {
+ExtensionField TipNeighbourhood::field(const mesh::FrontPoint& point, int rings) const {
   std::set<base::NodeId> rigid{point.node};
   std::set<base::ElementId> inside;
   std::set<base::ElementId> rim;
@@ -146,11 +146,11 @@ ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) co
   return result;
 }
 
-std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& cracked,
-                                                  const mesh::Front& front,
-                                                  const std::vector<int>& rings,
-                                                  std::vector<int>& left_out,
-                                                  const DomainLimits& limits) const {
+std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::CrackedMesh& cracked,
+                                                               const mesh::Front& front,
+                                                               const std::vector<int>& rings,
+                                                               std::vector<int>& left_out,
+                                                               const DomainLimits& limits) const {
   const Movable movable(cracked, front);
   const auto fixed = [&](base::NodeId n) {
     return (!limits.node.empty() && limits.node[n.index()]) ||

@@ -29,7 +29,7 @@ struct ExtensionField {
   std::vector<base::ElementId> elements; ///< where q is not constant, ascending
   std::vector<base::ElementId> inside;   ///< where q is 1, ascending
 
-  [[nodiscard]] std::map<base::NodeId, double> q() const; ///< by node
+  [[nodiscard]] std::map<base::NodeId, double> extension_by_node() const; ///< by node
 };
 
 /// What domains must keep clear of, beside what the mesh says; empty: nothing.
@@ -41,17 +41,19 @@ struct DomainLimits {
 };
 
 /// Nodes and elements round the tips, found once for each mesh.
-class Neighbourhood {
+class TipNeighbourhood {
 public:
-  explicit Neighbourhood(const model::Mesh& mesh);
+  explicit TipNeighbourhood(const model::Mesh& mesh);
 
   /// Fields for the ring counts asked for. A domain that would move a node of the outer boundary
   /// (the crack's own faces behind the tip and, for a half model, the symmetry line excepted),
   /// reach another tip, a node of the limits, or leave the tip's property or zone is left out and
   /// named in `left_out`.
-  [[nodiscard]] std::vector<ExtensionField>
-  fields(const mesh::CrackedMesh& cracked, const mesh::Front& front, const std::vector<int>& rings,
-         std::vector<int>& left_out, const DomainLimits& limits = {}) const;
+  [[nodiscard]] std::vector<ExtensionField> extension_fields(const mesh::CrackedMesh& cracked,
+                                                             const mesh::Front& front,
+                                                             const std::vector<int>& rings,
+                                                             std::vector<int>& left_out,
+                                                             const DomainLimits& limits = {}) const;
 
 private:
   [[nodiscard]] bool on_boundary(base::NodeId n) const;

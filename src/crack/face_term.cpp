@@ -19,11 +19,11 @@ struct ScaledLoad {
 // t . u,1 needs no gradient of the element: along the face u,1 ds is the derivative of u by the
 // reference coordinate, and finite where a quarter-point element's gradients are not.
 void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& face,
-              const base::Vector& u, NodalForces& out) {
+              const base::Vector& u, ConfigurationalForces& out) {
   const auto& [acting, scale] = on;
   const PlaneSide side(set.mesh, face);
   const SideVectors U = side.gather(u);
-  const SideVectors R = side.from(set.tip.x);
+  const SideVectors R = side.positions_from_tip(set.tip.x);
   for (const auto& point : fe::load_rule<1>(side.shape, side.X, *acting.load, scale).points) {
     const SideValues dN = side.shape.dN(point.r);
     const SideValues N = side.shape.N(point.r);
@@ -35,11 +35,11 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
     }
     const base::Vec2 tangent = along.normalized();
     const base::Vec2 normal(tangent.y(), -tangent.x());
-    const base::Vec2 t = set.depth(x) * traction(acting, x, normal);
+    const base::Vec2 t = set.relative_depth(x) * traction(acting, x, normal);
     const Polar place = polar_on_face({{0.0, 0.0}, set.tip.e1, set.tip.e2}, from, normal);
     for (std::size_t k = 0; k < partners; ++k) {
       const base::Vec2 du =
-          k == 0 ? base::Vec2(U * dN) : base::Vec2(partner_gradient(set, place, k) * along);
+          k == 0 ? base::Vec2(U * dN) : base::Vec2(auxiliary_field_gradient(set, place, k) * along);
       // (crack.20): du goes along the face, and the tangent's part along e1 gives it the sign of
       // u,1 ds.
       const base::Vec2 work = -point.weight * t.dot(du) * tangent;
@@ -52,7 +52,7 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
 
 } // namespace
 
-void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& out) {
+void add_face_terms(const TipSetting& set, const base::Vector& u, ConfigurationalForces& out) {
   for (const ActingLoad& acting : set.loads.loads) {
     const ScaledLoad on{acting, face_scale(set, acting)};
     for (const model::Face& face : acting.faces) {

@@ -6,7 +6,7 @@ namespace spricka::crack {
 
 /// Adds what tractions on the crack faces give (manual, crack.20): minus the integral of q t . u,1
 /// along them. Straight crack faces.
-void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& out);
+void add_face_terms(const TipSetting& set, const base::Vector& u, ConfigurationalForces& out);
 
 /// Normal stress that acts on the crack faces at the tip itself, their mean [stress]: pressure
 /// gives its negative.

@@ -15,7 +15,7 @@ struct Shift {
   std::map<base::NodeId, double> q;
   double s = 0.0;
   const base::Vector& u;
-  const std::vector<BodyField>& fields;
+  const std::vector<BodyForceField>& fields;
 
   [[nodiscard]] base::Vec2 step_of(base::NodeId n) const {
     const auto at = q.find(n);
@@ -24,14 +24,14 @@ struct Shift {
 };
 
 /// An element at the places to which its nodes have moved.
-struct Moved {
+struct ShiftedElement {
   base::ElementId e;
   const PlaneElement& element;
   PlaneVectors X;
   PlaneVectors U;
   fe::ConstitutiveLaw law;
 
-  Moved(const Shift& shift, base::ElementId e_)
+  ShiftedElement(const Shift& shift, base::ElementId e_)
       : e(e_), element(plane_element(shift.set.mesh, e)),
         X(fe::coordinates(element, shift.set.mesh, e)),
         U(fe::gather(element, shift.set.mesh, e, shift.u)),
@@ -43,27 +43,28 @@ struct Moved {
 };
 
 // Work of the forces per volume on the displacements of an element.
-double body_work(const Shift& shift, const Moved& at) {
+double body_work(const Shift& shift, const ShiftedElement& at) {
   const TipSetting& set = shift.set;
   double work = 0.0;
   const auto add = [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
     const PlaneValues N = at.element.N(r);
     const base::Vec2 value = at.U * N;
-    work += weight * fe::jacobian(at.element, at.X, r).det * set.depth(at.X * N) * b.dot(value);
+    work += weight * fe::jacobian(at.element, at.X, r).det * set.relative_depth(at.X * N) *
+            b.dot(value);
   };
   for_body_forces(set, shift.fields, at.e, at.X, add);
   return work;
 }
 
 // Of displacements U, per unit of the front.
-double strain_energy(const TipSetting& set, const Moved& at, const PlaneVectors& U) {
-  const double front = set.axial() ? at.law.depth(set.tip.x.x()) : 1.0;
+double strain_energy(const TipSetting& set, const ShiftedElement& at, const PlaneVectors& U) {
+  const double front = set.is_axisymmetric() ? at.law.depth(set.tip.x.x()) : 1.0;
   return 0.5 * U.cwiseProduct(fe::element_force(at.element, at.X, at.law, U)).sum() / front;
 }
 
 // Strain energy of an element and what its temperature, a field that stays where it is, makes of
 // it, but for what does not depend on u.
-double heated_energy(const Shift& shift, const Moved& moved) {
+double heated_energy(const Shift& shift, const ShiftedElement& moved) {
   const auto& [e, element, X, U, law] = moved;
   const TipSetting& set = shift.set;
   const PlaneVectors before = fe::coordinates(element, set.mesh, e);
@@ -91,7 +92,7 @@ double heated_energy(const Shift& shift, const Moved& moved) {
         T.dot(element.linear_element().N(point.r)) + shift.s * q.dot(N) * slope.dot(set.tip.e1);
     const double hoop = U.row(0) * fe::Hoop<PlaneElement>(element, X, law, point.r).h;
     const Eigen::Matrix2d H = U.lazyProduct(at.dNdx);
-    thermal += point.weight * at.det * set.depth(X * N) * beta * here * (H.trace() + hoop);
+    thermal += point.weight * at.det * set.relative_depth(X * N) * beta * here * (H.trace() + hoop);
   }
   return strain_energy(set, moved, U) - thermal;
 }
@@ -99,10 +100,10 @@ double heated_energy(const Shift& shift, const Moved& moved) {
 // Strain energy less the work of what fills the elements.
 double element_energy(const Shift& shift, base::ElementId e) {
   const TipLoads& loads = shift.set.loads;
-  const Moved moved(shift, e);
+  const ShiftedElement moved(shift, e);
   const double strain = loads.temperature.size() > 0 ? heated_energy(shift, moved)
                                                      : strain_energy(shift.set, moved, moved.U);
-  return loads.fill_elements() ? strain - body_work(shift, moved) : strain;
+  return loads.has_element_loads() ? strain - body_work(shift, moved) : strain;
 }
 
 double face_work(const Shift& shift, const ActingLoad& acting, const model::Face& face,
@@ -117,7 +118,7 @@ double face_work(const Shift& shift, const ActingLoad& acting, const model::Face
     const SideValues N = side.shape.N(point.r);
     const base::Vec2 area = fe::area_vector<1>(side.shape, side.X, point.r).head<2>();
     const base::Vec2 x = side.X.topRows<2>() * N;
-    work += point.weight * area.norm() * shift.set.depth(x) *
+    work += point.weight * area.norm() * shift.set.relative_depth(x) *
             traction(acting, x, area.normalized()).dot(base::Vec2(U * N));
   }
   return work;
@@ -128,7 +129,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
   std::vector<base::ElementId> elements = field.elements;
   // Elements that move as one keep their strain energy; the work of a field in space changes.
   // About an axis they come to other radii.
-  if (set.loads.fill_elements() || set.axial()) {
+  if (set.loads.has_element_loads() || set.is_axisymmetric()) {
     elements.insert(elements.end(), field.inside.begin(), field.inside.end());
   }
   double energy = 0.0;
@@ -155,8 +156,8 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
 
 double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
                             const base::Vector& u) {
-  const std::map<base::NodeId, double> q = field.q();
-  const std::vector<BodyField> fields = body_fields(set);
+  const std::map<base::NodeId, double> q = field.extension_by_node();
+  const std::vector<BodyForceField> fields = body_force_fields(set);
   // (crack.15).
   const double back =
       potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);

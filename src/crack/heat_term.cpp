@@ -47,21 +47,21 @@ struct Swelling {
 Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t partner) {
   const Polar at = polar(set.tip, x);
   Swelling s{section_slope(set, at, partner), 0.0};
-  if (set.axial()) {
-    s.hoop = partner_displacement(set, at, partner).x() / x.x();
+  if (set.is_axisymmetric()) {
+    s.hoop = auxiliary_field_displacement(set, at, partner).x() / x.x();
     // (v_x / x),1
-    s.slope +=
-        (Vec2(partner_gradient(set, at, partner) * set.tip.e1).x() - s.hoop * set.tip.e1.x()) /
-        x.x();
+    s.slope += (Vec2(auxiliary_field_gradient(set, at, partner) * set.tip.e1).x() -
+                s.hoop * set.tip.e1.x()) /
+               x.x();
   }
   return s;
 }
 
 // One element of a domain.
-class Element {
+class HeatTermElement {
 public:
-  Element(const TipSetting& set, ElementId e, const std::map<base::NodeId, double>& q,
-          const base::Vector& u)
+  HeatTermElement(const TipSetting& set, ElementId e, const std::map<base::NodeId, double>& q,
+                  const base::Vector& u)
       : set_(set), e_(e), element_(plane_element(set.mesh, e)),
         X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
@@ -103,7 +103,7 @@ public:
   [[nodiscard]] Vec2 middle() const { return x(element_.centre()); }
   /// Of q, round the axis.
   [[nodiscard]] double extension_round(const shape::Point<2>& r) const {
-    return set_.axial() ? extension(r) * set_.tip.e1.x() / x(r).x() : 0.0;
+    return set_.is_axisymmetric() ? extension(r) * set_.tip.e1.x() / x(r).x() : 0.0;
   }
 
   // - beta D div(q v,1) of a partner v.
@@ -118,9 +118,9 @@ public:
       const Swelling v = swelling(set_, at, k);
       double div = q * v.slope + round * v.hoop;
       if (strained_) {
-        div += grad.dot(partner_gradient(set_, place, k) * set_.tip.e1);
+        div += grad.dot(auxiliary_field_gradient(set_, place, k) * set_.tip.e1);
       }
-      sum[k] -= beta() * area * set_.depth(at) * D * div;
+      sum[k] -= beta() * area * set_.relative_depth(at) * D * div;
     }
   }
 
@@ -137,7 +137,7 @@ public:
     const double along = (slope * at.J.inverse()).dot(set_.tip.e1);
     const Vec2 grad = at.dNdx.transpose() * moved_;
     const Vec2 carried = Eigen::Matrix2d(U_.lazyProduct(at.dNdx)) * set_.tip.e1;
-    return -beta() * area * set_.depth(x(r)) * D *
+    return -beta() * area * set_.relative_depth(x(r)) * D *
            (grad.dot(carried) + extension(r) * along + extension_round(r) * hoop(r));
   }
 
@@ -244,8 +244,8 @@ public:
     constexpr int most_halvings = 12;
     constexpr double exact = 1e-7;
     constexpr double nothing = 1e-11; // round-off
-    const Element left(set_, edge.left, q_, u_);
-    const Element right(set_, edge.right, q_, u_);
+    const HeatTermElement left(set_, edge.left, q_, u_);
+    const HeatTermElement right(set_, edge.right, q_, u_);
     double size = 0.0;
     const auto value = [&](double t) {
       const shape::Point<2> r = left.on_side(edge.of_left, t);
@@ -257,7 +257,7 @@ public:
       const double T = 0.5 * (temperature_beside(left, r) + temperature_beside(right, s));
       const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
       const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
-      const double weight = left.extension(r) * n * set_.depth(left.x(r));
+      const double weight = left.extension(r) * n * set_.relative_depth(left.x(r));
       size = std::max(size, scale_ * std::abs(left.volume_change(r)) * left.beta() *
                                 tangent.norm() * left.extension(r));
       return (a - b) * weight;
@@ -274,7 +274,8 @@ public:
 private:
   // What stands on one side of an edge: where the element takes all of the temperature that it
   // knows, that, also where a sliver at its edge has another one that no point has seen.
-  [[nodiscard]] double temperature_beside(const Element& element, const shape::Point<2>& r) const {
+  [[nodiscard]] double temperature_beside(const HeatTermElement& element,
+                                          const shape::Point<2>& r) const {
     const ElementId e = element.id();
     const bool takes_all =
         std::ranges::all_of(set_.loads.heat, [&](const fe::ScaledTemperature& acting) {
@@ -318,8 +319,9 @@ bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
 
 } // namespace
 
-std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& front,
-                                      const std::vector<ExtensionField>& fields) {
+std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
+                                                        const mesh::Front& front,
+                                                        const std::vector<ExtensionField>& fields) {
   if (set.loads.temperature.size() == 0 || set.loads.heat.empty()) {
     return std::nullopt;
   }
@@ -327,7 +329,7 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& 
   if (is_taken(set, all)) {
     return std::nullopt;
   }
-  AffineHeat affine;
+  AffineTemperature affine;
   Eigen::Matrix2d G = Eigen::Matrix2d::Zero();
   Vec2 right = Vec2::Zero();
   double weight = 0.0;
@@ -353,7 +355,7 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& 
   return affine;
 }
 
-bool jumps_in(const TipSetting& set, const ExtensionField& field) {
+bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
   return std::ranges::any_of(set.loads.heat, [&](const fe::ScaledTemperature& acting) {
     const std::vector<bool>& rough = acting.heat->discontinuous;
     return !rough.empty() &&
@@ -364,11 +366,11 @@ bool jumps_in(const TipSetting& set, const ExtensionField& field) {
 std::array<double, partners> heat_term(const TipSetting& set, const mesh::Front& front,
                                        const ExtensionField& field, const base::Vector& u) {
   std::array<double, partners> sum{};
-  const std::map<base::NodeId, double> q = field.q();
+  const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<ElementId> all = all_elements(field);
-  const bool wants_G = !jumps_in(set, field) && (u.array() != 0.0).any();
+  const bool wants_G = !has_temperature_jump(set, field) && (u.array() != 0.0).any();
   for (const ElementId e : all) {
-    Element(set, e, q, u).add(front, wants_G, sum);
+    HeatTermElement(set, e, q, u).add(front, wants_G, sum);
   }
   if (!wants_G) {
     return sum;

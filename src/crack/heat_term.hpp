@@ -8,11 +8,12 @@ namespace spricka::crack {
 
 /// The linear temperature that comes nearest to that of the domains and has its value at the tip;
 /// empty where elements take all of the temperature and the rim of no heated set is in the domains.
-std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& front,
-                                      const std::vector<ExtensionField>& fields);
+std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
+                                                        const mesh::Front& front,
+                                                        const std::vector<ExtensionField>& fields);
 
 /// Whether a temperature jumps within elements of a domain.
-bool jumps_in(const TipSetting& set, const ExtensionField& field);
+bool has_temperature_jump(const TipSetting& set, const ExtensionField& field);
 
 /// Of one domain, by partner: to K and T what the temperature less the affine one makes of them, by
 /// parts, so that it needs no gradient (manual, crack.34); to G what the temperature less that of

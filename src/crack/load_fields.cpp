@@ -7,13 +7,13 @@
 
 namespace spricka::crack {
 
-std::vector<BodyField> body_fields(const TipSetting& set) {
-  std::vector<BodyField> fields;
+std::vector<BodyForceField> body_force_fields(const TipSetting& set) {
+  std::vector<BodyForceField> fields;
   for (const ActingLoad& acting : set.loads.loads) {
     if (acting.elements.empty() || acting.load->type == model::LoadType::temperature) {
       continue;
     }
-    BodyField field{&acting, {}, {}};
+    BodyForceField field{&acting, {}, {}};
     if (acting.load->elements.valid()) {
       field.shares = fe::set_shares(set.model, set.mesh, acting.load->elements);
       field.scale = fe::load_scale(set.mesh, *acting.load, field.shares.elements);
@@ -23,10 +23,10 @@ std::vector<BodyField> body_fields(const TipSetting& set) {
   return fields;
 }
 
-void for_body_forces(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
-                     const PlaneVectors& X, const BodyForceVisit& visit) {
+void for_body_forces(const TipSetting& set, const std::vector<BodyForceField>& fields,
+                     base::ElementId e, const PlaneVectors& X, const BodyForceVisit& visit) {
   const PlaneElement& element = plane_element(set.mesh, e);
-  for (const BodyField& field : fields) {
+  for (const BodyForceField& field : fields) {
     const ActingLoad& acting = *field.acting;
     if (!std::ranges::binary_search(acting.elements, e)) {
       continue;

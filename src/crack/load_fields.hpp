@@ -12,21 +12,21 @@
 namespace spricka::crack {
 
 /// A force per volume with what its rule and its set need. Refers to the loads of a tip.
-struct BodyField {
+struct BodyForceField {
   const ActingLoad* acting = nullptr;
   fe::SetShares shares;
   fe::FieldScale scale;
 };
 
 /// The forces per volume round a tip.
-std::vector<BodyField> body_fields(const TipSetting& set);
+std::vector<BodyForceField> body_force_fields(const TipSetting& set);
 
 /// Visits the points of an element with nodes X: reference point, weight and the forces per volume
 /// b there [force/length^3].
 using BodyForceVisit =
     std::function<void(const shape::Point<2>& r, double weight, const base::Vec2& b)>;
-void for_body_forces(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
-                     const PlaneVectors& X, const BodyForceVisit& visit);
+void for_body_forces(const TipSetting& set, const std::vector<BodyForceField>& fields,
+                     base::ElementId e, const PlaneVectors& X, const BodyForceVisit& visit);
 
 /// Scale of a load on faces, for fe::load_rule.
 inline fe::FieldScale face_scale(const TipSetting& set, const ActingLoad& acting) {

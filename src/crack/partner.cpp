@@ -3,8 +3,9 @@
 
 namespace spricka::crack {
 
-SectionState stressed(const Stiffness& k, const Tensor<2>& H, double hoop) {
-  SectionState state{.H = H, .hoop = hoop, .sigma = stress_of<2>(k.D, H), .sigma_hoop = 0.0};
+SectionState state_from_gradient(const SectionElasticity& k, const Tensor<2>& H, double hoop) {
+  SectionState state{
+      .H = H, .hoop = hoop, .sigma = stress_from_gradient<2>(k.D, H), .sigma_hoop = 0.0};
   if (k.law.axisymmetric) {
     const double pressed = k.law.lambda * hoop;
     state.sigma.diagonal().array() += pressed;
@@ -13,18 +14,18 @@ SectionState stressed(const Stiffness& k, const Tensor<2>& H, double hoop) {
   return state;
 }
 
-Partner partner_at(const TipSetting& set, const Stiffness& k, const base::Vec2& x,
-                   std::size_t partner) {
+AuxiliaryField auxiliary_field_at(const TipSetting& set, const SectionElasticity& k,
+                                  const base::Vec2& x, std::size_t partner) {
   const Polar place = polar(set.tip, x);
-  const Tensor<2> H = partner_gradient(set, place, partner);
-  if (!set.axial()) {
-    return {stressed(k, H, 0.0), base::Vec2::Zero()};
+  const Tensor<2> H = auxiliary_field_gradient(set, place, partner);
+  if (!set.is_axisymmetric()) {
+    return {state_from_gradient(k, H, 0.0), base::Vec2::Zero()};
   }
-  const double hoop = partner_displacement(set, place, partner).x() / x.x();
+  const double hoop = auxiliary_field_displacement(set, place, partner).x() / x.x();
   // (crack.39): in the section alone it is at rest.
   const base::Vec2 divergence((k.law.lambda + 2.0 * k.law.mu) * (H(0, 0) - hoop),
                               k.law.lambda * H(0, 1) + k.law.mu * (H(0, 1) + H(1, 0)));
-  return {stressed(k, H, hoop), divergence / x.x()};
+  return {state_from_gradient(k, H, hoop), divergence / x.x()};
 }
 
 } // namespace spricka::crack

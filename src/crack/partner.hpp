@@ -6,11 +6,11 @@
 namespace spricka::crack {
 
 /// Elastic constants of an element of a domain.
-struct Stiffness {
+struct SectionElasticity {
   fe::Elasticity<2> D; ///< in the section
   fe::ConstitutiveLaw law;
 
-  Stiffness(const TipSetting& set, base::ElementId e)
+  SectionElasticity(const TipSetting& set, base::ElementId e)
       : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
 };
 
@@ -30,14 +30,14 @@ struct SectionState {
 };
 
 /// With the stress of a gradient.
-SectionState stressed(const Stiffness& k, const Tensor<2>& H, double hoop);
+SectionState state_from_gradient(const SectionElasticity& k, const Tensor<2>& H, double hoop);
 
 /// Partner 1 to 3 at a point x off the tip. About an axis it is carried round with the section: a
 /// displacement of the body, but none of a body at rest (crack.38).
-struct Partner : SectionState {
+struct AuxiliaryField : SectionState {
   base::Vec2 divergence = base::Vec2::Zero(); ///< of its stress [stress/length]
 };
-Partner partner_at(const TipSetting& set, const Stiffness& k, const base::Vec2& x,
-                   std::size_t partner);
+AuxiliaryField auxiliary_field_at(const TipSetting& set, const SectionElasticity& k,
+                                  const base::Vec2& x, std::size_t partner);
 
 } // namespace spricka::crack

@@ -22,9 +22,9 @@ struct PressedPoint {
 };
 
 // Order along the crack of the nodes of one face; -1: not on it.
-class Along {
+class CrackFaceOrder {
 public:
-  explicit Along(const std::vector<base::NodeId>& face) {
+  explicit CrackFaceOrder(const std::vector<base::NodeId>& face) {
     for (std::size_t i = 0; i < face.size(); ++i) {
       place_[face[i]] = static_cast<int>(i);
     }
@@ -57,8 +57,8 @@ void for_points_of(const TipSetting& set, base::ElementId e, const PlaneSide& si
   PressedPoint p;
   p.nodes = side.nodes;
   const double from = p.nodes[0] == set.tip_node ? 1.0 : p.nodes[1] == set.tip_node ? -1.0 : 0.0;
-  const SideVectors R = side.from(set.tip.x);
-  const double lambda = Stiffness(set, e).law.lambda;
+  const SideVectors R = side.positions_from_tip(set.tip.x);
+  const double lambda = SectionElasticity(set, e).law.lambda;
   for (const auto& point : shape::line_rule(degree)) {
     shape::Point<1> r = point.r;
     double weight = point.weight;
@@ -74,7 +74,7 @@ void for_points_of(const TipSetting& set, base::ElementId e, const PlaneSide& si
     const base::Vec2 at = R * p.N;
     p.place = polar_on_face({{0.0, 0.0}, set.tip.e1, set.tip.e2}, at, p.normal);
     const base::Vec2 x = set.tip.x + at;
-    p.weight = weight * set.depth(x) * lambda / x.x();
+    p.weight = weight * set.relative_depth(x) * lambda / x.x();
     visit(p);
   }
 }
@@ -82,11 +82,11 @@ void for_points_of(const TipSetting& set, base::ElementId e, const PlaneSide& si
 // The same on all sides of some elements that are faces of the tip's crack.
 void for_pressed_points(const TipSetting& set, const std::vector<base::ElementId>& elements,
                         const PressedVisit& visit) {
-  if (!set.axial() || set.crack_faces == nullptr) {
+  if (!set.is_axisymmetric() || set.crack_faces == nullptr) {
     return;
   }
-  const Along left(set.crack_faces->left);
-  const Along right(set.crack_faces->right);
+  const CrackFaceOrder left(set.crack_faces->left);
+  const CrackFaceOrder right(set.crack_faces->right);
   for (const base::ElementId e : elements) {
     for (int s = 0; s < base::element_info(set.mesh.type[e.index()]).sides; ++s) {
       const PlaneSide side(set.mesh, {e, s});
@@ -110,8 +110,8 @@ std::vector<base::ElementId> elements_of(const std::vector<ExtensionField>& fiel
 
 } // namespace
 
-void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                          const base::Vector& u, NodalForces& out) {
+void add_auxiliary_pressure(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                            const base::Vector& u, ConfigurationalForces& out) {
   for_pressed_points(set, elements_of(fields), [&](const PressedPoint& p) {
     double opens = 0.0; // n . du/dr
     for (std::size_t i = 0; i < p.nodes.size(); ++i) {
@@ -119,7 +119,7 @@ void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionFiel
       opens += p.dN[static_cast<Eigen::Index>(i)] * p.normal.dot(u.segment<2>(freedom));
     }
     for (std::size_t k = 1; k < partners; ++k) {
-      const double outwards = partner_displacement(set, p.place, k).x();
+      const double outwards = auxiliary_field_displacement(set, p.place, k).x();
       for (std::size_t i = 0; i < p.nodes.size(); ++i) {
         out[p.nodes[i]][k].head<2>() -=
             p.N[static_cast<Eigen::Index>(i)] * outwards * p.weight * opens * p.tangent;
@@ -128,9 +128,9 @@ void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionFiel
   });
 }
 
-void add_partner_pressure_row(const TipSetting& set, const ExtensionField& field,
-                              std::size_t partner, double factor, base::Vector& row) {
-  const std::map<base::NodeId, double> q = field.q();
+void add_auxiliary_pressure_row(const TipSetting& set, const ExtensionField& field,
+                                std::size_t partner, double factor, base::Vector& row) {
+  const std::map<base::NodeId, double> q = field.extension_by_node();
   for_pressed_points(set, elements_of({field}), [&](const PressedPoint& p) {
     double moved = 0.0;
     for (std::size_t i = 0; i < p.nodes.size(); ++i) {
@@ -138,7 +138,7 @@ void add_partner_pressure_row(const TipSetting& set, const ExtensionField& field
       moved += at == q.end() ? 0.0 : p.N[static_cast<Eigen::Index>(i)] * at->second;
     }
     const double amount = factor * moved * set.tip.e1.dot(p.tangent) * p.weight *
-                          partner_displacement(set, p.place, partner).x();
+                          auxiliary_field_displacement(set, p.place, partner).x();
     for (std::size_t i = 0; i < p.nodes.size(); ++i) {
       row.segment<2>(2 * static_cast<Eigen::Index>(p.nodes[i].index())) -=
           amount * p.dN[static_cast<Eigen::Index>(i)] * p.normal;

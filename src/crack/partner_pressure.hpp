@@ -8,11 +8,11 @@ namespace spricka::crack {
 
 /// Takes it from the forces of K and T on the faces of the crack in the elements of all fields.
 /// Nothing in the plane.
-void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                          const base::Vector& u, NodalForces& out);
+void add_auxiliary_pressure(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                            const base::Vector& u, ConfigurationalForces& out);
 
 /// The same with one partner and one field as a row, whose product with u it is: added to `row`.
-void add_partner_pressure_row(const TipSetting& set, const ExtensionField& field,
-                              std::size_t partner, double factor, base::Vector& row);
+void add_auxiliary_pressure_row(const TipSetting& set, const ExtensionField& field,
+                                std::size_t partner, double factor, base::Vector& row);
 
 } // namespace spricka::crack

@@ -3,7 +3,7 @@
 
 namespace spricka::crack {
 
-SideVectors PlaneSide::from(const base::Vec2& tip) const {
+SideVectors PlaneSide::positions_from_tip(const base::Vec2& tip) const {
   return X.topRows<2>().colwise() - tip;
 }
 

@@ -17,7 +17,7 @@ struct PlaneSide : fe::ElementSide<1> {
   /// Nodes as seen from the tip: of points much nearer to it than sixteen digits of their
   /// coordinates tell, as a rule has them where a load jumps at the tip, the distance is right even
   /// so.
-  [[nodiscard]] SideVectors from(const base::Vec2& tip) const;
+  [[nodiscard]] SideVectors positions_from_tip(const base::Vec2& tip) const;
   /// Displacements of the nodes.
   [[nodiscard]] SideVectors gather(const base::Vector& u) const;
 };

@@ -128,15 +128,15 @@ double heat_doubt(const TipSetting& set, const ExtensionField& field) {
 
 } // namespace
 
-double doubt_of_G(const TipSetting& set, const ExtensionField& field) {
+double G_uncertainty(const TipSetting& set, const ExtensionField& field) {
   double sum = 0.0;
   for_rough_sides(set, field,
                   [&](const model::Face& /*face*/, const Roughness& r) { sum += r.rough; });
   return of_faces * sum / fe::effective_modulus(set.material, set.state()) + heat_doubt(set, field);
 }
 
-std::vector<bool> rough_rims(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                             double K) {
+std::vector<bool> load_jump_domains(const TipSetting& set,
+                                    const std::vector<ExtensionField>& fields, double K) {
   std::vector<bool> rough;
   rough.reserve(fields.size());
   const double G = K * K / fe::effective_modulus(set.material, set.state());

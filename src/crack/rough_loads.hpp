@@ -12,7 +12,7 @@ namespace spricka::crack {
 /// follow neither: what they miss of the energy changes as nodes move past the jump, and what they
 /// find there is not the strain that G needs (manual, crack.20, crack.35). Domains inside feel it,
 /// too.
-double doubt_of_G(const TipSetting& set, const ExtensionField& field);
+double G_uncertainty(const TipSetting& set, const ExtensionField& field);
 
 /// Part of G that such jumps may make up before G is left to K: a tenth of what two ways to K part
 /// by on sound meshes.
@@ -22,7 +22,7 @@ constexpr double worst_doubt = 2e-4;
 /// where q varies, or a temperature jumps in one of the domains. Errors that such a jump makes near
 /// it take opposite signs inside and outside and leave the mean alone, which has a bar.
 /// `K`: hypot(K1, K2).
-std::vector<bool> rough_rims(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                             double K);
+std::vector<bool> load_jump_domains(const TipSetting& set,
+                                    const std::vector<ExtensionField>& fields, double K);
 
 } // namespace spricka::crack

@@ -35,7 +35,7 @@ double crack_modulus(const model::ElasticMaterial& material, model::StressState 
 }
 
 /// Factors that turn sums over nodes into G, K and T.
-struct Factors {
+struct IntensityConversion {
   double E_own = 0.0;  ///< E' of the property
   double E_used = 0.0; ///< E' that K belongs to
   double halves = 1.0; ///< 2: one half of the body is in the model
@@ -46,8 +46,9 @@ struct Factors {
   [[nodiscard]] double T() const { return E_own * halves; }
 };
 
-Factors factors_of(const TipSetting& set, const mesh::Front& front, model::TipConstraint wish) {
-  Factors f;
+IntensityConversion factors_of(const TipSetting& set, const mesh::Front& front,
+                               model::TipConstraint wish) {
+  IntensityConversion f;
   f.E_own = fe::effective_modulus(set.material, set.state());
   f.E_used = crack_modulus(set.material, set.state(), wish);
   f.halves = front.symmetric_half ? 2.0 : 1.0;
@@ -59,7 +60,7 @@ void summarise(StressIntensity& result) {
   double high = low;
   const auto count = static_cast<double>(result.domains.size());
   double with_G = 0.0;
-  for (const DomainValue& d : result.domains) {
+  for (const DomainIntensity& d : result.domains) {
     result.K1 += d.K1 / count;
     result.K2 += d.K2 / count;
     // Domains that tell no G are left out of its mean; where none tells one it is that of K.
@@ -77,17 +78,18 @@ void summarise(StressIntensity& result) {
 }
 
 // All terms of G, K and T: each adds to the forces of the nodes it touches.
-NodalForces configurational_forces(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                                   const base::Vector& u) {
-  NodalForces forces;
+ConfigurationalForces configurational_forces(const TipSetting& set,
+                                             const std::vector<ExtensionField>& fields,
+                                             const base::Vector& u) {
+  ConfigurationalForces forces;
   add_domain_terms(set, fields, u, forces);
   add_face_terms(set, u, forces);
-  add_partner_pressure(set, fields, u, forces);
+  add_auxiliary_pressure(set, fields, u, forces);
   return forces;
 }
 
 // G of the finite shift instead of the analytic one, K to the same.
-void take_shift(DomainValue& value, double G) {
+void take_shift(DomainIntensity& value, double G) {
   // G is quadratic in K (crack.9).
   const double scale = G > 0.0 && value.G > 0.0 ? std::sqrt(G / value.G) : 1.0;
   value.K1 *= scale;
@@ -111,19 +113,19 @@ base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField
                          std::size_t partner) {
   base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
   const auto add = [&](base::ElementId e, const shape::Point<2>& r,
-                       const fe::Jacobian<PlaneElement>& at, const Contracted& c) {
+                       const fe::Jacobian<PlaneElement>& at, const ContractionTensor& c) {
     const std::span<const base::NodeId> nodes = set.mesh.element_nodes(e);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
       row.segment<2>(freedom) += c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
     }
-    if (set.axial()) {
+    if (set.is_axisymmetric()) {
       add_hoop(set, e, r, c.hoop, row);
     }
   };
   for_contractions(set, fields, partner, add);
   for (const ExtensionField& field : fields) {
-    add_partner_pressure_row(set, field, partner, 1.0 / static_cast<double>(fields.size()), row);
+    add_auxiliary_pressure_row(set, field, partner, 1.0 / static_cast<double>(fields.size()), row);
   }
   return row;
 }
@@ -133,11 +135,12 @@ double stress_of_hoop(const TipSetting& set) {
   return fe::effective_modulus(set.material, set.state()) * set.material.nu / set.tip.x.x();
 }
 double stress_of_hoop(const TipSetting& set, const base::Vector& u) {
-  return set.axial() ? stress_of_hoop(set) * u[2 * static_cast<Eigen::Index>(set.tip_node.index())]
-                     : 0.0;
+  return set.is_axisymmetric()
+             ? stress_of_hoop(set) * u[2 * static_cast<Eigen::Index>(set.tip_node.index())]
+             : 0.0;
 }
 
-TipPlace tip_place(const TipSetting& set, const mesh::Front& front) {
+TipBody tip_place(const TipSetting& set, const mesh::Front& front) {
   return {set.tip, front.tip().node, set.material, set.state(), set.property.thickness};
 }
 
@@ -169,19 +172,19 @@ Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                                  const mesh::Front& front,
                                  const std::vector<ExtensionField>& fields,
-                                 const VceRequest& request, const base::Vector& u,
+                                 const TipIntensityRequest& request, const base::Vector& u,
                                  const TipLoads& loads) {
   StressIntensity result;
   if (fields.empty()) {
     return result;
   }
   TipSetting set = tip_setting(model, cracked, front, fields, loads);
-  set.affine = affine_heat(set, front, fields);
-  const Factors factors = factors_of(set, front, request.state);
+  set.affine = fit_affine_temperature(set, front, fields);
+  const IntensityConversion factors = factors_of(set, front, request.state);
   result.E_effective = factors.E_used;
   result.two_materials = std::ranges::any_of(
       fields, [&](const ExtensionField& f) { return between_materials(set, f); });
-  const NodalForces forces = configurational_forces(set, fields, u);
+  const ConfigurationalForces forces = configurational_forces(set, fields, u);
   // What stands beside the bracket of (crack.26).
   const double T_of_tip =
       stress_on_crack_faces_at_tip(set, front) - thermal_stress_at_tip(set, front) +
@@ -190,22 +193,22 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   double analytic = 0.0;
   double doubt = 0.0; // what is rough in one domain is so for the displacements in all
   for (const ExtensionField& field : fields) {
-    doubt = std::max(doubt, factors.halves * doubt_of_G(set, field));
+    doubt = std::max(doubt, factors.halves * G_uncertainty(set, field));
   }
   for (const ExtensionField& field : fields) {
-    std::array<double, partners> sum = forces.along(field);
+    std::array<double, partners> sum = forces.released_energies(field);
     const std::array<double, partners> more =
         added_terms(set, front, field, request.crack_faces, u);
     for (std::size_t k = 0; k < partners; ++k) {
       sum[k] += more[k];
     }
-    DomainValue value{.rings = field.rings,
-                      .K1 = factors.K() * sum[1],
-                      .K2 = front.symmetric_half ? 0.0 : factors.K() * sum[2],
-                      .K3 = 0.0,
-                      .G = factors.halves * sum[0],
-                      .T = factors.T() * sum[3] + T_of_tip};
-    const bool jumps = set.affine && jumps_in(set, field);
+    DomainIntensity value{.rings = field.rings,
+                          .K1 = factors.K() * sum[1],
+                          .K2 = front.symmetric_half ? 0.0 : factors.K() * sum[2],
+                          .K3 = 0.0,
+                          .G = factors.halves * sum[0],
+                          .T = factors.T() * sum[3] + T_of_tip};
+    const bool jumps = set.affine && has_temperature_jump(set, field);
     if (request.shift && !jumps) {
       const double G =
           factors.halves * shifted_release_rate(set, field, *request.shift * front.size, u) +
@@ -257,12 +260,12 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
   return rows;
 }
 
-std::vector<IntensityPoint> intensity_points(const model::Model& model,
-                                             const mesh::CrackedMesh& cracked,
-                                             const mesh::Front& front,
-                                             const std::vector<ExtensionField>& fields,
-                                             model::TipConstraint state) {
-  std::vector<IntensityPoint> points;
+std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
+                                                       const mesh::CrackedMesh& cracked,
+                                                       const mesh::Front& front,
+                                                       const std::vector<ExtensionField>& fields,
+                                                       model::TipConstraint state) {
+  std::vector<IntensityFunctionalPoint> points;
   const TipLoads none;
   if (fields.empty()) {
     return points;
@@ -275,16 +278,16 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   const auto visit = [&](std::size_t partner, auto&& take) {
     for_contractions(set, fields, partner,
                      [&](base::ElementId e, const shape::Point<2>& r,
-                         const fe::Jacobian<PlaneElement>& /*at*/, const Contracted& c) {
-                       take(e, r, Contracted{factor * c.M, factor * c.hoop});
+                         const fe::Jacobian<PlaneElement>& /*at*/, const ContractionTensor& c) {
+                       take(e, r, ContractionTensor{factor * c.M, factor * c.hoop});
                      });
   };
-  visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Contracted& c) {
+  visit(1, [&](base::ElementId e, const shape::Point<2>& r, const ContractionTensor& c) {
     points.push_back({e, r, {c.M, Eigen::Matrix2d::Zero()}, {c.hoop, 0.0}});
   });
   if (!front.symmetric_half) { // the points come in the same order
     std::size_t i = 0;
-    visit(2, [&](base::ElementId, const shape::Point<2>&, const Contracted& c) {
+    visit(2, [&](base::ElementId, const shape::Point<2>&, const ContractionTensor& c) {
       points[i].M[1] = c.M;
       points[i++].hoop[1] = c.hoop;
     });
@@ -328,7 +331,7 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
   const TipSetting set = tip_setting(model, cracked, front, fields, none);
   base::Vector row =
       factors_of(set, front, model::TipConstraint::automatic).T() * partner_row(set, fields, 3);
-  if (set.axial()) {
+  if (set.is_axisymmetric()) {
     row[2 * static_cast<Eigen::Index>(set.tip_node.index())] += stress_of_hoop(set);
   }
   return row;
@@ -342,7 +345,7 @@ IntensityConstant intensity_constant(const model::Model& model, const mesh::Crac
     return {};
   }
   // K at u = 0 is what the loads add by themselves (crack.23).
-  VceRequest request;
+  TipIntensityRequest request;
   request.state = state;
   const StressIntensity K = stress_intensity(model, cracked, front, fields, request,
                                              base::Vector::Zero(freedoms(cracked)), loads);

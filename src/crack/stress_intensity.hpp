@@ -18,7 +18,7 @@
 namespace spricka::crack {
 
 /// The values of one domain.
-struct DomainValue {
+struct DomainIntensity {
   int rings = 0;
   double K1 = 0.0, K2 = 0.0; ///< [stress * length^0.5]
   double K3 = 0.0;           ///< in space
@@ -27,7 +27,7 @@ struct DomainValue {
 };
 
 /// What a point of a front in space has beside the values of a tip.
-struct AlongFront {
+struct FrontPointIntensity {
   bool at_surface = false; ///< the front leaves the body there: K is a number of the mesh
   double T_along = 0.0;    ///< stress along the front that K leaves [stress]
   /// K1, K2, K3 by a smooth curve through the values of all points (manual, crack_space.15).
@@ -47,13 +47,13 @@ struct StressIntensity {
   /// The tip lies between two materials: its stresses oscillate, there is no K1, K2 (all 0), only
   /// G.
   bool two_materials = false;
-  std::vector<DomainValue> domains;
+  std::vector<DomainIntensity> domains;
   std::optional<double> shift_error;            ///< G by finite shift over analytic G, minus 1
   std::optional<std::array<double, 2>> opening; ///< K1, K2 by the opening of the crack faces
-  std::optional<AlongFront> front;              ///< in space
+  std::optional<FrontPointIntensity> front;     ///< in space
 };
 
-struct VceRequest {
+struct TipIntensityRequest {
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic
   model::TipConstraint state = model::TipConstraint::automatic;
   const CrackFaceForces* crack_faces =
@@ -74,7 +74,7 @@ struct VceRequest {
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                                  const mesh::Front& front,
                                  const std::vector<ExtensionField>& fields,
-                                 const VceRequest& request, const base::Vector& u,
+                                 const TipIntensityRequest& request, const base::Vector& u,
                                  const TipLoads& loads);
 
 /// K1 and K2 as functions of u, rows^T u + intensity_constant: what stress_intensity finds by the
@@ -86,17 +86,17 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
 /// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
 /// u_x / x.
-struct IntensityPoint {
+struct IntensityFunctionalPoint {
   base::ElementId element;
   shape::Point<2> r = shape::Point<2>::Zero(); ///< in the element's reference coordinates
   std::array<Eigen::Matrix2d, 2> M;            ///< by mode, integration weight included
   std::array<double, 2> hoop{};                ///< the same
 };
-std::vector<IntensityPoint> intensity_points(const model::Model& model,
-                                             const mesh::CrackedMesh& cracked,
-                                             const mesh::Front& front,
-                                             const std::vector<ExtensionField>& fields,
-                                             model::TipConstraint state);
+std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
+                                                       const mesh::CrackedMesh& cracked,
+                                                       const mesh::Front& front,
+                                                       const std::vector<ExtensionField>& fields,
+                                                       model::TipConstraint state);
 /// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
 /// [dim * node, 2]
 base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,

@@ -20,7 +20,7 @@ base::Vec2 components(const model::Load& load, const base::Vec2& x) {
 
 } // namespace
 
-bool TipLoads::fill_elements() const {
+bool TipLoads::has_element_loads() const {
   return temperature.size() > 0 ||
          std::ranges::any_of(loads, [](const ActingLoad& a) { return !a.elements.empty(); });
 }

@@ -25,7 +25,7 @@ struct TipLoads {
   std::vector<fe::ScaledTemperature> heat = {}; ///< of the same; empty: elements take all of it
 
   /// Whether some element feels a force per volume or a temperature.
-  [[nodiscard]] bool fill_elements() const;
+  [[nodiscard]] bool has_element_loads() const;
 };
 
 /// Force per area of one load on a face whose outer normal is n [stress].

@@ -57,7 +57,7 @@ bool between_materials(const TipSetting& set, const ExtensionField& field) {
   return std::ranges::any_of(field.elements, differs) || std::ranges::any_of(field.inside, differs);
 }
 
-std::array<base::Vec3, partners>& NodalForces::operator[](base::NodeId n) {
+std::array<base::Vec3, partners>& ConfigurationalForces::operator[](base::NodeId n) {
   const auto [place, fresh] = at.try_emplace(n);
   if (fresh) {
     place->second.fill(base::Vec3::Zero());
@@ -65,7 +65,8 @@ std::array<base::Vec3, partners>& NodalForces::operator[](base::NodeId n) {
   return place->second;
 }
 
-std::array<double, partners> NodalForces::along(const ExtensionField& field) const {
+std::array<double, partners>
+ConfigurationalForces::released_energies(const ExtensionField& field) const {
   std::array<double, partners> sum{};
   for (const NodeMotion& moved : field.motion) {
     const auto P = at.find(moved.node);
@@ -79,17 +80,19 @@ std::array<double, partners> NodalForces::along(const ExtensionField& field) con
   return sum;
 }
 
-Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::size_t partner) {
-  return partner == 3 ? point_force_gradient(set.tip, at, set.material, set.state())
-                      : auxiliary_gradient(set.tip, at, static_cast<int>(partner), set.material,
-                                           set.state());
+Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
+                                         std::size_t partner) {
+  return partner == 3
+             ? point_force_gradient(set.tip, at, set.material, set.state())
+             : near_tip_gradient(set.tip, at, static_cast<int>(partner), set.material, set.state());
 }
 
-base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::size_t partner) {
+base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
+                                        std::size_t partner) {
   return partner == 3
              ? point_force_displacement(set.tip, at, set.tip.x.x(), set.material, set.state())
-             : auxiliary_displacement(set.tip, at, static_cast<int>(partner), set.material,
-                                      set.state());
+             : near_tip_displacement(set.tip, at, static_cast<int>(partner), set.material,
+                                     set.state());
 }
 
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
@@ -107,7 +110,7 @@ void for_domain_points(const TipSetting& set, base::ElementId e,
                        const std::function<void(const shape::Point<2>& r, double weight)>& visit) {
   const PlaneElement& element = plane_element(set.mesh, e);
   const std::array<base::NodeId, 1> tips{set.tip_node};
-  const int corner = set.axial() ? fe::find_tip_corner(set.mesh, e, tips) : -1;
+  const int corner = set.is_axisymmetric() ? fe::find_tip_corner(set.mesh, e, tips) : -1;
   if (corner < 0) {
     for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {
       visit(point.r, point.weight);

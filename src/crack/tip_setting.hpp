@@ -28,7 +28,7 @@ inline const PlaneElement& plane_element(const model::Mesh& mesh, base::ElementI
 
 /// A temperature that is linear all over the domains, T = at_tip + slope . (x - tip). Where the
 /// temperature is another one, partners take this and the rest goes into heat_term.
-struct AffineHeat {
+struct AffineTemperature {
   double at_tip = 0.0;
   base::Vec2 slope = base::Vec2::Zero();
 
@@ -48,14 +48,14 @@ struct TipSetting {
   base::NodeId tip_node;
   const mesh::CrackFaces* crack_faces; ///< of the tip's crack; null: unknown
   const TipLoads& loads;
-  std::optional<AffineHeat> affine = std::nullopt;
+  std::optional<AffineTemperature> affine = std::nullopt;
 
   [[nodiscard]] model::StressState state() const { return property.state; }
-  [[nodiscard]] bool axial() const { return state() == model::StressState::axisymmetric; }
+  [[nodiscard]] bool is_axisymmetric() const { return state() == model::StressState::axisymmetric; }
   /// What stands behind a point of the section for a unit of the front: 1, and about an axis its
   /// radius over the front's (crack.36).
-  [[nodiscard]] double depth(const base::Vec2& x) const {
-    return axial() ? x.x() / tip.x.x() : 1.0;
+  [[nodiscard]] double relative_depth(const base::Vec2& x) const {
+    return is_axisymmetric() ? x.x() / tip.x.x() : 1.0;
   }
   /// Of an element's own, in the section.
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
@@ -74,19 +74,21 @@ inline constexpr std::size_t partners = 4;
 /// Configurational forces: how much energy is released as nodes move, per unit thickness
 /// [force/length], of the solution with each partner. Terms add to them; G, K and T are their
 /// product with a virtual extension.
-struct NodalForces {
+struct ConfigurationalForces {
   std::map<base::NodeId, std::array<base::Vec3, partners>> at;
 
   std::array<base::Vec3, partners>& operator[](base::NodeId n);
   /// Sum over nodes of their motion times P, of each partner.
-  [[nodiscard]] std::array<double, partners> along(const ExtensionField& field) const;
+  [[nodiscard]] std::array<double, partners> released_energies(const ExtensionField& field) const;
 };
 
 /// Displacement gradient of partner 1 to 3 at a point off the tip.
-Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::size_t partner);
+Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
+                                         std::size_t partner);
 /// Its displacement. About an axis a motion along the radius is none of a rigid body: the tip of
 /// partners 1 and 2 rests, and partner 3 is zero in a distance of the front's radius.
-base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::size_t partner);
+base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
+                                        std::size_t partner);
 
 /// The q of a field at the nodes of an element.
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,

@@ -54,9 +54,9 @@ double kolosov(double nu, model::StressState state) {
   return state == model::StressState::plane_stress ? (3.0 - nu) / (1.0 + nu) : 3.0 - 4.0 * nu;
 }
 
-Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mode,
-                                   const model::ElasticMaterial& material,
-                                   model::StressState state) {
+Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, int mode,
+                                  const model::ElasticMaterial& material,
+                                  model::StressState state) {
   const auto [r, theta] = at;
   const Angular f = angular(theta, mode, kolosov(material.nu, state));
   const double a = amplitude(r, material) / r;
@@ -71,9 +71,8 @@ Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mod
   return Q * local * Q.transpose();
 }
 
-base::Vec2 auxiliary_displacement(const TipFrame& tip, const Polar& at, int mode,
-                                  const model::ElasticMaterial& material,
-                                  model::StressState state) {
+base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, int mode,
+                                 const model::ElasticMaterial& material, model::StressState state) {
   const auto [r, theta] = at;
   const Angular f = angular(theta, mode, kolosov(material.nu, state));
   const base::Vec2 u = amplitude(r, material) * f.g;

@@ -27,24 +27,23 @@ double kolosov(double nu, model::StressState state);
 
 /// Displacement gradient du_i/dx_j in global axes of the near-tip field with K = 1 in `mode` 1 or
 /// 2 (Williams 1957), at a point off the tip.
-Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mode,
-                                   const model::ElasticMaterial& material,
-                                   model::StressState state);
+Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, int mode,
+                                  const model::ElasticMaterial& material, model::StressState state);
 
-inline Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
-                                          const model::ElasticMaterial& material,
-                                          model::StressState state) {
-  return auxiliary_gradient(tip, polar(tip, at), mode, material, state);
+inline Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
+                                         const model::ElasticMaterial& material,
+                                         model::StressState state) {
+  return near_tip_gradient(tip, polar(tip, at), mode, material, state);
 }
 
 /// The displacement itself, global axes.
-base::Vec2 auxiliary_displacement(const TipFrame& tip, const Polar& at, int mode,
-                                  const model::ElasticMaterial& material, model::StressState state);
+base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, int mode,
+                                 const model::ElasticMaterial& material, model::StressState state);
 
-inline base::Vec2 auxiliary_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
-                                         const model::ElasticMaterial& material,
-                                         model::StressState state) {
-  return auxiliary_displacement(tip, polar(tip, at), mode, material, state);
+inline base::Vec2 near_tip_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
+                                        const model::ElasticMaterial& material,
+                                        model::StressState state) {
+  return near_tip_displacement(tip, polar(tip, at), mode, material, state);
 }
 
 } // namespace spricka::crack

@@ -76,7 +76,7 @@ public:
   void subtract_nodal_part(const base::Matrix& u, base::Matrix& r) const;
   /// The functional of some points on the modes. [freedoms, 2]
   [[nodiscard]] base::Matrix
-  mode_functional(const std::vector<crack::IntensityPoint>& points) const;
+  mode_functional(const std::vector<crack::IntensityFunctionalPoint>& points) const;
 
 private:
   /// Of an element: from the memory, or made anew there or at next_own, which goes on.

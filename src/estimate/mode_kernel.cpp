@@ -9,7 +9,7 @@ ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2
                              const shape::Point<2>& r, const Eigen::Matrix2d& J,
                              const SideModeFrames& sides) {
   const Eigen::Matrix2d inverse = J.inverse();
-  PlaneModes::Slopes d = modes.dpsi(r).lazyProduct(inverse);
+  PlaneModes::CoordinateGradients d = modes.dpsi(r).lazyProduct(inverse);
   for (int s = 0; s < modes.sides; ++s) {
     d.row(s) *= sides.sign[static_cast<std::size_t>(s)];
   }

@@ -11,7 +11,7 @@ template <class M> PlaneModes describe() {
   modes.count = M::count;
   modes.degree = M::degree;
   modes.psi = [](const shape::Point<2>& r) { return PlaneModes::Values(M::psi(r)); };
-  modes.dpsi = [](const shape::Point<2>& r) { return PlaneModes::Slopes(M::dpsi(r)); };
+  modes.dpsi = [](const shape::Point<2>& r) { return PlaneModes::CoordinateGradients(M::dpsi(r)); };
   modes.along = M::side_coordinate;
   modes.d_along = M::d_side_coordinate;
   return modes;

@@ -152,13 +152,13 @@ inline constexpr int most_plane_modes = 8;
 /// The modes of an element known when run, for what is not hot.
 struct PlaneModes {
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_plane_modes, 1>;
-  using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_plane_modes, 2>;
+  using CoordinateGradients = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_plane_modes, 2>;
 
   int sides = 0;
   int count = 0;
   int degree = 0; ///< of the rule of their stiffness
   Values (*psi)(const shape::Point<2>& r) = nullptr;
-  Slopes (*dpsi)(const shape::Point<2>& r) = nullptr;
+  CoordinateGradients (*dpsi)(const shape::Point<2>& r) = nullptr;
   double (*along)(const shape::Point<2>& r, int s) = nullptr;
   Eigen::RowVector2d (*d_along)(int s) = nullptr;
 

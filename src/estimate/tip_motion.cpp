@@ -52,7 +52,7 @@ mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMotio
 
 bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,
                   const std::vector<crack::ExtensionField>& fields) {
-  const std::map<base::NodeId, double> q = motion.field.q();
+  const std::map<base::NodeId, double> q = motion.field.extension_by_node();
   bool all = true;
   bool none = true;
   for (const crack::ExtensionField& field : fields) {

@@ -216,7 +216,7 @@ void ErrorBars::add_pressures(const StepState& state,
       const auto mode = static_cast<Eigen::Index>(m.freedom);
       f[mode] += m.weight * state.pair_lambda[c][static_cast<Eigen::Index>(m.row)];
       for (std::size_t t = 0; t < adjoints.size(); ++t) {
-        scene_.k_layout().of(g.row(mode), t) +=
+        scene_.k_layout().point_entries(g.row(mode), t) +=
             m.weight * adjoints[t].w.row(static_cast<Eigen::Index>(scene_.table.first[c] + m.row));
       }
     }

@@ -36,10 +36,10 @@ constexpr double part_of_size = 1e-6;
 constexpr double share_of_axis = 0.5;
 
 // Nodes of free sides of the body, without those of the crack's faces.
-std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontFields& fields) {
+std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontExtensions& fields) {
   std::set<base::NodeId> nodes;
-  for (const crack::FrontSide& side : fields.sides) {
-    if (side.on == crack::FaceSide::none) {
+  for (const crack::MovedFreeSide& side : fields.sides) {
+    if (side.on == crack::CrackFaceSide::none) {
       const std::vector<base::NodeId> own = fe::collect_face_nodes(mesh, side.face);
       nodes.insert(own.begin(), own.end());
     }
@@ -52,7 +52,7 @@ struct Carried {
   double q = 0.0;
   Vec3 along = Vec3::Zero();
 };
-std::map<base::NodeId, Carried> carried_by(const crack::FrontFields& fields) {
+std::map<base::NodeId, Carried> carried_by(const crack::FrontExtensions& fields) {
   std::map<base::NodeId, Carried> sum;
   for (const std::vector<crack::ExtensionField>& point : fields.points) {
     if (point.empty()) {
@@ -69,7 +69,7 @@ std::map<base::NodeId, Carried> carried_by(const crack::FrontFields& fields) {
 
 // How far nodes go along with points belongs to the nodes: hats have kinks at places where nodes
 // are. Only the directions are those of the moved front.
-void keep_shares(const crack::FrontFields& own, crack::FrontFields& moved) {
+void keep_shares(const crack::FrontExtensions& own, crack::FrontExtensions& moved) {
   for (std::size_t i = 0; i < own.points.size(); ++i) {
     std::map<base::NodeId, Vec3> along;
     for (const crack::ExtensionField& field : moved.points[i]) {
@@ -234,7 +234,7 @@ void FrontAdvance::move() {
                                                                  at.front.curve->closed());
     mesh::place_points(moved_.cracked.mesh, moved.front);
     moved.fields =
-        crack::front_fields(moved_.cracked, moved.front, domain_rings(model_, crack_), limits);
+        crack::front_extensions(moved_.cracked, moved.front, domain_rings(model_, crack_), limits);
     keep_shares(at.fields, moved.fields);
   }
 }

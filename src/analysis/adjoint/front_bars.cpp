@@ -43,7 +43,7 @@ bool settled(const Scene& scene, const base::Vector& more, const base::Vector& a
 
 crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
                             const estimate::SolidEnrichment& enrichment) {
-  crack::OtherFunctions others;
+  crack::SupplementaryFunctions others;
   others.count = enrichment.freedoms() / 3;
   others.of_element = [&](base::ElementId e) { return enrichment.element_modes(e); };
   others.signs = [&](base::ElementId e) { return enrichment.signs(e); };
@@ -55,10 +55,10 @@ crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
   std::size_t first = 0;
   for (const FrontScene& at : scene.fronts) {
     const crack::SparseRows own =
-        crack::front_rows_of(model, scene.cracked, at.front, at.fields, others);
+        crack::supplementary_front_rows(model, scene.cracked, at.front, at.fields, others);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
-        entries.emplace_back(it.row(), layout.first(first) + c,
+        entries.emplace_back(it.row(), layout.first_index(first) + c,
                              it.value() * enrichment.free_mask()[it.row()]);
       }
     }
@@ -223,20 +223,20 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
   for (std::size_t f = 0; f < result.fronts.size(); ++f) {
     results::FrontResult& front = result.fronts[f];
     front.no_bar = front.doubt.empty() ? reason : front.doubt;
-    if (front.no_bar.empty() && hangs_on_an_edge(edges, layout.first(first), front)) {
+    if (front.no_bar.empty() && hangs_on_an_edge(edges, layout.first_index(first), front)) {
       front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
     }
     if (front.no_bar.empty()) {
       base::Vector better = *eta;
       for (std::size_t i = 0; i < front.points.size(); ++i) {
         const results::FrontPlace& place = front.points[i];
-        const Eigen::Index at = layout.first(first + i);
+        const Eigen::Index at = layout.first_index(first + i);
         better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
         better[at] = place.closed ? 0.0 : better[at];
       }
       const CoarsePartner coarse = coarse_partner(scene_, step.state, scene_.fronts[f]);
-      add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first(first)), edges,
-                     layout.first(first), coarse.part, front);
+      add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first_index(first)), edges,
+                     layout.first_index(first), coarse.part, front);
       if (!coarse.why_not.empty()) {
         result.notes.push_back(
             results::less_exact(fmt::format("K of {}: {}", front.name, coarse.why_not)));

@@ -151,7 +151,7 @@ void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctiona
     for (const FrontScene& at : scene_.fronts) {
       const auto count = static_cast<Eigen::Index>(3 * at.front.points.size());
       if (front_material(model_, scene_, at) == m) {
-        const Eigen::Index begin = layout.first(first);
+        const Eigen::Index begin = layout.first_index(first);
         one.direct.segment(begin, count) =
             (own.segment(begin, count) + constant.segment(begin, count)) / E;
       }
@@ -214,7 +214,7 @@ void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K
       results::FrontSensitivity one = causes[i].is;
       const auto at = static_cast<Eigen::Index>(i);
       for (std::size_t p = 0; p < front.points.size(); ++p) {
-        const Eigen::Index first = scene_.k_layout().first(point + p);
+        const Eigen::Index first = scene_.k_layout().first_index(point + p);
         base::Vec3 own = dK.col(at).segment<3>(first) + causes[i].direct.segment<3>(first);
         own[0] = front.points[p].closed ? 0.0 : own[0]; // faces that touch hold K1 at 0
         one.below.push_back({own[0], own[1], own[2]});

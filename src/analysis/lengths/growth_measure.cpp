@@ -209,11 +209,11 @@ base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
   if (straight || !opens(K) || model_.growth->direction == model::GrowthDirection::path) {
     return {1.0, 0.0};
   }
-  const crack::Criterion criterion = model_.growth->direction == model::GrowthDirection::hoop
-                                         ? crack::Criterion::hoop
-                                         : crack::Criterion::k2_zero;
+  const crack::KinkCriterion criterion = model_.growth->direction == model::GrowthDirection::hoop
+                                             ? crack::KinkCriterion::hoop
+                                             : crack::KinkCriterion::k2_zero;
   found.turn = crack::kink_angle(criterion, K[0], K[1]);
-  return crack::kinked_mode_one(criterion, found.turn);
+  return crack::kinked_K1_factors(criterion, found.turn);
 }
 
 void GrowthMeasure::note_order(const std::string& name, bool upside_down) {

@@ -19,7 +19,7 @@ base::Vector intensities_of(const crack::KLayout& layout, const results::StepRes
   std::size_t point = 0;
   for (const results::FrontResult& front : result.fronts) {
     for (const results::FrontPlace& place : front.points) {
-      layout.of(K, point++) << place.smooth[0], place.smooth[1], place.smooth[2];
+      layout.point_entries(K, point++) << place.smooth[0], place.smooth[1], place.smooth[2];
     }
   }
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
@@ -40,7 +40,9 @@ double apart_along_fronts(const crack::KLayout& layout, const base::Vector& K,
     for (const results::FrontPlace& place : front.points) {
       if (!place.closed) {
         apart =
-            std::max(apart, (layout.of(K, point) - layout.of(other, point)).cwiseAbs().maxCoeff());
+            std::max(apart, (layout.point_entries(K, point) - layout.point_entries(other, point))
+                                .cwiseAbs()
+                                .maxCoeff());
       }
       ++point;
     }

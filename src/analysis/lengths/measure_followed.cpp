@@ -18,7 +18,7 @@ namespace {
 constexpr double worst_mismatch = 1e-6; // of K against that of recovered displacements
 
 base::Vec2 of_tip(const base::Vector& K, std::size_t tip) {
-  return crack::KLayout(tip + 1, 2).of(K, tip);
+  return crack::KLayout(tip + 1, 2).point_entries(K, tip);
 }
 
 // K1 and K2 where K1 is largest in a pass.

@@ -23,18 +23,18 @@ const model::CrackExtensionSettings* request_of(const model::Model& model, base:
 }
 
 // What contacts press on the free sides that domains move.
-std::vector<crack::FaceForces> contact_forces(const Scene& scene, const crack::FrontFields& fields,
-                                              const StepState& state) {
+std::vector<crack::FacePointForces>
+contact_forces(const Scene& scene, const crack::FrontExtensions& fields, const StepState& state) {
   std::set<model::Face> moved;
-  for (const crack::FrontSide& side : fields.sides) {
+  for (const crack::MovedFreeSide& side : fields.sides) {
     moved.insert(side.face);
   }
-  std::vector<crack::FaceForces> forces;
+  std::vector<crack::FacePointForces> forces;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     for (const contact::FaceTraction& traction :
          contact::space_tractions(scene.pairs[c], state.pair_lambda[c],
                                   [&](const model::Face& face) { return moved.contains(face); })) {
-      crack::FaceForces& on_face = forces.emplace_back();
+      crack::FacePointForces& on_face = forces.emplace_back();
       on_face.face = traction.face;
       for (const contact::TractionPoint& point : traction.points) {
         on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, point.force});
@@ -83,7 +83,7 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
     const mesh::Front& front = at.front;
     const model::CrackDefinition& crack = model.cracks[front.crack.index()];
     const model::CrackExtensionSettings* vce = request_of(model, front.crack);
-    crack::FrontRequest request;
+    crack::FrontIntensityRequest request;
     request.opening = vce != nullptr && vce->opening;
     crack::FrontLoads loads;
     loads.given = front_loads(model, scene, at.fields, state.case_factor);

@@ -168,7 +168,7 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::IncrementProbl
       value[layout.at(t, 1)] = 0.0;
     }
     if (free.size() > 0 && free[layout.at(t, 1)] < 0.0) {
-      layout.of(value, t) = layout.of(free, t);
+      layout.point_entries(value, t) = layout.point_entries(free, t);
     }
   }
   return value.head(layout.count());
@@ -184,13 +184,13 @@ base::Vector LoadPaths::along_fronts(const contact::ContactSystem::IncrementProb
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
     const std::vector<std::optional<std::size_t>> rows = rows_behind(f, problem.rows);
-    const auto smooth = smooth_front(scene_.fronts[f], value, layout.first(first));
+    const auto smooth = smooth_front(scene_.fronts[f], value, layout.first_index(first));
     const base::CrackId crack = scene_.fronts[f].front.crack;
     const bool bear = scene_.crack_face_pairs[crack.index()].has_value();
     for (std::size_t i = 0; i < smooth.size(); ++i, ++first) {
       const bool touches = i < rows.size() && rows[i] && solution.contact.closed[*rows[i]];
       const double K1 = bear ? std::max(0.0, smooth[i][0]) : smooth[i][0];
-      layout.of(K, first) << (touches ? 0.0 : K1), smooth[i][1], smooth[i][2];
+      layout.point_entries(K, first) << (touches ? 0.0 : K1), smooth[i][1], smooth[i][2];
     }
   }
   return K;

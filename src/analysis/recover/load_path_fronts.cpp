@@ -137,7 +137,7 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
     results::PathFront front =
-        follow_front({scene_.fronts[f], layout.first(first)}, found, from.result.fronts[f]);
+        follow_front({scene_.fronts[f], layout.first_index(first)}, found, from.result.fronts[f]);
     first += front.points.size();
     const std::size_t touching = close_points(rows_behind(f, from.problem.rows), found, front);
     if (touching > 0) {

@@ -40,7 +40,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
     const mesh::Front& front = scene.cracked.fronts[t];
     const model::CrackDefinition& crack = model.cracks[front.crack.index()];
-    crack::VceRequest request;
+    crack::TipIntensityRequest request;
     request.state = crack.state;
     if (const model::CrackExtensionSettings* vce = vce_of(model, front.crack)) {
       request.shift = vce->shift;
@@ -67,8 +67,9 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     result.K_opening = K.opening;
     std::vector<bool> rough;
     if (!fields.empty()) {
-      rough = crack::rough_rims(crack::tip_setting(model, scene.cracked, front, fields, loads),
-                                fields, std::hypot(K.K1, K.K2));
+      rough =
+          crack::load_jump_domains(crack::tip_setting(model, scene.cracked, front, fields, loads),
+                                   fields, std::hypot(K.K1, K.K2));
     }
     for (std::size_t d = 0; d < K.domains.size(); ++d) {
       if (!rough[d]) { // others are no measure of each other
@@ -82,7 +83,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
                                           "large or lost in round-off; leave SHIFT of $VCE out",
                                           result.name, *K.shift_error)));
     }
-    if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainValue& d) {
+    if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainIntensity& d) {
           return std::isnan(d.G);
         })) {
       out.notes.push_back(

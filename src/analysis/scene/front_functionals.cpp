@@ -14,13 +14,13 @@ namespace {
 
 /// Forces at points of sides, and how they come from the rows of the table.
 struct ForcePlaces {
-  std::vector<crack::FaceForces> faces;
+  std::vector<crack::FacePointForces> faces;
   std::vector<Eigen::Triplet<double>> by_row; ///< [3 * point, row]
 };
 
-ForcePlaces force_places(const Scene& scene, const crack::FrontFields& fields) {
+ForcePlaces force_places(const Scene& scene, const crack::FrontExtensions& fields) {
   std::set<model::Face> moved;
-  for (const crack::FrontSide& side : fields.sides) {
+  for (const crack::MovedFreeSide& side : fields.sides) {
     moved.insert(side.face);
   }
   ForcePlaces places;
@@ -28,7 +28,7 @@ ForcePlaces force_places(const Scene& scene, const crack::FrontFields& fields) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     for (const contact::UnitFaceTraction& traction : contact::space_unit_tractions(
              scene.pairs[c], [&](const model::Face& face) { return moved.contains(face); })) {
-      crack::FaceForces& on_face = places.faces.emplace_back();
+      crack::FacePointForces& on_face = places.faces.emplace_back();
       on_face.face = traction.face;
       for (const contact::UnitTractionPoint& point : traction.points) {
         on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, base::Vec3::Zero()});
@@ -56,7 +56,7 @@ crack::SparseRows front_rows(const model::Model& model, const Scene& scene) {
         crack::front_intensity_rows(model, scene.cracked, at.front, at.fields);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
-        entries.emplace_back(it.row(), layout.first(first) + c, it.value());
+        entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
       }
     }
     first += at.front.points.size();
@@ -80,7 +80,7 @@ base::Matrix front_rows_of_forces(const model::Model& model, const Scene& scene)
       crack::SparseRows by_row(rows.rows(), count);
       by_row.setFromTriplets(places.by_row.begin(), places.by_row.end());
       const crack::SparseRows product = rows.transpose() * by_row;
-      of_row.middleRows(layout.first(first), product.rows()) += product;
+      of_row.middleRows(layout.first_index(first), product.rows()) += product;
     }
     first += at.front.points.size();
   }
@@ -97,7 +97,7 @@ base::Vector front_values(const model::Model& model, const Scene& scene, const b
     loads.given = front_loads(model, scene, at.fields, case_factor);
     for (const crack::StressIntensity& K :
          crack::front_intensity(model, scene.cracked, at.front, at.fields, {}, u, loads)) {
-      values.segment<3>(layout.first(first++)) << K.K1, K.K2, K.K3;
+      values.segment<3>(layout.first_index(first++)) << K.K1, K.K2, K.K3;
     }
   }
   return values;
@@ -122,7 +122,7 @@ std::vector<std::array<double, 3>> smooth_front(const FrontScene& at, const base
     points[i].K1 = K[k];
     points[i].K2 = K[k + 1];
     points[i].K3 = K[k + 2];
-    points[i].front = crack::AlongFront();
+    points[i].front = crack::FrontPointIntensity();
     points[i].domains.resize(at.fields.points[i].size());
   }
   crack::smooth_along(at.front, at.fields, points);

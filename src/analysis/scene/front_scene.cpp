@@ -82,9 +82,9 @@ std::vector<bool> held_by_planes(const model::Mesh& mesh,
   return by_planes;
 }
 
-std::string why_none(const crack::FrontFields& fields) {
+std::string why_none(const crack::FrontExtensions& fields) {
   std::set<std::string> reasons;
-  for (const crack::LeftOut& out : fields.left_out) {
+  for (const crack::OmittedDomain& out : fields.left_out) {
     reasons.insert(out.why);
   }
   return fmt::format("{}", fmt::join(reasons, "; "));
@@ -112,7 +112,7 @@ std::string remedy_at(const model::Model& model, const Scene& scene,
 
 // Points inside the body that no domain belongs to.
 std::vector<std::size_t> points_without(const mesh::Front& front,
-                                        const crack::FrontFields& fields) {
+                                        const crack::FrontExtensions& fields) {
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     if (fields.points.empty() || (fields.points[i].empty() && !front.points[i].at_surface)) {
@@ -125,17 +125,17 @@ std::vector<std::size_t> points_without(const mesh::Front& front,
 // Layers of tetrahedra reach unevenly far, and wide ones of a tube where the front turns sharply:
 // where those of the usual domains have no room the first one is a domain, too. Where that has none
 // a smooth curve through the others would be no K.
-crack::FrontFields fields_of(const model::Model& model, const Scene& scene,
-                             const mesh::Front& front, base::Diagnostics& diagnostics) {
+crack::FrontExtensions fields_of(const model::Model& model, const Scene& scene,
+                                 const mesh::Front& front, base::Diagnostics& diagnostics) {
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = front_limits(model, scene);
-  crack::FrontFields fields = crack::front_fields(scene.cracked, front, rings, limits);
+  crack::FrontExtensions fields = crack::front_extensions(scene.cracked, front, rings, limits);
   const bool given = std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
     return vce.crack == front.crack && !vce.domains.empty();
   });
   if (!points_without(front, fields).empty() && !given) {
     rings.insert(rings.begin(), 1);
-    fields = crack::front_fields(scene.cracked, front, rings, limits);
+    fields = crack::front_extensions(scene.cracked, front, rings, limits);
   }
   const std::vector<std::size_t> without = points_without(front, fields);
   const model::CrackDefinition& crack = model.cracks[front.crack.index()];
@@ -187,7 +187,7 @@ crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) 
 }
 
 crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
-                            const crack::FrontFields& fields, const base::Vector& case_factor) {
+                            const crack::FrontExtensions& fields, const base::Vector& case_factor) {
   std::vector<crack::ExtensionField> all;
   for (const std::vector<crack::ExtensionField>& point : fields.points) {
     all.insert(all.end(), point.begin(), point.end());
@@ -220,7 +220,7 @@ bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& dia
       front.a = mean_depth(scene.cracked, front);
     }
     const std::size_t errors = diagnostics.error_count();
-    crack::FrontFields fields = fields_of(model, scene, front, diagnostics);
+    crack::FrontExtensions fields = fields_of(model, scene, front, diagnostics);
     good = good && diagnostics.error_count() == errors;
     scene.fronts.push_back({front, std::move(fields)});
   }

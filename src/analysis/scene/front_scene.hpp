@@ -12,7 +12,7 @@ bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& dia
 
 /// The same as tip_loads, of all domains of a front.
 crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
-                            const crack::FrontFields& fields, const base::Vector& case_factor);
+                            const crack::FrontExtensions& fields, const base::Vector& case_factor);
 
 /// What the domains of a front must keep clear of: nodes that are held or loaded one by one, but
 /// for those of a flat part of the surface that is held across, which they move along.

@@ -95,17 +95,17 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
     return true;
   }
   bool good = true;
-  const crack::Neighbourhood around(scene.cracked.mesh);
+  const crack::TipNeighbourhood around(scene.cracked.mesh);
   for (const mesh::Front& front : scene.cracked.fronts) {
     TipScene ring;
     const crack::DomainLimits limits = domain_limits(model, scene, front);
-    ring.fields = around.fields(scene.cracked, front, domain_rings(model, front.crack),
-                                ring.left_out, limits);
+    ring.fields = around.extension_fields(scene.cracked, front, domain_rings(model, front.crack),
+                                          ring.left_out, limits);
     if (!ring.fields.empty()) {
       std::vector<int> ignored;
       // One ring more carries all domains along as one (sensitivity.9).
-      std::vector<crack::ExtensionField> wider =
-          around.fields(scene.cracked, front, {ring.fields.back().rings + 1}, ignored, limits);
+      std::vector<crack::ExtensionField> wider = around.extension_fields(
+          scene.cracked, front, {ring.fields.back().rings + 1}, ignored, limits);
       if (!wider.empty()) {
         ring.beyond = std::move(wider.front());
       }

@@ -49,7 +49,7 @@ struct TipScene {
 /// A front in space and the domains round it.
 struct FrontScene {
   mesh::Front front;
-  crack::FrontFields fields;
+  crack::FrontExtensions fields;
 };
 
 /// Contact between the faces of a crack, once they have been found to touch

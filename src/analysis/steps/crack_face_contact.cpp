@@ -180,7 +180,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
          r < scene.table.first[crack_face->pair + 1]; ++r) {
       for (const contact::RowEntry& entry : scene.row(r).entries) {
         const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-        layout.of(of_row.col(static_cast<Eigen::Index>(r)), t) +=
+        layout.point_entries(of_row.col(static_cast<Eigen::Index>(r)), t) +=
             weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
       }
     }

@@ -24,7 +24,7 @@ fe::SpaceNodes<2> displacements(const fe::ElementSide<2>& side, const base::Vect
 
 // - N_n c of each node, to what a partner releases.
 void subtract_at_nodes(const fe::ElementSide<2>& side, const fe::AnyElement<2>::Values& N,
-                       std::size_t partner, const Vec3& c, FrontForces& out) {
+                       std::size_t partner, const Vec3& c, FrontConfigurationalForces& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
     out[side.nodes[n]][partner] -= N[static_cast<Eigen::Index>(n)] * c;
   }
@@ -40,14 +40,14 @@ SurfaceGradients surface_gradients(const fe::ElementSide<2>& side, const shape::
   return dN.lazyProduct(back);
 }
 
-void add_face_forces(const FrontSetting& set, const FrontFields& fields,
-                     const std::vector<FaceForces>& forces, const base::Vector& u,
-                     FrontForces& out) {
-  std::map<model::Face, FaceSide> moved;
-  for (const FrontSide& side : fields.sides) {
+void add_face_forces(const FrontSetting& set, const FrontExtensions& fields,
+                     const std::vector<FacePointForces>& forces, const base::Vector& u,
+                     FrontConfigurationalForces& out) {
+  std::map<model::Face, CrackFaceSide> moved;
+  for (const MovedFreeSide& side : fields.sides) {
     moved.emplace(side.face, side.on);
   }
-  for (const FaceForces& on : forces) {
+  for (const FacePointForces& on : forces) {
     const auto known = moved.find(on.face);
     if (known == moved.end()) {
       continue;
@@ -57,33 +57,34 @@ void add_face_forces(const FrontSetting& set, const FrontFields& fields,
     for (const fe::LoadPoint& point : on.points) {
       const shape::Point<2> r = point.r.head<2>();
       const fe::AnyElement<2>::Values N = side.shape.N(r);
-      const FrontPlace place = set.axes.place(side.X * N, known->second);
+      const FrontCoordinates place = set.axes.locate_point(side.X * N, known->second);
       if (!(place.r > 0.0)) {
         continue; // the front itself, a line without an area
       }
       const TurningAxes axes(place);
       for (std::size_t k = 0; k < front_partners; ++k) {
         const Tensor<3> H = k == 0 ? Tensor<3>(U.lazyProduct(surface_gradients(side, r)))
-                                   : moving_field(k, axes, set.body).H;
+                                   : front_auxiliary_field(k, axes, set.body).H;
         subtract_at_nodes(side, N, k, H.transpose() * point.force, out);
       }
     }
   }
 }
 
-void add_partner_tractions(const FrontSetting& set, const FrontFields& fields,
-                           const base::Vector& u, FrontForces& out) {
-  for (const FrontSide& moved : fields.sides) {
+void add_auxiliary_tractions(const FrontSetting& set, const FrontExtensions& fields,
+                             const base::Vector& u, FrontConfigurationalForces& out) {
+  for (const MovedFreeSide& moved : fields.sides) {
     const fe::ElementSide<2> side(set.mesh, moved.face);
     const fe::SpaceNodes<2> U = displacements(side, u);
     for (const auto& point : shape::quadrature<2>(side.shape.domain, front_degree)) {
       const fe::AnyElement<2>::Values N = side.shape.N(point.r);
-      const TurningAxes axes(set.axes.place(side.X * N, moved.on));
+      const TurningAxes axes(set.axes.locate_point(side.X * N, moved.on));
       const Vec3 area = point.weight * fe::area_vector<2>(side.shape, side.X, point.r);
       const Tensor<3> H = U.lazyProduct(surface_gradients(side, point.r));
       for (std::size_t k = 1; k < front_partners; ++k) {
         subtract_at_nodes(side, N, k,
-                          H.transpose() * (moving_field(k, axes, set.body).sigma * area), out);
+                          H.transpose() * (front_auxiliary_field(k, axes, set.body).sigma * area),
+                          out);
       }
     }
   }

@@ -152,7 +152,7 @@ std::size_t FrontAxes::nearest_station(const Vec3& x) const {
 }
 
 // Hermite's cubic between a station and the next.
-FrontAxes::Turned FrontAxes::turned(std::size_t i, double part) const {
+FrontAxes::InterpolatedAxes FrontAxes::turned(std::size_t i, double part) const {
   const double h = s_[i + 1] - s_[i];
   const double p = part;
   const Axes rise = axes_[i + 1] - axes_[i];
@@ -160,14 +160,14 @@ FrontAxes::Turned FrontAxes::turned(std::size_t i, double part) const {
   const Axes& d1 = turn_[i + 1];
   const Axes second = 3.0 * rise - h * (2.0 * d0 + d1);
   const Axes third = h * (d0 + d1) - 2.0 * rise;
-  Turned result;
+  InterpolatedAxes result;
   result.at = axes_[i] + p * (h * d0 + p * (second + p * third));
   result.by_s = d0 + p / h * (2.0 * second + 3.0 * p * third);
   result.by_ss = (2.0 * second + 6.0 * p * third) / (h * h);
   return result;
 }
 
-FrontAxes::Point FrontAxes::point(std::size_t i, double part) const {
+FrontAxes::FrontCurvePoint FrontAxes::point(std::size_t i, double part) const {
   const double h = s_[i + 1] - s_[i];
   const double p = part;
   const Vec3 rise = axes_[i + 1].col(0) - axes_[i].col(0);
@@ -180,11 +180,11 @@ FrontAxes::Point FrontAxes::point(std::size_t i, double part) const {
           (2.0 * second + 6.0 * p * third) / (h * h)};
 }
 
-FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
+FrontCoordinates FrontAxes::locate_point(const Vec3& x, CrackFaceSide side) const {
   const std::size_t last = s_.size() - 2; // of the intervals
   std::size_t i = std::min(nearest_station(x), last);
   double part = 0.0;
-  Point on = point(i, part);
+  FrontCurvePoint on = point(i, part);
   double beyond = 0.0; // an open end, along its tangent
   // Newton's steps for d . t = 0, across stations where they lead there.
   for (int step = 0; step < 20; ++step) {
@@ -214,8 +214,8 @@ FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
       break;
     }
   }
-  const Turned f = turned(i, part);
-  FrontPlace place;
+  const InterpolatedAxes f = turned(i, part);
+  FrontCoordinates place;
   mesh::FrontFrame& frame = place.frame;
   frame.s = s_[i] + part * (s_[i + 1] - s_[i]);
   frame.x = f.at.col(0);
@@ -241,11 +241,11 @@ FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
   place.z = d.dot(frame.b);
   place.r = std::hypot(place.y, place.z);
   place.theta = std::atan2(place.z, place.y);
-  if (side != FaceSide::none) {
+  if (side != CrackFaceSide::none) {
     // Edges on the front are parabolas: where its curvature changes they pass it by some
     // thousandths of a radius, and points of a face beside it may lie ahead of the curve, where the
     // partners' stress has no bound.
-    place.theta = side == FaceSide::upper ? std::numbers::pi : -std::numbers::pi;
+    place.theta = side == CrackFaceSide::upper ? std::numbers::pi : -std::numbers::pi;
   }
   return place;
 }

@@ -8,7 +8,7 @@ namespace spricka::crack {
 
 /// A point as seen from the front: the axes at the place nearest to it, how these turn along the
 /// front (first derivatives are the frame's, second ones here), and where it lies across.
-struct FrontPlace {
+struct FrontCoordinates {
   mesh::FrontFrame frame;
   base::Vec3 ddm = base::Vec3::Zero(); ///< d2m/ds2, d2b/ds2, d2t/ds2 [1/length^2]
   base::Vec3 ddb = base::Vec3::Zero();
@@ -19,7 +19,7 @@ struct FrontPlace {
 
 /// Which face of the crack a point lies on: there theta is pi or -pi, whatever round-off makes of
 /// it.
-enum class FaceSide { none, upper, lower };
+enum class CrackFaceSide { none, upper, lower };
 
 /// Places along a front. Integrals ask for millions: axes are kept at stations, the knots of the
 /// curve, and are cubic in between, so that their derivatives are exactly those of what is used.
@@ -30,22 +30,23 @@ class FrontAxes {
 public:
   explicit FrontAxes(const mesh::FrontCurve& curve);
 
-  [[nodiscard]] FrontPlace place(const base::Vec3& x, FaceSide side = FaceSide::none) const;
+  [[nodiscard]] FrontCoordinates locate_point(const base::Vec3& x,
+                                              CrackFaceSide side = CrackFaceSide::none) const;
 
 private:
   using Axes = Eigen::Matrix<double, 3, 4>; ///< x, m, b, t
-  struct Turned {
+  struct InterpolatedAxes {
     Axes at, by_s, by_ss;
   };
   [[nodiscard]] std::size_t nearest_station(const base::Vec3& x) const;
   /// Between station i and the next, part: of the way, 0 to 1.
-  [[nodiscard]] Turned turned(std::size_t i, double part) const;
+  [[nodiscard]] InterpolatedAxes turned(std::size_t i, double part) const;
   void go_on_beyond_ends();
   /// The place alone, and its derivatives by s.
-  struct Point {
+  struct FrontCurvePoint {
     base::Vec3 at, by_s, by_ss;
   };
-  [[nodiscard]] Point point(std::size_t i, double part) const;
+  [[nodiscard]] FrontCurvePoint point(std::size_t i, double part) const;
 
   std::vector<double> s_;  ///< [station] ascending, of a closed front from 0 to its length
   std::vector<Axes> axes_; ///< [station]

@@ -43,12 +43,12 @@ struct Follower {
   const char* why = "";
 };
 
-class Builder {
+class FrontExtensionsBuilder {
 public:
-  Builder(const mesh::CrackedMesh& cracked, const mesh::Front& front, int most,
-          const DomainLimits& limits)
+  FrontExtensionsBuilder(const mesh::CrackedMesh& cracked, const mesh::Front& front, int most,
+                         const DomainLimits& limits)
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
-        elements_(cracked.mesh), line_(front_line(mesh_, elements_, front)),
+        elements_(cracked.mesh), line_(front_mid_nodes(mesh_, elements_, front)),
         layers_(front_layers(mesh_, elements_, front, line_, most + 1)), curve_(*front.curve),
         sides_(free_sides(mesh_, reached())), surface_(mesh_, sides_, off_own_front()) {
     out_.closed = line_.closed;
@@ -89,7 +89,7 @@ public:
     }
   }
 
-  FrontFields take() {
+  FrontExtensions take() {
     std::set<NodeId> moved;
     for (const std::vector<ExtensionField>& domains : out_.points) {
       for (const ExtensionField& field : domains) {
@@ -106,9 +106,9 @@ public:
       const auto side = shape::side_nodes(mesh_.type[face.element.index()], face.side);
       if (std::any_of(side.begin(), side.end(),
                       [&](int i) { return moved.contains(nodes[static_cast<std::size_t>(i)]); })) {
-        out_.sides.push_back({face, upper.contains(face)   ? FaceSide::upper
-                                    : lower.contains(face) ? FaceSide::lower
-                                                           : FaceSide::none});
+        out_.sides.push_back({face, upper.contains(face)   ? CrackFaceSide::upper
+                                    : lower.contains(face) ? CrackFaceSide::lower
+                                                           : CrackFaceSide::none});
       }
     }
     return std::move(out_);
@@ -117,7 +117,7 @@ public:
 private:
   // The crack's own faces begin at its front: they are not in the way of that, however it bends
   // between the corners of elements.
-  [[nodiscard]] SurfaceMotion::InTheWay off_own_front() const {
+  [[nodiscard]] SurfaceNodeMotion::InTheWay off_own_front() const {
     const mesh::CrackFaces& own = cracked_.faces[front_.crack.index()];
     std::set<model::Face> faces(own.left_sides.begin(), own.left_sides.end());
     faces.insert(own.right_sides.begin(), own.right_sides.end());
@@ -216,7 +216,7 @@ private:
     if (fixed_[n.index()]) {
       f.stays = true;
       f.why = "it reaches a node that is held or belongs to something else";
-    } else if (const auto v = surface_.along(n, frame.m, frame.t)) {
+    } else if (const auto v = surface_.admissible_motion(n, frame.m, frame.t)) {
       f.along = *v;
     } else {
       f.stays = true;
@@ -242,7 +242,7 @@ private:
     Amounts q;
     const auto corner = [&](NodeId n) -> const std::vector<std::pair<std::size_t, double>>& {
       const auto [at, fresh] = q.try_emplace(n);
-      if (fresh && layers_.moves(n, rings) > 0.0) {
+      if (fresh && layers_.extension_factor(n, rings) > 0.0) {
         const Hat hat = follow(n).hat;
         add(at->second, hat.low, 1.0 - hat.part);
         add(at->second, hat.high, hat.part);
@@ -396,16 +396,16 @@ private:
   const mesh::Front& front_;
   const DomainLimits& limits_;
   mesh::NodeElements elements_;
-  FrontLine line_;
+  FrontMidNodes line_;
   FrontLayers layers_;
   const mesh::FrontCurve& curve_;
   std::vector<model::Face> sides_;
-  SurfaceMotion surface_;
+  SurfaceNodeMotion surface_;
   std::vector<bool> fixed_; ///< [node]
   std::map<NodeId, Follower> followers_;
   std::map<NodeId, NearFront> near_front_;
   double origin_ = 0.0; ///< of the stations, on the curve
-  FrontFields out_;
+  FrontExtensions out_;
 };
 
 std::set<ElementId> strained_by(const std::vector<std::vector<ExtensionField>>& points) {
@@ -420,11 +420,11 @@ std::set<ElementId> strained_by(const std::vector<std::vector<ExtensionField>>& 
 
 } // namespace
 
-bool FrontFields::empty() const {
+bool FrontExtensions::empty() const {
   return std::ranges::all_of(points, [](const auto& domains) { return domains.empty(); });
 }
 
-std::vector<ElementId> FrontFields::elements() const {
+std::vector<ElementId> FrontExtensions::elements() const {
   std::vector<ElementId> all;
   all.reserve(degree.size());
   for (const auto& [element, rule] : degree) {
@@ -433,20 +433,20 @@ std::vector<ElementId> FrontFields::elements() const {
   return all;
 }
 
-FrontFields front_fields(const mesh::CrackedMesh& cracked, const mesh::Front& front,
-                         const std::vector<int>& rings, const DomainLimits& limits) {
+FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::Front& front,
+                                 const std::vector<int>& rings, const DomainLimits& limits) {
   if (rings.empty() || front.curve == nullptr) {
     return {};
   }
-  Builder builder(cracked, front, *std::ranges::max_element(rings), limits);
+  FrontExtensionsBuilder builder(cracked, front, *std::ranges::max_element(rings), limits);
   for (const int count : rings) {
     builder.add_domain(count);
   }
-  FrontFields fields = builder.take();
+  FrontExtensions fields = builder.take();
   for (const ElementId e : strained_by(fields.points)) {
     fields.degree.emplace(e, rule_degree(cracked.mesh, e, *front.curve));
   }
-  fields.partners = std::make_shared<PartnerMemory>();
+  fields.partners = std::make_shared<AuxiliaryFieldCache>();
   return fields;
 }
 

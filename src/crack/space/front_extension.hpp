@@ -16,29 +16,30 @@
 namespace spricka::crack {
 
 /// A free side of an element that a domain moves.
-struct FrontSide {
+struct MovedFreeSide {
   model::Face face;
-  FaceSide on = FaceSide::none; ///< which face of the crack, if it is one
+  CrackFaceSide on = CrackFaceSide::none; ///< which face of the crack, if it is one
 };
 
 /// A domain that is not there: of a point of the front, and why.
-struct LeftOut {
+struct OmittedDomain {
   std::size_t point = 0;
   int rings = 0;
   std::string why;
 };
 
 /// The domains of a front.
-struct FrontFields {
+struct FrontExtensions {
   std::vector<std::vector<ExtensionField>> points; ///< [point][domain]
-  std::vector<FrontSide> sides;     ///< free sides with a node that some domain moves
+  std::vector<MovedFreeSide> sides; ///< free sides with a node that some domain moves
   std::vector<double> station;      ///< [point] place on the curve, from the first point on
   std::vector<base::NodeId> middle; ///< [point] mid node between it and the next, or invalid
   bool closed = false;
-  std::vector<LeftOut> left_out;
+  std::vector<OmittedDomain> left_out;
   /// Of the rule over each element that some domain strains (rule_degree).
   std::map<base::ElementId, int> degree;
-  std::shared_ptr<PartnerMemory> partners = nullptr; ///< what was made of them in these domains
+  std::shared_ptr<AuxiliaryFieldCache> partners =
+      nullptr; ///< what was made of them in these domains
 
   [[nodiscard]] bool empty() const;
   /// All elements of all domains, ascending.
@@ -51,7 +52,7 @@ struct FrontFields {
 /// A domain that would move a node of the limits (but for those that a row ties to others that move
 /// alike), of another front or another crack, leave the material or the surface, or reach as far as
 /// the front's centre of curvature is left out.
-FrontFields front_fields(const mesh::CrackedMesh& cracked, const mesh::Front& front,
-                         const std::vector<int>& rings, const DomainLimits& limits = {});
+FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::Front& front,
+                                 const std::vector<int>& rings, const DomainLimits& limits = {});
 
 } // namespace spricka::crack

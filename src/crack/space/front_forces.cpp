@@ -14,7 +14,7 @@ namespace spricka::crack {
 
 using base::Vec3;
 
-FrontForces::OfNode& FrontForces::operator[](base::NodeId n) {
+FrontConfigurationalForces::OfNode& FrontConfigurationalForces::operator[](base::NodeId n) {
   std::int32_t& slot = slot_[n.index()];
   if (slot < 0) {
     slot = static_cast<std::int32_t>(at_.size());
@@ -23,7 +23,8 @@ FrontForces::OfNode& FrontForces::operator[](base::NodeId n) {
   return at_[static_cast<std::size_t>(slot)];
 }
 
-std::array<double, front_partners> FrontForces::along(const ExtensionField& field) const {
+std::array<double, front_partners>
+FrontConfigurationalForces::released_energies(const ExtensionField& field) const {
   std::array<double, front_partners> sum{};
   for (const NodeMotion& moved : field.motion) {
     const std::int32_t slot = slot_[moved.node.index()];
@@ -57,12 +58,12 @@ std::vector<FrontBodyLoad> body_loads(const model::Mesh& mesh, const TipLoads& l
 /// What the kernels of all elements read.
 struct FrontElements {
   const FrontSetting& set;
-  const PartnerTable& partners;
+  const AuxiliaryFieldTable& partners;
   const std::vector<FrontBodyLoad>& body;
   const TipLoads& loads;
-  std::optional<LinearHeat> linear; ///< the temperature, if it is that in all of them
+  std::optional<LinearTemperature> linear; ///< the temperature, if it is that in all of them
   const base::Vector& u;
-  const FrontTerms& terms;
+  const FrontTermSwitches& terms;
 };
 
 class FrontElement {
@@ -81,19 +82,19 @@ public:
     }
   }
 
-  void add(FrontForces& out) const {
+  void add(FrontConfigurationalForces& out) const {
     OfNodes P;
     const auto nodes = static_cast<std::size_t>(element_.nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
       P[n].fill(Vec3::Zero());
     }
     std::size_t number = 0;
-    for (const auto& point : all_.partners.rule(element_, e_)) {
+    for (const auto& point : all_.partners.quadrature_rule(element_, e_)) {
       add_point(point, number++, P);
     }
     add_body_loads(P);
     for (std::size_t n = 0; n < nodes; ++n) {
-      FrontForces::OfNode& sum = out[set_.mesh.element_nodes(e_)[n]];
+      FrontConfigurationalForces::OfNode& sum = out[set_.mesh.element_nodes(e_)[n]];
       for (std::size_t k = 0; k < front_partners; ++k) {
         sum[k] += P[n][k];
       }
@@ -102,7 +103,7 @@ public:
 
 private:
   /// Of the first nodes, as many as the element has.
-  using OfNodes = std::array<FrontForces::OfNode, shape::most_nodes<3>>;
+  using OfNodes = std::array<FrontConfigurationalForces::OfNode, shape::most_nodes<3>>;
 
   void add_point(const shape::QuadraturePoint<3>& point, std::size_t number, OfNodes& P) const {
     const fe::Jacobian<fe::AnyElement<3>> at = fe::jacobian(element_, X_, point.r);
@@ -121,7 +122,7 @@ private:
         T = energy_momentum<3>({H, sigma}, heat.beta_T * H.trace());
         c = H.trace() * heat.beta_grad_T;
       } else {
-        const MovingField w = all_.partners.at(e_, number, k);
+        const FrontAuxiliaryField w = all_.partners.at(e_, number, k);
         T = energy_momentum<3>({H, sigma}, {w.H, w.sigma});
         c = w.H.trace() * heat.beta_grad_T;
         if (all_.terms.divergence) {
@@ -193,10 +194,10 @@ private:
         const fe::AnyElement<3>::Values N = element_.N(point.r);
         const Vec3 x = X_ * N;
         const Vec3 b = acting.factor * point.weight * at.det * fe::load_value(*acting.load, x);
-        const TurningAxes axes(set_.axes.place(x));
+        const TurningAxes axes(set_.axes.locate_point(x));
         for (std::size_t k = 0; k < front_partners; ++k) {
-          const Tensor<3> H =
-              k == 0 ? Tensor<3>(U_.lazyProduct(at.dNdx)) : moving_field(k, axes, set_.body).H;
+          const Tensor<3> H = k == 0 ? Tensor<3>(U_.lazyProduct(at.dNdx))
+                                     : front_auxiliary_field(k, axes, set_.body).H;
           const Vec3 c = H.transpose() * b;
           for (int n = 0; n < element_.nodes; ++n) {
             P[static_cast<std::size_t>(n)][k] -= N[n] * c;
@@ -220,13 +221,15 @@ private:
 
 } // namespace
 
-void add_element_forces(const FrontSetting& set, const FrontFields& fields, const TipLoads& loads,
-                        const base::Vector& u, FrontForces& out, const FrontTerms& terms) {
+void add_element_forces(const FrontSetting& set, const FrontExtensions& fields,
+                        const TipLoads& loads, const base::Vector& u,
+                        FrontConfigurationalForces& out, const FrontTermSwitches& terms) {
   const std::vector<FrontBodyLoad> body = body_loads(set.mesh, loads);
   const std::vector<base::ElementId> elements = fields.elements();
-  const std::shared_ptr<const PartnerTable> partners = partner_table(set, fields);
+  const std::shared_ptr<const AuxiliaryFieldTable> partners = cached_auxiliary_table(set, fields);
   const FrontElements all{
-      set, *partners, body, loads, linear_heat(set.mesh, elements, loads.temperature), u, terms};
+      set, *partners, body, loads, exact_linear_temperature(set.mesh, elements, loads.temperature),
+      u,   terms};
   for (const base::ElementId e : elements) {
     FrontElement(all, e).add(out);
   }

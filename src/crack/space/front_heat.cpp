@@ -7,9 +7,9 @@
 
 namespace spricka::crack {
 
-std::optional<LinearHeat> linear_heat(const model::Mesh& mesh,
-                                      const std::vector<base::ElementId>& elements,
-                                      const base::Vector& temperature) {
+std::optional<LinearTemperature>
+exact_linear_temperature(const model::Mesh& mesh, const std::vector<base::ElementId>& elements,
+                         const base::Vector& temperature) {
   constexpr double round_off = 1e-9; // of the largest temperature
   if (temperature.size() == 0 || elements.empty()) {
     return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<LinearHeat> linear_heat(const model::Mesh& mesh,
     return std::nullopt;
   }
   const base::Vec3 slope = fit.tail<3>();
-  return LinearHeat{fit[0] - slope.dot(origin), slope};
+  return LinearTemperature{fit[0] - slope.dot(origin), slope};
 }
 
 } // namespace spricka::crack

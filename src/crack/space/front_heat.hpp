@@ -9,7 +9,7 @@
 namespace spricka::crack {
 
 /// A temperature that is linear in space, at + slope . x.
-struct LinearHeat {
+struct LinearTemperature {
   double at = 0.0;
   base::Vec3 slope = base::Vec3::Zero();
 
@@ -18,8 +18,8 @@ struct LinearHeat {
 
 /// The linear temperature that the corners of some elements have, `temperature` by connectivity
 /// index; nothing where they have another one.
-std::optional<LinearHeat> linear_heat(const model::Mesh& mesh,
-                                      const std::vector<base::ElementId>& elements,
-                                      const base::Vector& temperature);
+std::optional<LinearTemperature>
+exact_linear_temperature(const model::Mesh& mesh, const std::vector<base::ElementId>& elements,
+                         const base::Vector& temperature);
 
 } // namespace spricka::crack

@@ -33,15 +33,15 @@ constexpr double beside_front = 1e-9;
 
 class FrontStress {
 public:
-  FrontStress(const FrontSetting& set, const mesh::Front& front, const FrontFields& fields)
+  FrontStress(const FrontSetting& set, const mesh::Front& front, const FrontExtensions& fields)
       : set_(set), front_(front), fields_(fields) {}
 
   [[nodiscard]] AtFront of(const TipLoads& loads) const {
     AtFront at;
     at.across.assign(front_.points.size(), 0.0);
     at.thermal.assign(front_.points.size(), 0.0);
-    for (const FrontSide& side : fields_.sides) {
-      if (side.on == FaceSide::none) {
+    for (const MovedFreeSide& side : fields_.sides) {
+      if (side.on == CrackFaceSide::none) {
         continue;
       }
       const fe::ElementSide<2> own(set_.mesh, side.face);
@@ -55,7 +55,7 @@ public:
 
 private:
   // Each side of the crack has one or two faces at a point: their mean, and the mean of both sides.
-  void add_side(const FrontSide& side, const fe::ElementSide<2>& own, std::size_t i,
+  void add_side(const MovedFreeSide& side, const fe::ElementSide<2>& own, std::size_t i,
                 const TipLoads& loads, double& sum) const {
     const base::NodeId point = front_.points[i].node;
     const auto at = std::ranges::find(own.nodes, point);
@@ -77,8 +77,8 @@ private:
     }
   }
 
-  [[nodiscard]] std::ptrdiff_t faces_at(FaceSide on, base::NodeId point) const {
-    return std::ranges::count_if(fields_.sides, [&](const FrontSide& side) {
+  [[nodiscard]] std::ptrdiff_t faces_at(CrackFaceSide on, base::NodeId point) const {
+    return std::ranges::count_if(fields_.sides, [&](const MovedFreeSide& side) {
       const std::span<const base::NodeId> nodes = set_.mesh.element_nodes(side.face.element);
       const auto local =
           shape::side_nodes(set_.mesh.type[side.face.element.index()], side.face.side);
@@ -112,17 +112,18 @@ private:
 
   const FrontSetting& set_;
   const mesh::Front& front_;
-  const FrontFields& fields_;
+  const FrontExtensions& fields_;
 };
 
-FrontForces all_forces(const FrontSetting& set, const FrontFields& fields, const FrontTerms& terms,
-                       const base::Vector& u, const FrontLoads& loads) {
-  FrontForces forces(set.mesh.node_count());
+FrontConfigurationalForces all_forces(const FrontSetting& set, const FrontExtensions& fields,
+                                      const FrontTermSwitches& terms, const base::Vector& u,
+                                      const FrontLoads& loads) {
+  FrontConfigurationalForces forces(set.mesh.node_count());
   add_element_forces(set, fields, loads.given, u, forces, terms);
   add_face_forces(set, fields, forces_on_faces(set.mesh, loads.given), u, forces);
   add_face_forces(set, fields, loads.contact, u, forces);
   if (terms.tractions) {
-    add_partner_tractions(set, fields, u, forces);
+    add_auxiliary_tractions(set, fields, u, forces);
   }
   return forces;
 }
@@ -133,7 +134,7 @@ void summarise_point(const FrontSetting& set, StressIntensity& result) {
   std::array<double, 3> low{};
   std::array<double, 3> high{};
   for (std::size_t d = 0; d < result.domains.size(); ++d) {
-    const DomainValue& value = result.domains[d];
+    const DomainIntensity& value = result.domains[d];
     result.K1 += value.K1 / count;
     result.K2 += value.K2 / count;
     result.K3 += value.K3 / count;
@@ -145,14 +146,14 @@ void summarise_point(const FrontSetting& set, StressIntensity& result) {
       high[k] = d == 0 ? K[k] : std::max(high[k], K[k]);
     }
   }
-  result.G_from_K = released(set, modes_of(result));
+  result.G_from_K = energy_release_rate(set, modes_of(result));
   const double K = std::sqrt(set.E_effective() * result.G_from_K);
   for (std::size_t k = 0; k < 3 && K > 0.0; ++k) {
     result.spread = std::max(result.spread, (high[k] - low[k]) / K);
   }
 }
 
-FrontStations stations_of(const mesh::Front& front, const FrontFields& fields,
+FrontStations stations_of(const mesh::Front& front, const FrontExtensions& fields,
                           const std::vector<StressIntensity>& K) {
   FrontStations at;
   at.s = fields.station;
@@ -169,7 +170,7 @@ FrontStations stations_of(const mesh::Front& front, const FrontFields& fields,
 
 } // namespace
 
-void smooth_along(const mesh::Front& front, const FrontFields& fields,
+void smooth_along(const mesh::Front& front, const FrontExtensions& fields,
                   std::vector<StressIntensity>& result) {
   FrontStations at = stations_of(front, fields, result);
   base::Matrix values(static_cast<Eigen::Index>(result.size()), 3);
@@ -203,21 +204,22 @@ void smooth_along(const mesh::Front& front, const FrontFields& fields,
 
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
-                                             const mesh::Front& front, const FrontFields& fields,
-                                             const FrontRequest& request, const base::Vector& u,
-                                             const FrontLoads& loads) {
+                                             const mesh::Front& front,
+                                             const FrontExtensions& fields,
+                                             const FrontIntensityRequest& request,
+                                             const base::Vector& u, const FrontLoads& loads) {
   std::vector<StressIntensity> result(front.points.size());
   if (fields.empty()) {
     return result;
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
-  const FrontForces forces = all_forces(set, fields, request.terms, u, loads);
+  const FrontConfigurationalForces forces = all_forces(set, fields, request.terms, u, loads);
   const AtFront at_front = FrontStress(set, front, fields).of(loads.given);
   const auto strain = strain_along(front, cracked.mesh, fields);
   for (std::size_t i = 0; i < result.size(); ++i) {
     StressIntensity& K = result[i];
     K.E_effective = set.E_effective();
-    K.front = AlongFront();
+    K.front = FrontPointIntensity();
     K.front->at_surface = front.points[i].at_surface;
     double e_tt = 0.0;
     for (const NodeWeight& entry : strain[i]) {
@@ -227,9 +229,9 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     const double sigma = at_front.across[i] + (loads.across.empty() ? 0.0 : loads.across[i]);
     const double free = at_front.thermal[i];
     for (const ExtensionField& field : fields.points[i]) {
-      std::array<double, front_partners> sum = forces.along(field);
+      std::array<double, front_partners> sum = forces.released_energies(field);
       for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] *= set.factor(k) / front.points[i].weight;
+        sum[k] *= set.conversion_factor(k) / front.points[i].weight;
       }
       const bool half = front.symmetric_half;
       K.domains.push_back(
@@ -247,7 +249,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     K.front->T_along = set.material.E * (e_tt - free) + nu * (K.T + sigma);
     if (request.opening) {
       const auto opening =
-          front_opening(set, cracked.faces[front.crack.index()], front.points[i], K.G, u);
+          front_opening_intensity(set, cracked.faces[front.crack.index()], front.points[i], K.G, u);
       if (opening) {
         K.opening = std::array{(*opening)[0], (*opening)[1]};
         K.front->opening_K3 = (*opening)[2];
@@ -258,18 +260,21 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
   return result;
 }
 
-FrontConstant front_intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                       const mesh::Front& front, const FrontFields& fields,
-                                       const FrontLoads& loads) {
+FrontIntensityConstant front_intensity_constant(const model::Model& model,
+                                                const mesh::CrackedMesh& cracked,
+                                                const mesh::Front& front,
+                                                const FrontExtensions& fields,
+                                                const FrontLoads& loads) {
   const KLayout layout(front.points.size(), 3);
-  FrontConstant constant{base::Vector::Zero(layout.count()),
-                         base::Vector::Zero(static_cast<Eigen::Index>(front.points.size()))};
+  FrontIntensityConstant constant{
+      base::Vector::Zero(layout.count()),
+      base::Vector::Zero(static_cast<Eigen::Index>(front.points.size()))};
   const base::Vector still =
       base::Vector::Zero(3 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
   const std::vector<StressIntensity> K =
       front_intensity(model, cracked, front, fields, {}, still, loads);
   for (std::size_t i = 0; i < K.size(); ++i) {
-    constant.K.segment<3>(layout.first(i)) << K[i].K1, K[i].K2, K[i].K3;
+    constant.K.segment<3>(layout.first_index(i)) << K[i].K1, K[i].K2, K[i].K3;
     constant.T[static_cast<Eigen::Index>(i)] = K[i].T;
   }
   return constant;

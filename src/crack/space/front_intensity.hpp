@@ -8,9 +8,9 @@
 /// K and T along a front in space from converged displacements by virtual crack extension.
 namespace spricka::crack {
 
-struct FrontRequest {
+struct FrontIntensityRequest {
   bool opening = false; ///< K from the opening of the crack's faces as well
-  FrontTerms terms{};
+  FrontTermSwitches terms{};
 };
 
 /// K1, K2, K3, G and T at each point of a front from nodal displacements u [3 * node]: products of
@@ -19,21 +19,24 @@ struct FrontRequest {
 /// and no domains. The E' is that of plane strain: G = (K1^2 + K2^2) / E' + K3^2 / (2 mu).
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
-                                             const mesh::Front& front, const FrontFields& fields,
-                                             const FrontRequest& request, const base::Vector& u,
-                                             const FrontLoads& loads);
+                                             const mesh::Front& front,
+                                             const FrontExtensions& fields,
+                                             const FrontIntensityRequest& request,
+                                             const base::Vector& u, const FrontLoads& loads);
 
 /// Fills smooth values and those from inside (crack_space.15, crack_space.16) from K1, K2 and K3 of
 /// the points that have domains: linear in K.
-void smooth_along(const mesh::Front& front, const FrontFields& fields,
+void smooth_along(const mesh::Front& front, const FrontExtensions& fields,
                   std::vector<StressIntensity>& result);
 
 /// What K1, K2 and K3 [KLayout] and T [point] have at u = 0: linear in the loads.
-struct FrontConstant {
+struct FrontIntensityConstant {
   base::Vector K, T;
 };
-FrontConstant front_intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                       const mesh::Front& front, const FrontFields& fields,
-                                       const FrontLoads& loads);
+FrontIntensityConstant front_intensity_constant(const model::Model& model,
+                                                const mesh::CrackedMesh& cracked,
+                                                const mesh::Front& front,
+                                                const FrontExtensions& fields,
+                                                const FrontLoads& loads);
 
 } // namespace spricka::crack

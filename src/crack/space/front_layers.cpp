@@ -48,9 +48,9 @@ std::vector<NodeId> corners_of(const model::Mesh& mesh, const model::Face& face)
 
 } // namespace
 
-FrontLine front_line(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                     const mesh::Front& front) {
-  FrontLine line;
+FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
+                              const mesh::Front& front) {
+  FrontMidNodes line;
   const std::size_t count = front.points.size();
   line.middle.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -70,7 +70,7 @@ FrontLine front_line(const model::Mesh& mesh, const mesh::NodeElements& elements
 }
 
 FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                         const mesh::Front& front, const FrontLine& line, int count) {
+                         const mesh::Front& front, const FrontMidNodes& line, int count) {
   FrontLayers layers;
   layers.of_node.assign(mesh.node_count(), -1);
   std::vector<NodeId> rim;

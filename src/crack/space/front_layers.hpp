@@ -11,12 +11,12 @@ namespace spricka::crack {
 
 /// Nodes of the front beside its points: the mid nodes between them, and whether the last point is
 /// joined to the first.
-struct FrontLine {
+struct FrontMidNodes {
   std::vector<base::NodeId> middle; ///< [point] between it and the next one; invalid: none
   bool closed = false;
 };
-FrontLine front_line(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                     const mesh::Front& front);
+FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
+                              const mesh::Front& front);
 
 /// Layers of elements by nodes in common, the first those that have a node of the front.
 struct FrontLayers {
@@ -24,13 +24,13 @@ struct FrontLayers {
   std::vector<int> of_node; ///< [node] the layer that it came with, 0 on the front; -1: none
 
   /// How much of the extension of a corner node: 1 up to a layer, 0 beyond.
-  [[nodiscard]] double moves(base::NodeId n, int rings) const {
+  [[nodiscard]] double extension_factor(base::NodeId n, int rings) const {
     const int layer = of_node[n.index()];
     return layer >= 0 && layer <= rings ? 1.0 : 0.0;
   }
 };
 FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                         const mesh::Front& front, const FrontLine& line, int count);
+                         const mesh::Front& front, const FrontMidNodes& line, int count);
 
 /// Sides of these elements that belong to the body's surface or to faces of cracks, ascending:
 /// those of one element only, but for quadrilaterals on which two triangles of other elements lie.

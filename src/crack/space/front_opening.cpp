@@ -46,15 +46,15 @@ std::optional<NodeId> first_behind(const model::Mesh& mesh, const std::vector<mo
 
 } // namespace
 
-double released(const FrontSetting& set, const std::array<double, 3>& K) {
+double energy_release_rate(const FrontSetting& set, const std::array<double, 3>& K) {
   return (K[0] * K[0] + K[1] * K[1]) / set.E_effective() + K[2] * K[2] / (2.0 * set.body.mu);
 }
 
-std::optional<std::array<double, 3>> front_opening(const FrontSetting& set,
-                                                   const mesh::CrackFaces& faces,
-                                                   const mesh::FrontPoint& point, double G,
-                                                   const base::Vector& u) {
-  const FrontPlace at = set.axes.place(point.x);
+std::optional<std::array<double, 3>> front_opening_intensity(const FrontSetting& set,
+                                                             const mesh::CrackFaces& faces,
+                                                             const mesh::FrontPoint& point,
+                                                             double G, const base::Vector& u) {
+  const FrontCoordinates at = set.axes.locate_point(point.x);
   const mesh::FrontFrame& frame = at.frame;
   const bool half = faces.left_sides.empty() || faces.right_sides.empty();
   const auto upper =
@@ -76,7 +76,7 @@ std::optional<std::array<double, 3>> front_opening(const FrontSetting& set,
   std::array<double, 3> K{0.125 * set.E_effective() * root * apart.dot(frame.b),
                           0.125 * set.E_effective() * root * apart.dot(frame.m),
                           0.25 * set.body.mu * root * apart.dot(frame.t)};
-  const double raw = released(set, K);
+  const double raw = energy_release_rate(set, K);
   if (!(raw > 0.0)) {
     return std::nullopt;
   }

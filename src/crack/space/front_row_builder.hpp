@@ -19,8 +19,8 @@ namespace spricka::crack {
 /// How nodes move with one point of the front, the mean over its domains per length of the front.
 using PointMotion = std::map<base::NodeId, base::Vec3>;
 
-inline PointMotion motion_of(const mesh::FrontPoint& point,
-                             const std::vector<ExtensionField>& domains) {
+inline PointMotion point_motion(const mesh::FrontPoint& point,
+                                const std::vector<ExtensionField>& domains) {
   PointMotion motion;
   const double part = 1.0 / (static_cast<double>(domains.size()) * point.weight);
   for (const ExtensionField& field : domains) {
@@ -33,7 +33,7 @@ inline PointMotion motion_of(const mesh::FrontPoint& point,
 }
 
 /// Which partners, and where their rows go.
-struct PartnerColumns {
+struct AuxiliaryFieldColumns {
   std::vector<std::size_t> partners;
 
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(partners.size()); }
@@ -42,14 +42,14 @@ struct PartnerColumns {
 using RowEntries = std::vector<Eigen::Triplet<double>>;
 
 /// One front with the motions of its points, and which points move an element.
-class RowBuilder {
+class IntensityRowBuilder {
 public:
-  RowBuilder(const FrontSetting& set, const mesh::Front& front, const FrontFields& fields,
-             PartnerColumns columns)
+  IntensityRowBuilder(const FrontSetting& set, const mesh::Front& front,
+                      const FrontExtensions& fields, AuxiliaryFieldColumns columns)
       : set_(set), fields_(fields), columns_(std::move(columns)) {
     for (std::size_t i = 0; i < fields.points.size(); ++i) {
       motion_.push_back(fields.points[i].empty() ? PointMotion()
-                                                 : motion_of(front.points[i], fields.points[i]));
+                                                 : point_motion(front.points[i], fields.points[i]));
       for (const ExtensionField& field : fields.points[i]) {
         for (const base::ElementId e : field.elements) {
           points_of_[e].insert(i);
@@ -59,34 +59,34 @@ public:
   }
 
   [[nodiscard]] SparseRows rows() {
-    partners_ = partner_table(set_, fields_);
+    partners_ = cached_auxiliary_table(set_, fields_);
     for (const base::ElementId e : fields_.elements()) {
       add_element(e);
     }
-    for (const FrontSide& side : fields_.sides) {
+    for (const MovedFreeSide& side : fields_.sides) {
       add_side(side);
     }
     return made(3 * static_cast<Eigen::Index>(set_.mesh.node_count()));
   }
 
-  [[nodiscard]] SparseRows rows_of(const OtherFunctions& others) {
-    partners_ = partner_table(set_, fields_);
+  [[nodiscard]] SparseRows supplementary_rows(const SupplementaryFunctions& others) {
+    partners_ = cached_auxiliary_table(set_, fields_);
     for (const base::ElementId e : fields_.elements()) {
       add_others(e, others);
     }
-    for (const FrontSide& side : fields_.sides) {
+    for (const MovedFreeSide& side : fields_.sides) {
       add_others_on(side, others);
     }
     return made(3 * others.count);
   }
 
-  [[nodiscard]] SparseRows force_rows(const std::vector<FaceForces>& places) {
-    std::map<model::Face, FaceSide> moved;
-    for (const FrontSide& side : fields_.sides) {
+  [[nodiscard]] SparseRows force_rows(const std::vector<FacePointForces>& places) {
+    std::map<model::Face, CrackFaceSide> moved;
+    for (const MovedFreeSide& side : fields_.sides) {
       moved.emplace(side.face, side.on);
     }
     Eigen::Index first = 0;
-    for (const FaceForces& place : places) {
+    for (const FacePointForces& place : places) {
       const auto known = moved.find(place.face);
       if (known != moved.end()) {
         add_places(place, known->second, first);
@@ -152,7 +152,7 @@ private:
     const std::size_t width = columns_.partners.size();
     std::vector<Values> sums(moved.size() * width, zero);
     std::size_t number = 0;
-    for (const auto& point : partners_->rule(element, e)) {
+    for (const auto& point : partners_->quadrature_rule(element, e)) {
       const ElementMap at = fe::jacobian(element, X, point.r);
       const fe::AnyElement<3>::Values N = element.N(point.r);
       const Values slopes = slopes_at(number, at);
@@ -160,7 +160,7 @@ private:
         const Tensor<3> grad = moved[j].second.lazyProduct(at.dNdx);
         const base::Vec3 q = moved[j].second * N;
         for (std::size_t k = 0; k < width; ++k) {
-          const MovingField w = partners_->at(e, number, columns_.partners[k]);
+          const FrontAuxiliaryField w = partners_->at(e, number, columns_.partners[k]);
           const Tensor<3> M = point.weight * at.det * contracted(w, grad, q);
           sums[width * j + k] += M.lazyProduct(slopes);
         }
@@ -169,7 +169,7 @@ private:
     }
     for (std::size_t j = 0; j < moved.size(); ++j) {
       for (std::size_t k = 0; k < width; ++k) {
-        take(moved[j].first, k, set_.factor(columns_.partners[k]) * sums[width * j + k]);
+        take(moved[j].first, k, set_.conversion_factor(columns_.partners[k]) * sums[width * j + k]);
       }
     }
   }
@@ -186,7 +186,7 @@ private:
   }
 
   // The same of other functions.
-  void add_others(base::ElementId e, const OtherFunctions& others) {
+  void add_others(base::ElementId e, const SupplementaryFunctions& others) {
     const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
     const std::vector<Eigen::MatrixX3d>& table = slope_table(e, others);
     contract(
@@ -203,7 +203,7 @@ private:
   // The partners' tractions on a side times the slopes along the motion of some functions.
   // slopes_at(place r): [function, 3]; take as in contract.
   template <class SlopesAt, class Take>
-  void contract_side(const FrontSide& side, const fe::ElementSide<2>& own,
+  void contract_side(const MovedFreeSide& side, const fe::ElementSide<2>& own,
                      const SlopesAt& slopes_at, const Take& take) const {
     for (const std::size_t i : points_of_.at(side.face.element)) {
       fe::SpaceNodes<2> q;
@@ -212,21 +212,21 @@ private:
       }
       for (const auto& point : shape::quadrature<2>(own.shape.domain, front_degree)) {
         const fe::AnyElement<2>::Values N = own.shape.N(point.r);
-        const TurningAxes axes(set_.axes.place(own.X * N, side.on));
+        const TurningAxes axes(set_.axes.locate_point(own.X * N, side.on));
         const base::Vec3 area = point.weight * fe::area_vector<2>(own.shape, own.X, point.r);
         const base::Vec3 moved = q * N;
         const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
           const std::size_t partner = columns_.partners[k];
-          const base::Vec3 t =
-              set_.factor(partner) * (moving_field(partner, axes, set_.body).sigma * area);
+          const base::Vec3 t = set_.conversion_factor(partner) *
+                               (front_auxiliary_field(partner, axes, set_.body).sigma * area);
           take(i, k, Eigen::Matrix3Xd(-t * along));
         }
       }
     }
   }
 
-  void add_side(const FrontSide& side) {
+  void add_side(const MovedFreeSide& side) {
     const fe::ElementSide<2> own(set_.mesh, side.face);
     contract_side(
         side, own, [&](const shape::Point<2>& r) { return surface_gradients(own, r); },
@@ -236,7 +236,7 @@ private:
   }
 
   // The motion runs along the side, so that the element's own gradient serves.
-  void add_others_on(const FrontSide& side, const OtherFunctions& others) {
+  void add_others_on(const MovedFreeSide& side, const SupplementaryFunctions& others) {
     contract_side(
         side, fe::ElementSide<2>(set_.mesh, side.face),
         [&](const shape::Point<2>& r) { return slopes_on(side.face, r, others); },
@@ -257,7 +257,7 @@ private:
 
   // Rows of an element's other functions. [3, function]
   void put_others(base::ElementId e, std::size_t point, std::size_t column,
-                  const Eigen::Matrix3Xd& values, const OtherFunctions& others) {
+                  const Eigen::Matrix3Xd& values, const SupplementaryFunctions& others) {
     const std::span<const std::int32_t> functions = others.of_element(e);
     const std::span<const double> signs = others.signs(e);
     for (std::size_t n = 0; n < functions.size(); ++n) {
@@ -268,11 +268,11 @@ private:
 
   // Slopes of other functions at the points of the rule.
   const std::vector<Eigen::MatrixX3d>& slope_table(base::ElementId e,
-                                                   const OtherFunctions& others) {
+                                                   const SupplementaryFunctions& others) {
     const base::ElementType type = set_.mesh.type[e.index()];
     std::vector<Eigen::MatrixX3d>& table = slopes_[{type, fields_.degree.at(e)}];
     if (table.empty()) {
-      for (const auto& point : partners_->rule(shape_of(e), e)) {
+      for (const auto& point : partners_->quadrature_rule(shape_of(e), e)) {
         table.push_back(others.slopes(type, point.r));
       }
     }
@@ -281,7 +281,7 @@ private:
 
   // What the gradient H of a displacement is contracted with: s(A - q_k,k H_w) + sigma_w (grad q)^T
   // + div sigma_w (x) q, A = H_w grad q (crack_space.10).
-  [[nodiscard]] Tensor<3> contracted(const MovingField& w, const Tensor<3>& grad,
+  [[nodiscard]] Tensor<3> contracted(const FrontAuxiliaryField& w, const Tensor<3>& grad,
                                      const base::Vec3& moved) const {
     return isotropic_stress(set_.body, w.H * grad - grad.trace() * w.H) +
            w.sigma * grad.transpose() + w.divergence * moved.transpose();
@@ -289,7 +289,7 @@ private:
 
   // Gradients in space of other functions at a place of a side. [function, 3]
   [[nodiscard]] Eigen::MatrixX3d slopes_on(const model::Face& face, const shape::Point<2>& r,
-                                           const OtherFunctions& others) const {
+                                           const SupplementaryFunctions& others) const {
     const base::ElementType type = set_.mesh.type[face.element.index()];
     const fe::AnyElement<3>& element = shape_of(face.element);
     const shape::Point<3> at = shape::side_to_solid_point(type, face.side, r);
@@ -299,7 +299,7 @@ private:
     return others.slopes(type, at).lazyProduct(inverse);
   }
 
-  void add_places(const FaceForces& on, FaceSide side, Eigen::Index first) {
+  void add_places(const FacePointForces& on, CrackFaceSide side, Eigen::Index first) {
     const fe::ElementSide<2> own(set_.mesh, on.face);
     for (const std::size_t i : points_of_.at(on.face.element)) {
       fe::SpaceNodes<2> q;
@@ -308,7 +308,7 @@ private:
       }
       for (std::size_t p = 0; p < on.points.size(); ++p) {
         const fe::AnyElement<2>::Values N = own.shape.N(on.points[p].r.head<2>());
-        const FrontPlace place = set_.axes.place(own.X * N, side);
+        const FrontCoordinates place = set_.axes.locate_point(own.X * N, side);
         if (!(place.r > 0.0)) {
           continue; // the front itself, a line without an area
         }
@@ -316,16 +316,17 @@ private:
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
           const std::size_t partner = columns_.partners[k];
           put(first + 3 * static_cast<Eigen::Index>(p), i, k,
-              -set_.factor(partner) * (moving_field(partner, axes, set_.body).H * (q * N)));
+              -set_.conversion_factor(partner) *
+                  (front_auxiliary_field(partner, axes, set_.body).H * (q * N)));
         }
       }
     }
   }
 
   const FrontSetting& set_;
-  const FrontFields& fields_;
-  PartnerColumns columns_;
-  std::shared_ptr<const PartnerTable> partners_;
+  const FrontExtensions& fields_;
+  AuxiliaryFieldColumns columns_;
+  std::shared_ptr<const AuxiliaryFieldTable> partners_;
   std::vector<PointMotion> motion_; ///< [point]
   std::map<base::ElementId, std::set<std::size_t>> points_of_;
   RowEntries entries_;

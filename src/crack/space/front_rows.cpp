@@ -7,9 +7,9 @@ namespace spricka::crack {
 
 namespace {
 
-PartnerColumns modes(const mesh::Front& front) {
+AuxiliaryFieldColumns modes(const mesh::Front& front) {
   // In a half model the others are zero by symmetry; their columns stay.
-  return front.symmetric_half ? PartnerColumns{{1}} : PartnerColumns{{1, 2, 3}};
+  return front.symmetric_half ? AuxiliaryFieldColumns{{1}} : AuxiliaryFieldColumns{{1, 2, 3}};
 }
 
 // PartnerColumns of K1 alone, spread over those of the layout.
@@ -36,32 +36,33 @@ SparseRows nothing(const mesh::CrackedMesh& cracked, Eigen::Index columns) {
 } // namespace
 
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::Front& front, const FrontFields& fields) {
+                                const mesh::Front& front, const FrontExtensions& fields) {
   if (fields.empty()) {
     return nothing(cracked, KLayout(front.points.size(), 3).count());
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
-  return spread(RowBuilder(set, front, fields, modes(front)).rows(), front.points.size());
+  return spread(IntensityRowBuilder(set, front, fields, modes(front)).rows(), front.points.size());
 }
 
-SparseRows front_rows_of(const model::Model& model, const mesh::CrackedMesh& cracked,
-                         const mesh::Front& front, const FrontFields& fields,
-                         const OtherFunctions& others) {
+SparseRows supplementary_front_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                    const mesh::Front& front, const FrontExtensions& fields,
+                                    const SupplementaryFunctions& others) {
   if (fields.empty()) {
     return {3 * others.count, KLayout(front.points.size(), 3).count()};
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
-  return spread(RowBuilder(set, front, fields, modes(front)).rows_of(others), front.points.size());
+  return spread(IntensityRowBuilder(set, front, fields, modes(front)).supplementary_rows(others),
+                front.points.size());
 }
 
 SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                        const mesh::Front& front, const FrontFields& fields) {
+                        const mesh::Front& front, const FrontExtensions& fields) {
   const auto count = static_cast<Eigen::Index>(front.points.size());
   if (fields.empty()) {
     return nothing(cracked, count);
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
-  SparseRows rows = RowBuilder(set, front, fields, {{line_force_partner}}).rows();
+  SparseRows rows = IntensityRowBuilder(set, front, fields, {{line_force_partner}}).rows();
   // E' nu e_tt of (crack_space.12).
   RowEntries entries;
   const auto strain = strain_along(front, cracked.mesh, fields);
@@ -80,17 +81,17 @@ SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& crac
 }
 
 SparseRows front_force_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Front& front, const FrontFields& fields,
-                            const std::vector<FaceForces>& places) {
+                            const mesh::Front& front, const FrontExtensions& fields,
+                            const std::vector<FacePointForces>& places) {
   if (fields.empty()) {
     Eigen::Index points = 0;
-    for (const FaceForces& place : places) {
+    for (const FacePointForces& place : places) {
       points += static_cast<Eigen::Index>(place.points.size());
     }
     return {3 * points, KLayout(front.points.size(), 3).count()};
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
-  return spread(RowBuilder(set, front, fields, modes(front)).force_rows(places),
+  return spread(IntensityRowBuilder(set, front, fields, modes(front)).force_rows(places),
                 front.points.size());
 }
 

@@ -14,7 +14,7 @@ double FrontSetting::E_effective() const {
   return fe::effective_modulus(material, model::StressState::solid);
 }
 
-double FrontSetting::factor(std::size_t partner) const {
+double FrontSetting::conversion_factor(std::size_t partner) const {
   switch (partner) {
   case 0:
     return halves;
@@ -29,7 +29,7 @@ double FrontSetting::factor(std::size_t partner) const {
 }
 
 FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                           const mesh::Front& front, const FrontFields& fields) {
+                           const mesh::Front& front, const FrontExtensions& fields) {
   // Domains stay within one material: any of their elements tells it.
   const base::ElementId near = fields.elements().front();
   const model::ElasticMaterial& material = model.element_material(cracked.mesh, near);
@@ -45,8 +45,8 @@ FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& c
           front.symmetric_half ? 2.0 : 1.0};
 }
 
-std::vector<FaceForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads) {
-  std::vector<FaceForces> forces;
+std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads) {
+  std::vector<FacePointForces> forces;
   for (const ActingLoad& acting : loads.loads) {
     if (acting.faces.empty()) {
       continue;
@@ -55,7 +55,7 @@ std::vector<FaceForces> forces_on_faces(const model::Mesh& mesh, const TipLoads&
         acting.load->faces.valid() ? fe::load_scale(mesh, *acting.load) : fe::FieldScale();
     for (const model::Face& face : acting.faces) {
       const fe::ElementSide<2> side(mesh, face);
-      FaceForces on{face, {}};
+      FacePointForces on{face, {}};
       const auto rule = fe::load_rule<2>(side.shape, side.X, *acting.load, scale);
       for (const auto& point : rule.points) {
         const Vec3 area = fe::area_vector<2>(side.shape, side.X, point.r);
@@ -74,7 +74,7 @@ std::vector<FaceForces> forces_on_faces(const model::Mesh& mesh, const TipLoads&
 }
 
 std::vector<std::vector<NodeWeight>> strain_along(const mesh::Front& front, const model::Mesh& mesh,
-                                                  const FrontFields& fields) {
+                                                  const FrontExtensions& fields) {
   const std::size_t count = front.points.size();
   std::vector<std::vector<NodeWeight>> weights(count);
   std::vector<double> length(count, 0.0);

@@ -16,15 +16,15 @@ namespace spricka::crack {
 
 /// Tractions on a side that are no load of the deck, as forces at its points: pressure and friction
 /// between surfaces in contact.
-struct FaceForces {
+struct FacePointForces {
   model::Face face;
   std::vector<fe::LoadPoint> points;
 };
 
 /// What acts on the elements and faces round a front.
 struct FrontLoads {
-  TipLoads given;                  ///< of the deck; its elements as a whole
-  std::vector<FaceForces> contact; ///< on faces of the body that has the crack
+  TipLoads given;                       ///< of the deck; its elements as a whole
+  std::vector<FacePointForces> contact; ///< on faces of the body that has the crack
   /// Of contact, the normal stress across the crack's faces at the front [point]; empty: none.
   std::vector<double> across = {};
 };
@@ -40,15 +40,15 @@ struct FrontSetting {
 
   /// What turns the product of an extension, of length 1 along the front, and the forces of a
   /// partner into G, K1, K2, K3 and T (crack_space.7, crack_space.12).
-  [[nodiscard]] double factor(std::size_t partner) const;
+  [[nodiscard]] double conversion_factor(std::size_t partner) const;
   [[nodiscard]] double E_effective() const; ///< E / (1 - nu^2)
 };
 /// Of the fields of a front, of which there is one at least.
 FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                           const mesh::Front& front, const FrontFields& fields);
+                           const mesh::Front& front, const FrontExtensions& fields);
 
 /// Forces of the loads on sides round the front, at points; of the deck's own rules.
-std::vector<FaceForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads);
+std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads);
 
 /// The strain along the front at each point, e_tt = sum of weight . u over its nodes, by the
 /// point's hat (crack_space.13).
@@ -57,6 +57,6 @@ struct NodeWeight {
   base::Vec3 weight;
 };
 std::vector<std::vector<NodeWeight>> strain_along(const mesh::Front& front, const model::Mesh& mesh,
-                                                  const FrontFields& fields);
+                                                  const FrontExtensions& fields);
 
 } // namespace spricka::crack

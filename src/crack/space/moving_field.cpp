@@ -22,7 +22,7 @@ struct AngularParts {
 };
 
 // (crack.6), (crack.7) and mode 3, their products of cosines and sines resolved.
-AngularParts near_front(std::size_t mode, const SectionPlace& at, const FrontBody& body) {
+AngularParts near_front(std::size_t mode, const SectionPolarPoint& at, const FrontBody& body) {
   const double kappa = kolosov(body.nu, model::StressState::plane_strain);
   const auto [c1, s1, c3, s3] = std::array{at.c1, at.s1, at.c3, at.s3};
   AngularParts f;
@@ -45,7 +45,7 @@ AngularParts near_front(std::size_t mode, const SectionPlace& at, const FrontBod
 }
 
 // (crack.24).
-AngularParts line_force(const SectionPlace& at, const FrontBody& body) {
+AngularParts line_force(const SectionPolarPoint& at, const FrontBody& body) {
   const double kappa = kolosov(body.nu, model::StressState::plane_strain);
   const double theta = at.theta;
   const double C = at.C * at.C - at.S * at.S; // of twice the angle
@@ -61,11 +61,12 @@ AngularParts line_force(const SectionPlace& at, const FrontBody& body) {
 
 } // namespace
 
-SectionPlace::SectionPlace(double radius, double angle)
+SectionPolarPoint::SectionPolarPoint(double radius, double angle)
     : r(radius), theta(angle), c1(std::cos(0.5 * angle)), s1(std::sin(0.5 * angle)),
       C(c1 * c1 - s1 * s1), S(2.0 * c1 * s1), c3(C * c1 - S * s1), s3(S * c1 + C * s1) {}
 
-SectionField section_field(std::size_t partner, const SectionPlace& at, const FrontBody& body) {
+SectionField section_field(std::size_t partner, const SectionPolarPoint& at,
+                           const FrontBody& body) {
   const bool force = partner == line_force_partner;
   const AngularParts f = force ? line_force(at, body) : near_front(partner, at, body);
   const double C = at.C;
@@ -92,7 +93,7 @@ SectionField section_field(std::size_t partner, const SectionPlace& at, const Fr
   return w;
 }
 
-TurningAxes::TurningAxes(const FrontPlace& at) : section(at.r, at.theta) {
+TurningAxes::TurningAxes(const FrontCoordinates& at) : section(at.r, at.theta) {
   const mesh::FrontFrame& f = at.frame;
   Q << f.m, f.b, f.t;
   dQ << f.dm, f.db, f.dt;
@@ -125,7 +126,7 @@ namespace {
 // size would each become a matrix of its own.
 struct Across {
   Vec3 y, z, s;
-  [[nodiscard]] Tensor<3> with(const TurningAxes::Slopes& slopes) const {
+  [[nodiscard]] Tensor<3> with(const TurningAxes::CoordinateGradients& slopes) const {
     Tensor<3> sum;
     for (Eigen::Index j = 0; j < 3; ++j) {
       sum.col(j) = slopes.y[j] * y + slopes.z[j] * z + slopes.s[j] * s;
@@ -143,11 +144,12 @@ Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
 
 } // namespace
 
-MovingField moving_field(std::size_t partner, const TurningAxes& axes, const FrontBody& body) {
+FrontAuxiliaryField front_auxiliary_field(std::size_t partner, const TurningAxes& axes,
+                                          const FrontBody& body) {
   const SectionField w = section_field(partner, axes.section, body);
   // Q (w_,y grad y + w_,z grad z) + Q' w grad s, with these gradients or with derivatives of them.
   const Across field_across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w};
-  MovingField field;
+  FrontAuxiliaryField field;
   field.H = field_across.with(axes.grad);
   field.sigma = isotropic_stress(body, field.H);
   // Derivatives of H by s, y and z (crack_space.5).

@@ -21,13 +21,13 @@ struct FrontBody {
 };
 
 /// A point off the front in the section across it, with what the fields of all partners share.
-struct SectionPlace {
+struct SectionPolarPoint {
   double r = 0.0, theta = 0.0;
   double c1 = 0.0, s1 = 0.0; ///< cosine and sine of theta/2
   double C = 0.0, S = 0.0;   ///< of theta
   double c3 = 0.0, s3 = 0.0; ///< of 3 theta/2
 
-  SectionPlace(double radius, double angle);
+  SectionPolarPoint(double radius, double angle);
 };
 
 /// Displacements along m, b, t as a function of y and z, with derivatives.
@@ -35,31 +35,33 @@ struct SectionField {
   base::Vec3 w, w_y, w_z, w_yy, w_yz, w_zz;
 };
 /// Of partner 1 to 4 (manual, crack_space.3).
-SectionField section_field(std::size_t partner, const SectionPlace& at, const FrontBody& body);
+SectionField section_field(std::size_t partner, const SectionPolarPoint& at, const FrontBody& body);
 
 /// The axes at a place as matrices with columns m, b, t and their derivatives, and the gradients of
 /// s, y and z with theirs (crack_space.2): the same for all partners, as the place in the section.
 struct TurningAxes {
-  struct Slopes {
+  struct CoordinateGradients {
     base::Vec3 s, y, z;
   };
   Tensor<3> Q, dQ, ddQ;
-  Slopes grad, by_s, by_y, by_z;
-  SectionPlace section;
+  CoordinateGradients grad, by_s, by_y, by_z;
+  SectionPolarPoint section;
 
-  explicit TurningAxes(const FrontPlace& at);
+  explicit TurningAxes(const FrontCoordinates& at);
 };
 
 /// The field w = w1 m + w2 b + w3 t of a partner (crack_space.4) at a place.
-struct MovingField {
+struct FrontAuxiliaryField {
   Tensor<3> H = Tensor<3>::Zero();            ///< dw_i/dx_j, the turning of the axes in it
   Tensor<3> sigma = Tensor<3>::Zero();        ///< its stress
   base::Vec3 divergence = base::Vec3::Zero(); ///< of that, not zero where the front turns
 };
-MovingField moving_field(std::size_t partner, const TurningAxes& axes, const FrontBody& body);
+FrontAuxiliaryField front_auxiliary_field(std::size_t partner, const TurningAxes& axes,
+                                          const FrontBody& body);
 
-inline MovingField moving_field(std::size_t partner, const FrontPlace& at, const FrontBody& body) {
-  return moving_field(partner, TurningAxes(at), body);
+inline FrontAuxiliaryField front_auxiliary_field(std::size_t partner, const FrontCoordinates& at,
+                                                 const FrontBody& body) {
+  return front_auxiliary_field(partner, TurningAxes(at), body);
 }
 
 /// lambda tr(A) I + mu (A + A^T).

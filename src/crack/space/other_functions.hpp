@@ -17,7 +17,7 @@ namespace spricka::crack {
 using SparseRows = Eigen::SparseMatrix<double>;
 
 /// Functions beside those of the nodes, three directions each.
-struct OtherFunctions {
+struct SupplementaryFunctions {
   Eigen::Index count = 0;
   /// Of an element: their numbers and signs.
   std::function<std::span<const std::int32_t>(base::ElementId)> of_element;

@@ -5,13 +5,13 @@
 
 namespace spricka::crack {
 
-class PartnerTable;
+class AuxiliaryFieldTable;
 
 /// Keeps the table of the partners in a front's domains from one call to the next (partner_table).
 /// It changes how long K takes, not what it is.
-struct PartnerMemory {
+struct AuxiliaryFieldCache {
   std::mutex mutex;
-  std::shared_ptr<const PartnerTable> table;
+  std::shared_ptr<const AuxiliaryFieldTable> table;
 };
 
 } // namespace spricka::crack

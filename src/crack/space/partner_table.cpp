@@ -22,7 +22,7 @@ base::Vec3 places_of(const model::Mesh& mesh, base::ElementId e) {
 
 } // namespace
 
-PartnerTable::PartnerTable(const FrontSetting& set, const FrontFields& fields)
+AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontSetting& set, const FrontExtensions& fields)
     : body_(set.body), elements_(fields.elements()) {
   if (elements_.empty()) {
     return;
@@ -43,18 +43,18 @@ PartnerTable::PartnerTable(const FrontSetting& set, const FrontFields& fields)
     places_.push_back(places_of(set.mesh, e));
     const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
     const fe::AnyNodeVectors<3> X = fe::coordinates(element, set.mesh, e);
-    for (const auto& point : rule(element, e)) {
-      const TurningAxes axes(set.axes.place(X * element.N(point.r)));
+    for (const auto& point : quadrature_rule(element, e)) {
+      const TurningAxes axes(set.axes.locate_point(X * element.N(point.r)));
       Fields& at = fields_.emplace_back();
       for (std::size_t k = 1; k < front_partners; ++k) {
-        const MovingField w = moving_field(k, axes, set.body);
+        const FrontAuxiliaryField w = front_auxiliary_field(k, axes, set.body);
         at[k - 1] = {w.H, w.divergence};
       }
     }
   }
 }
 
-bool PartnerTable::is_of(const FrontSetting& set) const {
+bool AuxiliaryFieldTable::is_valid_for(const FrontSetting& set) const {
   const bool same_body = body_.lambda == set.body.lambda && body_.mu == set.body.mu &&
                          body_.nu == set.body.nu && body_.unit == set.body.unit;
   return same_body && elements_.back().index() < set.mesh.element_count() &&
@@ -63,15 +63,15 @@ bool PartnerTable::is_of(const FrontSetting& set) const {
          });
 }
 
-std::shared_ptr<const PartnerTable> partner_table(const FrontSetting& set,
-                                                  const FrontFields& fields) {
+std::shared_ptr<const AuxiliaryFieldTable> cached_auxiliary_table(const FrontSetting& set,
+                                                                  const FrontExtensions& fields) {
   if (!fields.partners) {
-    return std::make_shared<const PartnerTable>(set, fields);
+    return std::make_shared<const AuxiliaryFieldTable>(set, fields);
   }
   const std::lock_guard<std::mutex> guard(fields.partners->mutex);
-  std::shared_ptr<const PartnerTable>& table = fields.partners->table;
-  if (!table || !table->is_of(set)) {
-    table = std::make_shared<const PartnerTable>(set, fields);
+  std::shared_ptr<const AuxiliaryFieldTable>& table = fields.partners->table;
+  if (!table || !table->is_valid_for(set)) {
+    table = std::make_shared<const AuxiliaryFieldTable>(set, fields);
   }
   return table;
 }

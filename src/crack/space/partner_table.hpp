@@ -13,20 +13,21 @@ namespace spricka::crack {
 
 /// The partners' fields at the points of the rule of the domains' elements. They belong to the mesh
 /// and the material: steps, rows of K and rows of other functions all read the same.
-class PartnerTable {
+class AuxiliaryFieldTable {
 public:
-  PartnerTable(const FrontSetting& set, const FrontFields& fields);
+  AuxiliaryFieldTable(const FrontSetting& set, const FrontExtensions& fields);
 
   /// The rule over an element.
-  [[nodiscard]] std::span<const shape::QuadraturePoint<3>> rule(const fe::AnyElement<3>& element,
-                                                                base::ElementId e) const {
+  [[nodiscard]] std::span<const shape::QuadraturePoint<3>>
+  quadrature_rule(const fe::AnyElement<3>& element, base::ElementId e) const {
     return shape::quadrature<3>(element.domain, degree_[slot_[e.index() - first_]]);
   }
 
   /// The partners 1 to 4 of an element at a point of its rule.
-  [[nodiscard]] MovingField at(base::ElementId e, std::size_t point, std::size_t partner) const {
+  [[nodiscard]] FrontAuxiliaryField at(base::ElementId e, std::size_t point,
+                                       std::size_t partner) const {
     const Fields& fields = fields_[start_[slot_[e.index() - first_]] + point];
-    MovingField w;
+    FrontAuxiliaryField w;
     w.H = fields[partner - 1].H;
     w.sigma = isotropic_stress(body_, w.H);
     w.divergence = fields[partner - 1].divergence;
@@ -34,14 +35,14 @@ public:
   }
 
   /// Whether it is of this body and of a mesh with nodes at the same places.
-  [[nodiscard]] bool is_of(const FrontSetting& set) const;
+  [[nodiscard]] bool is_valid_for(const FrontSetting& set) const;
 
 private:
-  struct Kept {
+  struct TabulatedAuxiliaryField {
     Tensor<3> H;
     base::Vec3 divergence;
   };
-  using Fields = std::array<Kept, front_partners - 1>;
+  using Fields = std::array<TabulatedAuxiliaryField, front_partners - 1>;
 
   FrontBody body_;
   std::vector<base::ElementId> elements_;
@@ -54,7 +55,7 @@ private:
 };
 
 /// Of the domains of a front, from their memory if they have one.
-std::shared_ptr<const PartnerTable> partner_table(const FrontSetting& set,
-                                                  const FrontFields& fields);
+std::shared_ptr<const AuxiliaryFieldTable> cached_auxiliary_table(const FrontSetting& set,
+                                                                  const FrontExtensions& fields);
 
 } // namespace spricka::crack

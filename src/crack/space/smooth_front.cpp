@@ -160,7 +160,7 @@ base::Vector weights_at_zero(const std::vector<double>& d) {
 } // namespace
 
 std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
-                                              const Beside& beside) {
+                                              const ExtrapolationPoint& beside) {
   constexpr std::size_t fewest = 5;
   constexpr std::size_t most = 9;
   constexpr double counted = 1.5; // times an error of the values

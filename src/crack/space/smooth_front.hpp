@@ -24,7 +24,7 @@ struct FrontStations {
 base::Matrix smooth_values(const FrontStations& at, const base::Matrix& values);
 
 /// A place of a front, and how far values beside it are looked at [length].
-struct Beside {
+struct ExtrapolationPoint {
   double s = 0.0, far = 0.0;
 };
 /// The value at a place whose own says nothing, by a parabola through the values of the points next
@@ -32,6 +32,6 @@ struct Beside {
 /// errors of theirs would count 1.5 times; a line through two or three, nothing with fewer
 /// (crack_space.16). [quantity]
 std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
-                                              const Beside& beside);
+                                              const ExtrapolationPoint& beside);
 
 } // namespace spricka::crack

@@ -23,8 +23,8 @@ constexpr double piercing = 0.3;
 
 } // namespace
 
-SurfaceMotion::SurfaceMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
-                             const InTheWay& in_the_way) {
+SurfaceNodeMotion::SurfaceNodeMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
+                                     const InTheWay& in_the_way) {
   for (const model::Face& face : sides) {
     const fe::ElementSide<2> side(mesh, face);
     for (int i = 0; i < side.shape.nodes; ++i) {
@@ -47,7 +47,8 @@ SurfaceMotion::SurfaceMotion(const model::Mesh& mesh, const std::vector<model::F
   }
 }
 
-std::optional<Vec3> SurfaceMotion::along(base::NodeId node, const Vec3& m, const Vec3& t) const {
+std::optional<Vec3> SurfaceNodeMotion::admissible_motion(base::NodeId node, const Vec3& m,
+                                                         const Vec3& t) const {
   const auto at = normals_.find(node);
   if (at == normals_.end()) {
     return m;

@@ -107,7 +107,7 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
   const mesh::Front& front = cracked.fronts.front();
   std::vector<int> left_out;
   const std::vector<crack::ExtensionField> q =
-      crack::Neighbourhood(mesh).fields(cracked, front, {2, 3, 4, 5}, left_out);
+      crack::TipNeighbourhood(mesh).extension_fields(cracked, front, {2, 3, 4, 5}, left_out);
   const crack::StressIntensity at_tip =
       crack::stress_intensity(model, cracked, front, q, {}, u, {});
 

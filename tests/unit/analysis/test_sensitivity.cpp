@@ -208,11 +208,12 @@ void compare_with_moved_nodes(const std::string& deck) {
   const results::TipResult& tip = last->tips[0];
   std::vector<int> left_out;
   const int wide = solved.scene().tips[0].fields.back().rings + 1;
-  const estimate::TipMotion motion = estimate::tip_motion(
-      solved.scene().cracked, 0,
-      crack::Neighbourhood(solved.scene().cracked.mesh)
-          .fields(solved.scene().cracked, solved.scene().cracked.fronts[0], {wide}, left_out)
-          .at(0));
+  const estimate::TipMotion motion =
+      estimate::tip_motion(solved.scene().cracked, 0,
+                           crack::TipNeighbourhood(solved.scene().cracked.mesh)
+                               .extension_fields(solved.scene().cracked,
+                                                 solved.scene().cracked.fronts[0], {wide}, left_out)
+                               .at(0));
   const auto moved = [&motion](double by) {
     return SolvedScene::Changes{
         {}, [&motion, by](analysis::Scene& scene, const model::Model& model) {

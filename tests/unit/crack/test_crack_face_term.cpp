@@ -50,9 +50,9 @@ struct Plate {
     auto made = mesh::insert_cracks(model.mesh, {&line, 1}, {&tip, 1}, spans, diagnostics);
     EXPECT_TRUE(made.has_value());
     cracked = std::move(*made);
-    const crack::Neighbourhood around(cracked.mesh);
+    const crack::TipNeighbourhood around(cracked.mesh);
     std::vector<int> left_out;
-    fields = around.fields(cracked, cracked.fronts[1], {1, 2, 4}, left_out);
+    fields = around.extension_fields(cracked, cracked.fronts[1], {1, 2, 4}, left_out);
     for (const auto* crack_face : {&cracked.faces[0].left, &cracked.faces[0].right}) {
       const std::vector<model::Face> own = mesh::faces_within(cracked.mesh, *crack_face);
       faces.insert(faces.end(), own.begin(), own.end());
@@ -135,7 +135,7 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
   const base::Vector none =
       base::Vector::Zero(2 * static_cast<Eigen::Index>(plate.cracked.mesh.node_count()));
   const crack::CrackFaceForces crack_faces{plate.faces, plate.forces(-0.7, 1.3)};
-  crack::VceRequest request;
+  crack::TipIntensityRequest request;
   request.crack_faces = &crack_faces;
   request.state = model::TipConstraint::stress;
   const crack::StressIntensity K = crack::stress_intensity(

@@ -46,7 +46,7 @@ double released(const fe::AnyElement<dim>& element, const fe::AnyNodeVectors<dim
   for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
     const auto at = fe::jacobian(element, X, point.r);
     const Tensor<dim> H = U.lazyProduct(at.dNdx);
-    const Tensor<dim> sigma = stress_of<dim>(steel<dim>(), H);
+    const Tensor<dim> sigma = stress_from_gradient<dim>(steel<dim>(), H);
     const Tensor<dim> T = energy_momentum<dim>({H, sigma});
     sum += point.weight * at.det * T.cwiseProduct(Tensor<dim>(V.lazyProduct(at.dNdx))).sum();
   }
@@ -60,7 +60,8 @@ double energy(const fe::AnyElement<dim>& element, const fe::AnyNodeVectors<dim>&
   for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
     const auto at = fe::jacobian(element, X, point.r);
     const Tensor<dim> H = U.lazyProduct(at.dNdx);
-    sum += 0.5 * point.weight * at.det * stress_of<dim>(steel<dim>(), H).cwiseProduct(H).sum();
+    sum += 0.5 * point.weight * at.det *
+           stress_from_gradient<dim>(steel<dim>(), H).cwiseProduct(H).sum();
   }
   return sum;
 }
@@ -90,8 +91,8 @@ TYPED_TEST(EnergyMomentum, OfTwoIsTheBilinearForm) {
   const Tensor<dim> Hu = rough(element, 0.2).template leftCols<dim>();
   const Tensor<dim> Hv = rough(element, 0.7).template leftCols<dim>();
   const Tensor<dim> H = Hu + Hv;
-  const Tensor<dim> su = stress_of<dim>(steel<dim>(), Hu);
-  const Tensor<dim> sv = stress_of<dim>(steel<dim>(), Hv);
+  const Tensor<dim> su = stress_from_gradient<dim>(steel<dim>(), Hu);
+  const Tensor<dim> sv = stress_from_gradient<dim>(steel<dim>(), Hv);
   const Tensor<dim> s = su + sv;
   const Tensor<dim> both = energy_momentum<dim>({Hu, su}, {Hv, sv});
   const Tensor<dim> rest = energy_momentum<dim>({H, s}) - energy_momentum<dim>({Hu, su}) -

@@ -51,7 +51,8 @@ struct Block {
     std::vector<int> kept;
     std::vector<int> left_out;
     for (const ExtensionField& field :
-         Neighbourhood(cracked.mesh).fields(cracked, cracked.fronts[0], {1, 2, 3}, left_out)) {
+         TipNeighbourhood(cracked.mesh)
+             .extension_fields(cracked, cracked.fronts[0], {1, 2, 3}, left_out)) {
       kept.push_back(field.rings);
     }
     return kept;
@@ -62,8 +63,8 @@ TEST(Extension, MovesItsOwnFacesButNotTheMouth) {
   const Block block;
   EXPECT_EQ(block.rings(), (std::vector<int>{1, 2, 3}));
   std::vector<int> left_out;
-  EXPECT_TRUE(Neighbourhood(block.cracked.mesh)
-                  .fields(block.cracked, block.cracked.fronts[0], {4}, left_out)
+  EXPECT_TRUE(TipNeighbourhood(block.cracked.mesh)
+                  .extension_fields(block.cracked, block.cracked.fronts[0], {4}, left_out)
                   .empty());
   EXPECT_EQ(left_out, std::vector<int>{4});
 }
@@ -72,8 +73,8 @@ TEST(Extension, NodesMoveAlongTheGrowthOfTheirPoint) {
   const Block block;
   std::vector<int> left_out;
   const std::vector<ExtensionField> fields =
-      Neighbourhood(block.cracked.mesh)
-          .fields(block.cracked, block.cracked.fronts[0], {2}, left_out);
+      TipNeighbourhood(block.cracked.mesh)
+          .extension_fields(block.cracked, block.cracked.fronts[0], {2}, left_out);
   ASSERT_EQ(fields.size(), 1U);
   EXPECT_EQ(fields[0].motion.size(), 27U); // 5 x 5 and the twins of the two behind the tip
   for (const NodeMotion& moved : fields[0].motion) {

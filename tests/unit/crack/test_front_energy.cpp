@@ -118,7 +118,8 @@ private:
       const crack::Tensor<3> H = U.lazyProduct(at.dNdx);
       const fe::AnyElement<3>::Values N = shape.N(point.r);
       const double T = acting_.heat ? linear_temperature(X * N) : 0.0;
-      double density = 0.5 * crack::stress_of<3>(D, H).cwiseProduct(H).sum() - beta * T * H.trace();
+      double density =
+          0.5 * crack::stress_from_gradient<3>(D, H).cwiseProduct(H).sum() - beta * T * H.trace();
       if (acting_.body) {
         density -= fe::load_value(body_, X * N).dot(U * N);
       }
@@ -147,7 +148,7 @@ model::Mesh moved(const Tube& tube, const crack::ExtensionField& field, double w
 void expect_released(const Tube& tube, const Acting& acting, double tolerance) {
   const base::Vector u = tube.rough();
   const Potential potential(tube, acting);
-  const crack::FrontFields fields = tube.fields();
+  const crack::FrontExtensions fields = tube.fields();
   const auto K = tube.K(u, potential.loads());
   const double h = 1e-6 * tube.front().radius;
   for (std::size_t i = 0; i < K.size(); ++i) {
@@ -183,7 +184,7 @@ TEST(FrontEnergyOfCurvedFronts, IsReleasedAsNodesMove) {
 TEST(FrontEnergyOfObliqueEnds, IsReleasedAsNodesMove) {
   const Tube tube(test::straight_front(1.0), {.segments = 3, .sectors = 4, .shear = 0.4});
   expect_released(tube, {.pressure = true}, 1e-6);
-  const crack::FrontFields fields = tube.fields();
+  const crack::FrontExtensions fields = tube.fields();
   for (const crack::NodeMotion& motion : fields.points.front().back().motion) {
     const Vec3& x = tube.mesh().x[motion.node.index()];
     const Vec3 n = Vec3(0.4, 0.0, -1.0).normalized(); // of the end

@@ -20,7 +20,7 @@ using test::Tube;
 // along m, and none beyond the next.
 TEST(FrontExtension, PointsAddUpToAWholeAdvance) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  const crack::FrontFields fields = tube.fields({1});
+  const crack::FrontExtensions fields = tube.fields({1});
   EXPECT_FALSE(fields.closed);
   EXPECT_TRUE(fields.left_out.empty());
   std::map<base::NodeId, Vec3> sum;
@@ -41,7 +41,7 @@ TEST(FrontExtension, PointsAddUpToAWholeAdvance) {
 
 TEST(FrontExtension, HatsAreLinearBetweenPoints) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  const crack::FrontFields fields = tube.fields({2});
+  const crack::FrontExtensions fields = tube.fields({2});
   for (const crack::NodeMotion& motion : fields.points[1].front().motion) {
     const Vec3& x = tube.mesh().x[motion.node.index()];
     if (x.head<2>().norm() < 0.21) {
@@ -52,7 +52,7 @@ TEST(FrontExtension, HatsAreLinearBetweenPoints) {
 
 TEST(FrontExtension, ClosedFrontHasNoEnds) {
   const Tube tube(test::penny_front(1.0), {.segments = 8});
-  const crack::FrontFields fields = tube.fields({1});
+  const crack::FrontExtensions fields = tube.fields({1});
   EXPECT_TRUE(fields.closed);
   EXPECT_TRUE(fields.left_out.empty());
   // The first and the last point share the elements between them.
@@ -63,7 +63,7 @@ TEST(FrontExtension, ClosedFrontHasNoEnds) {
 // The tube's own rim is the surface of the body here: what reaches it is left out and says so.
 TEST(FrontExtension, LeavesOutWhatWouldMoveTheSurface) {
   const Tube tube(test::penny_front(1.0), {.segments = 8});
-  const crack::FrontFields fields = tube.fields({2, 3});
+  const crack::FrontExtensions fields = tube.fields({2, 3});
   ASSERT_EQ(fields.left_out.size(), 8U);
   EXPECT_EQ(fields.left_out.front().rings, 3);
   EXPECT_NE(fields.left_out.front().why.find("surface"), std::string::npos);
@@ -75,13 +75,15 @@ TEST(FrontExtension, LeavesOutHeldNodesAndOtherMaterials) {
   crack::DomainLimits limits;
   limits.node.assign(tube.mesh().node_count(), false);
   limits.node[tube.front().points.front().node.index()] = true;
-  const crack::FrontFields held = crack::front_fields(tube.cracked, tube.front(), {1}, limits);
+  const crack::FrontExtensions held =
+      crack::front_extensions(tube.cracked, tube.front(), {1}, limits);
   EXPECT_TRUE(held.points[0].empty());
   EXPECT_FALSE(held.points[1].empty());
   crack::DomainLimits zones;
   zones.zone.assign(tube.mesh().element_count(), 0);
   zones.zone.back() = 1;
-  const crack::FrontFields other = crack::front_fields(tube.cracked, tube.front(), {2}, zones);
+  const crack::FrontExtensions other =
+      crack::front_extensions(tube.cracked, tube.front(), {2}, zones);
   EXPECT_TRUE(other.points[4].empty());
   EXPECT_FALSE(other.points[0].empty());
 }
@@ -101,8 +103,8 @@ TEST(FrontExtension, TiedNodesFollowTheirMasters) {
   const base::NodeId b = tube.front().points[2].node;
   const base::NodeId slave = tube.mesh().element_nodes(base::ElementId(std::size_t{0}))[1];
   tube.cracked.ties = {{slave, {a, b}, {0.25, 0.75}, base::CrackId(std::size_t{0})}};
-  const crack::FrontFields fields = tube.fields({1});
-  const auto q = fields.points[2].front().q();
+  const crack::FrontExtensions fields = tube.fields({1});
+  const auto q = fields.points[2].front().extension_by_node();
   EXPECT_NEAR(q.at(slave), 0.75, 1e-12);
 }
 

@@ -31,10 +31,10 @@ crack::FrontBody body_of(const Tube& tube) {
 
 // The near-front fields along a straight front, with the stress along x of 1 that is T.
 base::Vector near_front(const Tube& tube) {
-  return tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
+  return tube.at_nodes([&](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
     const double r = std::hypot(x.x(), x.y());
     Vec3 u(0.91e-3 * x.x(), -0.39e-3 * x.y(), 0.0);
-    const double theta = side == crack::FaceSide::lower ? -pi : std::atan2(x.y(), x.x());
+    const double theta = side == crack::CrackFaceSide::lower ? -pi : std::atan2(x.y(), x.x());
     for (std::size_t m = 1; m <= 3 && r > 1e-12; ++m) {
       u += K_given[m - 1] * crack::section_field(m, {r, theta}, body_of(tube)).w;
     }
@@ -55,15 +55,15 @@ crack::FrontLoads end_tractions(const Tube& tube) {
     if (std::ranges::any_of(rule, off_end)) {
       continue;
     }
-    crack::FaceForces on{face, {}};
+    crack::FacePointForces on{face, {}};
     for (const auto& point : rule) {
       const Vec3 area = fe::area_vector<2>(side.shape, side.X, point.r);
-      const crack::FrontPlace place = axes.place(side.X * side.shape.N(point.r));
+      const crack::FrontCoordinates place = axes.locate_point(side.X * side.shape.N(point.r));
       crack::Tensor<3> sigma = crack::Tensor<3>::Zero();
       sigma(0, 0) = 1.0;
       sigma(2, 2) = 0.3;
       for (std::size_t m = 1; m <= 3; ++m) {
-        sigma += K_given[m - 1] * crack::moving_field(m, place, body_of(tube)).sigma;
+        sigma += K_given[m - 1] * crack::front_auxiliary_field(m, place, body_of(tube)).sigma;
       }
       on.points.push_back({Vec3(point.r[0], point.r[1], 0.0), point.weight * (sigma * area)});
     }
@@ -72,7 +72,7 @@ crack::FrontLoads end_tractions(const Tube& tube) {
   return loads;
 }
 
-double worst_straight(const TubeSpec& spec, const crack::FrontTerms& terms = {}) {
+double worst_straight(const TubeSpec& spec, const crack::FrontTermSwitches& terms = {}) {
   const Tube tube(test::straight_front(1.0), spec);
   double worst = 0.0;
   for (const auto& K : tube.K(near_front(tube), end_tractions(tube), terms)) {
@@ -129,13 +129,13 @@ class Penny : public testing::Test {
 protected:
   static constexpr int segments = 24;
   const Tube tube{test::penny_front(1.0), {.segments = segments, .radii = {0.07, 0.14, 0.2}}};
-  const base::Vector pressed = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+  const base::Vector pressed = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
     return test::pressed_penny(x, side, mu, 0.3);
   });
-  const base::Vector pulled = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+  const base::Vector pulled = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
     return test::pressed_penny(x, side, mu, 0.3) + Vec3(-0.3 * x.x(), -0.3 * x.y(), x.z()) / 1000.0;
   });
-  const base::Vector sheared = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+  const base::Vector sheared = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
     return test::sheared_penny(x, side, mu, 0.3);
   });
   static constexpr double K1 = 1.1283791670955126;       // 2 / sqrt(pi)
@@ -189,13 +189,13 @@ TEST_F(Penny, NeedsThePartnersTractionsOnTheFaces) {
 class PressedPenny : public Penny {
 protected:
   // Pressure on both faces, at points.
-  [[nodiscard]] std::vector<crack::FaceForces> pressure() const {
-    std::vector<crack::FaceForces> forces;
+  [[nodiscard]] std::vector<crack::FacePointForces> pressure() const {
+    std::vector<crack::FacePointForces> forces;
     const mesh::CrackFaces& faces = tube.cracked.faces.front();
     for (const auto* sides : {&faces.left_sides, &faces.right_sides}) {
       for (const model::Face& face : *sides) {
         const fe::ElementSide<2> side(tube.mesh(), face);
-        crack::FaceForces on{face, {}};
+        crack::FacePointForces on{face, {}};
         for (const auto& point : shape::quadrature<2>(side.shape.domain, 9)) {
           on.points.push_back({Vec3(point.r[0], point.r[1], 0.0),
                                -point.weight * fe::area_vector<2>(side.shape, side.X, point.r)});
@@ -232,7 +232,7 @@ TEST_F(PressedPenny, TakesPressureBetweenItsFaces) {
 }
 
 TEST_F(PressedPenny, RowsGiveTheSameK) {
-  const crack::FrontFields fields = tube.fields();
+  const crack::FrontExtensions fields = tube.fields();
   const base::Vector u = pressed + sheared + 1e-3 * tube.rough();
   crack::FrontLoads loads;
   loads.contact = pressure();
@@ -242,13 +242,13 @@ TEST_F(PressedPenny, RowsGiveTheSameK) {
   const auto force_rows =
       crack::front_force_rows(tube.model, tube.cracked, tube.front(), fields, loads.contact);
   std::vector<double> f;
-  for (const crack::FaceForces& on : loads.contact) {
+  for (const crack::FacePointForces& on : loads.contact) {
     for (const fe::LoadPoint& point : on.points) {
       f.insert(f.end(), point.force.data(), point.force.data() + 3);
     }
   }
   const base::Vector force = Eigen::Map<const base::Vector>(f.data(), force_rows.rows());
-  const crack::FrontConstant constant =
+  const crack::FrontIntensityConstant constant =
       crack::front_intensity_constant(tube.model, tube.cracked, tube.front(), fields, loads);
   const base::Vector of_u = rows.transpose() * u;
   const base::Vector of_f = force_rows.transpose() * force;
@@ -297,12 +297,12 @@ TEST(FrontInvariance, OfRotationAndUnits) {
 // Seen in a mirror across the front the faces slide along it the other way.
 TEST(FrontInvariance, OfAMirror) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  const auto field = [](const Vec3& x, crack::FaceSide) {
+  const auto field = [](const Vec3& x, crack::CrackFaceSide) {
     return Vec3(std::sin(3.0 * x.x() + x.z()), std::cos(2.0 * x.y() - x.z() * x.x()),
                 x.z() * x.z() + std::sin(5.0 * x.y()));
   };
   const auto one = tube.K(tube.at_nodes(field));
-  const auto other = tube.K(tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
+  const auto other = tube.K(tube.at_nodes([&](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
     const Vec3 u = field({x.x(), x.y(), 1.0 - x.z()}, side);
     return {u.x(), u.y(), -u.z()};
   }));

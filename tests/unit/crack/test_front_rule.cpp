@@ -24,8 +24,8 @@ struct RuledPenny : testing::Test {
       return std::hypot(std::hypot(x.x(), x.y()) - 1.0, x.z()) < 1e-3;
     });
   }
-  [[nodiscard]] std::vector<crack::StressIntensity> K(const crack::FrontFields& fields) const {
-    const base::Vector u = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+  [[nodiscard]] std::vector<crack::StressIntensity> K(const crack::FrontExtensions& fields) const {
+    const base::Vector u = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
       constexpr double mu = 1000.0 / 2.6;
       return test::pressed_penny(x, side, mu, 0.3) + test::sheared_penny(x, side, mu, 0.3);
     });
@@ -34,7 +34,7 @@ struct RuledPenny : testing::Test {
 };
 
 TEST_F(RuledPenny, IsFineAtTheFrontAndCoarserAway) {
-  const crack::FrontFields fields = tube.fields({2, 3});
+  const crack::FrontExtensions fields = tube.fields({2, 3});
   std::size_t near = 0;
   for (const auto& [e, degree] : fields.degree) {
     EXPECT_EQ(degree == crack::front_degree, at_front(e)) << e.index();
@@ -46,7 +46,7 @@ TEST_F(RuledPenny, IsFineAtTheFrontAndCoarserAway) {
 
 TEST_F(RuledPenny, FinerRulesAwayFromTheFrontLeaveKAlone) {
   const std::vector<crack::StressIntensity> own = K(tube.fields({2, 3}));
-  crack::FrontFields finer = tube.fields({2, 3});
+  crack::FrontExtensions finer = tube.fields({2, 3});
   for (auto& [e, degree] : finer.degree) {
     degree = at_front(e) ? degree : 13;
   }
@@ -63,7 +63,7 @@ TEST_F(RuledPenny, FinerRulesAwayFromTheFrontLeaveKAlone) {
 struct RuledBend : testing::Test {
   Tube tube{test::ellipse_front(1.0, 0.5, 1.0),
             {.segments = 48, .radii = {0.023, 0.046, 0.093, 0.147}}};
-  crack::FrontFields own = tube.fields({2, 3});
+  crack::FrontExtensions own = tube.fields({2, 3});
 };
 
 TEST_F(RuledBend, IsFinerTowardsTheCentresOfCurvature) {
@@ -93,18 +93,18 @@ TEST_F(RuledBend, FinerRulesLeaveKAlone) {
   const fe::LameConstants k =
       fe::lame_constants(tube.model.materials[0], model::StressState::solid);
   const crack::FrontBody body{k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
-  const base::Vector u = tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
-    const crack::FrontPlace at = axes.place(x, side);
+  const base::Vector u = tube.at_nodes([&](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
+    const crack::FrontCoordinates at = axes.locate_point(x, side);
     Vec3 sum = Vec3::Zero();
     for (std::size_t m = 1; m <= 3 && at.r > 1e-12; ++m) {
       sum += crack::section_field(m, {at.r, at.theta}, body).w;
     }
     return sum.x() * at.frame.m + sum.y() * at.frame.b + sum.z() * at.frame.t;
   });
-  const auto K = [&](const crack::FrontFields& fields) {
+  const auto K = [&](const crack::FrontExtensions& fields) {
     return crack::front_intensity(tube.model, tube.cracked, tube.front(), fields, {}, u, {});
   };
-  crack::FrontFields finer = tube.fields({2, 3});
+  crack::FrontExtensions finer = tube.fields({2, 3});
   for (auto& [e, degree] : finer.degree) {
     degree = 15;
   }

@@ -48,9 +48,9 @@ TEST_P(Partner, SectionHasItsDerivatives) {
 
 TEST_P(Partner, GradientIsThatOfTheDisplacement) {
   const FrontAxes axes(twisted());
-  const Vec3 x = axes.place(Vec3(1.2, -1.5, 0.5)).frame.x + Vec3(0.2, -0.1, 0.3);
+  const Vec3 x = axes.locate_point(Vec3(1.2, -1.5, 0.5)).frame.x + Vec3(0.2, -0.1, 0.3);
   const auto displacement = [&](const Vec3& at) -> Vec3 {
-    const FrontPlace place = axes.place(at);
+    const FrontCoordinates place = axes.locate_point(at);
     return TurningAxes(place).Q * section_field(GetParam(), {place.r, place.theta}, body).w;
   };
   Tensor<3> differences;
@@ -59,15 +59,15 @@ TEST_P(Partner, GradientIsThatOfTheDisplacement) {
     const Vec3 step = h * Vec3::Unit(k);
     differences.col(k) = (displacement(x + step) - displacement(x - step)) / (2.0 * h);
   }
-  const Tensor<3> H = moving_field(GetParam(), axes.place(x), body).H;
+  const Tensor<3> H = front_auxiliary_field(GetParam(), axes.locate_point(x), body).H;
   EXPECT_LT((H - differences).norm(), 1e-5 * H.norm());
 }
 
 TEST_P(Partner, DivergenceIsThatOfTheStress) {
   const FrontAxes axes(twisted());
-  const Vec3 x = axes.place(Vec3(1.2, -1.5, 0.5)).frame.x + Vec3(0.2, -0.1, 0.3);
+  const Vec3 x = axes.locate_point(Vec3(1.2, -1.5, 0.5)).frame.x + Vec3(0.2, -0.1, 0.3);
   const auto stress = [&](const Vec3& at) {
-    return moving_field(GetParam(), axes.place(at), body).sigma;
+    return front_auxiliary_field(GetParam(), axes.locate_point(at), body).sigma;
   };
   const double h = 1e-5;
   Vec3 differences = Vec3::Zero();
@@ -78,7 +78,7 @@ TEST_P(Partner, DivergenceIsThatOfTheStress) {
     differences += slope.col(k);
     size += slope.norm();
   }
-  const Vec3 divergence = moving_field(GetParam(), axes.place(x), body).divergence;
+  const Vec3 divergence = front_auxiliary_field(GetParam(), axes.locate_point(x), body).divergence;
   EXPECT_LT((divergence - differences).norm(), 2e-5 * size);
   EXPECT_GT(divergence.norm(), 1e-3 * size); // the turning of the axes is seen
 }
@@ -91,7 +91,7 @@ TEST_P(Partner, GoesOnBeyondOpenEnds) {
     const mesh::FrontFrame end = curve.at(s);
     const Vec3 x = end.x - 0.3 * end.m + 0.2 * end.b;
     const auto stress = [&](double along) {
-      return moving_field(GetParam(), axes.place(x + along * end.t), body).sigma;
+      return front_auxiliary_field(GetParam(), axes.locate_point(x + along * end.t), body).sigma;
     };
     const double h = 1e-6;
     EXPECT_LT((stress(h) - stress(-h)).norm(), 1e-5 * stress(h).norm());
@@ -109,14 +109,14 @@ TEST(FrontAxes, AgreeWithTheCurve) {
   const FrontAxes axes(curve);
   for (const double s : {0.0, 0.31, 2.0, 4.444, 5.5}) {
     const mesh::FrontFrame frame = curve.at(s);
-    const FrontPlace place = axes.place(frame.x + 0.3 * frame.m - 0.2 * frame.b);
+    const FrontCoordinates place = axes.locate_point(frame.x + 0.3 * frame.m - 0.2 * frame.b);
     EXPECT_NEAR(place.frame.s, s, 1e-4); // cubic between stations
     EXPECT_NEAR(place.y, 0.3, 1e-4);
     EXPECT_NEAR(place.z, -0.2, 1e-4);
     EXPECT_LT((place.frame.dm - frame.dm).norm(), 1e-2); // chords of the true ones
   }
   const mesh::FrontFrame end = curve.at(curve.length());
-  const FrontPlace beyond = axes.place(end.x + 0.1 * end.t + 0.2 * end.m);
+  const FrontCoordinates beyond = axes.locate_point(end.x + 0.1 * end.t + 0.2 * end.m);
   EXPECT_NEAR(beyond.frame.s, curve.length() + 0.1, 0.1 * 0.2); // on a bend
   EXPECT_NEAR(beyond.r, 0.2, 0.1 * 0.1);
   EXPECT_LT((beyond.frame.t - end.t).norm(), 0.1);
@@ -133,7 +133,7 @@ TEST(FrontAxes, GoRoundAClosedFront) {
   const FrontAxes axes(curve);
   for (const double angle : {-0.01, 0.0, 0.005, 3.0, 6.28}) {
     const Vec3 out(std::cos(angle), -std::sin(angle), 0.0);
-    const FrontPlace place = axes.place(1.2 * out);
+    const FrontCoordinates place = axes.locate_point(1.2 * out);
     EXPECT_LT((place.frame.m - out).norm(), 1e-5);
     EXPECT_NEAR(place.y, 0.2, 1e-5);
     // A circle turns evenly: what the curve's third derivatives do does not come through.

@@ -58,8 +58,8 @@ struct Annulus {
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const base::Vec2 x = model.mesh.x[n].head<2>();
       u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
-          K1 * crack::auxiliary_displacement(frame, x, 1, model.materials[0], state) +
-          K2 * crack::auxiliary_displacement(frame, x, 2, model.materials[0], state);
+          K1 * crack::near_tip_displacement(frame, x, 1, model.materials[0], state) +
+          K2 * crack::near_tip_displacement(frame, x, 2, model.materials[0], state);
     }
   }
 };
@@ -98,7 +98,7 @@ TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
   const Annulus a(4, 32, state, type);
   double error[2];
   for (int i = 0; i < 2; ++i) {
-    crack::VceRequest request;
+    crack::TipIntensityRequest request;
     request.shift = i == 0 ? 1e-2 : 1e-3;
     const crack::StressIntensity K =
         crack::stress_intensity(a.model, a.cracked, a.front, a.fields, request, a.u, {});
@@ -128,7 +128,7 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
     for (Eigen::Index i = 0; i < a.u.size(); ++i) {
       a.u[i] += 1e-3 * std::sin(1.7 * static_cast<double>(i * i % 97)); // rough
     }
-    crack::VceRequest request;
+    crack::TipIntensityRequest request;
     request.state = state;
     const crack::StressIntensity K =
         crack::stress_intensity(a.model, a.cracked, a.front, a.fields, request, a.u, {});
@@ -141,7 +141,7 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
 
 TEST(StressIntensity, StateOfTheCrackRescalesK) {
   const Annulus a(4, 32, model::StressState::plane_stress, base::ElementType::quamc8);
-  crack::VceRequest strain;
+  crack::TipIntensityRequest strain;
   strain.state = model::TipConstraint::strain;
   const double own = crack::stress_intensity(a.model, a.cracked, a.front, a.fields, {}, a.u, {}).K1;
   const double other =

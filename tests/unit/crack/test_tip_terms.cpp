@@ -64,7 +64,8 @@ struct Plate {
                   .value();
     crack_faces = mesh::crack_sides(cracked.mesh, cracked.faces.front());
     std::vector<int> left_out;
-    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, front(), {2, 4}, left_out);
+    fields =
+        crack::TipNeighbourhood(cracked.mesh).extension_fields(cracked, front(), {2, 4}, left_out);
     u.resize(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
     for (Eigen::Index i = 0; i < u.size(); ++i) {
       u[i] = std::sin(1.7 * static_cast<double>(i * i % 97));
@@ -174,7 +175,7 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   const auto& [model, cracked, crack_faces, fields, u] = plate;
   for (const model::TipConstraint wish :
        {model::TipConstraint::automatic, model::TipConstraint::stress}) {
-    crack::VceRequest request;
+    crack::TipIntensityRequest request;
     request.state = wish;
     const crack::StressIntensity K =
         crack::stress_intensity(model, cracked, plate.front(), fields, request, u, loads);

@@ -64,7 +64,8 @@ struct Strip {
     suppress();
     move(turn, unit);
     std::vector<int> left_out;
-    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, cracked.fronts[0], {2}, left_out);
+    fields = crack::TipNeighbourhood(cracked.mesh)
+                 .extension_fields(cracked, cracked.fronts[0], {2}, left_out);
     std::vector<base::NodeId> nodes;
     const std::vector<bool> used = model::nodes_in_use(cracked.mesh);
     for (std::size_t n = 0; n < used.size(); ++n) {
