@@ -56,8 +56,8 @@ ContactSurface face_surface(const model::Model& model, const model::Mesh& mesh,
 
 PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& mesh,
                                 const mesh::CrackFaces& crack_faces, bool friction) {
-  const bool half = crack_faces.half();
-  const std::vector<base::NodeId>& own = crack_faces.own();
+  const bool half = crack_faces.has_one_face();
+  const std::vector<base::NodeId>& own = crack_faces.meshed_face();
   PairConstraints pair;
   pair.faces = true;
   pair.found = true;
@@ -71,7 +71,7 @@ PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& me
     pair.target = face_surface(model, mesh, crack_faces.right);
   }
   std::map<base::NodeId, base::NodeId> opposite; // the tips are left out
-  for (const auto& [left, right] : crack_faces.twins()) {
+  for (const auto& [left, right] : crack_faces.node_pairs()) {
     opposite[left] = right;
   }
   for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {

@@ -97,7 +97,7 @@ ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   std::size_t count = 0;
-  for (const mesh::Chain& chain : mesh::chains(mesh, faces)) {
+  for (const mesh::FaceChain& chain : mesh::build_chains(mesh, faces)) {
     surface.plane.chains.push_back({count, chain.faces.size(), chain.closed});
     for (const model::Face face : chain.faces) {
       const Edge edge = mesh::plane_edge(mesh, face);

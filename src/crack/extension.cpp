@@ -17,7 +17,7 @@ namespace {
 // along with this one they would release energy that is not its own.
 class Movable {
 public:
-  Movable(const mesh::CrackedMesh& cracked, const mesh::Front& front)
+  Movable(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front)
       : mesh_(cracked.mesh), front_(front) {
     const mesh::CrackFaces& own = cracked.faces[front.crack.index()];
     const bool embedded = !own.left.empty() && !own.right.empty() &&
@@ -31,19 +31,19 @@ public:
 
   [[nodiscard]] bool contains(base::NodeId n) const {
     return crack_faces_.contains(n) ||
-           (front_.symmetric_half && (n == front_.tip().node || is_ahead(n)));
+           (front_.symmetric_half && (n == front_.tip_point().node || is_ahead(n)));
   }
 
 private:
   [[nodiscard]] bool is_ahead(base::NodeId n) const {
-    const base::Vec3 e2(-front_.tip().growth.y(), front_.tip().growth.x(), 0.0);
-    const base::Vec3 d = mesh_.x[n.index()] - front_.tip().x;
+    const base::Vec3 e2(-front_.tip_point().growth.y(), front_.tip_point().growth.x(), 0.0);
+    const base::Vec3 d = mesh_.x[n.index()] - front_.tip_point().x;
     // On the line to round-off, as a part of the crack's length.
-    return std::abs(d.dot(e2)) < 1e-9 * front_.a && d.dot(front_.tip().growth) > 0.0;
+    return std::abs(d.dot(e2)) < 1e-9 * front_.a && d.dot(front_.tip_point().growth) > 0.0;
   }
 
   const model::Mesh& mesh_;
-  const mesh::Front& front_;
+  const mesh::CrackFront& front_;
   std::set<base::NodeId> crack_faces_;
 };
 
@@ -57,7 +57,7 @@ bool TipNeighbourhood::on_boundary(base::NodeId n) const {
     const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
   };
-  for (const base::ElementId e : elements_.around(n)) {
+  for (const base::ElementId e : elements_.elements_around(n)) {
     const base::ElementType type = mesh_.type[e.index()];
     const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
     for (int s = 0; s < base::element_info(type).sides; ++s) {
@@ -73,7 +73,7 @@ bool TipNeighbourhood::on_boundary(base::NodeId n) const {
                });
       };
       const std::span<const base::ElementId> around =
-          elements_.around(nodes[static_cast<std::size_t>(side[0])]);
+          elements_.elements_around(nodes[static_cast<std::size_t>(side[0])]);
       if (std::none_of(around.begin(), around.end(), shares)) {
         return true;
       }
@@ -99,7 +99,7 @@ ExtensionField TipNeighbourhood::field(const mesh::FrontPoint& point, int rings)
   for (int ring = 0; ring <= rings; ++ring) {
     rim.clear();
     for (const base::NodeId n : rigid) {
-      for (const base::ElementId e : elements_.around(n)) {
+      for (const base::ElementId e : elements_.elements_around(n)) {
         if (!inside.contains(e)) {
           rim.insert(e);
         }
@@ -147,7 +147,7 @@ ExtensionField TipNeighbourhood::field(const mesh::FrontPoint& point, int rings)
 }
 
 std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::CrackedMesh& cracked,
-                                                               const mesh::Front& front,
+                                                               const mesh::CrackFront& front,
                                                                const std::vector<int>& rings,
                                                                std::vector<int>& left_out,
                                                                const DomainLimits& limits) const {
@@ -155,8 +155,8 @@ std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::Crack
   const auto fixed = [&](base::NodeId n) {
     return (!limits.node.empty() && limits.node[n.index()]) ||
            std::ranges::any_of(cracked.fronts,
-                               [&](const mesh::Front& other) {
-                                 return other.tip().node == n && n != front.tip().node;
+                               [&](const mesh::CrackFront& other) {
+                                 return other.tip_point().node == n && n != front.tip_point().node;
                                }) ||
            (!movable.contains(n) && on_boundary(n));
   };
@@ -167,14 +167,15 @@ std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::Crack
   const auto on_left = [&](base::ElementId e) {
     base::Vec3 middle = base::Vec3::Zero();
     for (const base::NodeId n : mesh_.element_nodes(e)) {
-      middle += mesh_.x[n.index()] - front.tip().x;
+      middle += mesh_.x[n.index()] - front.tip_point().x;
     }
     // By the sum of the nodes' places: the sign is that of their mean.
-    return front.tip().growth.x() * middle.y() - front.tip().growth.y() * middle.x() > 0.0;
+    return front.tip_point().growth.x() * middle.y() - front.tip_point().growth.y() * middle.x() >
+           0.0;
   };
   std::array<std::int64_t, 2> side{-1, -1}; // right, left
   bool split = false;
-  for (const base::ElementId e : elements_.around(front.tip().node)) {
+  for (const base::ElementId e : elements_.elements_around(front.tip_point().node)) {
     std::int64_t& own = side[on_left(e) ? 1 : 0];
     // A border that runs into the tip off its line: no domain has one zone on each side.
     split = split || (own >= 0 && own != zone(e));
@@ -185,11 +186,11 @@ std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::Crack
   };
   std::vector<ExtensionField> result;
   for (const int count : rings) {
-    ExtensionField f = field(front.tip(), count);
+    ExtensionField f = field(front.tip_point(), count);
     const bool moves_fixed =
         std::ranges::any_of(f.motion, [&](const NodeMotion& m) { return fixed(m.node); });
     const bool leaves = std::ranges::any_of(f.motion, [&](const NodeMotion& m) {
-      const std::span<const base::ElementId> around = elements_.around(m.node);
+      const std::span<const base::ElementId> around = elements_.elements_around(m.node);
       return std::any_of(around.begin(), around.end(), beyond);
     });
     if (moves_fixed || leaves || f.elements.empty()) {

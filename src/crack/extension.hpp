@@ -50,7 +50,7 @@ public:
   /// reach another tip, a node of the limits, or leave the tip's property or zone is left out and
   /// named in `left_out`.
   [[nodiscard]] std::vector<ExtensionField> extension_fields(const mesh::CrackedMesh& cracked,
-                                                             const mesh::Front& front,
+                                                             const mesh::CrackFront& front,
                                                              const std::vector<int>& rings,
                                                              std::vector<int>& left_out,
                                                              const DomainLimits& limits = {}) const;

@@ -61,7 +61,7 @@ void add_face_terms(const TipSetting& set, const base::Vector& u, Configurationa
   }
 }
 
-double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::Front& front) {
+double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::CrackFront& front) {
   double sum = 0.0;
   for (const ActingLoad& acting : set.loads.loads) {
     for (const model::Face& face : acting.faces) {
@@ -70,7 +70,8 @@ double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::Front& fr
       const base::Vec2 middle = 0.5 * (side.X.col(0) + side.X.col(1)).head<2>();
       const base::Vec2 normal(along.y(), -along.x());
       const bool behind = (middle - set.tip.x).dot(set.tip.e1) < 0.0; // a half model has more
-      if (behind && (side.nodes[0] == front.tip().node || side.nodes[1] == front.tip().node)) {
+      if (behind &&
+          (side.nodes[0] == front.tip_point().node || side.nodes[1] == front.tip_point().node)) {
         // on the crack face, should the load end at the tip
         const base::Vec2 x = set.tip.x + beside * (middle - set.tip.x);
         sum += normal.dot(traction(acting, x, normal));

@@ -10,6 +10,6 @@ void add_face_terms(const TipSetting& set, const base::Vector& u, Configurationa
 
 /// Normal stress that acts on the crack faces at the tip itself, their mean [stress]: pressure
 /// gives its negative.
-double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::Front& front);
+double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::CrackFront& front);
 
 } // namespace spricka::crack

@@ -141,10 +141,10 @@ public:
            (grad.dot(carried) + extension(r) * along + extension_round(r) * hoop(r));
   }
 
-  void add(const mesh::Front& front, bool wants_G, std::array<double, partners>& sum) const {
+  void add(const mesh::CrackFront& front, bool wants_G, std::array<double, partners>& sum) const {
     // What the element takes less the affine temperature, times partners that are singular at the
     // tip: by collapsed charts. What it does not take follows at its own points.
-    const std::array<base::NodeId, 1> tips{front.tip().node};
+    const std::array<base::NodeId, 1> tips{front.tip_point().node};
     for (const fe::ReferenceChart& chart :
          fe::charts(element_, fe::find_tip_corner(set_.mesh, e_, tips))) {
       fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
@@ -320,7 +320,7 @@ bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
 } // namespace
 
 std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
-                                                        const mesh::Front& front,
+                                                        const mesh::CrackFront& front,
                                                         const std::vector<ExtensionField>& fields) {
   if (set.loads.temperature.size() == 0 || set.loads.heat.empty()) {
     return std::nullopt;
@@ -335,7 +335,7 @@ std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
   double weight = 0.0;
   for (const ElementId e : all) {
     const auto nodes = set.mesh.element_nodes(e);
-    if (std::ranges::find(nodes, front.tip().node) != nodes.end()) {
+    if (std::ranges::find(nodes, front.tip_point().node) != nodes.end()) {
       affine.at_tip += temperature_at(set.loads, e, set.tip.x);
       weight += 1.0;
     }
@@ -363,7 +363,7 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
   });
 }
 
-std::array<double, partners> heat_term(const TipSetting& set, const mesh::Front& front,
+std::array<double, partners> heat_term(const TipSetting& set, const mesh::CrackFront& front,
                                        const ExtensionField& field, const base::Vector& u) {
   std::array<double, partners> sum{};
   const std::map<base::NodeId, double> q = field.extension_by_node();

@@ -9,7 +9,7 @@ namespace spricka::crack {
 /// The linear temperature that comes nearest to that of the domains and has its value at the tip;
 /// empty where elements take all of the temperature and the rim of no heated set is in the domains.
 std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
-                                                        const mesh::Front& front,
+                                                        const mesh::CrackFront& front,
                                                         const std::vector<ExtensionField>& fields);
 
 /// Whether a temperature jumps within elements of a domain.
@@ -18,7 +18,7 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field);
 /// Of one domain, by partner: to K and T what the temperature less the affine one makes of them, by
 /// parts, so that it needs no gradient (manual, crack.34); to G what the temperature less that of
 /// the elements does, its jumps between elements included (crack.35).
-std::array<double, partners> heat_term(const TipSetting& set, const mesh::Front& front,
+std::array<double, partners> heat_term(const TipSetting& set, const mesh::CrackFront& front,
                                        const ExtensionField& field, const base::Vector& u);
 
 } // namespace spricka::crack

@@ -24,32 +24,32 @@ base::Vec2 at(const base::Vector& u, base::NodeId n) {
 
 std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
                                                        const mesh::CrackedMesh& cracked,
-                                                       const mesh::Front& front,
+                                                       const mesh::CrackFront& front,
                                                        const base::Vector& u) {
   if (front.crack.index() >= cracked.faces.size()) {
     return std::nullopt;
   }
   const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
   const bool half = front.symmetric_half;
-  const CrackFace& one = crack_faces.own();
+  const CrackFace& one = crack_faces.meshed_face();
   if (one.size() < 3 || (!half && crack_faces.right.size() != one.size())) {
     return std::nullopt;
   }
   std::array<double, 2> r{};
   std::array<base::Vec2, 2> apart;
   for (std::size_t k = 0; k < 2; ++k) {
-    const base::NodeId n = behind(one, front.tip().node, k + 1);
+    const base::NodeId n = behind(one, front.tip_point().node, k + 1);
     // A quarter and the whole of the tip element, or a half where middle nodes stay.
-    r[k] = (cracked.mesh.x[n.index()] - front.tip().x).norm();
+    r[k] = (cracked.mesh.x[n.index()] - front.tip_point().x).norm();
     if (half) { // the other half is its mirror image
       const double up = crack_faces.left.empty() ? -1.0 : 1.0;
       const base::Vec2 opening = 2.0 * up * at(u, n);
       apart[k] = {0.0, opening.dot(set.tip.e2)};
     } else {
       // The tips of an embedded crack see its faces from opposite ends.
-      const double turn = one.back() == front.tip().node ? 1.0 : -1.0;
+      const double turn = one.back() == front.tip_point().node ? 1.0 : -1.0;
       const base::Vec2 d =
-          turn * (at(u, n) - at(u, behind(crack_faces.right, front.tip().node, k + 1)));
+          turn * (at(u, n) - at(u, behind(crack_faces.right, front.tip_point().node, k + 1)));
       apart[k] = {d.dot(set.tip.e1), d.dot(set.tip.e2)};
     }
   }

@@ -12,7 +12,7 @@ namespace spricka::crack {
 /// nothing in common with the domains. Empty where the mesh has no crack faces.
 std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
                                                        const mesh::CrackedMesh& cracked,
-                                                       const mesh::Front& front,
+                                                       const mesh::CrackFront& front,
                                                        const base::Vector& u);
 
 } // namespace spricka::crack

@@ -46,7 +46,7 @@ struct IntensityConversion {
   [[nodiscard]] double T() const { return E_own * halves; }
 };
 
-IntensityConversion factors_of(const TipSetting& set, const mesh::Front& front,
+IntensityConversion factors_of(const TipSetting& set, const mesh::CrackFront& front,
                                model::TipConstraint wish) {
   IntensityConversion f;
   f.E_own = fe::effective_modulus(set.material, set.state());
@@ -140,12 +140,12 @@ double stress_of_hoop(const TipSetting& set, const base::Vector& u) {
              : 0.0;
 }
 
-TipBody tip_place(const TipSetting& set, const mesh::Front& front) {
-  return {set.tip, front.tip().node, set.material, set.state(), set.property.thickness};
+TipBody tip_place(const TipSetting& set, const mesh::CrackFront& front) {
+  return {set.tip, front.tip_point().node, set.material, set.state(), set.property.thickness};
 }
 
 // What temperatures and forces between the crack faces add to the sums of one domain.
-std::array<double, partners> added_terms(const TipSetting& set, const mesh::Front& front,
+std::array<double, partners> added_terms(const TipSetting& set, const mesh::CrackFront& front,
                                          const ExtensionField& field,
                                          const CrackFaceForces* crack_faces,
                                          const base::Vector& u) {
@@ -170,7 +170,7 @@ Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
 } // namespace
 
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                 const mesh::Front& front,
+                                 const mesh::CrackFront& front,
                                  const std::vector<ExtensionField>& fields,
                                  const TipIntensityRequest& request, const base::Vector& u,
                                  const TipLoads& loads) {
@@ -241,8 +241,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
 }
 
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Front& front, const std::vector<ExtensionField>& fields,
-                            model::TipConstraint state) {
+                            const mesh::CrackFront& front,
+                            const std::vector<ExtensionField>& fields, model::TipConstraint state) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
@@ -262,7 +262,7 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
 
 std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
                                                        const mesh::CrackedMesh& cracked,
-                                                       const mesh::Front& front,
+                                                       const mesh::CrackFront& front,
                                                        const std::vector<ExtensionField>& fields,
                                                        model::TipConstraint state) {
   std::vector<IntensityFunctionalPoint> points;
@@ -296,7 +296,7 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
 }
 
 base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                       const mesh::Front& front,
+                                       const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,
                                        model::TipConstraint state,
                                        const std::vector<model::Face>& faces) {
@@ -323,7 +323,8 @@ base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::Cr
 }
 
 base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
-                          const mesh::Front& front, const std::vector<ExtensionField>& fields) {
+                          const mesh::CrackFront& front,
+                          const std::vector<ExtensionField>& fields) {
   if (fields.empty()) {
     return base::Vector::Zero(freedoms(cracked));
   }
@@ -338,7 +339,7 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
 }
 
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                     const mesh::Front& front,
+                                     const mesh::CrackFront& front,
                                      const std::vector<ExtensionField>& fields,
                                      model::TipConstraint state, const TipLoads& loads) {
   if (loads.loads.empty() && loads.temperature.size() == 0) {

@@ -72,7 +72,7 @@ struct TipIntensityRequest {
 /// magnitude of K comes from the differenced energy (Hellen 1975; Parks 1974), the ratio K2/K1 from
 /// the interaction form.
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                 const mesh::Front& front,
+                                 const mesh::CrackFront& front,
                                  const std::vector<ExtensionField>& fields,
                                  const TipIntensityRequest& request, const base::Vector& u,
                                  const TipLoads& loads);
@@ -80,8 +80,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
 /// K1 and K2 as functions of u, rows^T u + intensity_constant: what stress_intensity finds by the
 /// analytic derivative. The rows are their exact gradient. [dim * node, 2]
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Front& front, const std::vector<ExtensionField>& fields,
-                            model::TipConstraint state);
+                            const mesh::CrackFront& front,
+                            const std::vector<ExtensionField>& fields, model::TipConstraint state);
 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
 /// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
@@ -94,26 +94,26 @@ struct IntensityFunctionalPoint {
 };
 std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
                                                        const mesh::CrackedMesh& cracked,
-                                                       const mesh::Front& front,
+                                                       const mesh::CrackFront& front,
                                                        const std::vector<ExtensionField>& fields,
                                                        model::TipConstraint state);
 /// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
 /// [dim * node, 2]
 base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                       const mesh::Front& front,
+                                       const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,
                                        model::TipConstraint state,
                                        const std::vector<model::Face>& faces);
 /// The same of T. [dim * node]
 base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
-                          const mesh::Front& front, const std::vector<ExtensionField>& fields);
+                          const mesh::CrackFront& front, const std::vector<ExtensionField>& fields);
 
 /// What K1, K2 and T have at u = 0: linear in the loads.
 struct IntensityConstant {
   double K1 = 0.0, K2 = 0.0, T = 0.0;
 };
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                     const mesh::Front& front,
+                                     const mesh::CrackFront& front,
                                      const std::vector<ExtensionField>& fields,
                                      model::TipConstraint state, const TipLoads& loads);
 

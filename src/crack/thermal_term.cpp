@@ -5,14 +5,14 @@
 
 namespace spricka::crack {
 
-double thermal_stress_at_tip(const TipSetting& set, const mesh::Front& front) {
+double thermal_stress_at_tip(const TipSetting& set, const mesh::CrackFront& front) {
   if (set.loads.temperature.size() == 0) {
     return 0.0;
   }
   double sum = set.affine ? set.affine->at_tip : 0.0;
   int count = set.affine ? 1 : 0;
   for (std::size_t i = 0; i < set.mesh.nodes.size() && !set.affine; ++i) {
-    if (set.mesh.nodes[i] == front.tip().node) { // a corner of its elements
+    if (set.mesh.nodes[i] == front.tip_point().node) { // a corner of its elements
       sum += set.loads.temperature[static_cast<Eigen::Index>(i)];
       ++count;
     }

@@ -11,10 +11,10 @@ namespace spricka::crack {
 
 namespace {
 
-TipFrame frame_of(const mesh::Front& front) {
+TipFrame frame_of(const mesh::CrackFront& front) {
   TipFrame frame;
-  frame.x = front.tip().x.head<2>();
-  frame.e1 = front.tip().growth.head<2>();
+  frame.x = front.tip_point().x.head<2>();
+  frame.e1 = front.tip_point().growth.head<2>();
   // To the left, so that theta is positive on the left face's side.
   frame.e2 = {-frame.e1.y(), frame.e1.x()};
   return frame;
@@ -23,7 +23,7 @@ TipFrame frame_of(const mesh::Front& front) {
 } // namespace
 
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                       const mesh::Front& front, const std::vector<ExtensionField>& fields,
+                       const mesh::CrackFront& front, const std::vector<ExtensionField>& fields,
                        const TipLoads& loads) {
   // Domains stay within the tip's property, but between two materials: any of their elements tells
   // it.
@@ -33,7 +33,7 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
           model.element_material(cracked.mesh, near),
           model.element_property(cracked.mesh, near),
           frame_of(front),
-          front.tip().node,
+          front.tip_point().node,
           front.crack.index() < cracked.faces.size() ? &cracked.faces[front.crack.index()]
                                                      : nullptr,
           loads,

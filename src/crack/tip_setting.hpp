@@ -61,7 +61,7 @@ struct TipSetting {
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
 };
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                       const mesh::Front& front, const std::vector<ExtensionField>& fields,
+                       const mesh::CrackFront& front, const std::vector<ExtensionField>& fields,
                        const TipLoads& loads);
 
 /// Whether the elements of a field have more than one material or state.

@@ -50,10 +50,10 @@ std::string place(const model::Mesh& mesh, const base::Vec3& x) {
 }
 
 // Elements that run the wrong way round by card, those that fold somewhere one by one.
-void report_bad(Context& c, const std::vector<mesh::BadElement>& bad) {
+void report_bad(Context& c, const std::vector<mesh::InvalidElement>& bad) {
   const model::Mesh& mesh = c.model.mesh;
   std::vector<std::size_t> turned;
-  for (const mesh::BadElement& b : bad) {
+  for (const mesh::InvalidElement& b : bad) {
     if (b.turned) {
       turned.push_back(b.element.index());
       continue;

@@ -75,7 +75,7 @@ bool belongs_to_the_report(const std::string& name) {
 void unused(Context& c, const std::string& name, const base::SourceSpan& span) {
   std::vector<std::string> unset;
   for (const ScriptTable& script : c.scripts) {
-    for (const mesh::ScriptConstant& constant : script.constants) {
+    for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.defined && !constant.from_deck) {
         unset.push_back(constant.name);
       }
@@ -99,7 +99,7 @@ void unused(Context& c, const std::string& name, const base::SourceSpan& span) {
 bool reaches_a_script(const Context& c, const std::string& upper) {
   return std::any_of(c.scripts.begin(), c.scripts.end(), [&](const ScriptTable& script) {
     return std::any_of(script.constants.begin(), script.constants.end(),
-                       [&](const mesh::ScriptConstant& constant) {
+                       [&](const mesh::GeometryScriptConstant& constant) {
                          return constant.from_deck && grammar::to_upper(constant.name) == upper;
                        });
   });
@@ -146,7 +146,7 @@ void check_scripts(Context& c) {
     const bool arrives = reaches_a_script(c, upper);
     bool told = arrives; // where it arrives in one script, another may have a name of its own
     for (const ScriptTable& script : c.scripts) {
-      for (const mesh::ScriptConstant& constant : script.constants) {
+      for (const mesh::GeometryScriptConstant& constant : script.constants) {
         if (!told && !constant.defined && constant.name == written && constant.value &&
             *constant.value != value) {
           c.diagnostics.warning(

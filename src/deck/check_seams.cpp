@@ -79,10 +79,10 @@ std::vector<bool> looked_after(const Context& c) {
 
 // The faces of a crack of the user's own mesh are meant to touch: they hang together with the front
 // that its card names.
-void take_out_cracks(const model::Model& model, std::vector<mesh::Seam>& seams) {
+void take_out_cracks(const model::Model& model, std::vector<mesh::CoincidentFacePair>& seams) {
   const model::Mesh& mesh = model.mesh;
   base::DisjointSets joined(mesh.node_count());
-  for (const mesh::Seam& seam : seams) {
+  for (const mesh::CoincidentFacePair& seam : seams) {
     const std::vector<NodeId> nodes = mesh::nodes_of_faces(mesh, {seam.first, seam.second});
     for (const NodeId node : nodes) {
       joined.join_sets(nodes.front().index(), node.index());
@@ -96,7 +96,7 @@ void take_out_cracks(const model::Model& model, std::vector<mesh::Seam>& seams) 
       }
     }
   }
-  std::erase_if(seams, [&](const mesh::Seam& seam) {
+  std::erase_if(seams, [&](const mesh::CoincidentFacePair& seam) {
     const NodeId node = mesh::nodes_of_faces(mesh, {seam.first}).front();
     return cracks.contains(joined.root(node.index()));
   });
@@ -108,12 +108,12 @@ void open_seams(Context& c) {
   if (!c.boundary) {
     c.boundary = mesh::boundary_faces(mesh);
   }
-  std::vector<mesh::Seam> seams = mesh::seams(mesh, *c.boundary);
+  std::vector<mesh::CoincidentFacePair> seams = mesh::find_coincident_faces(mesh, *c.boundary);
   if (seams.empty()) {
     return;
   }
   const std::vector<bool> known = looked_after(c);
-  std::erase_if(seams, [&](const mesh::Seam& seam) {
+  std::erase_if(seams, [&](const mesh::CoincidentFacePair& seam) {
     return mesh.element_net[seam.first.element.index()] !=
                mesh.element_net[seam.second.element.index()] ||
            mesh::lies_within(mesh, seam.first, known) ||
@@ -123,7 +123,7 @@ void open_seams(Context& c) {
   if (seams.empty()) {
     return;
   }
-  const mesh::Seam& seam = seams.front();
+  const mesh::CoincidentFacePair& seam = seams.front();
   const auto net = [&](const model::Face& face) {
     const std::string& name = c.model.nets[mesh.element_net[face.element.index()].index()].name;
     return name.empty() ? std::string() : " of " + name;

@@ -122,10 +122,10 @@ void crack_starts(Context& c) {
   if (c.model.mesh.dim != 2 || std::ranges::none_of(c.model.cracks, drawn)) {
     return;
   }
-  const mesh::Host host(c.model.mesh);
+  const mesh::HostMesh host(c.model.mesh);
   for (const model::CrackDefinition& crack : c.model.cracks) {
-    if (!drawn(crack) ||
-        mesh::crack_start(host, crack.points.front(), crack.net) != mesh::CrackStart::inside) {
+    if (!drawn(crack) || mesh::locate_crack_start(host, crack.points.front(), crack.net) !=
+                             mesh::CrackStart::inside) {
       continue;
     }
     const mesh::BoundaryPoint edge = mesh::nearest_boundary(host, crack.points.front(), crack.net);

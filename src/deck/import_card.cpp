@@ -97,7 +97,7 @@ void import_card(Context& c, const BoundCard& card) {
   } else if (!card.is("FORMAT", "INP") && took_too_long(c)) {
     return; // one file has taken all the time there is: the others wait until it is mended
   } else if (!card.is("FORMAT", "INP")) {
-    std::vector<mesh::ScriptConstant> constants =
+    std::vector<mesh::GeometryScriptConstant> constants =
         mesh::import_mesh(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {
       c.scripts.push_back({request.file.string(), card.net, card.span, std::move(constants)});

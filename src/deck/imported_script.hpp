@@ -13,7 +13,7 @@ struct ScriptTable {
   std::string file;
   std::string net;
   base::SourceSpan card;
-  std::vector<mesh::ScriptConstant> constants;
+  std::vector<mesh::GeometryScriptConstant> constants;
 };
 
 } // namespace spricka::deck

@@ -41,11 +41,11 @@ mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMotio
                                 double by) {
   mesh::CrackedMesh out = cracked;
   // The tip's place goes along with its node: near-tip fields start from it.
-  mesh::Front& front = out.fronts[motion.tip];
+  mesh::CrackFront& front = out.fronts[motion.tip];
   for (const crack::NodeMotion& m : motion.field.motion) {
     out.mesh.x[m.node.index()] += (by * motion.step * m.q) * m.along;
   }
-  front.tip().x += (by * motion.step) * front.tip().growth;
+  front.tip_point().x += (by * motion.step) * front.tip_point().growth;
   front.a += by * motion.step;
   return out;
 }

@@ -50,7 +50,7 @@ Surroundings::Surroundings(const model::Mesh& host) : host_(host) {
     return;
   }
   for (const model::Face& face : mesh::boundary_faces(host)) {
-    const mesh::Edge edge = mesh::edge_of(host, face);
+    const mesh::ElementEdge edge = mesh::element_edge(host, face);
     const base::NetId net = host.element_net[face.element.index()];
     const int parts = edge.mid.valid() ? pieces_of_edge : 1;
     for (int k = 0; k < parts; ++k) {
@@ -69,7 +69,7 @@ std::string Surroundings::name_of(const Piece& piece, const Vec2& at) const {
     }
   }
   for (const model::NodeSet& set : host_.node_sets) {
-    const mesh::Edge edge = mesh::edge_of(host_, piece.face);
+    const mesh::ElementEdge edge = mesh::element_edge(host_, piece.face);
     const auto holds = [&](base::NodeId n) {
       return !n.valid() || std::ranges::find(set.nodes, n) != set.nodes.end();
     };
@@ -138,7 +138,7 @@ std::optional<Obstacle> Surroundings::crack_ahead(std::span<const mesh::CrackLin
         distance = std::min(distance, mesh::distance(from, a, b) / beside);
       }
       if (distance < found.distance) {
-        found = {distance, true, i, lines[i].title()};
+        found = {distance, true, i, lines[i].display_name()};
       }
     }
   }

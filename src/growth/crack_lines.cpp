@@ -123,8 +123,9 @@ struct Builder {
     const double a = arms.last;
     line.net = crack.net;
     line.points = crack.points;
-    line.embedded = !line.points.empty() && mesh::crack_start(model.mesh, line.points.front(),
-                                                              line.net) == mesh::CrackStart::inside;
+    line.embedded = !line.points.empty() &&
+                    mesh::locate_crack_start(model.mesh, line.points.front(), line.net) ==
+                        mesh::CrackStart::inside;
     if (crack.angle && line.points.size() == 1) {
       const base::Vec3 along(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
       // of given lengths the first tip of an embedded crack stays at the point
@@ -165,8 +166,8 @@ struct Builder {
 
   // Length of the crack that the points draw; of an embedded one, half of it.
   [[nodiscard]] double own_length(const model::CrackDefinition& crack) const {
-    const bool inside =
-        mesh::crack_start(model.mesh, crack.points.front(), crack.net) == mesh::CrackStart::inside;
+    const bool inside = mesh::locate_crack_start(model.mesh, crack.points.front(), crack.net) ==
+                        mesh::CrackStart::inside;
     const bool curved = crack.smooth && crack.points.size() > 2;
     return (inside ? 0.5 : 1.0) *
            (curved ? SmoothCurve(crack.points).length() : polyline_length(crack.points));

@@ -41,7 +41,7 @@ mesh::FrontCurve whole_front(const model::CrackDefinition& crack) {
   mesh::FrontCurve curve(points, normals_of(crack, points), closed);
   double outwards = 0.0;
   for (const Vec3& x : points) {
-    outwards += curve.at(curve.nearest(x)).m.dot(x - plane.place);
+    outwards += curve.at(curve.nearest_length(x)).m.dot(x - plane.place);
   }
   if (outwards < 0.0) {
     std::ranges::reverse(points);
@@ -79,7 +79,7 @@ std::vector<Run> runs_of(const std::vector<bool>& in, bool closed) {
 } // namespace
 
 base::Vec3 FrontArc::nearest(const base::Vec3& x) const {
-  const double s = curve.nearest(x); // of an open curve beyond its ends, too
+  const double s = curve.nearest_length(x); // of an open curve beyond its ends, too
   return curve.at(closed() ? s : std::clamp(s, 0.0, curve.length())).x;
 }
 

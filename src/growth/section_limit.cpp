@@ -43,7 +43,7 @@ std::span<const Tetrahedron> tetrahedra(int corners) {
 
 class Section {
 public:
-  Section(const CutBodies& in, const mesh::Front& front)
+  Section(const CutBodies& in, const mesh::CrackFront& front)
       : in_(in), mesh_(in.cracked.mesh), groups_(mesh_.node_count()) {
     const mesh::FrontFrame frame = front.curve->at(0.0);
     origin_ = frame.x;
@@ -337,7 +337,7 @@ double plastic_part(const std::vector<SectionPiece>& section, const SectionLoad&
   return 1.0 / (flow_stress * least);
 }
 
-double plastic_part(const CutBodies& in, const mesh::Front& front, const base::Vector& u,
+double plastic_part(const CutBodies& in, const mesh::CrackFront& front, const base::Vector& u,
                     double flow_stress) {
   if (front.curve == nullptr) {
     return 0.0;

@@ -41,7 +41,7 @@ struct CutBodies {
 /// together, cut through the elements' corners, with its mirror image where supports are a plane of
 /// symmetry. Forces are the internal ones of the elements below it at displacements u [3 * node].
 /// 0: the front has nothing before it.
-double plastic_part(const CutBodies& in, const mesh::Front& front, const base::Vector& u,
+double plastic_part(const CutBodies& in, const mesh::CrackFront& front, const base::Vector& u,
                     double flow_stress);
 
 } // namespace spricka::growth

@@ -14,11 +14,11 @@ SolidSurroundings::to_surface(const base::Vec3& x, const base::Vec3& way, base::
   if (!at) {
     return std::nullopt;
   }
-  const mesh::SurfaceGeometry& surface = host_.surface(*at).geometry(mesh::Borders::none);
-  for (const mesh::SurfaceHit& hit : mesh::hits(surface, x, way, surface.extent())) {
+  const mesh::SurfaceGeometry& surface = host_.body_surface(*at).geometry(mesh::KeptBorders::none);
+  for (const mesh::SurfaceHit& hit : mesh::find_hits(surface, x, way, surface.diagonal())) {
     if (hit.along > on_it * host_.extent(*at).edge) {
       return Ahead{.distance = hit.along,
-                   .piece = surface.piece(hit.place.face),
+                   .piece = surface.smooth_piece(hit.place.face),
                    .sine = std::abs(hit.place.normal.dot(way))};
     }
   }
@@ -31,8 +31,8 @@ SolidSurroundings::piece_at(const base::Vec3& x, const base::Vec3& within, base:
   if (!at) {
     return std::nullopt;
   }
-  const mesh::SurfaceGeometry& surface = host_.surface(*at).geometry(mesh::Borders::none);
-  return surface.piece(surface.nearest(x).face);
+  const mesh::SurfaceGeometry& surface = host_.body_surface(*at).geometry(mesh::KeptBorders::none);
+  return surface.smooth_piece(surface.nearest_place(x).face);
 }
 
 bool SolidSurroundings::joins(const base::Vec3& one, const base::Vec3& other,
@@ -43,8 +43,8 @@ bool SolidSurroundings::joins(const base::Vec3& one, const base::Vec3& other,
   at = at ? at : host_.element_at(other, net);
   for (int i = 1; i < looks && at; ++i) {
     const base::Vec3 x = one + (other - one) * i / looks;
-    const auto& surface = host_.surface(*at).geometry(mesh::Borders::none);
-    if (!inside(x, net) && (surface.nearest(x).x - x).norm() > off * (other - one).norm()) {
+    const auto& surface = host_.body_surface(*at).geometry(mesh::KeptBorders::none);
+    if (!inside(x, net) && (surface.nearest_place(x).x - x).norm() > off * (other - one).norm()) {
       return false;
     }
   }

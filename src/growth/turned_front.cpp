@@ -48,8 +48,8 @@ std::vector<Vec3> normals_of(const model::CrackDefinition& crack, const std::vec
   std::vector<Vec3> normals(points.size(), crack.plane.normal);
   if (!crack.front_history.fronts.empty()) {
     std::ranges::transform(points, normals.begin(), [&](const Vec3& x) {
-      const mesh::OnLine on = mesh::nearest_on(crack.front_history.fronts.back(), x);
-      return Vec3(on.of(crack.front_history.normals).normalized());
+      const mesh::PolylinePosition on = mesh::nearest_on(crack.front_history.fronts.back(), x);
+      return Vec3(on.interpolate(crack.front_history.normals).normalized());
     });
   }
   return normals;
@@ -67,7 +67,7 @@ model::FrontHistory wake_with(const model::CrackDefinition& before, const mesh::
   std::vector<Vec3> ways;
   double most = 0.0;
   for (const Vec3& x : line) {
-    ways.emplace_back(x - mesh::nearest_on(old, x).of(old));
+    ways.emplace_back(x - mesh::nearest_on(old, x).interpolate(old));
     most = std::max(most, ways.back().norm());
   }
   std::vector<Vec3> normals;

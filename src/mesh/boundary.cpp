@@ -85,12 +85,12 @@ private:
 } // namespace
 
 std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
-  return SideIndex(mesh).alone();
+  return SideIndex(mesh).unshared_sides();
 }
 
 std::vector<model::Face> outer_faces(const model::Mesh& mesh) {
   const SideIndex sides(mesh);
-  std::vector<model::Face> faces = sides.alone();
+  std::vector<model::Face> faces = sides.unshared_sides();
   if (mesh.dim != 3) {
     return faces;
   }
@@ -141,7 +141,8 @@ std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
   return result;
 }
 
-std::vector<Chain> chains(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+std::vector<FaceChain> build_chains(const model::Mesh& mesh,
+                                    const std::vector<model::Face>& faces) {
   std::multimap<base::NodeId, std::size_t> leaving; // equal keys keep the order of insertion
   std::map<base::NodeId, int> surplus;              // edges that leave minus edges that arrive
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -151,9 +152,9 @@ std::vector<Chain> chains(const model::Mesh& mesh, const std::vector<model::Face
     --surplus[b];
   }
   std::vector<bool> used(faces.size(), false);
-  std::vector<Chain> result;
+  std::vector<FaceChain> result;
   const auto walk = [&](std::size_t start) {
-    Chain chain;
+    FaceChain chain;
     const base::NodeId first = ends(mesh, faces[start]).first;
     std::size_t at = start;
     for (bool more = true; more;) {

@@ -27,10 +27,10 @@ std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
 
 /// Edges of a face set strung into chains (2D). Each chain runs with the body on its left, as the
 /// faces do; a closed chain (a bore) ends where it starts.
-struct Chain {
+struct FaceChain {
   std::vector<model::Face> faces;
   bool closed = false;
 };
-std::vector<Chain> chains(const model::Mesh& mesh, const std::vector<model::Face>& faces);
+std::vector<FaceChain> build_chains(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 
 } // namespace spricka::mesh

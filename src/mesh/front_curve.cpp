@@ -80,7 +80,7 @@ void FrontCurve::fit() {
   }
 }
 
-FrontCurve::Derivatives FrontCurve::derivatives(Local at) const {
+FrontCurve::SplineDerivatives FrontCurve::derivatives(SplinePosition at) const {
   const std::size_t next = (at.piece + 1) % x_.size();
   const double h = width_[at.piece];
   const double u = at.u;
@@ -89,7 +89,7 @@ FrontCurve::Derivatives FrontCurve::derivatives(Local at) const {
   const Vec3& M1 = bend_[next];
   const Vec3 low = x_[at.piece] / h - h / 6.0 * M0;
   const Vec3 high = x_[next] / h - h / 6.0 * M1;
-  Derivatives result;
+  SplineDerivatives result;
   result.x = (v * v * v * M0 + u * u * u * M1) / (6.0 * h) + v * low + u * high;
   result.d1 = (u * u * M1 - v * v * M0) / (2.0 * h) - low + high;
   result.d2 = (v * M0 + u * M1) / h;
@@ -104,7 +104,7 @@ double FrontCurve::arc_between(std::size_t piece, double u) const {
   return 0.5 * u * sum;
 }
 
-FrontCurve::Local FrontCurve::local(double s) const {
+FrontCurve::SplinePosition FrontCurve::local(double s) const {
   const auto above = std::upper_bound(arc_.begin(), arc_.end(), s);
   const auto piece = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
       above - arc_.begin() - 1, 0, static_cast<std::ptrdiff_t>(pieces()) - 1));
@@ -130,8 +130,8 @@ FrontFrame FrontCurve::at(double s) const {
   } else {
     inside = std::clamp(s, 0.0, length());
   }
-  const Local place = local(inside);
-  const Derivatives d = derivatives(place);
+  const SplinePosition place = local(inside);
+  const SplineDerivatives d = derivatives(place);
   const double speed = d.d1.norm();
   frame.t = d.d1 / speed;
   frame.dt = (d.d2 - frame.t.dot(d.d2) * frame.t) / (speed * speed);
@@ -162,7 +162,7 @@ double FrontCurve::nearest_on(std::size_t piece, const Vec3& x) const {
   const std::size_t next = (piece + 1) % x_.size();
   double u = std::clamp((x - x_[piece]).dot(x_[next] - x_[piece]) / h, 0.0, h);
   for (int i = 0; i < 12; ++i) {
-    const Derivatives d = derivatives({piece, u});
+    const SplineDerivatives d = derivatives({piece, u});
     const double slope = (d.x - x).dot(d.d1);
     // Beyond the centre of curvature the second derivative changes its sign: Gauss' step then.
     const double full = d.d1.squaredNorm() + (d.x - x).dot(d.d2);
@@ -177,7 +177,7 @@ double FrontCurve::nearest_on(std::size_t piece, const Vec3& x) const {
   return u;
 }
 
-double FrontCurve::nearest(const Vec3& x) const {
+double FrontCurve::nearest_length(const Vec3& x) const {
   // Pieces by their chords; those that may be nearest are asked exactly.
   std::vector<double> away(pieces());
   double least = std::numeric_limits<double>::max();
@@ -189,7 +189,7 @@ double FrontCurve::nearest(const Vec3& x) const {
     least = std::min(least, away[i]);
   }
   double best = std::numeric_limits<double>::max();
-  Local place;
+  SplinePosition place;
   for (std::size_t i = 0; i < pieces(); ++i) {
     // A piece bulges by a part of its chord.
     if (away[i] > least + 0.3 * width_[i]) {

@@ -37,22 +37,22 @@ public:
   /// The axes at a length s; of a closed front s counts on over its end.
   [[nodiscard]] FrontFrame at(double s) const;
   /// Where the front is nearest to x [length]; below 0 or above length() beyond an open end.
-  [[nodiscard]] double nearest(const base::Vec3& x) const;
+  [[nodiscard]] double nearest_length(const base::Vec3& x) const;
   [[nodiscard]] const std::vector<base::Vec3>& points() const { return x_; }
   [[nodiscard]] const std::vector<base::Vec3>& normals() const { return normal_; } ///< [point]
 
 private:
-  struct Local {
+  struct SplinePosition {
     std::size_t piece = 0;
     double u = 0.0; ///< in the piece, from its start
   };
-  struct Derivatives {
+  struct SplineDerivatives {
     base::Vec3 x, d1, d2;
   };
   [[nodiscard]] std::size_t pieces() const { return width_.size(); }
-  [[nodiscard]] Derivatives derivatives(Local at) const;
+  [[nodiscard]] SplineDerivatives derivatives(SplinePosition at) const;
   [[nodiscard]] double arc_between(std::size_t piece, double u) const; ///< from the piece's start
-  [[nodiscard]] Local local(double s) const;
+  [[nodiscard]] SplinePosition local(double s) const;
   [[nodiscard]] double nearest_on(std::size_t piece, const base::Vec3& x) const;
   void fit();
 

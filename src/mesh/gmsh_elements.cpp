@@ -13,7 +13,7 @@ constexpr std::array<int, 15> pentac15{0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8,
 constexpr std::array<int, 27> hexe{0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
                                    19, 17, 10, 12, 14, 15, 20, 25, 21, 23, 24, 22, 26};
 
-constexpr std::array<GmshElement, 12> table{{
+constexpr std::array<GmshElementType, 12> table{{
     {2, ElementType::trim3, {}},
     {9, ElementType::trimc6, {}},
     {3, ElementType::quam4, {}},
@@ -33,16 +33,16 @@ constexpr std::array<int, 9> over_quadrilateral{0, 3, 2, 1, 7, 6, 5, 4, 8};
 
 } // namespace
 
-std::optional<GmshElement> from_gmsh(int number) {
+std::optional<GmshElementType> from_gmsh(int number) {
   const auto* const at = std::find_if(table.begin(), table.end(),
-                                      [&](const GmshElement& e) { return e.number == number; });
+                                      [&](const GmshElementType& e) { return e.number == number; });
   if (at == table.end()) {
     return std::nullopt;
   }
   return *at;
 }
 
-std::span<const int> turned_over(ElementType type) {
+std::span<const int> reversed_order(ElementType type) {
   const base::ElementInfo& info = base::element_info(type);
   const auto nodes = static_cast<std::size_t>(info.nodes);
   return info.corners == 3 ? std::span<const int>(over_triangle).first(nodes)

@@ -10,7 +10,7 @@ namespace spricka::mesh {
 
 /// An element type of gmsh's file formats in our terms; `order[i]` is gmsh's place of our node i,
 /// empty where both agree.
-struct GmshElement {
+struct GmshElementType {
   int number;
   base::ElementType type;
   std::span<const int> order;
@@ -18,9 +18,9 @@ struct GmshElement {
 
 /// Empty for a type that the element library does not have. Source: gmsh 4.8 reference manual,
 /// "Node ordering".
-std::optional<GmshElement> from_gmsh(int number);
+std::optional<GmshElementType> from_gmsh(int number);
 
 /// Places of the nodes of a 2D element turned over, so that it runs anticlockwise.
-std::span<const int> turned_over(base::ElementType type);
+std::span<const int> reversed_order(base::ElementType type);
 
 } // namespace spricka::mesh

@@ -12,14 +12,14 @@ namespace {
 using base::ElementType;
 using model::StressState;
 
-struct Family {
+struct InpElementFamily {
   std::string_view prefix;
   StressState state;
 };
-constexpr std::array<Family, 4> families{{{"CPS", StressState::plane_stress},
-                                          {"CPE", StressState::plane_strain},
-                                          {"CAX", StressState::axisymmetric},
-                                          {"C3D", StressState::solid}}};
+constexpr std::array<InpElementFamily, 4> families{{{"CPS", StressState::plane_stress},
+                                                    {"CPE", StressState::plane_strain},
+                                                    {"CAX", StressState::axisymmetric},
+                                                    {"C3D", StressState::solid}}};
 
 using Count = std::pair<std::string_view, ElementType>;
 constexpr std::array<Count, 4> plane{{{"3", ElementType::trim3},
@@ -43,8 +43,8 @@ std::span<const Count> counts(StressState state) {
 
 } // namespace
 
-std::optional<InpElement> from_inp(std::string_view name) {
-  for (const Family& family : families) {
+std::optional<InpElementType> from_inp(std::string_view name) {
+  for (const InpElementFamily& family : families) {
     if (!name.starts_with(family.prefix)) {
       continue;
     }
@@ -54,7 +54,7 @@ std::optional<InpElement> from_inp(std::string_view name) {
       const std::string_view suffix = rest.substr(digits);
       const bool known = std::find(special.begin(), special.end(), suffix) != special.end();
       if (rest.substr(0, digits) == count && (suffix.empty() || known)) {
-        return InpElement{type, family.state, known};
+        return InpElementType{type, family.state, known};
       }
     }
   }
@@ -62,8 +62,9 @@ std::optional<InpElement> from_inp(std::string_view name) {
 }
 
 std::string to_inp(ElementType type, StressState state) {
-  const auto* const family = std::find_if(families.begin(), families.end(),
-                                          [&](const Family& f) { return f.state == state; });
+  const auto* const family =
+      std::find_if(families.begin(), families.end(),
+                   [&](const InpElementFamily& f) { return f.state == state; });
   for (const auto& [count, counted] : counts(state)) {
     if (counted == type) {
       return std::string(family->prefix) + std::string(count);

@@ -48,7 +48,7 @@ public:
   }
 
   /// A number stands twice in the list.
-  [[nodiscard]] bool doubled() const { return doubled_; }
+  [[nodiscard]] bool has_duplicates() const { return doubled_; }
 
 private:
   std::vector<std::int32_t> near_;

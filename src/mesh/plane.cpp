@@ -29,8 +29,8 @@ double distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
                   std::min(distance(c, a, b), distance(d, a, b)));
 }
 
-Meeting nearest(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  Meeting best;
+ClosestApproach closest_approach(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  ClosestApproach best;
   const auto look = [&](const Vec2& p, double t) {
     const double away = distance(p, c, d);
     if (t >= 0.0 && t <= 1.0 && away < best.distance) {
@@ -52,7 +52,7 @@ Meeting nearest(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return best;
 }
 
-bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
+bool is_inside(const Vec2& p, const std::vector<Vec2>& polygon) {
   bool in = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Vec2& a = polygon[i];
@@ -68,7 +68,7 @@ bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
 double distance(const std::vector<Vec2>& polygon, const std::vector<Vec2>& polyline) {
   double least = std::numeric_limits<double>::max();
   for (const Vec2& p : polyline) {
-    if (inside(p, polygon)) {
+    if (is_inside(p, polygon)) {
       return 0.0;
     }
   }
@@ -85,17 +85,17 @@ double rounded(double x) {
   return std::round(x * grid) / grid + 0.0;  // of the two zeros that without a sign
 }
 
-Vec2 CrackFrame::exact(const Vec3& x) const {
+Vec2 PlanarCrackFrame::exact_local(const Vec3& x) const {
   const Vec3 d = (x - origin) / a;
   return {d.x() * e1.x() + d.y() * e1.y(), d.y() * e1.x() - d.x() * e1.y()};
 }
 
-Vec2 CrackFrame::local(const Vec3& x) const {
-  const Vec2 u = exact(x);
+Vec2 PlanarCrackFrame::rounded_local(const Vec3& x) const {
+  const Vec2 u = exact_local(x);
   return {rounded(u.x()), rounded(u.y())};
 }
 
-Vec3 CrackFrame::global(const Vec2& x) const {
+Vec3 PlanarCrackFrame::global(const Vec2& x) const {
   return origin + a * Vec3(x.x() * e1.x() - x.y() * e1.y(), x.x() * e1.y() + x.y() * e1.x(), 0.0);
 }
 

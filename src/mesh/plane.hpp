@@ -19,14 +19,15 @@ double distance(const base::Vec2& p, const base::Vec2& a, const base::Vec2& b);
 double distance(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c, const base::Vec2& d);
 
 /// Where two segments come nearest to each other, on the first.
-struct Meeting {
+struct ClosestApproach {
   base::Vec2 at = base::Vec2::Zero();
   double distance = std::numeric_limits<double>::max();
 };
-Meeting nearest(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c, const base::Vec2& d);
+ClosestApproach closest_approach(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c,
+                                 const base::Vec2& d);
 
 /// Whether a point lies in a polygon (even-odd rule).
-bool inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
+bool is_inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
 
 /// Distance between a filled polygon and a polyline; 0 if they meet.
 double distance(const std::vector<base::Vec2>& polygon, const std::vector<base::Vec2>& polyline);
@@ -38,13 +39,13 @@ double rounded(double x);
 /// A frame that goes with a crack: origin at the mouth, x along its first segment, lengths divided
 /// by `a`. Coordinates in it are rounded: they serve decisions only, which the deck's unit and the
 /// crack's place must not change, ties among them.
-struct CrackFrame {
+struct PlanarCrackFrame {
   base::Vec3 origin = base::Vec3::Zero();
   base::Vec3 e1 = base::Vec3::UnitX();
   double a = 1.0;
 
-  [[nodiscard]] base::Vec2 exact(const base::Vec3& x) const;
-  [[nodiscard]] base::Vec2 local(const base::Vec3& x) const; ///< rounded
+  [[nodiscard]] base::Vec2 exact_local(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec2 rounded_local(const base::Vec3& x) const; ///< rounded
   [[nodiscard]] base::Vec3 global(const base::Vec2& x) const;
 };
 

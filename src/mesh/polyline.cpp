@@ -7,8 +7,8 @@ namespace spricka::mesh {
 
 using base::Vec3;
 
-OnLine nearest_on(const std::vector<Vec3>& line, const Vec3& x) {
-  OnLine best;
+PolylinePosition nearest_on(const std::vector<Vec3>& line, const Vec3& x) {
+  PolylinePosition best;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec3 d = line[i + 1] - line[i];
     const double square = d.squaredNorm();

@@ -24,12 +24,12 @@ constexpr int finest_degree = 9;
 
 template <int dim> using Element = shape::ReferenceElement<dim>;
 /// Of the nodes of an element. [node, dim]
-template <int dim> using Coordinates = typename Element<dim>::Derivatives;
+template <int dim> using Coordinates = typename Element<dim>::SplineDerivatives;
 
 /// Derivatives of the shape functions at the points where the determinant is taken.
 template <int dim> struct Samples {
   const Element<dim>* element = nullptr;
-  std::vector<typename Element<dim>::Derivatives> dN;
+  std::vector<typename Element<dim>::SplineDerivatives> dN;
   std::vector<shape::Point<dim>> at;
   std::vector<double> weight; ///< of the integration points, in sum 1
   std::size_t inner = 0;      ///< the first ones are the integration points
@@ -111,7 +111,7 @@ template <int dim> bool is_straight(base::ElementType type, const Coordinates<di
 }
 
 template <int dim>
-double determinant(const Coordinates<dim>& X, const typename Element<dim>::Derivatives& dN) {
+double determinant(const Coordinates<dim>& X, const typename Element<dim>::SplineDerivatives& dN) {
   return Eigen::Matrix<double, dim, dim>(dN.transpose().lazyProduct(X)).determinant();
 }
 
@@ -128,7 +128,7 @@ enum class Fault { none, corner, bad };
 
 template <int dim>
 Fault check(base::ElementType type, std::span<const base::NodeId> nodes,
-            const std::vector<base::Vec3>& x, BadElement& worst, FoldedCorner& corner) {
+            const std::vector<base::Vec3>& x, InvalidElement& worst, FoldedCorner& corner) {
   const Samples<dim>& sample = Samples<dim>::of(type);
   const Element<dim>& element = *sample.element;
   Coordinates<dim> X(element.nodes, dim);
@@ -186,7 +186,7 @@ Fault check(base::ElementType type, std::span<const base::NodeId> nodes,
 MeshFaults mesh_faults(const model::Mesh& mesh) {
   MeshFaults faults;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    BadElement worst{base::ElementId(e)};
+    InvalidElement worst{base::ElementId(e)};
     FoldedCorner corner{base::ElementId(e), {}, 0.0};
     const base::ElementType type = mesh.type[e];
     const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
@@ -202,7 +202,7 @@ MeshFaults mesh_faults(const model::Mesh& mesh) {
   return faults;
 }
 
-std::vector<BadElement> bad_elements(const model::Mesh& mesh) {
+std::vector<InvalidElement> bad_elements(const model::Mesh& mesh) {
   return mesh_faults(mesh).bad;
 }
 

@@ -9,7 +9,7 @@ namespace spricka::mesh {
 /// An element that must not be used: its Jacobian determinant is not positive at an integration
 /// point, negative at a node of a plane element, or at a node of a solid by more than a tenth
 /// of its mean. (The tip node of a quarter-point element, where it is zero by intent, is left out.)
-struct BadElement {
+struct InvalidElement {
   base::ElementId element;
   double jacobian = 0.0;              ///< the smallest determinant met
   base::Vec3 at = base::Vec3::Zero(); ///< where
@@ -26,7 +26,7 @@ struct FoldedCorner {
 };
 
 struct MeshFaults {
-  std::vector<BadElement> bad;       ///< ascending
+  std::vector<InvalidElement> bad;   ///< ascending
   std::vector<FoldedCorner> corners; ///< ascending; of several in an element the worst
 };
 
@@ -35,6 +35,6 @@ struct MeshFaults {
 MeshFaults mesh_faults(const model::Mesh& mesh);
 
 /// The bad elements alone.
-std::vector<BadElement> bad_elements(const model::Mesh& mesh);
+std::vector<InvalidElement> bad_elements(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

@@ -9,7 +9,7 @@
 namespace spricka::mesh {
 
 /// Text in upper case; letters beyond ASCII stay.
-inline std::string upper(std::string_view text) {
+inline std::string upper_case(std::string_view text) {
   std::string result(text);
   std::transform(result.begin(), result.end(), result.begin(), [](char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -19,8 +19,8 @@ inline std::string upper(std::string_view text) {
 
 /// A name from a file as the deck can write it: upper case, what is neither letter nor digit
 /// becomes an underscore, and so begins a name that would begin with a digit.
-inline std::string set_name(std::string_view text) {
-  std::string name = upper(text);
+inline std::string valid_set_name(std::string_view text) {
+  std::string name = upper_case(text);
   std::replace_if(
       name.begin(), name.end(),
       [](char c) { return (c < 'A' || c > 'Z') && (c < '0' || c > '9') && c != '_'; }, '_');

@@ -75,7 +75,7 @@ std::span<const model::Face> SideIndex::find(std::span<const NodeId> corners) co
                                    static_cast<std::size_t>(high - low));
 }
 
-std::vector<model::Face> SideIndex::alone() const {
+std::vector<model::Face> SideIndex::unshared_sides() const {
   std::vector<model::Face> result;
   for (std::size_t n = 0; n + 1 < begin_.size(); ++n) {
     for (std::size_t i = begin_[n]; i < begin_[n + 1];) {

@@ -19,7 +19,7 @@ public:
   [[nodiscard]] std::span<const model::Face> find(std::span<const base::NodeId> corners) const;
 
   /// Sides that belong to one element only, ascending.
-  [[nodiscard]] std::vector<model::Face> alone() const;
+  [[nodiscard]] std::vector<model::Face> unshared_sides() const;
 
 private:
   using Others = std::array<base::NodeId, 3>; ///< the other corners, ascending

@@ -17,13 +17,13 @@ constexpr int along = 64;
 
 } // namespace
 
-SizeMap::SizeMap(std::vector<Wish> wishes) : given_(std::move(wishes)), wishes_(given_) {
+SizeMap::SizeMap(std::vector<SizeRequest> wishes) : given_(std::move(wishes)), wishes_(given_) {
   if (wishes_.empty()) {
     return;
   }
   low_ = wishes_.front().at;
   Vec2 high = low_;
-  for (const Wish& wish : wishes_) {
+  for (const SizeRequest& wish : wishes_) {
     low_ = low_.cwiseMin(wish.at);
     high = high.cwiseMax(wish.at);
   }
@@ -54,10 +54,10 @@ const std::vector<std::size_t>& SizeMap::in_cell(int i, int j) const {
 // Distances in the plane obey the triangle inequality, so that one pass over the sources is enough.
 void SizeMap::level() {
   double largest = 0.0;
-  for (const Wish& wish : wishes_) {
+  for (const SizeRequest& wish : wishes_) {
     largest = std::max(largest, wish.size);
   }
-  for (const Wish& source : wishes_) {
+  for (const SizeRequest& source : wishes_) {
     if (!source.fresh) {
       continue;
     }
@@ -67,7 +67,7 @@ void SizeMap::level() {
     for (int j = from.second; j <= to.second; ++j) {
       for (int i = from.first; i <= to.first; ++i) {
         for (const std::size_t k : in_cell(i, j)) {
-          Wish& wish = wishes_[k];
+          SizeRequest& wish = wishes_[k];
           wish.size = std::min(wish.size, source.size + growth * (wish.at - source.at).norm());
         }
       }

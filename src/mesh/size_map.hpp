@@ -15,18 +15,18 @@ class SizeMap {
 public:
   static constexpr double growth = 0.5;
 
-  struct Wish {
+  struct SizeRequest {
     base::Vec2 at;
     double size = 0.0;
     bool fresh = true; ///< it may be smaller than its neighbours allow, so that these follow
   };
-  explicit SizeMap(std::vector<Wish> wishes);
+  explicit SizeMap(std::vector<SizeRequest> wishes);
 
   /// Infinite if there are no wishes.
   [[nodiscard]] double operator()(const base::Vec2& p) const;
 
   /// The wishes as they came, from which the same map can be made anew.
-  [[nodiscard]] const std::vector<Wish>& given() const { return given_; }
+  [[nodiscard]] const std::vector<SizeRequest>& requests() const { return given_; }
 
 private:
   using QuadratureCell = std::pair<int, int>;
@@ -34,9 +34,9 @@ private:
   [[nodiscard]] const std::vector<std::size_t>& in_cell(int i, int j) const;
   void level();
 
-  std::vector<Wish> given_;
-  std::vector<Wish> wishes_; ///< levelled
-  double pitch_ = 1.0;       ///< of the grid that finds near points
+  std::vector<SizeRequest> given_;
+  std::vector<SizeRequest> wishes_; ///< levelled
+  double pitch_ = 1.0;              ///< of the grid that finds near points
   base::Vec2 low_ = base::Vec2::Zero();
   std::vector<std::vector<std::size_t>> cells_; ///< row by row
 };

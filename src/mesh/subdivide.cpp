@@ -23,7 +23,7 @@ using base::NodeId;
 /// the way from its lowest to its highest coordinate: exact keys, so that quarters share nodes.
 using Place = std::array<int, 2>;
 
-struct Pattern {
+struct SubdivisionPattern {
   bool triangle = false;
   std::array<std::array<Place, 4>, 4> corners{}; ///< [quarter][corner]
   int count = 4;                                 ///< corners of a quarter
@@ -31,25 +31,25 @@ struct Pattern {
 
 // Quarter i holds corner i of the parent as its own corner i; of a triangle the last one is the
 // middle, turned by half a turn.
-constexpr Pattern triangle_pattern{true,
-                                   {{{{{0, 0}, {2, 0}, {0, 2}}},
-                                     {{{2, 0}, {4, 0}, {2, 2}}},
-                                     {{{0, 2}, {2, 2}, {0, 4}}},
-                                     {{{2, 2}, {0, 2}, {2, 0}}}}},
-                                   3};
-constexpr Pattern square_pattern{false,
-                                 {{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}},
-                                   {{{2, 0}, {4, 0}, {4, 2}, {2, 2}}},
-                                   {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}},
-                                   {{{0, 2}, {2, 2}, {2, 4}, {0, 4}}}}},
-                                 4};
+constexpr SubdivisionPattern triangle_pattern{true,
+                                              {{{{{0, 0}, {2, 0}, {0, 2}}},
+                                                {{{2, 0}, {4, 0}, {2, 2}}},
+                                                {{{0, 2}, {2, 2}, {0, 4}}},
+                                                {{{2, 2}, {0, 2}, {2, 0}}}}},
+                                              3};
+constexpr SubdivisionPattern square_pattern{false,
+                                            {{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}},
+                                              {{{2, 0}, {4, 0}, {4, 2}, {2, 2}}},
+                                              {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}},
+                                              {{{0, 2}, {2, 2}, {2, 4}, {0, 4}}}}},
+                                            4};
 
 Place middle(const Place& a, const Place& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
 }
 
 // Places of all nodes of one quarter, in the order of its type.
-std::vector<Place> places_of(const Pattern& pattern, std::size_t quarter, int nodes) {
+std::vector<Place> places_of(const SubdivisionPattern& pattern, std::size_t quarter, int nodes) {
   const auto count = static_cast<std::size_t>(pattern.count);
   std::vector<Place> place(pattern.corners[quarter].begin(),
                            pattern.corners[quarter].begin() + pattern.count);
@@ -63,12 +63,12 @@ std::vector<Place> places_of(const Pattern& pattern, std::size_t quarter, int no
 }
 
 /// The edge of the parent that a place lies on, and how far along it in quarters; -1: inside.
-struct OnEdge {
+struct ParentEdgePosition {
   int edge = -1;
   int quarters = 0;
 };
 
-OnEdge edge_of(const Pattern& pattern, const Place& p) {
+ParentEdgePosition edge_of(const SubdivisionPattern& pattern, const Place& p) {
   if (p[1] == 0) {
     return {0, p[0]};
   }
@@ -76,7 +76,7 @@ OnEdge edge_of(const Pattern& pattern, const Place& p) {
     if (p[0] + p[1] == 4) {
       return {1, p[1]};
     }
-    return p[0] == 0 ? OnEdge{2, 4 - p[1]} : OnEdge{};
+    return p[0] == 0 ? ParentEdgePosition{2, 4 - p[1]} : ParentEdgePosition{};
   }
   if (p[0] == 4) {
     return {1, p[1]};
@@ -84,7 +84,7 @@ OnEdge edge_of(const Pattern& pattern, const Place& p) {
   if (p[1] == 4) {
     return {2, 4 - p[0]};
   }
-  return p[0] == 0 ? OnEdge{3, 4 - p[1]} : OnEdge{};
+  return p[0] == 0 ? ParentEdgePosition{3, 4 - p[1]} : ParentEdgePosition{};
 }
 
 // By the parent's own map.
@@ -127,7 +127,7 @@ public:
   }
 
 private:
-  struct Child {
+  struct ChildElement {
     std::vector<NodeId> nodes;
   };
   /// What lies on an edge of the old mesh, from its lower corner to the upper one: nodes at 1/4,
@@ -142,10 +142,10 @@ private:
   void divide(const model::Mesh& old, ElementId e) {
     const ElementType type = old.type[e.index()];
     const base::ElementInfo& info = base::element_info(type);
-    const Pattern& pattern = info.corners == 3 ? triangle_pattern : square_pattern;
+    const SubdivisionPattern& pattern = info.corners == 3 ? triangle_pattern : square_pattern;
     std::map<Place, NodeId> inside;
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-      Child child;
+      ChildElement child;
       for (const Place& p : places_of(pattern, quarter, info.nodes)) {
         child.nodes.push_back(node_at(old, e, pattern, p, inside));
       }
@@ -158,10 +158,10 @@ private:
     }
   }
 
-  NodeId node_at(const model::Mesh& old, ElementId e, const Pattern& pattern, const Place& p,
-                 std::map<Place, NodeId>& inside) {
+  NodeId node_at(const model::Mesh& old, ElementId e, const SubdivisionPattern& pattern,
+                 const Place& p, std::map<Place, NodeId>& inside) {
     const std::span<const NodeId> nodes = old.element_nodes(e);
-    const OnEdge on = edge_of(pattern, p);
+    const ParentEdgePosition on = edge_of(pattern, p);
     const auto corners = static_cast<std::size_t>(pattern.count);
     if (on.edge < 0) {
       const auto [at, fresh] = inside.try_emplace(p);
@@ -323,7 +323,7 @@ private:
   model::Mesh& mesh_;
   const std::vector<bool>& nets_;
   std::vector<base::Label> next_node_, next_element_; ///< [net]
-  std::vector<std::vector<Child>> children_;          ///< [old element][quarter]
+  std::vector<std::vector<ChildElement>> children_;   ///< [old element][quarter]
   std::vector<std::vector<ElementId>> later_;         ///< [old element] quarters 1 to 3
   std::map<std::pair<NodeId, NodeId>, EdgeNodes> edges_;
   std::vector<std::pair<NodeId, ElementId>> centre_; ///< new nodes inside an old element

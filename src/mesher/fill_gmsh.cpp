@@ -12,16 +12,16 @@
 namespace spricka::mesher {
 namespace {
 
-using mesh::Filling;
 using mesh::Grading;
-using mesh::Region;
+using mesh::PlaneRegion;
+using mesh::TriangleFill;
 
 namespace geo = gmsh::model::geo;
 using base::Vec2;
 
 constexpr int surface = 1;
 
-double twice_area(const Region& region, const std::vector<int>& loop) {
+double twice_area(const PlaneRegion& region, const std::vector<int>& loop) {
   double sum = 0.0;
   for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
     sum += mesh::cross(region.points[static_cast<std::size_t>(loop[j])],
@@ -35,7 +35,7 @@ int add_line(int from, int to) {
   return geo::addLine(from + 1, to + 1);
 }
 
-void describe(const Region& region) {
+void describe(const PlaneRegion& region) {
   for (std::size_t i = 0; i < region.points.size(); ++i) {
     geo::addPoint(region.points[i].x(), region.points[i].y(), 0.0, 0.0, static_cast<int>(i) + 1);
   }
@@ -66,7 +66,7 @@ void describe(const Region& region) {
 }
 
 /// Points and triangles out of gmsh, in the order of its tags.
-void collect(const Region& region, Filling& filling) {
+void collect(const PlaneRegion& region, TriangleFill& filling) {
   std::unordered_map<std::size_t, int> index;
   std::vector<std::size_t> tags;
   std::vector<double> x;
@@ -102,8 +102,8 @@ void collect(const Region& region, Filling& filling) {
 
 } // namespace
 
-Filling fill_region(const Region& region, const Grading& size) {
-  Filling filling;
+TriangleFill fill_region(const PlaneRegion& region, const Grading& size) {
+  TriangleFill filling;
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Algorithm", 5); // Delaunay
   gmsh::option::setNumber("Mesh.ElementOrder", 1);

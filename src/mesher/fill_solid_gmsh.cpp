@@ -11,15 +11,15 @@
 namespace spricka::mesher {
 namespace {
 
-using mesh::SolidFilling;
 using mesh::SolidRegion;
+using mesh::TetrahedronFill;
 
 constexpr int body = 1;
 
 /// Triangles given to gmsh, as surfaces that have a mesh and no geometry.
-class Surfaces {
+class DiscreteSurfaces {
 public:
-  explicit Surfaces(const SolidRegion& region)
+  explicit DiscreteSurfaces(const SolidRegion& region)
       : region_(region), given_(region.points.size(), false) {}
 
   int add(const std::vector<SolidRegion::Triangle>& triangles) {
@@ -50,7 +50,7 @@ private:
 };
 
 void describe_solid(const SolidRegion& region) {
-  Surfaces surfaces(region);
+  DiscreteSurfaces surfaces(region);
   std::vector<int> loops;
   for (const auto& shell : region.shells) {
     loops.push_back(gmsh::model::geo::addSurfaceLoop({surfaces.add(shell)}));
@@ -63,7 +63,7 @@ void describe_solid(const SolidRegion& region) {
   }
 }
 
-void collect_solid(const SolidRegion& region, SolidFilling& filling) {
+void collect_solid(const SolidRegion& region, TetrahedronFill& filling) {
   std::unordered_map<std::size_t, int> index;
   for (std::size_t i = 0; i < region.points.size(); ++i) {
     index[i + 1] = static_cast<int>(i);
@@ -96,8 +96,8 @@ void collect_solid(const SolidRegion& region, SolidFilling& filling) {
 
 } // namespace
 
-SolidFilling fill_solid_region(const SolidRegion& region, const mesh::SolidGrading& size) {
-  SolidFilling filling;
+TetrahedronFill fill_solid_region(const SolidRegion& region, const mesh::SolidGrading& size) {
+  TetrahedronFill filling;
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Renumber", 0); // our numbers of the nodes
   // HXT does not ask for sizes, the frontal one needs a library that is not there.

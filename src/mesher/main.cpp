@@ -22,7 +22,7 @@ namespace spricka::mesher {
 namespace {
 
 using mesh::ByteReader;
-using mesh::MesherFrame;
+using mesh::MesherFrameKind;
 
 constexpr int line = 3; ///< the socket to spricka
 /// The kernel's limit of time stands behind spricka's own, in case spricka is stopped or gone [s].
@@ -63,7 +63,7 @@ void say(std::string_view frame) {
   }
 }
 
-void say(MesherFrame kind) {
+void say(MesherFrameKind kind) {
   const char byte = static_cast<char>(kind);
   say(std::string_view(&byte, 1));
 }
@@ -80,31 +80,31 @@ std::string with_questions(const mesh::MesherImport& import) {
 
 std::string answer(std::string_view request, bool locked) {
   ByteReader in(request);
-  const auto kind = in.one<MesherFrame>();
-  if (kind == MesherFrame::fill) {
-    mesh::Region region;
+  const auto kind = in.read_value<MesherFrameKind>();
+  if (kind == MesherFrameKind::fill) {
+    mesh::PlaneRegion region;
     mesh::Grading size;
     if (mesh::read_fill_request(in, region, size)) {
       return mesh::fill_answer(fill_region(region, size));
     }
-  } else if (kind == MesherFrame::fill_solid) {
+  } else if (kind == MesherFrameKind::fill_solid) {
     mesh::SolidRegion region;
     mesh::SolidGrading size;
     if (mesh::read_fill_solid_request(in, region, size)) {
       return mesh::fill_solid_answer(fill_solid_region(region, size));
     }
-  } else if (kind == MesherFrame::import) {
+  } else if (kind == MesherFrameKind::import) {
     mesh::MesherImport import;
-    const char no_sandbox = static_cast<char>(MesherFrame::no_sandbox);
+    const char no_sandbox = static_cast<char>(MesherFrameKind::no_sandbox);
     if (mesh::read_import_request(in, import) &&
         (!locked ||
-         set_only_file(import.name, import.script ? with_questions(import) : import.text))) {
-      return locked ? mesh::model_answer(
-                          read_model(import, import.name, [] { say(MesherFrame::meshing); }))
+         set_memory_file(import.name, import.script ? with_questions(import) : import.text))) {
+      return locked ? mesh::model_answer(read_gmsh_model(import, import.name,
+                                                         [] { say(MesherFrameKind::meshing); }))
                     : std::string(1, no_sandbox);
     }
   }
-  return {static_cast<char>(MesherFrame::bad_request)};
+  return {static_cast<char>(MesherFrameKind::bad_request)};
 }
 
 /// Until nobody asks any more.
@@ -119,7 +119,7 @@ void serve(bool locked) {
       }
       say(answer(request, locked));
     } catch (const std::bad_alloc&) {
-      say(MesherFrame::no_memory);
+      say(MesherFrameKind::no_memory);
       return;
     }
   }
@@ -162,7 +162,7 @@ int run(int argc, char** argv) {
   if (getppid() != owner) { // it went while the libraries were loaded
     return 0;
   }
-  const bool locked = make_only_file() && close_sandbox();
+  const bool locked = make_memory_file() && enter_sandbox();
   serve(locked);
   _exit(0);
 }

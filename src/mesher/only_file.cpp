@@ -92,7 +92,7 @@ void on_call(int /*signal*/, siginfo_t* info, void* context) {
 
 } // namespace
 
-bool make_only_file() {
+bool make_memory_file() {
   memory_file = memfd_create("spricka", MFD_CLOEXEC);
   if (memory_file < 0) {
     return false;
@@ -110,7 +110,7 @@ bool make_only_file() {
   return sigaction(SIGSYS, &action, nullptr) == 0;
 }
 
-bool set_only_file(const std::string& file, std::string_view text) {
+bool set_memory_file(const std::string& file, std::string_view text) {
   if (file.size() >= name.size() || ftruncate(memory_file, 0) != 0) {
     return false;
   }

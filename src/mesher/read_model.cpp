@@ -56,7 +56,7 @@ int make_mesh(const mesh::MesherImport& import) {
   int dim = find_dim(types);
   if (dim == 0 && import.script) {
     if (import.size) {
-      wish_for_sizes(import.size);
+      request_sizes(import.size);
     }
     gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
     dim = find_dim(types);
@@ -118,8 +118,8 @@ void take_constants(const mesh::MesherImport& import, GmshModel& model) {
 
 } // namespace
 
-mesh::GmshModel read_model(const mesh::MesherImport& import, const std::string& path,
-                           const std::function<void()>& meshing) {
+mesh::GmshModel read_gmsh_model(const mesh::MesherImport& import, const std::string& path,
+                                const std::function<void()>& meshing) {
   GmshModel model;
   const GmshSession session;
   // what it prints is its last words, if it crashes

@@ -152,7 +152,7 @@ constexpr std::array hostile{
 
 } // namespace
 
-bool close_sandbox() {
+bool enter_sandbox() {
   Filter filter;
   for (const long call : harmless) {
     filter.on(call, SECCOMP_RET_ALLOW);

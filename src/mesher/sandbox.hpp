@@ -8,7 +8,7 @@ namespace spricka::mesher {
 /// started and no socket made (the attempt ends the process), no file opened but the one of
 /// only_file.hpp, nothing written but to the descriptors 1 to 3, no signal sent to others. False
 /// where the kernel has no such filters.
-bool close_sandbox();
+bool enter_sandbox();
 
 /// The process runs on the processor that it is on, for good: libraries that start a thread for
 /// each processor they see (OpenCASCADE with TBB) start none, as the sandbox would end them.

@@ -19,9 +19,9 @@ namespace spricka::sense {
 namespace {
 
 using base::Vec3;
-using mesh::CrackExtent;
-using mesh::CrackKind;
-using mesh::OpenFace;
+using mesh::CrackConfiguration;
+using mesh::CrackInBody;
+using mesh::CrackMouthFace;
 
 constexpr double degree = 180.0 / std::numbers::pi;
 
@@ -30,7 +30,7 @@ std::string place_of(const Vec3& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", tidy(x.x()), tidy(x.y()), tidy(x.z()));
 }
 
-std::string name_of_face(const OpenFace& face) {
+std::string name_of_face(const CrackMouthFace& face) {
   return face.name.empty() ? "the face at " + place_of(face.at) : face.name;
 }
 
@@ -53,7 +53,7 @@ public:
     for (const mesh::SolidCrack& cut : mesh::solid_cracks(model_)) {
       const model::CrackDefinition& crack = model_.cracks[cut.crack.index()];
       look_for_kinks(crack);
-      const std::optional<CrackExtent> extent = mesh::extent_of(host_, cut);
+      const std::optional<CrackInBody> extent = mesh::measure_crack(host_, cut);
       if (!extent) {
         continue;
       }
@@ -73,22 +73,24 @@ private:
   }
 
   [[nodiscard]] std::string line_of(const model::CrackDefinition& crack,
-                                    const CrackExtent& extent) const {
-    std::string text = fmt::format("crack {}: {} crack", crack.name, mesh::name_of(extent.kind));
+                                    const CrackInBody& extent) const {
+    std::string text =
+        fmt::format("crack {}: {} crack", crack.name, mesh::configuration_name(extent.kind));
     std::vector<std::string> along;
-    for (const OpenFace& face : extent.open) {
+    for (const CrackMouthFace& face : extent.open) {
       along.push_back(length(face.length) + " along " + name_of_face(face) +
                       (held_across(face) ? " (held as a plane of symmetry)" : ""));
     }
     text += along.empty() ? "" : ", " + join(along);
-    if (extent.kind == CrackKind::surface) {
+    if (extent.kind == CrackConfiguration::surface) {
       text += ", " + length(extent.depth) + " deep";
-    } else if (extent.kind == CrackKind::embedded) {
+    } else if (extent.kind == CrackConfiguration::embedded) {
       text += fmt::format(", {} from {}", length(extent.depth),
                           extent.nearest.empty() ? "the surface" : extent.nearest);
     }
     text += fmt::format(", area {:.4g} {}^2", extent.area, model_.units.length_name);
-    if (crack.kind == model::CrackDefinitionKind::ellipse && extent.kind != CrackKind::embedded) {
+    if (crack.kind == model::CrackDefinitionKind::ellipse &&
+        extent.kind != CrackConfiguration::embedded) {
       text += fmt::format(", {:.3g} % of the ellipse drawn", 100.0 * extent.drawn);
     }
     return text;
@@ -97,7 +99,7 @@ private:
   // A face that cuts the ellipse off beside its centre: the flaw is none of the quarters and halves
   // that A and C tell. A through crack whose ends on both faces are as far is one with a bowed
   // front, and the longer the ellipse, the straighter that is.
-  void compare_with_drawn(const model::CrackDefinition& crack, const CrackExtent& extent) {
+  void compare_with_drawn(const model::CrackDefinition& crack, const CrackInBody& extent) {
     if (crack.kind != model::CrackDefinitionKind::ellipse) {
       return;
     }
@@ -105,10 +107,10 @@ private:
     constexpr double nearly_straight = 0.25; // ends within 3 % of the axis on both faces
     constexpr double alike = 0.05;
     constexpr double opposite = 0.9; // cosine
-    const bool through = extent.kind == CrackKind::through;
+    const bool through = extent.kind == CrackConfiguration::through;
     std::vector<std::string> off;
-    std::vector<const OpenFace*> cut;
-    for (const OpenFace& face : extent.open) {
+    std::vector<const CrackMouthFace*> cut;
+    for (const CrackMouthFace& face : extent.open) {
       if (std::abs(face.offset) < (through ? nearly_straight : on_it) || held_across(face)) {
         continue;
       }
@@ -127,7 +129,7 @@ private:
                   fmt::format("crack {}: its centre lies {}: neither on the surface nor so deep "
                               "that the body has all of the ellipse. The flaw is a {} crack of "
                               "{:.3g} % of the ellipse, {}",
-                              crack.name, join(off), mesh::name_of(extent.kind),
+                              crack.name, join(off), mesh::configuration_name(extent.kind),
                               100.0 * extent.drawn, lengths_of(extent)),
                   through ? "a through crack is drawn by its front, two points beyond the body, or "
                             "by an ellipse much longer than the body is thick"
@@ -135,9 +137,9 @@ private:
                             "crack");
   }
 
-  [[nodiscard]] std::string lengths_of(const CrackExtent& extent) const {
+  [[nodiscard]] std::string lengths_of(const CrackInBody& extent) const {
     std::vector<std::string> along;
-    for (const OpenFace& face : extent.open) {
+    for (const CrackMouthFace& face : extent.open) {
       along.push_back(length(face.length) + " along " + name_of_face(face));
     }
     return join(along);
@@ -145,15 +147,16 @@ private:
 
   // A surface crack beside an edge, nearer than half its own length and nowhere near another one:
   // as a corner crack whose centre has missed its edge.
-  void look_for_edge(const model::CrackDefinition& crack, const CrackExtent& extent) {
+  void look_for_edge(const model::CrackDefinition& crack, const CrackInBody& extent) {
     constexpr double eccentric = 2.0;
-    if (crack.kind != model::CrackDefinitionKind::ellipse || extent.kind != CrackKind::surface) {
+    if (crack.kind != model::CrackDefinitionKind::ellipse ||
+        extent.kind != CrackConfiguration::surface) {
       return;
     }
     const std::size_t end = extent.to_edge[0] < extent.to_edge[1] ? 0 : 1;
     const double near = extent.to_edge.at(end);
     double mouth = 0.0;
-    for (const OpenFace& face : extent.open) {
+    for (const CrackMouthFace& face : extent.open) {
       mouth += face.length;
     }
     if (near < 0.5 * mouth && extent.to_edge.at(1 - end) > eccentric * near) {
@@ -167,7 +170,7 @@ private:
     }
   }
 
-  void look_at_section(const model::CrackDefinition& crack, const CrackExtent& extent) {
+  void look_at_section(const model::CrackDefinition& crack, const CrackInBody& extent) {
     constexpr double most = 0.75;
     if (extent.of_section > most) { // false where it is not a number
       list_.warning(crack.span, "W461",
@@ -182,13 +185,14 @@ private:
 
   // Of the two faces at a corner crack one is a plane of symmetry. $SYMMETRY has found out that the
   // crack is drawn for the whole body; by supports alone nobody knows.
-  void look_at_symmetry(const model::CrackDefinition& crack, const CrackExtent& extent) {
-    if (extent.kind != CrackKind::corner || extent.open.size() != 2 || !model_.mirrors.empty()) {
+  void look_at_symmetry(const model::CrackDefinition& crack, const CrackInBody& extent) {
+    if (extent.kind != CrackConfiguration::corner || extent.open.size() != 2 ||
+        !model_.mirrors.empty()) {
       return;
     }
     for (std::size_t i = 0; i < 2; ++i) {
-      const OpenFace& face = extent.open[i];
-      const OpenFace& other = extent.open[1 - i];
+      const CrackMouthFace& face = extent.open[i];
+      const CrackMouthFace& other = extent.open[1 - i];
       if (held_across(face) && !held_across(other)) {
         list_.warning(crack.span, "W462",
                       fmt::format("crack {}: {} is held across like a plane of symmetry. In the "
@@ -202,7 +206,7 @@ private:
     }
   }
 
-  void look_at_elements(const model::CrackDefinition& crack, const CrackExtent& extent) {
+  void look_at_elements(const model::CrackDefinition& crack, const CrackInBody& extent) {
     const base::ElementInfo& info = base::element_info(model_.mesh.type[extent.seed.index()]);
     if (!info.quadratic) {
       list_.warning(crack.span, "W426",
@@ -215,7 +219,7 @@ private:
   }
 
   /// Whether all nodes of a plane face across an axis are held along that axis.
-  [[nodiscard]] bool held_across(const OpenFace& face) const {
+  [[nodiscard]] bool held_across(const CrackMouthFace& face) const {
     constexpr double along_it = 1.0 - 1e-6;
     Eigen::Index axis = 0;
     if (face.normal.cwiseAbs().maxCoeff(&axis) < along_it) {

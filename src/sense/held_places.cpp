@@ -66,7 +66,7 @@ public:
     if (mesh_.dim != 2) {
       return;
     }
-    const mesh::Host host(mesh_);
+    const mesh::HostMesh host(mesh_);
     for (const model::CrackDefinition& crack : model_.cracks) {
       if (crack.kind == model::CrackDefinitionKind::free && !crack.points.empty()) {
         look_at_mouth(crack, host);
@@ -170,12 +170,12 @@ private:
   }
 
   // The boundary side that the mouth opens in, with both its ends held.
-  void look_at_mouth(const model::CrackDefinition& crack, const mesh::Host& host) {
+  void look_at_mouth(const model::CrackDefinition& crack, const mesh::HostMesh& host) {
     const base::Vec3& start = crack.points.front();
     double near = 0.0;
     const mesh::BoundaryPoint at = mesh::nearest_boundary(host, start, crack.net);
     for (const model::Face& face : host.boundary()) {
-      const mesh::Edge edge = mesh::edge_of(mesh_, face);
+      const mesh::ElementEdge edge = mesh::element_edge(mesh_, face);
       const double length = (mesh_.x[edge.b.index()] - mesh_.x[edge.a.index()]).norm();
       // The given mouth may lie a little off the side that it is moved onto.
       const bool here =
@@ -213,13 +213,13 @@ struct SideAt {
   base::Vec3 way = base::Vec3::Zero(); ///< unit
 };
 
-std::vector<SideAt> sides_at(const mesh::Host& host, base::NodeId node) {
+std::vector<SideAt> sides_at(const mesh::HostMesh& host, base::NodeId node) {
   std::vector<SideAt> sides;
   const std::vector<base::Vec3>& x = host.mesh().x;
-  for (const base::ElementId e : host.around(node)) {
+  for (const base::ElementId e : host.elements_around(node)) {
     for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
-      const mesh::Edge edge = mesh::edge_of(host.mesh(), {e, s});
-      if ((edge.a == node || edge.b == node) && !host.beyond({e, s})) {
+      const mesh::ElementEdge edge = mesh::element_edge(host.mesh(), {e, s});
+      if ((edge.a == node || edge.b == node) && !host.neighbour({e, s})) {
         const base::NodeId other = edge.a == node ? edge.b : edge.a;
         sides.push_back({other, (x[other.index()] - x[node.index()]).normalized()});
       }
@@ -228,8 +228,8 @@ std::vector<SideAt> sides_at(const mesh::Host& host, base::NodeId node) {
   return sides;
 }
 
-bool is_corner(const mesh::Host& host, base::NodeId node) {
-  return std::ranges::any_of(host.around(node), [&](base::ElementId e) {
+bool is_corner(const mesh::HostMesh& host, base::NodeId node) {
+  return std::ranges::any_of(host.elements_around(node), [&](base::ElementId e) {
     const auto corners =
         static_cast<std::size_t>(base::element_info(host.mesh().type[e.index()]).corners);
     const auto nodes = host.mesh().element_nodes(e).first(corners);
@@ -262,7 +262,7 @@ void warn_of_path_mouths(const model::Model& model, base::Diagnostics& list) {
   if (list.has_errors() || model.mesh.dim != 2 || !some) {
     return;
   }
-  const mesh::Host host(model.mesh);
+  const mesh::HostMesh host(model.mesh);
   const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model, model.mesh);
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     const model::CrackDefinition& crack = model.cracks[c];

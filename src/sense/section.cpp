@@ -352,14 +352,14 @@ std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh
 
 std::optional<Vec3> way_out(const model::Mesh& section, base::NetId net, const Vec3& from,
                             const Vec3& through) {
-  const mesh::Host host(section);
+  const mesh::HostMesh host(section);
   const base::Vec2 way = (through - from).head<2>();
   double nearest = std::numeric_limits<double>::infinity();
   for (const model::Face& face : host.boundary()) {
     if (!mesh::in_net(section, face, net)) {
       continue;
     }
-    const mesh::Edge edge = mesh::edge_of(section, face);
+    const mesh::ElementEdge edge = mesh::element_edge(section, face);
     constexpr int pieces = 8; // of a curved edge
     for (int k = 0; k < pieces; ++k) {
       const auto at = [&](int i) -> base::Vec2 {

@@ -90,7 +90,8 @@ private:
       base::Vec3 at = base::Vec3::Zero();
     };
     std::map<std::pair<std::size_t, std::size_t>, Touching> found;
-    for (const mesh::Seam& seam : mesh::seams(mesh_, mesh::boundary_faces(mesh_))) {
+    for (const mesh::CoincidentFacePair& seam :
+         mesh::find_coincident_faces(mesh_, mesh::boundary_faces(mesh_))) {
       const std::size_t a = of_element_[seam.first.element.index()];
       const std::size_t b = of_element_[seam.second.element.index()];
       const base::Vec3 at = middle(mesh::nodes_of_faces(mesh_, {seam.first}));

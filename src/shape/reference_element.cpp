@@ -16,7 +16,7 @@ template <Shape S> ReferenceElement<S::dim> describe() {
   element.domain = S::domain;
   element.nodes = S::nodes;
   element.N = [](const Point<S::dim>& r) { return typename Element::Values(S::N(r)); };
-  element.dN = [](const Point<S::dim>& r) { return typename Element::Derivatives(S::dN(r)); };
+  element.dN = [](const Point<S::dim>& r) { return typename Element::SplineDerivatives(S::dN(r)); };
   element.coordinates = S::coordinates;
   return element;
 }

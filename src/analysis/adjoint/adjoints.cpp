@@ -44,7 +44,7 @@ void Adjoints::condense_rows() {
   base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
                      layout.count());
   for (std::size_t t = 0; t < cracked.fronts.size(); ++t) {
-    const mesh::Front& front = cracked.fronts[t];
+    const mesh::CrackFront& front = cracked.fronts[t];
     rows_.push_back(crack::intensity_rows(model_, cracked, front, scene_.tips[t].fields,
                                           model_.cracks[front.crack.index()].state));
     layout.columns(nodal, t) = rows_.back();

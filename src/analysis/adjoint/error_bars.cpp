@@ -29,8 +29,8 @@ constexpr double halvings = 4.0;
 
 std::vector<base::NodeId> tip_nodes(const Scene& scene) {
   std::vector<base::NodeId> tips;
-  for (const mesh::Front& front : scene.cracked.fronts) {
-    tips.push_back(front.tip().node);
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
+    tips.push_back(front.tip_point().node);
   }
   return tips;
 }
@@ -168,7 +168,7 @@ void ErrorBars::prepare() {
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-    const mesh::Front& front = scene_.cracked.fronts[t];
+    const mesh::CrackFront& front = scene_.cracked.fronts[t];
     layout.columns(goals_, t) = enrichment_->mode_functional(
         crack::intensity_points(model_, scene_.cracked, front, scene_.tips[t].fields,
                                 model_.cracks[front.crack.index()].state));
@@ -224,7 +224,7 @@ void ErrorBars::add_pressures(const StepState& state,
 }
 
 // Nodes of a contact that the crack feels stand further apart than half its length.
-bool ErrorBars::coarse_contact(const StepState& state, const mesh::Front& front) const {
+bool ErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront& front) const {
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     if (!state.mounted[c]) {
       continue;
@@ -234,7 +234,7 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::Front& front)
       const double spacing = 0.5 * edge.length;
       const double reach = 2.0 * front.a + 0.5 * edge.length;
       const base::Vec2 middle = contact::point_on(edge, 0.0);
-      return spacing > 0.5 * front.a && (middle - front.tip().x.head<2>()).norm() < reach;
+      return spacing > 0.5 * front.a && (middle - front.tip_point().x.head<2>()).norm() < reach;
     };
     if (std::ranges::any_of(scene_.pairs[c].contact.plane.edges, near_and_coarse) ||
         std::ranges::any_of(scene_.pairs[c].target.plane.edges, near_and_coarse)) {

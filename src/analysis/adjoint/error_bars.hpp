@@ -36,7 +36,7 @@ private:
   void add_pressures(const StepState& state,
                      const std::vector<estimate::IntensityAdjoint>& adjoints, base::Vector& f,
                      base::Matrix& g) const;
-  [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Front& front) const;
+  [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::CrackFront& front) const;
   void tell(const results::TipResult& tip, results::StepResult& step);
   void tell_once(results::Note note, results::StepResult& step);
   void tell_of_meshes(const StepState& state, results::StepResult& step);

@@ -154,7 +154,7 @@ std::vector<Vec3> FrontAdvance::motion_of(const FrontScene& at) const {
   const std::set<base::NodeId> skin = skin_of(mesh, at.fields);
   for (const auto& [node, carried] : carried_by(at.fields)) {
     const Vec3& x = mesh.x[node.index()];
-    const mesh::FrontFrame foot = at.front.curve->at(at.front.curve->nearest(x));
+    const mesh::FrontFrame foot = at.front.curve->at(at.front.curve->nearest_length(x));
     const Vec3 own = direction.dot(foot.x - plane.place) / size * direction;
     velocity[node.index()] =
         skin.contains(node) ? Vec3(own.dot(foot.m) * carried.along) : Vec3(carried.q * own);
@@ -168,13 +168,13 @@ std::vector<Vec3> FrontAdvance::motion_of(const FrontScene& at) const {
     if (rests[n] || std::abs(plane.normal.dot(x - plane.place)) > tube + room) {
       continue;
     }
-    const Vec3 foot = at.front.curve->at(at.front.curve->nearest(x)).x;
+    const Vec3 foot = at.front.curve->at(at.front.curve->nearest_length(x)).x;
     const double part = std::clamp((tube + room - (x - foot).norm()) / room, 0.0, 1.0);
     const Vec3 own = part * direction.dot(foot - plane.place) / size * direction;
     velocity[n] = own.norm() > velocity[n].norm() ? own : velocity[n];
   }
   // Where rows tie nodes of the patch, they still hold of the mesh that moves.
-  for (const mesh::RimTie& tie : scene_.cracked.ties) {
+  for (const mesh::HangingNodeTie& tie : scene_.cracked.ties) {
     Vec3 v = Vec3::Zero();
     for (std::size_t k = 0; k < tie.master.size(); ++k) {
       v += tie.weight[k] * velocity[tie.master[k].index()];
@@ -232,7 +232,7 @@ void FrontAdvance::move() {
     const std::vector<Vec3> normals(points.size(), plane.normal);
     moved.front.curve = std::make_shared<const mesh::FrontCurve>(std::move(points), normals,
                                                                  at.front.curve->closed());
-    mesh::place_points(moved_.cracked.mesh, moved.front);
+    mesh::update_points(moved_.cracked.mesh, moved.front);
     moved.fields =
         crack::front_extensions(moved_.cracked, moved.front, domain_rings(model_, crack_), limits);
     keep_shares(at.fields, moved.fields);

@@ -117,7 +117,7 @@ Partners partners_of(const PartnerSetting& set, const model::TransitionTie& tran
 
 // The node where a tip's crack starts on a surface; invalid: inside its body, or elsewhere.
 base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked,
-                      const mesh::Front& front) {
+                      const mesh::CrackFront& front) {
   const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
     for (const Side& side : partners.sides) {
@@ -137,8 +137,8 @@ bool touches(const Partners& partners, const Side& side) {
 }
 
 CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& cracked,
-                        const mesh::Front& front) {
-  const Vec3 x = in_plane(front.tip().x.head<2>());
+                        const mesh::CrackFront& front) {
+  const Vec3 x = in_plane(front.tip_point().x.head<2>());
   double closest = std::numeric_limits<double>::infinity();
   for (const Side& side : partners.sides) {
     closest = std::min(closest, distance_to(side, x));
@@ -229,7 +229,7 @@ CoarsePartner coarse_partner(const Scene& scene, const StepState& state, const F
   return all;
 }
 
-CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::Front& front) {
+CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::CrackFront& front) {
   CoarsePartner all;
   const auto add = [&](const Partners& partners) {
     const CoarsePartner one = effect_of(partners, set.scene.cracked, front);

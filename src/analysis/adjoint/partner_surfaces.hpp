@@ -26,7 +26,7 @@ struct CoarsePartner {
   double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
   std::string why_not; ///< why there can be no bar; empty: `part` is all
 };
-CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::Front& front);
+CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::CrackFront& front);
 
 /// The same for a front in space, of the largest K along it, and of contacts alone: those that it
 /// ends on as well, where edges count against its depth under the surface, and no length is too

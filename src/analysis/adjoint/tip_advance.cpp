@@ -16,7 +16,7 @@ namespace spricka::analysis {
 namespace {
 
 base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t t) {
-  const mesh::Front& front = scene.cracked.fronts[t];
+  const mesh::CrackFront& front = scene.cracked.fronts[t];
   return crack::intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
                                model.cracks[front.crack.index()].state);
 }
@@ -43,7 +43,7 @@ bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
 
 base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t t) {
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
-  const mesh::Front& front = scene.cracked.fronts[t];
+  const mesh::CrackFront& front = scene.cracked.fronts[t];
   base::Matrix out = base::Matrix::Zero(2, cases);
   const Eigen::Index columns = std::max(cases, scene.case_temperature.cols()); // that of ties, too
   for (Eigen::Index c = 0; c < cases; ++c) {

@@ -164,7 +164,7 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
     if (!good) {
       return std::nullopt;
     }
-    for (const mesh::Front& front : at.tips) {
+    for (const mesh::CrackFront& front : at.tips) {
       // The second tip, or the only one, stands at the last point of its line.
       const bool second = front.number == 2 || !line.embedded;
       if (model_.growth->flow_stress && front.crack == line.crack &&
@@ -349,15 +349,15 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   return true;
 }
 
-void GrowthMeasure::plastic(const results::Increment& increment, const mesh::Front& front,
+void GrowthMeasure::plastic(const results::Increment& increment, const mesh::CrackFront& front,
                             const mesh::CrackLine& line, growth::TipStation& found) const {
-  const growth::Heading heading{front.tip().x, front.tip().growth};
+  const growth::Heading heading{front.tip_point().x, front.tip_point().growth};
   // Without an edge ahead there is no ligament that could yield.
   if (const auto edge = around_.edge_ahead(line, heading)) {
-    found.plastic =
-        growth::plastic_part(model_, increment.mesh,
-                             {front.tip().node, front.tip().x, front.tip().growth, edge->distance},
-                             increment.steps[largest_step(model_)].u, *model_.growth->flow_stress);
+    found.plastic = growth::plastic_part(
+        model_, increment.mesh,
+        {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
+        increment.steps[largest_step(model_)].u, *model_.growth->flow_stress);
   }
 }
 

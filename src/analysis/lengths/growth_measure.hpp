@@ -27,7 +27,7 @@ life::GrowthRateLaw law_of(const model::CrackGrowthSettings& growth);
 /// A solved state of the cracks.
 struct SolvedLength {
   const results::Increment& increment;
-  const std::vector<mesh::Front>& tips;
+  const std::vector<mesh::CrackFront>& tips;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackState& cracks;
   const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
@@ -143,7 +143,7 @@ private:
                                 growth::TipStation& found) const;
   /// Whether a tip with this K is open at the largest load: a closed one grows nowhere.
   [[nodiscard]] static bool opens(const base::Vec2& K);
-  void plastic(const results::Increment& increment, const mesh::Front& front,
+  void plastic(const results::Increment& increment, const mesh::CrackFront& front,
                const mesh::CrackLine& line, growth::TipStation& found) const;
 
   const model::Model& model_;

@@ -44,7 +44,7 @@ public:
   std::optional<results::Increment> solve(const LengthRequest& request, const RegionPlan& plan);
 
   /// Of the state that was solved last.
-  [[nodiscard]] const std::vector<mesh::Front>& tips() const { return tips_; }
+  [[nodiscard]] const std::vector<mesh::CrackFront>& tips() const { return tips_; }
 
   /// By front in space, with SFLOW: force and moments of the section before it at the growth's
   /// largest load, over their plastic limit.
@@ -111,7 +111,7 @@ private:
   std::optional<FreeFaces> free_;
   ContactMemory contact_;
   estimate::ModeMatrixCache modes_;
-  std::vector<mesh::Front> tips_;
+  std::vector<mesh::CrackFront> tips_;
   std::vector<double> plastic_;
   bool first_ = true;
 };

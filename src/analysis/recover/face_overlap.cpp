@@ -15,17 +15,18 @@ constexpr double least_crack_overlap = 1e-3;
 
 } // namespace
 
-std::string face_overlap(const Scene& scene, const mesh::Front& front, const StepState& state) {
+std::string face_overlap(const Scene& scene, const mesh::CrackFront& front,
+                         const StepState& state) {
   const mesh::CrackFaces& faces = scene.cracked.faces[front.crack.index()];
   double deepest = 0.0;
   double largest = 0.0;
   std::size_t count = 0;
-  const auto twins = faces.twins();
+  const auto twins = faces.node_pairs();
   for (const auto& [upper, lower] : twins) {
     const base::Vec3 apart = state.u.segment<3>(3 * static_cast<Eigen::Index>(upper.index())) -
                              state.u.segment<3>(3 * static_cast<Eigen::Index>(lower.index()));
     const base::Vec3& x = scene.cracked.mesh.x[upper.index()];
-    const double opening = apart.dot(front.curve->at(front.curve->nearest(x)).b);
+    const double opening = apart.dot(front.curve->at(front.curve->nearest_length(x)).b);
     deepest = std::max(deepest, -opening);
     largest = std::max(largest, apart.norm());
     count += opening < 0.0 ? 1 : 0;

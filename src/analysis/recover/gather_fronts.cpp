@@ -80,7 +80,7 @@ results::FrontPlace place_of(const model::CrackDefinition& crack, const mesh::Fr
 void gather_fronts(const model::Model& model, const Scene& scene, const StepState& state,
                    results::StepResult& out) {
   for (const FrontScene& at : scene.fronts) {
-    const mesh::Front& front = at.front;
+    const mesh::CrackFront& front = at.front;
     const model::CrackDefinition& crack = model.cracks[front.crack.index()];
     const model::CrackExtensionSettings* vce = request_of(model, front.crack);
     crack::FrontIntensityRequest request;

@@ -11,7 +11,7 @@ namespace spricka::analysis {
 struct TipState {
   const model::Model& model;
   const Scene& scene;
-  const mesh::Front& front;
+  const mesh::CrackFront& front;
   const StepState& state;
   const crack::StressIntensity& K;
 };

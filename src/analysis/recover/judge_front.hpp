@@ -15,7 +15,7 @@ inline constexpr double worst_open_front = 0.01;
 struct FrontState {
   const model::Model& model;
   const Scene& scene;
-  const mesh::Front& front;
+  const mesh::CrackFront& front;
   const StepState& state;
   const std::vector<crack::StressIntensity>& K;
   const std::vector<FrontFaces>& faces; ///< [point]; empty: they touch nowhere

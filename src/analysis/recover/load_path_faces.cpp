@@ -60,7 +60,7 @@ base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most
   if (first < K) { // all K at once
     base::Matrix nodal = base::Matrix::Zero(size, K);
     for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-      const mesh::Front& front = scene_.cracked.fronts[t];
+      const mesh::CrackFront& front = scene_.cracked.fronts[t];
       layout.columns(nodal, t) =
           crack::intensity_rows(model_, scene_.cracked, front, scene_.tips[t].fields,
                                 model_.cracks[front.crack.index()].state);

@@ -110,7 +110,7 @@ double apart_from(const results::PathFront& front, double t, const results::Fron
 std::vector<std::optional<std::size_t>>
 LoadPaths::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
   std::vector<std::optional<std::size_t>> out;
-  const mesh::Front& front = scene_.fronts[f].front;
+  const mesh::CrackFront& front = scene_.fronts[f].front;
   for (const std::optional<std::size_t>& row : rows_at_front(scene_, front)) {
     std::optional<std::size_t>& place = out.emplace_back();
     if (!row) {

@@ -26,7 +26,7 @@ constexpr Eigen::Index most_columns = 64;
 
 crack::StressIntensity intensity(const model::Model& model, const Scene& scene, std::size_t t,
                                  const base::Vector& u, const base::Vector& case_factor) {
-  const mesh::Front& front = scene.cracked.fronts[t];
+  const mesh::CrackFront& front = scene.cracked.fronts[t];
   crack::TipIntensityRequest request; // without SHIFT: linear in u
   request.state = model.cracks[front.crack.index()].state;
   return crack::stress_intensity(model, scene.cracked, front, scene.tips[t].fields, request, u,

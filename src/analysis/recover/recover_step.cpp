@@ -38,7 +38,7 @@ const model::CrackExtensionSettings* vce_of(const model::Model& model, base::Cra
 void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
                  results::StepResult& out) {
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
-    const mesh::Front& front = scene.cracked.fronts[t];
+    const mesh::CrackFront& front = scene.cracked.fronts[t];
     const model::CrackDefinition& crack = model.cracks[front.crack.index()];
     crack::TipIntensityRequest request;
     request.state = crack.state;
@@ -56,8 +56,8 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     results::TipResult result;
     result.name = tip_name(model, scene.cracked, front);
     result.a = base::remove_round_off(front.a);
-    result.x = front.tip().x;
-    result.direction = front.tip().growth;
+    result.x = front.tip_point().x;
+    result.direction = front.tip_point().growth;
     result.K1 = K.K1;
     result.K2 = K.K2;
     result.G = K.G;

@@ -33,10 +33,12 @@ double patch_size(const results::Increment& increment, const base::Vec2& at) {
   return closest < size ? size : 0.0;
 }
 
-const mesh::SizeMap::Wish* nearest(const std::vector<mesh::SizeMap::Wish>& list,
-                                   const base::Vec2& at) {
-  const auto found = std::ranges::min_element(
-      list, {}, [&](const mesh::SizeMap::Wish& wish) { return (wish.at - at).squaredNorm(); });
+const mesh::SizeMap::SizeRequest* nearest(const std::vector<mesh::SizeMap::SizeRequest>& list,
+                                          const base::Vec2& at) {
+  const auto found =
+      std::ranges::min_element(list, {}, [&](const mesh::SizeMap::SizeRequest& wish) {
+        return (wish.at - at).squaredNorm();
+      });
   return found == list.end() ? nullptr : &*found;
 }
 
@@ -115,15 +117,15 @@ Followers followers_of(const std::vector<Place>& places, const Elements& element
     double largest = place.patch;
     for (const auto& [net, list] : elements.kept) {
       const auto cavity = elements.cut.find(net);
-      const mesh::SizeMap::Wish* own = nearest(list, place.at);
-      const mesh::SizeMap::Wish* cut =
+      const mesh::SizeMap::SizeRequest* own = nearest(list, place.at);
+      const mesh::SizeMap::SizeRequest* cut =
           cavity == elements.cut.end() ? nullptr : nearest(cavity->second, place.at);
-      const auto distance = [&](const mesh::SizeMap::Wish* wish) {
+      const auto distance = [&](const mesh::SizeMap::SizeRequest* wish) {
         return wish == nullptr ? std::numeric_limits<double>::infinity()
                                : (wish->at - place.at).norm();
       };
       const bool in_patch = distance(cut) < distance(own);
-      const mesh::SizeMap::Wish* there = in_patch ? cut : own;
+      const mesh::SizeMap::SizeRequest* there = in_patch ? cut : own;
       if (there != nullptr && distance(there) < there->size && !(in_patch && place.patch > 0.0)) {
         here.emplace(net, there->size);
         largest = std::max(largest, there->size);

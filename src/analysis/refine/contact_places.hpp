@@ -16,7 +16,7 @@ namespace spricka::analysis {
 base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e);
 double size_of(const model::Mesh& mesh, base::ElementId e);
 
-using Wishes = std::map<std::string, std::vector<mesh::SizeMap::Wish>>; // by net
+using Wishes = std::map<std::string, std::vector<mesh::SizeMap::SizeRequest>>; // by net
 
 /// A place on contact surfaces that needs smaller elements.
 struct Place {

@@ -28,7 +28,7 @@ bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) 
   const auto has = [&](base::FaceSetId set) {
     return set.valid() &&
            std::ranges::any_of(model.mesh.set_with_id(set).faces, [&](const model::Face& f) {
-             const mesh::Edge edge = mesh::edge_of(model.mesh, f);
+             const mesh::ElementEdge edge = mesh::element_edge(model.mesh, f);
              const double length =
                  (model.mesh.x[edge.b.index()] - model.mesh.x[edge.a.index()]).norm();
              return mesh::nearest_on(model.mesh, edge, line.points.front()).distance <
@@ -41,9 +41,10 @@ bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) 
          });
 }
 
-std::vector<mesh::TipMesh> tip_meshes(const model::Model& model, const mesh::Host& host,
-                                      const std::vector<mesh::CrackLine>& lines) {
-  std::vector<mesh::TipMesh> tips;
+std::vector<mesh::TipMeshParameters> tip_meshes(const model::Model& model,
+                                                const mesh::HostMesh& host,
+                                                const std::vector<mesh::CrackLine>& lines) {
+  std::vector<mesh::TipMeshParameters> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(host, line, tip_net_of(model, line.crack), lines));
@@ -53,10 +54,10 @@ std::vector<mesh::TipMesh> tip_meshes(const model::Model& model, const mesh::Hos
 }
 
 // What $TIPNET does not say is 0. [crack]
-std::vector<mesh::TubeMesh> tube_meshes(const model::Model& model) {
-  std::vector<mesh::TubeMesh> tubes;
+std::vector<mesh::TubeMeshParameters> tube_meshes(const model::Model& model) {
+  std::vector<mesh::TubeMeshParameters> tubes;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
-    mesh::TubeMesh tube;
+    mesh::TubeMeshParameters tube;
     if (const model::TipMeshSettings* tip = tip_net_of(model, base::CrackId(i))) {
       tube.radius = tip->radius.value_or(0.0);
       tube.size = tip->size.value_or(0.0);
@@ -90,9 +91,9 @@ bool find_cracks(const model::Model& model, mesh::CrackedMesh& cracked,
     if (crack.kind != model::CrackDefinitionKind::front || !crack.path.valid()) {
       continue;
     }
-    const mesh::FoundCrack found{base::CrackId(c), crack.name,
-                                 model.mesh.set_with_id(crack.path).nodes};
-    if (const std::string why = mesh::find_crack(found, cracked); !why.empty()) {
+    const mesh::ExistingCrack found{base::CrackId(c), crack.name,
+                                    model.mesh.set_with_id(crack.path).nodes};
+    if (const std::string why = mesh::find_existing_crack(found, cracked); !why.empty()) {
       diagnostics.error(crack.span, "E439", fmt::format("crack {}: {}", crack.name, why));
       good = false;
     }
@@ -103,9 +104,9 @@ bool find_cracks(const model::Model& model, mesh::CrackedMesh& cracked,
 std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
                                                base::Diagnostics& diagnostics) {
   std::vector<mesh::SolidCrack> cut = mesh::solid_cracks(model);
-  std::vector<mesh::TubeMesh> tubes;
+  std::vector<mesh::TubeMeshParameters> tubes;
   std::vector<base::SourceSpan> cards;
-  const std::vector<mesh::TubeMesh> all = tube_meshes(model);
+  const std::vector<mesh::TubeMeshParameters> all = tube_meshes(model);
   for (const mesh::SolidCrack& crack : cut) {
     tubes.push_back(all[crack.crack.index()]);
     cards.push_back(model.cracks[crack.crack.index()].span);
@@ -141,7 +142,7 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
   for (const mesh::CrackLine& line : lines) {
     spans.push_back(model.cracks[line.crack.index()].span);
   }
-  const mesh::Host host(model.mesh);
+  const mesh::HostMesh host(model.mesh);
   std::optional<mesh::CrackedMesh> cracked =
       mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
   if (cracked) {
@@ -174,7 +175,7 @@ void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>
                    RegionPlan& plan) {
   plan.region.resize(model.mesh.element_count(), false);
   plan.split = true;
-  const mesh::Host host(model.mesh);
+  const mesh::HostMesh host(model.mesh);
   for (const base::ElementId e : mesh::crack_region(host, lines, tip_meshes(model, host, lines))) {
     plan.region[e.index()] = true;
   }

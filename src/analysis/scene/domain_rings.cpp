@@ -14,7 +14,8 @@ std::vector<int> domain_rings(const model::Model& model, base::CrackId crack) {
     }
   }
   const model::TipMeshSettings* tip = tip_net_of(model, crack);
-  const int usual = model.mesh.dim == 3 ? mesh::TubeMesh{}.rings : model::TipMeshSettings{}.rings;
+  const int usual =
+      model.mesh.dim == 3 ? mesh::TubeMeshParameters{}.rings : model::TipMeshSettings{}.rings;
   const int rings = tip != nullptr ? tip->rings : usual;
   std::vector<int> domains;
   for (int ring = 2; ring <= rings; ++ring) {

@@ -111,7 +111,7 @@ std::string remedy_at(const model::Model& model, const Scene& scene,
 }
 
 // Points inside the body that no domain belongs to.
-std::vector<std::size_t> points_without(const mesh::Front& front,
+std::vector<std::size_t> points_without(const mesh::CrackFront& front,
                                         const crack::FrontExtensions& fields) {
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
@@ -126,7 +126,7 @@ std::vector<std::size_t> points_without(const mesh::Front& front,
 // where those of the usual domains have no room the first one is a domain, too. Where that has none
 // a smooth curve through the others would be no K.
 crack::FrontExtensions fields_of(const model::Model& model, const Scene& scene,
-                                 const mesh::Front& front, base::Diagnostics& diagnostics) {
+                                 const mesh::CrackFront& front, base::Diagnostics& diagnostics) {
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = front_limits(model, scene);
   crack::FrontExtensions fields = crack::front_extensions(scene.cracked, front, rings, limits);
@@ -197,7 +197,7 @@ crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
 
 // How deep a crack reaches behind an open front: the area of a face over the chord of the front's
 // ends.
-double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
+double mean_depth(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front) {
   Vec3 area = Vec3::Zero();
   for (const model::Face& face : cracked.faces[front.crack.index()].left_sides) {
     fe::with_any_side(cracked.mesh, face,
@@ -213,7 +213,7 @@ double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
 
 bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   bool good = true;
-  for (mesh::Front& front : scene.cracked.fronts) {
+  for (mesh::CrackFront& front : scene.cracked.fronts) {
     if (model.cracks[front.crack.index()].kind == model::CrackDefinitionKind::ellipse) {
       front.a = model.cracks[front.crack.index()].plane.a;
     } else if (front.points.front().at_surface && !model.cracks[front.crack.index()].plane.closed) {

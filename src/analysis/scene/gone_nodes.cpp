@@ -141,13 +141,14 @@ std::vector<GonePlace> gone_places(const model::Mesh& host, const model::Mesh& c
 }
 
 void note_gone_nodes(const model::Model& model, Scene& scene) {
-  if (scene.cracked.lost.empty()) {
+  if (scene.cracked.removed_nodes.empty()) {
     return;
   }
   std::vector<bool> named(model.mesh.node_count(), false);
   for (std::size_t s = 0; s < model.mesh.node_sets.size(); ++s) {
-    const bool lost = s < scene.cracked.lost.size() && !model.mesh.node_sets[s].name.empty();
-    for (const NodeId n : lost ? scene.cracked.lost[s] : std::vector<NodeId>()) {
+    const bool lost =
+        s < scene.cracked.removed_nodes.size() && !model.mesh.node_sets[s].name.empty();
+    for (const NodeId n : lost ? scene.cracked.removed_nodes[s] : std::vector<NodeId>()) {
       named[n.index()] = true;
     }
   }

@@ -96,7 +96,7 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
   }
   bool good = true;
   const crack::TipNeighbourhood around(scene.cracked.mesh);
-  for (const mesh::Front& front : scene.cracked.fronts) {
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
     TipScene ring;
     const crack::DomainLimits limits = domain_limits(model, scene, front);
     ring.fields = around.extension_fields(scene.cracked, front, domain_rings(model, front.crack),

@@ -27,7 +27,7 @@ struct Border {
 std::vector<Border> borders_of(const model::Mesh& mesh, const model::FaceSet& set) {
   std::map<base::NodeId, std::pair<int, double>> met; // how often, and the edge's length
   for (const model::Face& face : set.faces) {
-    const mesh::Edge edge = mesh::edge_of(mesh, face);
+    const mesh::ElementEdge edge = mesh::element_edge(mesh, face);
     const double length = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
     for (const base::NodeId n : {edge.a, edge.b}) {
       ++met[n].first;
@@ -62,7 +62,7 @@ std::set<base::FaceSetId> sets_that_act(const model::Model& model) {
 void tell_moved_borders(const model::Model& model, const mesh::CrackedMesh& cracked,
                         base::Diagnostics& diagnostics) {
   constexpr double same_place = 1e-6; // of an edge
-  if (std::ranges::none_of(cracked.fronts, &mesh::Front::symmetric_half)) {
+  if (std::ranges::none_of(cracked.fronts, &mesh::CrackFront::symmetric_half)) {
     return; // elsewhere the boundary keeps its nodes
   }
   for (const base::FaceSetId id : sets_that_act(model)) {

@@ -48,7 +48,7 @@ struct TipScene {
 
 /// A front in space and the domains round it.
 struct FrontScene {
-  mesh::Front front;
+  mesh::CrackFront front;
   crack::FrontExtensions fields;
 };
 

@@ -13,8 +13,8 @@ std::shared_ptr<const fe::CaseTemperature> heat_of(const model::Model& model, co
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;
   }
-  for (const mesh::Front& front : scene.cracked.fronts) {
-    patched.tips.push_back(front.tip().node);
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
+    patched.tips.push_back(front.tip_point().node);
   }
   return std::make_shared<const fe::CaseTemperature>(
       fe::make_case_temperature(model, patched, load_case));

@@ -24,7 +24,8 @@ public:
         membership_(scene.cracked.mesh, scene.cracked.faces) {}
 
   void set(base::NodeSetId id, const base::SourceSpan& span, const char* what) {
-    for (const auto& choice : membership_.choices(scene_.cracked.mesh.set_with_id(id).nodes)) {
+    for (const auto& choice :
+         membership_.choose_face_nodes(scene_.cracked.mesh.set_with_id(id).nodes)) {
       if (choice.alone) {
         report(choice.nodes, span, what);
         return;
@@ -33,7 +34,7 @@ public:
   }
 
   void node(base::NodeId n, const base::SourceSpan& span, const char* what) {
-    if (const auto nodes = membership_.nodes_with(n); !nodes.empty()) {
+    if (const auto nodes = membership_.coincident_nodes(n); !nodes.empty()) {
       report(nodes, span, what);
     }
   }
@@ -78,8 +79,9 @@ std::vector<bool> marked(const model::Mesh& mesh, const std::vector<base::NodeId
 }
 
 /// Sides at the nodes of a crack face that lead away from its line.
-std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
-                                  const std::vector<base::NodeId>& crack_face, std::size_t across) {
+std::vector<mesh::ElementEdge> sides_off(const model::Mesh& mesh,
+                                         const std::vector<base::NodeId>& crack_face,
+                                         std::size_t across) {
   const std::vector<bool> on_crack_face = marked(mesh, crack_face);
   const auto a = static_cast<Eigen::Index>(across);
   const base::Vec3& start = mesh.x[crack_face.front().index()];
@@ -88,7 +90,7 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
   const auto on_line = [&](base::NodeId n) {
     return std::abs(mesh.x[n.index()][a] - start[a]) <= near;
   };
-  std::vector<mesh::Edge> sides;
+  std::vector<mesh::ElementEdge> sides;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId element(e);
     if (std::ranges::none_of(mesh.element_nodes(element),
@@ -96,7 +98,7 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const mesh::Edge edge = mesh::edge_of(mesh, {element, s});
+      const mesh::ElementEdge edge = mesh::element_edge(mesh, {element, s});
       // One end on the face, the other off the line: a side that a support may hold for reasons of
       // its own.
       if (on_crack_face[edge.a.index()] != on_crack_face[edge.b.index()] &&
@@ -112,13 +114,13 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
 std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh,
                               const std::vector<base::NodeId>& crack_face, std::size_t across) {
   std::vector<bool> held(mesh.node_count(), false);
-  const std::vector<mesh::Edge> sides = sides_off(mesh, crack_face, across);
+  const std::vector<mesh::ElementEdge> sides = sides_off(mesh, crack_face, across);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (freedom.cls != FreedomClass::suppressed || !freedom.dof[across]) {
       continue;
     }
     const std::vector<bool> in = marked(mesh, mesh.set_with_id(freedom.nodes).nodes);
-    for (const mesh::Edge& side : sides) {
+    for (const mesh::ElementEdge& side : sides) {
       if (in[side.a.index()] && in[side.b.index()]) {
         held[side.a.index()] = held[side.b.index()] = true;
       }
@@ -169,7 +171,7 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
     const base::Vec3 along = (lines[i].points.back() - lines[i].points.front()).normalized();
     const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
     const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
-    const std::vector<base::NodeId>& crack_face = crack_faces.own();
+    const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face();
     const std::vector<bool> held = held_beside(model, mesh, crack_face, across);
     // All but the tip, which stays on the line.
     for (std::size_t k = 0; k + 1 < crack_face.size(); ++k) {

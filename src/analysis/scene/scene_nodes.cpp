@@ -37,7 +37,7 @@ std::string changed(const model::Model& model, const Scene& scene, const model::
   const std::vector<base::NodeId> now = sorted(mesh.set_with_id(load.nodes).nodes);
   for (const base::NodeId n : before) {
     const auto stays = [&](base::NodeId m) { return std::ranges::binary_search(now, m); };
-    if (!stays(n) && std::ranges::none_of(crack_faces.nodes_with(n), stays)) {
+    if (!stays(n) && std::ranges::none_of(crack_faces.coincident_nodes(n), stays)) {
       return fmt::format("a crack has cut out node {}, which it loads", mesh.node_label[n.index()]);
     }
   }
@@ -88,10 +88,10 @@ bool supports_are_kept(const model::Model& model, const Scene& scene,
                        base::Diagnostics& diagnostics) {
   const auto keeps = [&](base::NodeSetId nodes, const base::SourceSpan& span, const char* what) {
     const std::size_t set = nodes.index();
-    if (set >= scene.cracked.lost.size() || scene.cracked.lost[set].empty()) {
+    if (set >= scene.cracked.removed_nodes.size() || scene.cracked.removed_nodes[set].empty()) {
       return true;
     }
-    const base::NodeId n = scene.cracked.lost[set].front();
+    const base::NodeId n = scene.cracked.removed_nodes[set].front();
     diagnostics.error(span, "E419",
                       fmt::format("a crack has cut out node {}, which is {} here",
                                   model.mesh.node_label[n.index()], what),

@@ -28,7 +28,7 @@ base::SourceSpan span_of(const model::Model& model, std::size_t mpc) {
 void add_rims(const model::Model& model, const mesh::CrackedMesh& cracked,
               std::vector<fe::Tie>& ties) {
   const int dim = cracked.mesh.dim;
-  for (const mesh::RimTie& rim : cracked.ties) {
+  for (const mesh::HangingNodeTie& rim : cracked.ties) {
     for (int c = 0; c < dim; ++c) {
       const auto freedom = [&](base::NodeId n) {
         return static_cast<std::int32_t>(n.index()) * dim + c;

@@ -20,7 +20,7 @@ public:
     use_.faces.assign(model.mesh.face_sets.size(), false);
   }
 
-  mesh::SetUse all() {
+  mesh::SetUsage all() {
     for (const model::ElementProperty& property : model_.properties) {
       mark(property.elements);
     }
@@ -109,12 +109,12 @@ private:
   }
 
   const model::Model& model_;
-  mesh::SetUse use_;
+  mesh::SetUsage use_;
 };
 
 } // namespace
 
-mesh::SetUse sets_in_use(const model::Model& model) {
+mesh::SetUsage sets_in_use(const model::Model& model) {
   return SetUses(model).all();
 }
 

@@ -10,6 +10,6 @@ namespace spricka::analysis {
 
 /// What a model does with the sets of its mesh: they hold, load, touch, tie, or are asked for by
 /// name. Groups of imported meshes that nothing names are not used.
-mesh::SetUse sets_in_use(const model::Model& model);
+mesh::SetUsage sets_in_use(const model::Model& model);
 
 } // namespace spricka::analysis

@@ -10,9 +10,9 @@ namespace spricka::analysis {
 
 /// What a tip is called: its crack's name, or NAME.1 and NAME.2 where the crack has two.
 inline std::string tip_name(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Front& front) {
+                            const mesh::CrackFront& front) {
   const std::string& name = model.cracks[front.crack.index()].name;
-  const auto of_crack = [&](const mesh::Front& t) { return t.crack == front.crack; };
+  const auto of_crack = [&](const mesh::CrackFront& t) { return t.crack == front.crack; };
   return std::ranges::count_if(cracked.fronts, of_crack) > 1
              ? name + "." + std::to_string(front.number)
              : name;

@@ -158,7 +158,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
 }
 
 crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
-                                  const mesh::Front& front) {
+                                  const mesh::CrackFront& front) {
   using model::FreedomClass;
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
@@ -174,8 +174,8 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
   }
   if (front.symmetric_half) {
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      const base::Vec3 d = mesh.x[n] - front.tip().x;
-      const base::Vec3 across(-front.tip().growth.y(), front.tip().growth.x(), 0.0);
+      const base::Vec3 d = mesh.x[n] - front.tip_point().x;
+      const base::Vec3 across(-front.tip_point().growth.y(), front.tip_point().growth.x(), 0.0);
       if (std::abs(d.dot(across)) < 1e-9 * front.a) {
         // The line of a half model is held across it, and the virtual extension moves along it.
         limits.node[n] = false;
@@ -185,7 +185,7 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
   if (model::axisymmetric(model)) {
     // Partners are carried round the axis with the section (crack.38): they have no place there.
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      limits.node[n] = limits.node[n] || mesh.x[n].x() < near_axis * front.tip().x.x();
+      limits.node[n] = limits.node[n] || mesh.x[n].x() < near_axis * front.tip_point().x.x();
     }
   }
   auto zone = static_cast<std::int64_t>(model.properties.size());
@@ -215,7 +215,7 @@ void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked)
     if (!crack.left.valid() || !crack.right.valid()) {
       continue;
     }
-    mesh::CrackSides faces = mesh::crack_sides(cracked.mesh, cracked.faces[i]);
+    mesh::CrackFaceSides faces = mesh::crack_face_sides(cracked.mesh, cracked.faces[i]);
     cracked.mesh.face_sets[crack.left.index()].faces = std::move(faces.left);
     cracked.mesh.face_sets[crack.right.index()].faces = std::move(faces.right);
   }
@@ -226,7 +226,7 @@ bool crack_faces_carry_no_totals(const model::Model& model, const Scene& scene,
   const model::Mesh& mesh = scene.cracked.mesh;
   std::set<model::Face> crack_faces;
   for (const mesh::CrackFaces& crack_face : scene.cracked.faces) {
-    const mesh::CrackSides faces = mesh::crack_sides(mesh, crack_face);
+    const mesh::CrackFaceSides faces = mesh::crack_face_sides(mesh, crack_face);
     crack_faces.insert(faces.left.begin(), faces.left.end());
     crack_faces.insert(faces.right.begin(), faces.right.end());
   }

@@ -21,7 +21,7 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
 /// What the domains of a tip must keep clear of: nodes that are held, tied or loaded one by one
 /// (those of a half model's own line are not), and the rims of what is heated.
 crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
-                                  const mesh::Front& front);
+                                  const mesh::CrackFront& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
 void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked);

@@ -37,7 +37,7 @@ std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFace
 }
 
 const std::vector<base::NodeId>& own_crack_face(const mesh::CrackFaces& crack_faces) {
-  return crack_faces.own();
+  return crack_faces.meshed_face();
 }
 
 // Nodes of the crack face that carries the rows, from a tip on.
@@ -86,7 +86,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
     const model::CrackDefinition& crack = model.cracks[i];
     model::Contact contact;
     contact.name = crack.name + ".FACES";
-    contact.mu = crack_faces.half() ? 0.0 : crack.mu; // mirrored: no slip
+    contact.mu = crack_faces.has_one_face() ? 0.0 : crack.mu; // mirrored: no slip
     contact.span = crack.span;
     scene.crack_face_pairs[i] = CrackFacePair{scene.pairs.size(), sides_of(mesh, crack_faces)};
     const bool friction = contact.mu > 0.0;
@@ -106,7 +106,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
   make_table(scene);
 }
 
-TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState& state) {
+TipFaces tip_faces(const Scene& scene, const mesh::CrackFront& front, const StepState& state) {
   TipFaces faces;
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
@@ -123,7 +123,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
   bool met = false;
   std::vector<bool> along; // closed, from the tip on
   for (const base::NodeId n :
-       from_tip(scene.cracked.faces[front.crack.index()], front.tip().node)) {
+       from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node)) {
     const std::size_t row = row_of(pair, n);
     along.push_back(row < closed.size() && closed[row]);
     met = met || along.back();
@@ -137,7 +137,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
   faces.open_nodes = met ? faces.open_nodes : 0;
   if (faces.closed && !pair.tangent.empty()) {
     const base::NodeId next =
-        from_tip(scene.cracked.faces[front.crack.index()], front.tip().node).front();
+        from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node).front();
     const contact::ConstraintRow& slip = pair.tangent[row_of(pair, next)];
     double size = 0.0;
     double jump = 0.0;
@@ -152,14 +152,14 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
   return faces;
 }
 
-std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Front& front) {
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return std::nullopt;
   }
   return scene.table.first[crack_face->pair] +
          row_of(scene.pairs[crack_face->pair],
-                from_tip(scene.cracked.faces[front.crack.index()], front.tip().node).front());
+                from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node).front());
 }
 
 base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
@@ -167,7 +167,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
   base::Matrix of_row =
       base::Matrix::Zero(layout.count(), static_cast<Eigen::Index>(scene.table.size()));
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
-    const mesh::Front& front = scene.cracked.fronts[t];
+    const mesh::CrackFront& front = scene.cracked.fronts[t];
     const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
     if (!crack_face) {
       continue;
@@ -189,7 +189,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
 }
 
 std::optional<crack::CrackFaceForces>
-crack_face_forces(const Scene& scene, const mesh::Front& front, const StepState& state) {
+crack_face_forces(const Scene& scene, const mesh::CrackFront& front, const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return std::nullopt;

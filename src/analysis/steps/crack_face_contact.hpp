@@ -29,10 +29,10 @@ struct TipFaces {
   double pressure = 0.0;   ///< largest between the faces [stress]
   int open_nodes = 0;      ///< open pairs from the tip to the first closed one; all open: 0
 };
-TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState& state);
+TipFaces tip_faces(const Scene& scene, const mesh::CrackFront& front, const StepState& state);
 
 /// The row of the table of the two nodes next to a tip; none where the faces are no pair.
-std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Front& front);
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::CrackFront& front);
 
 /// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
 /// forces between the faces of cracks (crack.33). [crack::KLayout, table row]
@@ -40,6 +40,6 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene);
 
 /// Forces between the faces of the tip's crack; none without a pair.
 std::optional<crack::CrackFaceForces>
-crack_face_forces(const Scene& scene, const mesh::Front& front, const StepState& state);
+crack_face_forces(const Scene& scene, const mesh::CrackFront& front, const StepState& state);
 
 } // namespace spricka::analysis

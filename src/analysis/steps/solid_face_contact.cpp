@@ -47,7 +47,7 @@ contact::PairConstraints solid_face_pair(const model::Model& model, const Scene&
 double solid_face_overlap(const model::Model& model, const Scene& scene, std::size_t line,
                           const base::Vector& u) {
   double largest = 0.0;
-  for (const auto& [upper, lower] : scene.cracked.faces[line].twins()) {
+  for (const auto& [upper, lower] : scene.cracked.faces[line].node_pairs()) {
     largest = std::max(largest, (at_node(u, upper) - at_node(u, lower)).norm());
   }
   if (!(largest > slip_of_solid_round_off * u.lpNorm<Eigen::Infinity>())) {
@@ -61,7 +61,7 @@ double solid_face_overlap(const model::Model& model, const Scene& scene, std::si
 }
 
 std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
-                                                      const mesh::Front& front) {
+                                                      const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return {};
@@ -79,7 +79,7 @@ std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
   return rows;
 }
 
-std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front,
+std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::CrackFront& front,
                                     const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {

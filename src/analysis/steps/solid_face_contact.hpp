@@ -28,10 +28,11 @@ struct FrontFaces {
 
 /// [point of the front] the row of its pair that holds the faces together behind it, if there is
 /// one; empty: the faces are no pair.
-std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene, const mesh::Front& front);
+std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
+                                                      const mesh::CrackFront& front);
 
 /// [point of the front]; empty: the faces are no pair.
-std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front,
+std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::CrackFront& front,
                                     const StepState& state);
 
 } // namespace spricka::analysis

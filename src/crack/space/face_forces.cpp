@@ -33,7 +33,7 @@ void subtract_at_nodes(const fe::ElementSide<2>& side, const fe::AnyElement<2>::
 } // namespace
 
 SurfaceGradients surface_gradients(const fe::ElementSide<2>& side, const shape::Point<2>& r) {
-  const fe::AnyElement<2>::Derivatives dN = side.shape.dN(r);
+  const fe::AnyElement<2>::SplineDerivatives dN = side.shape.dN(r);
   const Eigen::Matrix<double, 3, 2> slope = side.X.lazyProduct(dN);
   const Eigen::Matrix2d metric = slope.transpose() * slope;
   const Eigen::Matrix<double, 2, 3> back = metric.inverse() * slope.transpose();

@@ -26,7 +26,7 @@ std::vector<double> stations_along(const mesh::FrontCurve& curve) {
   constexpr std::size_t least = 12;
   std::vector<double> knots;
   for (const Vec3& x : curve.points()) {
-    knots.push_back(curve.nearest(x));
+    knots.push_back(curve.nearest_length(x));
   }
   knots.front() = 0.0;
   if (curve.closed()) {

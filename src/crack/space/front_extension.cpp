@@ -45,7 +45,7 @@ struct Follower {
 
 class FrontExtensionsBuilder {
 public:
-  FrontExtensionsBuilder(const mesh::CrackedMesh& cracked, const mesh::Front& front, int most,
+  FrontExtensionsBuilder(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front, int most,
                          const DomainLimits& limits)
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
         elements_(cracked.mesh), line_(front_mid_nodes(mesh_, elements_, front)),
@@ -137,9 +137,9 @@ private:
 
   void set_stations() {
     out_.points.resize(front_.points.size());
-    origin_ = curve_.nearest(front_.points.front().x);
+    origin_ = curve_.nearest_length(front_.points.front().x);
     for (const mesh::FrontPoint& point : front_.points) {
-      out_.station.push_back(along_front(curve_.nearest(point.x)));
+      out_.station.push_back(along_front(curve_.nearest_length(point.x)));
     }
     out_.station.front() = 0.0;
   }
@@ -156,10 +156,10 @@ private:
     for (std::size_t n = 0; n < limits_.node.size(); ++n) {
       fixed_[n] = limits_.node[n];
     }
-    for (const mesh::RimTie& tie : cracked_.ties) { // it goes with its masters
+    for (const mesh::HangingNodeTie& tie : cracked_.ties) { // it goes with its masters
       fixed_[tie.slave.index()] = false;
     }
-    for (const mesh::Front& other : cracked_.fronts) {
+    for (const mesh::CrackFront& other : cracked_.fronts) {
       for (const mesh::FrontPoint& point : other.points) {
         const bool own = other.crack == front_.crack && other.number == front_.number;
         fixed_[point.node.index()] = fixed_[point.node.index()] || !own;
@@ -210,7 +210,7 @@ private:
       return f;
     }
     const Vec3& x = mesh_.x[n.index()];
-    const mesh::FrontFrame frame = curve_.at(curve_.nearest(x));
+    const mesh::FrontFrame frame = curve_.at(curve_.nearest_length(x));
     f.hat = hat_at(frame.s);
     f.along = frame.m;
     if (fixed_[n.index()]) {
@@ -305,7 +305,7 @@ private:
     for (const NodeMotion& motion : field.motion) {
       at.emplace(motion.node, std::pair(motion.q, motion.along));
     }
-    for (const mesh::RimTie& tie : cracked_.ties) {
+    for (const mesh::HangingNodeTie& tie : cracked_.ties) {
       const bool near = at.contains(tie.slave) ||
                         std::ranges::any_of(tie.master, [&](NodeId n) { return at.contains(n); });
       if (!near) {
@@ -329,7 +329,7 @@ private:
     std::set<ElementId> touched;
     for (const auto& [node, moved] : at) {
       field.motion.push_back({.node = node, .q = moved.first, .along = moved.second});
-      const std::span<const ElementId> around = elements_.around(node);
+      const std::span<const ElementId> around = elements_.elements_around(node);
       touched.insert(around.begin(), around.end());
     }
     field.elements.assign(touched.begin(), touched.end());
@@ -340,7 +340,7 @@ private:
   }
 
   [[nodiscard]] bool leaves_material(std::size_t point, const ExtensionField& field) const {
-    const std::int64_t own = zone(elements_.around(front_.points[point].node).front());
+    const std::int64_t own = zone(elements_.elements_around(front_.points[point].node).front());
     return std::ranges::any_of(field.elements, [&](ElementId e) { return zone(e) != own; });
   }
 
@@ -383,7 +383,7 @@ private:
     if (fresh) {
       // Beyond an open end axes turn as they do there.
       const Vec3& x = mesh_.x[n.index()];
-      const double s = curve_.nearest(x);
+      const double s = curve_.nearest_length(x);
       const mesh::FrontFrame frame =
           curve_.at(curve_.closed() ? s : std::clamp(s, 0.0, curve_.length()));
       at->second = {frame.m, (x - frame.x).dot(frame.dt)};
@@ -393,7 +393,7 @@ private:
 
   const mesh::CrackedMesh& cracked_;
   const model::Mesh& mesh_;
-  const mesh::Front& front_;
+  const mesh::CrackFront& front_;
   const DomainLimits& limits_;
   mesh::NodeElements elements_;
   FrontMidNodes line_;
@@ -433,7 +433,7 @@ std::vector<ElementId> FrontExtensions::elements() const {
   return all;
 }
 
-FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::Front& front,
+FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
                                  const std::vector<int>& rings, const DomainLimits& limits) {
   if (rings.empty() || front.curve == nullptr) {
     return {};

@@ -52,7 +52,7 @@ struct FrontExtensions {
 /// A domain that would move a node of the limits (but for those that a row ties to others that move
 /// alike), of another front or another crack, leave the material or the surface, or reach as far as
 /// the front's centre of curvature is left out.
-FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::Front& front,
+FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
                                  const std::vector<int>& rings, const DomainLimits& limits = {});
 
 } // namespace spricka::crack

@@ -33,7 +33,7 @@ constexpr double beside_front = 1e-9;
 
 class FrontStress {
 public:
-  FrontStress(const FrontSetting& set, const mesh::Front& front, const FrontExtensions& fields)
+  FrontStress(const FrontSetting& set, const mesh::CrackFront& front, const FrontExtensions& fields)
       : set_(set), front_(front), fields_(fields) {}
 
   [[nodiscard]] AtFront of(const TipLoads& loads) const {
@@ -111,7 +111,7 @@ private:
   }
 
   const FrontSetting& set_;
-  const mesh::Front& front_;
+  const mesh::CrackFront& front_;
   const FrontExtensions& fields_;
 };
 
@@ -153,7 +153,7 @@ void summarise_point(const FrontSetting& set, StressIntensity& result) {
   }
 }
 
-FrontStations stations_of(const mesh::Front& front, const FrontExtensions& fields,
+FrontStations stations_of(const mesh::CrackFront& front, const FrontExtensions& fields,
                           const std::vector<StressIntensity>& K) {
   FrontStations at;
   at.s = fields.station;
@@ -170,7 +170,7 @@ FrontStations stations_of(const mesh::Front& front, const FrontExtensions& field
 
 } // namespace
 
-void smooth_along(const mesh::Front& front, const FrontExtensions& fields,
+void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
                   std::vector<StressIntensity>& result) {
   FrontStations at = stations_of(front, fields, result);
   base::Matrix values(static_cast<Eigen::Index>(result.size()), 3);
@@ -204,7 +204,7 @@ void smooth_along(const mesh::Front& front, const FrontExtensions& fields,
 
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
-                                             const mesh::Front& front,
+                                             const mesh::CrackFront& front,
                                              const FrontExtensions& fields,
                                              const FrontIntensityRequest& request,
                                              const base::Vector& u, const FrontLoads& loads) {
@@ -262,7 +262,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
 
 FrontIntensityConstant front_intensity_constant(const model::Model& model,
                                                 const mesh::CrackedMesh& cracked,
-                                                const mesh::Front& front,
+                                                const mesh::CrackFront& front,
                                                 const FrontExtensions& fields,
                                                 const FrontLoads& loads) {
   const KLayout layout(front.points.size(), 3);

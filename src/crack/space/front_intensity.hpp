@@ -19,14 +19,14 @@ struct FrontIntensityRequest {
 /// and no domains. The E' is that of plane strain: G = (K1^2 + K2^2) / E' + K3^2 / (2 mu).
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
-                                             const mesh::Front& front,
+                                             const mesh::CrackFront& front,
                                              const FrontExtensions& fields,
                                              const FrontIntensityRequest& request,
                                              const base::Vector& u, const FrontLoads& loads);
 
 /// Fills smooth values and those from inside (crack_space.15, crack_space.16) from K1, K2 and K3 of
 /// the points that have domains: linear in K.
-void smooth_along(const mesh::Front& front, const FrontExtensions& fields,
+void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
                   std::vector<StressIntensity>& result);
 
 /// What K1, K2 and K3 [KLayout] and T [point] have at u = 0: linear in the loads.
@@ -35,7 +35,7 @@ struct FrontIntensityConstant {
 };
 FrontIntensityConstant front_intensity_constant(const model::Model& model,
                                                 const mesh::CrackedMesh& cracked,
-                                                const mesh::Front& front,
+                                                const mesh::CrackFront& front,
                                                 const FrontExtensions& fields,
                                                 const FrontLoads& loads);
 

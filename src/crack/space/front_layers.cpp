@@ -19,7 +19,7 @@ using base::NodeId;
 // The mid node of the edge from a to b, of any element that has it; a itself: an edge without one.
 NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeElements& elements, NodeId a,
                       NodeId b) {
-  for (const ElementId e : elements.around(a)) {
+  for (const ElementId e : elements.elements_around(a)) {
     const base::ElementType type = mesh.type[e.index()];
     const std::span<const NodeId> nodes = mesh.element_nodes(e);
     for (int m = 0; m < shape::edge_count(type); ++m) {
@@ -49,7 +49,7 @@ std::vector<NodeId> corners_of(const model::Mesh& mesh, const model::Face& face)
 } // namespace
 
 FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                              const mesh::Front& front) {
+                              const mesh::CrackFront& front) {
   FrontMidNodes line;
   const std::size_t count = front.points.size();
   line.middle.resize(count);
@@ -70,7 +70,7 @@ FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements&
 }
 
 FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                         const mesh::Front& front, const FrontMidNodes& line, int count) {
+                         const mesh::CrackFront& front, const FrontMidNodes& line, int count) {
   FrontLayers layers;
   layers.of_node.assign(mesh.node_count(), -1);
   std::vector<NodeId> rim;
@@ -92,7 +92,7 @@ FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elem
   for (int layer = 1; layer <= count; ++layer) {
     std::vector<ElementId> fresh;
     for (const NodeId n : rim) {
-      for (const ElementId e : elements.around(n)) {
+      for (const ElementId e : elements.elements_around(n)) {
         if (!taken[e.index()]) {
           taken[e.index()] = true;
           fresh.push_back(e);
@@ -143,7 +143,7 @@ std::vector<model::Face> free_sides(const model::Mesh& mesh,
     }
   };
   // The quadrilateral may belong to an element beyond these: all sides that are alone are asked.
-  for (const model::Face& face : index.alone()) {
+  for (const model::Face& face : index.unshared_sides()) {
     look(face);
   }
   std::erase_if(sides, [&](const model::Face& face) { return joined.contains(face); });

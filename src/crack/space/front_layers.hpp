@@ -16,7 +16,7 @@ struct FrontMidNodes {
   bool closed = false;
 };
 FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                              const mesh::Front& front);
+                              const mesh::CrackFront& front);
 
 /// Layers of elements by nodes in common, the first those that have a node of the front.
 struct FrontLayers {
@@ -30,7 +30,7 @@ struct FrontLayers {
   }
 };
 FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                         const mesh::Front& front, const FrontMidNodes& line, int count);
+                         const mesh::CrackFront& front, const FrontMidNodes& line, int count);
 
 /// Sides of these elements that belong to the body's surface or to faces of cracks, ascending:
 /// those of one element only, but for quadrilaterals on which two triangles of other elements lie.

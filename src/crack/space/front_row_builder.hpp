@@ -44,7 +44,7 @@ using RowEntries = std::vector<Eigen::Triplet<double>>;
 /// One front with the motions of its points, and which points move an element.
 class IntensityRowBuilder {
 public:
-  IntensityRowBuilder(const FrontSetting& set, const mesh::Front& front,
+  IntensityRowBuilder(const FrontSetting& set, const mesh::CrackFront& front,
                       const FrontExtensions& fields, AuxiliaryFieldColumns columns)
       : set_(set), fields_(fields), columns_(std::move(columns)) {
     for (std::size_t i = 0; i < fields.points.size(); ++i) {

@@ -7,7 +7,7 @@ namespace spricka::crack {
 
 namespace {
 
-AuxiliaryFieldColumns modes(const mesh::Front& front) {
+AuxiliaryFieldColumns modes(const mesh::CrackFront& front) {
   // In a half model the others are zero by symmetry; their columns stay.
   return front.symmetric_half ? AuxiliaryFieldColumns{{1}} : AuxiliaryFieldColumns{{1, 2, 3}};
 }
@@ -36,7 +36,7 @@ SparseRows nothing(const mesh::CrackedMesh& cracked, Eigen::Index columns) {
 } // namespace
 
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::Front& front, const FrontExtensions& fields) {
+                                const mesh::CrackFront& front, const FrontExtensions& fields) {
   if (fields.empty()) {
     return nothing(cracked, KLayout(front.points.size(), 3).count());
   }
@@ -45,7 +45,7 @@ SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMe
 }
 
 SparseRows supplementary_front_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                    const mesh::Front& front, const FrontExtensions& fields,
+                                    const mesh::CrackFront& front, const FrontExtensions& fields,
                                     const SupplementaryFunctions& others) {
   if (fields.empty()) {
     return {3 * others.count, KLayout(front.points.size(), 3).count()};
@@ -56,7 +56,7 @@ SparseRows supplementary_front_rows(const model::Model& model, const mesh::Crack
 }
 
 SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                        const mesh::Front& front, const FrontExtensions& fields) {
+                        const mesh::CrackFront& front, const FrontExtensions& fields) {
   const auto count = static_cast<Eigen::Index>(front.points.size());
   if (fields.empty()) {
     return nothing(cracked, count);
@@ -81,7 +81,7 @@ SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& crac
 }
 
 SparseRows front_force_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Front& front, const FrontExtensions& fields,
+                            const mesh::CrackFront& front, const FrontExtensions& fields,
                             const std::vector<FacePointForces>& places) {
   if (fields.empty()) {
     Eigen::Index points = 0;

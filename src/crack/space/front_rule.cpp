@@ -32,7 +32,7 @@ double distance_by_width(const model::Mesh& mesh, base::ElementId e,
   for (const base::NodeId n : nodes) {
     centre += mesh.x[n.index()] / static_cast<double>(nodes.size());
   }
-  const double s = curve.nearest(centre);
+  const double s = curve.nearest_length(centre);
   const mesh::FrontFrame foot = curve.at(curve.closed() ? s : std::clamp(s, 0.0, curve.length()));
   const double bend = foot.dt.norm();
   // From the front beside a place, which bends away from its tangent, and from the centre.

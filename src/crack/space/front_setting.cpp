@@ -29,7 +29,7 @@ double FrontSetting::conversion_factor(std::size_t partner) const {
 }
 
 FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                           const mesh::Front& front, const FrontExtensions& fields) {
+                           const mesh::CrackFront& front, const FrontExtensions& fields) {
   // Domains stay within one material: any of their elements tells it.
   const base::ElementId near = fields.elements().front();
   const model::ElasticMaterial& material = model.element_material(cracked.mesh, near);
@@ -73,7 +73,8 @@ std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipL
   return forces;
 }
 
-std::vector<std::vector<NodeWeight>> strain_along(const mesh::Front& front, const model::Mesh& mesh,
+std::vector<std::vector<NodeWeight>> strain_along(const mesh::CrackFront& front,
+                                                  const model::Mesh& mesh,
                                                   const FrontExtensions& fields) {
   const std::size_t count = front.points.size();
   std::vector<std::vector<NodeWeight>> weights(count);

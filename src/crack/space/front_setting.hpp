@@ -45,7 +45,7 @@ struct FrontSetting {
 };
 /// Of the fields of a front, of which there is one at least.
 FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                           const mesh::Front& front, const FrontExtensions& fields);
+                           const mesh::CrackFront& front, const FrontExtensions& fields);
 
 /// Forces of the loads on sides round the front, at points; of the deck's own rules.
 std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads);
@@ -56,7 +56,7 @@ struct NodeWeight {
   base::NodeId node;
   base::Vec3 weight;
 };
-std::vector<std::vector<NodeWeight>> strain_along(const mesh::Front& front, const model::Mesh& mesh,
-                                                  const FrontExtensions& fields);
+std::vector<std::vector<NodeWeight>>
+strain_along(const mesh::CrackFront& front, const model::Mesh& mesh, const FrontExtensions& fields);
 
 } // namespace spricka::crack

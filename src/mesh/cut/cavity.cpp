@@ -24,22 +24,22 @@ constexpr double reach_of_tip = 2.5;
 /// Least distance of an edge that stays from the crack and the rosette, in its own lengths.
 constexpr double edge_room = 1.2;
 
-class Finder {
+class CavityFinder {
 public:
   /// `owner` tells of each element which cavity has it; `self` is the number of this one.
-  Finder(const Host& host, std::vector<const Placement*> placements,
-         std::vector<std::size_t>& owner, std::size_t self)
+  CavityFinder(const HostMesh& host, std::vector<const CrackPlacement*> placements,
+               std::vector<std::size_t>& owner, std::size_t self)
       : host_(host), mesh_(host.mesh()), places_(std::move(placements)), owner_(owner), self_(self),
         seed_(places_.front()->seed) {}
 
   /// Takes what the cracks need; returns the cavity that has some of it already, or none.
   std::size_t take_core() {
     std::vector<ElementId> front;
-    for (const Placement* place : places_) {
+    for (const CrackPlacement* place : places_) {
       front.push_back(place->seed);
       // The seed has one edge at that node only: the crack may start into any other element there.
       if (place->mouth && place->mouth->node.valid()) {
-        const auto around = host_.around(place->mouth->node);
+        const auto around = host_.elements_around(place->mouth->node);
         std::copy_if(around.begin(), around.end(), std::back_inserter(front),
                      [&](ElementId e) { return allowed(e); });
       }
@@ -52,7 +52,7 @@ public:
       const ElementId e = front.back();
       front.pop_back();
       for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        const auto next = host_.beyond({e, s});
+        const auto next = host_.neighbour({e, s});
         // (mesh.2), over neighbours only: elements that are near but across a slit do not come in.
         if (!next || has(*next) || !allowed(*next) || !near(*next)) {
           continue;
@@ -86,8 +86,8 @@ public:
     for (bool more = true; more;) {
       more = false;
       for (const model::Face& face : outline()) {
-        const auto next = host_.beyond(face);
-        if (next && allowed(*next) && is_long(edge_of(mesh_, face))) {
+        const auto next = host_.neighbour(face);
+        if (next && allowed(*next) && is_long(element_edge(mesh_, face))) {
           const bool taken = take(*next);
           other = taken ? other : owner_[next->index()];
           more = more || taken;
@@ -103,7 +103,7 @@ public:
     for (bool more = true; more;) {
       std::map<NodeId, int> leaving;
       for (const model::Face& face : outline()) {
-        ++leaving[edge_of(mesh_, face).a];
+        ++leaving[element_edge(mesh_, face).a];
       }
       more = false;
       for (const auto& [node, count] : leaving) {
@@ -122,10 +122,10 @@ public:
   [[nodiscard]] Cavity cavity() const {
     Cavity result;
     result.elements = elements();
-    for (const Chain& chain : chains(mesh_, outline())) {
+    for (const FaceChain& chain : build_chains(mesh_, outline())) {
       std::vector<OutlineEdge> loop;
       for (const model::Face& face : chain.faces) {
-        loop.push_back({face, edge_of(mesh_, face), !host_.beyond(face).has_value()});
+        loop.push_back({face, element_edge(mesh_, face), !host_.neighbour(face).has_value()});
       }
       result.loops.push_back(std::move(loop));
     }
@@ -150,18 +150,18 @@ private:
            mesh_.property[e.index()] == mesh_.property[seed_.index()];
   }
   [[nodiscard]] bool near(ElementId e) const {
-    return std::ranges::any_of(places_, [&](const Placement* place) {
+    return std::ranges::any_of(places_, [&](const CrackPlacement* place) {
       // In the frame of each crack, where its length a is 1.
       const std::vector<Vec2> shape = polygon(mesh_, e, place->frame);
       return distance(shape, place->line) < reach_of_line + same ||
-             std::ranges::any_of(place->tips, [&](const TipPlace& tip) {
+             std::ranges::any_of(place->tips, [&](const PlacedTip& tip) {
                return distance(shape, {tip.at, tip.at}) < reach_of_tip * place->radius + same;
              });
     });
   }
-  [[nodiscard]] bool is_long(const Edge& edge) const {
-    return std::ranges::any_of(places_, [&](const Placement* place) {
-      return mesh::is_long(mesh_, *place, edge, 1.0 / edge_room);
+  [[nodiscard]] bool is_long(const ElementEdge& edge) const {
+    return std::ranges::any_of(places_, [&](const CrackPlacement* place) {
+      return mesh::exceeds_clearance(mesh_, *place, edge, 1.0 / edge_room);
     });
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
@@ -173,14 +173,14 @@ private:
   /// True if anything was taken.
   bool take_around(NodeId n) {
     bool more = false;
-    for (const ElementId e : host_.around(n)) {
+    for (const ElementId e : host_.elements_around(n)) {
       more = (!has(e) && allowed(e) && take(e)) || more;
     }
     return more;
   }
 
   [[nodiscard]] std::size_t other_around(NodeId n) const {
-    for (const ElementId e : host_.around(n)) {
+    for (const ElementId e : host_.elements_around(n)) {
       if (!has(e) && owner_[e.index()] != none) {
         return owner_[e.index()];
       }
@@ -193,7 +193,7 @@ private:
     for (const ElementId e : elements()) {
       for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
         const model::Face face{e, s};
-        const auto other = host_.beyond(face);
+        const auto other = host_.neighbour(face);
         if (!other || !has(*other)) {
           result.push_back(face);
         }
@@ -202,9 +202,9 @@ private:
     return result;
   }
 
-  const Host& host_;
+  const HostMesh& host_;
   const model::Mesh& mesh_;
-  std::vector<const Placement*> places_;
+  std::vector<const CrackPlacement*> places_;
   std::vector<std::size_t>& owner_;
   std::size_t self_;
   ElementId seed_;
@@ -212,19 +212,20 @@ private:
 };
 
 /// Every cavity takes what it wants; returns two that want the same, if there are.
-std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>& finders) {
+std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<CavityFinder>& finders) {
   // All cores before the first layer: a crack cannot do without its core, layers give way.
   for (std::size_t i = 0; i < finders.size(); ++i) {
-    if (const std::size_t other = finders[i].take_core(); other != Finder::none) {
+    if (const std::size_t other = finders[i].take_core(); other != CavityFinder::none) {
       return std::pair(other, i);
     }
   }
   for (std::size_t i = 0; i < finders.size(); ++i) {
     finders[i].take_layer();
-    if (const std::size_t other = finders[i].take_beyond_long_edges(); other != Finder::none) {
+    if (const std::size_t other = finders[i].take_beyond_long_edges();
+        other != CavityFinder::none) {
       return std::pair(other, i);
     }
-    if (const std::size_t other = finders[i].take_pinched(); other != Finder::none) {
+    if (const std::size_t other = finders[i].take_pinched(); other != CavityFinder::none) {
       return std::pair(other, i);
     }
   }
@@ -233,29 +234,30 @@ std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>&
 
 } // namespace
 
-bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part) {
-  const Vec2 a = placement.frame.local(mesh.x[edge.a.index()]);
-  const Vec2 b = placement.frame.local(mesh.x[edge.b.index()]);
+bool exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
+                       const ElementEdge& edge, double part) {
+  const Vec2 a = placement.frame.rounded_local(mesh.x[edge.a.index()]);
+  const Vec2 b = placement.frame.rounded_local(mesh.x[edge.b.index()]);
   // The edge's chord as a polygon without area.
   double room = distance({a, b, a}, placement.line);
-  for (const TipPlace& tip : placement.tips) {
+  for (const PlacedTip& tip : placement.tips) {
     room = std::min(room, distance(tip.at, a, b) - placement.radius);
   }
   return part * room < (b - a).norm() - same;
 }
 
-Cavities find_cavities(const Host& host, std::span<const Placement> placements) {
+Cavities find_cavities(const HostMesh& host, std::span<const CrackPlacement> placements) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < placements.size(); ++i) {
     groups.push_back({i});
   }
-  std::vector<Finder> finders;
+  std::vector<CavityFinder> finders;
   std::vector<std::size_t> owner;
   for (bool more = true; more;) { // until no two of them want the same elements
-    owner.assign(host.mesh().element_count(), Finder::none);
+    owner.assign(host.mesh().element_count(), CavityFinder::none);
     finders.clear();
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      std::vector<const Placement*> members;
+      std::vector<const CrackPlacement*> members;
       for (const std::size_t i : groups[g]) {
         members.push_back(&placements[i]);
       }
@@ -273,7 +275,7 @@ Cavities find_cavities(const Host& host, std::span<const Placement> placements) 
     }
   }
   Cavities result;
-  for (const Finder& finder : finders) {
+  for (const CavityFinder& finder : finders) {
     result.each.push_back(finder.cavity());
   }
   result.cracks = std::move(groups);

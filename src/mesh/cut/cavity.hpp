@@ -12,7 +12,7 @@ namespace spricka::mesh {
 /// An edge of a cavity, cavity on the left.
 struct OutlineEdge {
   model::Face face; ///< of the host element inside the cavity
-  Edge edge;
+  ElementEdge edge;
   bool free = false; ///< on the host's boundary; else elements that stay lie beyond
 };
 
@@ -29,10 +29,11 @@ struct Cavities {
   std::vector<Cavity> each;
   std::vector<std::vector<std::size_t>> cracks; ///< [cavity] numbers of its placements, ascending
 };
-Cavities find_cavities(const Host& host, std::span<const Placement> placements);
+Cavities find_cavities(const HostMesh& host, std::span<const CrackPlacement> placements);
 
 /// Whether an edge is longer than its room, times `part`: its distance from the crack and from the
 /// rosettes.
-bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part);
+bool exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
+                       const ElementEdge& edge, double part);
 
 } // namespace spricka::mesh

@@ -35,10 +35,10 @@ std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
 }
 
 /// An edge as a polyline whose points lie the denser the nearer to the mouth, if that is on it.
-std::vector<Vec2> fine_curve(const model::Mesh& mesh, const Edge& edge,
-                             const Placement& placement) {
+std::vector<Vec2> fine_curve(const model::Mesh& mesh, const ElementEdge& edge,
+                             const CrackPlacement& placement) {
   std::vector<double> xi{-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0};
-  const EdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
+  const NearestEdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
   if (mouth.distance < same * placement.frame.a) {
     xi.push_back(mouth.xi);
     // The edge may be many times longer than the crack: steps that halve towards the mouth leave
@@ -52,14 +52,14 @@ std::vector<Vec2> fine_curve(const model::Mesh& mesh, const Edge& edge,
   std::vector<Vec2> result;
   result.reserve(xi.size());
   for (const double t : xi) {
-    result.push_back(placement.frame.exact(point_on(mesh, edge, t)));
+    result.push_back(placement.frame.exact_local(point_on(mesh, edge, t)));
   }
   return result;
 }
 
 /// Whether the crack starts into the body: between the boundary ahead of the mouth and, turning
 /// anticlockwise, the boundary before it.
-bool starts_inside(const Host& host, const Placement& placement, const Cavity& cavity) {
+bool starts_inside(const HostMesh& host, const CrackPlacement& placement, const Cavity& cavity) {
   const Vec2 along = (placement.line[1] - placement.line[0]).normalized();
   const auto angle = [&](const Vec2& p) { // from the crack, in (-pi, pi]
     return std::atan2(cross(along, p), along.dot(p));
@@ -87,7 +87,8 @@ bool starts_inside(const Host& host, const Placement& placement, const Cavity& c
 }
 
 /// Where a crack leaves its body or comes too near to its boundary, if it does.
-std::optional<Vec2> way_out(const Host& host, const Placement& placement, const Cavity& cavity) {
+std::optional<Vec2> way_out(const HostMesh& host, const CrackPlacement& placement,
+                            const Cavity& cavity) {
   if (placement.mouth && !starts_inside(host, placement, cavity)) {
     return placement.line[0];
   }
@@ -99,7 +100,8 @@ std::optional<Vec2> way_out(const Host& host, const Placement& placement, const 
       const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
       for (std::size_t i = 0; edge.free && i + 1 < curve.size(); ++i) {
         for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-          const Meeting meeting = nearest(line[k], line[k + 1], curve[i], curve[i + 1]);
+          const ClosestApproach meeting =
+              closest_approach(line[k], line[k + 1], curve[i], curve[i + 1]);
           if (meeting.distance < room) {
             return meeting.at;
           }
@@ -111,7 +113,7 @@ std::optional<Vec2> way_out(const Host& host, const Placement& placement, const 
 }
 
 /// The first element of another property that the crack or its rosette touches.
-std::optional<ElementId> foreign_element(const Host& host, const Placement& placement,
+std::optional<ElementId> foreign_element(const HostMesh& host, const CrackPlacement& placement,
                                          const Cavity& cavity) {
   const model::Mesh& mesh = host.mesh();
   // The cavity ends at borders of properties: an element beyond that the crack could meet touches
@@ -119,7 +121,7 @@ std::optional<ElementId> foreign_element(const Host& host, const Placement& plac
   std::set<ElementId> others;
   for (const ElementId e : cavity.elements) {
     for (const NodeId n : mesh.element_nodes(e)) {
-      for (const ElementId next : host.around(n)) {
+      for (const ElementId next : host.elements_around(n)) {
         if (mesh.property[next.index()] != mesh.property[e.index()]) {
           others.insert(next);
         }
@@ -128,7 +130,7 @@ std::optional<ElementId> foreign_element(const Host& host, const Placement& plac
   }
   for (const ElementId e : others) {
     const std::vector<Vec2> shape = polygon(mesh, e, placement.frame);
-    const bool near_tip = std::ranges::any_of(placement.tips, [&](const TipPlace& tip) {
+    const bool near_tip = std::ranges::any_of(placement.tips, [&](const PlacedTip& tip) {
       return distance(shape, {tip.at, tip.at}) < 1.1 * placement.radius;
     });
     if (distance(shape, placement.line) < same || near_tip) {
@@ -140,7 +142,7 @@ std::optional<ElementId> foreign_element(const Host& host, const Placement& plac
 
 } // namespace
 
-bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,
+bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const Cavity& cavity,
                   base::SourceSpan span, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
   if (const auto e = foreign_element(host, placement, cavity)) {
@@ -154,7 +156,7 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
   }
   for (const std::vector<OutlineEdge>& loop : cavity.loops) {
     for (const OutlineEdge& edge : loop) {
-      if (!edge.free && is_long(mesh, placement, edge.edge, longest_border)) {
+      if (!edge.free && exceeds_clearance(mesh, placement, edge.edge, longest_border)) {
         const base::Vec3& at = mesh.x[edge.edge.a.index()];
         diagnostics.error(
             span, "E424",

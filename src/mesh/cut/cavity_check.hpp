@@ -6,7 +6,7 @@
 namespace spricka::mesh {
 
 /// Whether the crack stays inside its cavity, in one material; errors at `span`.
-bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,
+bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const Cavity& cavity,
                   base::SourceSpan span, base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

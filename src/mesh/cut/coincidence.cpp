@@ -22,9 +22,9 @@ constexpr double same_place = 1e-4; // part of the shortest side
 
 /// One number for all points within `reach` of each other: the first such point's. Points are kept
 /// by cells much larger than that, so that a look into one of them nearly always tells.
-class Places {
+class CoincidentPoints {
 public:
-  explicit Places(double reach) : reach_(reach), width_(1e3 * reach) {}
+  explicit CoincidentPoints(double reach) : reach_(reach), width_(1e3 * reach) {}
 
   std::int64_t of(const Vec3& x) {
     // The point met before may stand in the next cell: all cells that a box of `reach_` round x
@@ -110,13 +110,14 @@ double shortest_side(const model::Mesh& mesh, const std::vector<model::Face>& fa
 
 } // namespace
 
-std::vector<Seam> seams(const model::Mesh& mesh, const std::vector<model::Face>& boundary) {
+std::vector<CoincidentFacePair> find_coincident_faces(const model::Mesh& mesh,
+                                                      const std::vector<model::Face>& boundary) {
   if (boundary.empty()) {
     return {};
   }
-  Places places(same_place * shortest_side(mesh, boundary));
+  CoincidentPoints places(same_place * shortest_side(mesh, boundary));
   std::map<std::vector<std::int64_t>, model::Face> seen;
-  std::vector<Seam> list;
+  std::vector<CoincidentFacePair> list;
   for (const model::Face& face : boundary) {
     std::vector<std::int64_t> key;
     for (const NodeId n : corners_of(mesh, face)) {
@@ -139,7 +140,7 @@ std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const 
     const double length = (mesh.x[nodes[1].index()] - mesh.x[nodes[0].index()]).norm();
     shortest = length > 0.0 ? std::min(shortest, length) : shortest;
   }
-  Places places(same_place * shortest);
+  CoincidentPoints places(same_place * shortest);
   std::unordered_map<std::int64_t, base::ElementId> seen;
   std::vector<std::pair<base::ElementId, base::ElementId>> list;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {

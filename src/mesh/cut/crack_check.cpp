@@ -48,7 +48,7 @@ std::string own_trouble(const CrackLine& line) {
     if (turn > sharpest_turn) {
       return fmt::format("{} turns back at {}, by {:.4g} degrees; at most {:.4g} leave room for "
                          "elements",
-                         line.title(), place(flat(x[i])), turn * 180.0 / std::numbers::pi,
+                         line.display_name(), place(flat(x[i])), turn * 180.0 / std::numbers::pi,
                          sharpest_turn * 180.0 / std::numbers::pi);
     }
   }
@@ -56,21 +56,22 @@ std::string own_trouble(const CrackLine& line) {
   for (std::size_t i = 1; i < x.size(); ++i) {
     // Segments next to each other share a point; their turn is checked above.
     for (std::size_t k = i + 2; k < x.size(); ++k) {
-      const Meeting m = nearest(flat(x[i - 1]), flat(x[i]), flat(x[k - 1]), flat(x[k]));
+      const ClosestApproach m =
+          closest_approach(flat(x[i - 1]), flat(x[i]), flat(x[k - 1]), flat(x[k]));
       if (m.distance < close) {
-        return fmt::format("{} crosses or touches itself at {}", line.title(), place(m.at));
+        return fmt::format("{} crosses or touches itself at {}", line.display_name(), place(m.at));
       }
     }
   }
   return {};
 }
 
-Meeting meeting(const CrackLine& one, const CrackLine& other) {
-  Meeting best;
+ClosestApproach meeting(const CrackLine& one, const CrackLine& other) {
+  ClosestApproach best;
   for (std::size_t i = 1; i < one.points.size(); ++i) {
     for (std::size_t k = 1; k < other.points.size(); ++k) {
-      const Meeting m = nearest(flat(one.points[i - 1]), flat(one.points[i]),
-                                flat(other.points[k - 1]), flat(other.points[k]));
+      const ClosestApproach m = closest_approach(flat(one.points[i - 1]), flat(one.points[i]),
+                                                 flat(other.points[k - 1]), flat(other.points[k]));
       best = m.distance < best.distance ? m : best;
     }
   }
@@ -79,8 +80,8 @@ Meeting meeting(const CrackLine& one, const CrackLine& other) {
 
 } // namespace
 
-bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::SourceSpan> spans,
-                     base::Diagnostics& diagnostics) {
+bool check_crack_lines(std::span<const CrackLine> lines, std::span<const base::SourceSpan> spans,
+                       base::Diagnostics& diagnostics) {
   bool good = true;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (const std::string why = own_trouble(lines[i]); !why.empty()) {
@@ -91,13 +92,13 @@ bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::Sou
       if (lines[i].net != lines[k].net) {
         continue; // nets may lie on each other
       }
-      const Meeting m = meeting(lines[i], lines[k]);
+      const ClosestApproach m = meeting(lines[i], lines[k]);
       if (m.distance < touching * std::min(length_of(lines[i]), length_of(lines[k]))) {
-        diagnostics.error(
-            spans[i], "E430",
-            fmt::format("{} meets {} at {}", lines[i].title(), lines[k].title(), place(m.at)),
-            "cracks with branches are not available: leave some ligament between "
-            "them, or join them to one line");
+        diagnostics.error(spans[i], "E430",
+                          fmt::format("{} meets {} at {}", lines[i].display_name(),
+                                      lines[k].display_name(), place(m.at)),
+                          "cracks with branches are not available: leave some ligament between "
+                          "them, or join them to one line");
         good = false;
       }
     }
@@ -133,7 +134,7 @@ double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
 
 } // namespace
 
-double room_beside_cracks(const CrackLine& line, std::span<const CrackLine> all) {
+double clearance_to_cracks(const CrackLine& line, std::span<const CrackLine> all) {
   const double room = room_at_end(line, line.points, all);
   return line.embedded
              ? std::min(room, room_at_end(line, {line.points.rbegin(), line.points.rend()}, all))

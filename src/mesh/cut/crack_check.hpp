@@ -10,11 +10,11 @@ namespace spricka::mesh {
 
 /// Whether cracks cross, touch or fold back on themselves or meet each other; errors at `span[i]`
 /// that say where.
-bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::SourceSpan> spans,
-                     base::Diagnostics& diagnostics);
+bool check_crack_lines(std::span<const CrackLine> lines, std::span<const base::SourceSpan> spans,
+                       base::Diagnostics& diagnostics);
 
 /// Room for a rosette at the tips of a crack as far as other cracks, and the crack's own earlier
 /// parts, leave it: the distance to them [deck length]. Infinite where there are none.
-double room_beside_cracks(const CrackLine& line, std::span<const CrackLine> all);
+double clearance_to_cracks(const CrackLine& line, std::span<const CrackLine> all);
 
 } // namespace spricka::mesh

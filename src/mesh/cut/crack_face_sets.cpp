@@ -34,7 +34,7 @@ CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
                                          std::span<const CrackFaces> crack_faces)
     : group_of_(mesh.node_count(), -1) {
   for (const CrackFaces& crack_face : crack_faces) {
-    for (const auto& [left, right] : crack_face.twins()) {
+    for (const auto& [left, right] : crack_face.node_pairs()) {
       add_group(left, right);
     }
   }
@@ -95,7 +95,7 @@ void CrackFaceMembership::find_sides(const model::Mesh& mesh,
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const Edge edge = edge_of(mesh, {element, s});
+      const ElementEdge edge = element_edge(mesh, {element, s});
       if (group_of_[edge.a.index()] >= 0 || group_of_[edge.b.index()] >= 0) {
         sides_.push_back({edge.a, edge.b, along.contains(std::minmax(edge.a, edge.b))});
       }
@@ -103,8 +103,8 @@ void CrackFaceMembership::find_sides(const model::Mesh& mesh,
   }
 }
 
-std::vector<CrackFaceMembership::Choice>
-CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
+std::vector<CrackFaceMembership::CrackFaceChoice>
+CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const {
   std::vector<bool> touched(groups_.size(), false);
   bool any = false;
   for (const NodeId n : members) {
@@ -113,7 +113,7 @@ CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
       any = true;
     }
   }
-  std::vector<Choice> result;
+  std::vector<CrackFaceChoice> result;
   if (!any) {
     return result;
   }
@@ -130,7 +130,7 @@ CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
   }
   std::vector<bool> beside(group_of_.size(), false); // a side of the set leads away from the crack
   std::vector<bool> line(group_of_.size(), false);   // one goes along it
-  for (const Side& side : sides_) {
+  for (const CrackNeighbourSide& side : sides_) {
     if (in[side.a.index()] && in[side.b.index()]) {
       std::vector<bool>& mark = side.along ? line : beside;
       mark[side.a.index()] = mark[side.b.index()] = true;
@@ -144,7 +144,7 @@ CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
     if (!touched[g]) {
       continue;
     }
-    Choice choice{groups_[g], {}, false};
+    CrackFaceChoice choice{groups_[g], {}, false};
     std::ranges::copy_if(groups_[g], std::back_inserter(choice.chosen),
                          [&](NodeId n) { return beside[n.index()]; });
     if (choice.chosen.empty()) {
@@ -156,18 +156,19 @@ CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
   return result;
 }
 
-std::span<const NodeId> CrackFaceMembership::nodes_with(NodeId node) const {
+std::span<const NodeId> CrackFaceMembership::coincident_nodes(NodeId node) const {
   const bool doubled = node.index() < group_of_.size() && group_of_[node.index()] >= 0;
   return doubled
              ? std::span<const NodeId>(groups_[static_cast<std::size_t>(group_of_[node.index()])])
              : std::span<const NodeId>();
 }
 
-void settle_crack_faces(model::Mesh& mesh, std::span<const CrackFaces> crack_faces) {
+void add_crack_face_nodes(model::Mesh& mesh, std::span<const CrackFaces> crack_faces) {
   const CrackFaceMembership membership(mesh, crack_faces);
   for (model::NodeSet& set : mesh.node_sets) {
     std::vector<NodeId> late;
-    for (const CrackFaceMembership::Choice& choice : membership.choices(set.nodes)) {
+    for (const CrackFaceMembership::CrackFaceChoice& choice :
+         membership.choose_face_nodes(set.nodes)) {
       // the set keeps its order: the first that is chosen stands where the host's node stood
       std::ranges::replace(set.nodes, choice.nodes.front(), choice.chosen.front());
       late.insert(late.end(), choice.chosen.begin() + 1, choice.chosen.end());

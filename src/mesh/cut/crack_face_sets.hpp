@@ -17,7 +17,7 @@ public:
   CrackFaceMembership(const model::Mesh& mesh, std::span<const CrackFaces> crack_faces);
 
   /// Nodes of one place, and those of them that belong to a set.
-  struct Choice {
+  struct CrackFaceChoice {
     std::vector<base::NodeId> nodes; ///< first the host's own
     std::vector<base::NodeId> chosen;
     /// No side of the set tells a face, nor does the set go along the crack: all are chosen.
@@ -26,13 +26,14 @@ public:
   /// For each place of which a set has at least one node. A node belongs to the set where a side of
   /// an element at it, but for sides of the crack itself, has both its corners in the set; a middle
   /// node where a corner next to it on its face does.
-  [[nodiscard]] std::vector<Choice> choices(const std::vector<base::NodeId>& members) const;
+  [[nodiscard]] std::vector<CrackFaceChoice>
+  choose_face_nodes(const std::vector<base::NodeId>& members) const;
 
   /// All nodes at the place of a doubled node, itself among them; empty for others.
-  [[nodiscard]] std::span<const base::NodeId> nodes_with(base::NodeId node) const;
+  [[nodiscard]] std::span<const base::NodeId> coincident_nodes(base::NodeId node) const;
 
 private:
-  struct Side {
+  struct CrackNeighbourSide {
     base::NodeId a, b;
     bool along = false; ///< a side of the crack
   };
@@ -43,12 +44,12 @@ private:
   std::vector<std::int32_t> group_of_; ///< [node] or -1
   std::vector<bool> corner_;           ///< [node]
   std::vector<std::vector<base::NodeId>> groups_;
-  std::vector<Side> sides_; ///< that have a corner among the groups
+  std::vector<CrackNeighbourSide> sides_; ///< that have a corner among the groups
   /// Middle nodes of faces with the corners next to them.
   std::vector<std::pair<base::NodeId, base::NodeId>> beside_;
 };
 
 /// Puts the nodes that cracks have made into the node sets of the host's, face by face.
-void settle_crack_faces(model::Mesh& mesh, std::span<const CrackFaces> crack_faces);
+void add_crack_face_nodes(model::Mesh& mesh, std::span<const CrackFaces> crack_faces);
 
 } // namespace spricka::mesh

@@ -9,21 +9,21 @@ namespace spricka::mesh {
 using base::ElementId;
 using base::NodeId;
 
-std::vector<ElementId> crack_region(const Host& host, std::span<const CrackLine> lines,
-                                    std::span<const TipMesh> tips) {
+std::vector<ElementId> crack_region(const HostMesh& host, std::span<const CrackLine> lines,
+                                    std::span<const TipMeshParameters> tips) {
   const model::Mesh& mesh = host.mesh();
   std::vector<bool> in(mesh.element_count(), false);
   base::Diagnostics ignored; // insert_cracks reports
-  std::vector<Placement> placements;
+  std::vector<CrackPlacement> placements;
   std::vector<ElementId> core;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (tips[i].patch) {
-      if (auto placement = place(host, lines[i], tips[i], {}, ignored)) {
+      if (auto placement = place_crack(host, lines[i], tips[i], {}, ignored)) {
         placements.push_back(std::move(*placement));
       }
     } else if (const auto path = path_nodes(host, lines[i], {}, ignored)) {
       for (const NodeId n : *path) {
-        core.insert(core.end(), host.around(n).begin(), host.around(n).end());
+        core.insert(core.end(), host.elements_around(n).begin(), host.elements_around(n).end());
       }
     }
   }
@@ -33,7 +33,7 @@ std::vector<ElementId> crack_region(const Host& host, std::span<const CrackLine>
   // One more layer, as a margin.
   for (const ElementId e : core) {
     for (const NodeId n : mesh.element_nodes(e)) {
-      for (const ElementId next : host.around(n)) {
+      for (const ElementId next : host.elements_around(n)) {
         in[next.index()] = true;
       }
     }

@@ -29,7 +29,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const Edge edge = edge_of(mesh, {element, s});
+      const ElementEdge edge = element_edge(mesh, {element, s});
       const auto from = place.find(left ? edge.a : edge.b);
       const auto to = place.find(left ? edge.b : edge.a);
       if (from == place.end() || to == place.end()) {
@@ -54,7 +54,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
 
 } // namespace
 
-CrackSides crack_sides(const model::Mesh& mesh, const CrackFaces& crack_faces) {
+CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaces& crack_faces) {
   if (mesh.dim == 3) {
     return {crack_faces.left_sides, crack_faces.right_sides};
   }

@@ -8,9 +8,9 @@ namespace spricka::mesh {
 
 /// The faces of a crack, in the plane from the mouth (or first tip) to the tip; one side is empty
 /// where the crack lies on a symmetry line.
-struct CrackSides {
+struct CrackFaceSides {
   std::vector<model::Face> left, right;
 };
-CrackSides crack_sides(const model::Mesh& mesh, const CrackFaces& crack_faces);
+CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaces& crack_faces);
 
 } // namespace spricka::mesh

@@ -24,13 +24,13 @@ struct CrackLine {
   std::vector<base::NodeId> path; ///< kind path: the ordered host nodes it runs along
   std::string name;               ///< for messages; empty: "crack 2" by its number
 
-  [[nodiscard]] std::string title() const {
+  [[nodiscard]] std::string display_name() const {
     return "crack " + (name.empty() ? std::to_string(crack.index() + 1) : name);
   }
 };
 
 /// How to mesh round one tip; all sizes in deck length, already chosen.
-struct TipMesh {
+struct TipMeshParameters {
   double radius = 0.0; ///< of the rosette
   double size = 0.0;   ///< radial length of the tip elements
   int rings = 5;       ///< rings of elements in the rosette, tip ring included
@@ -47,7 +47,7 @@ struct TipMesh {
 /// is finer than its host the place on the host's edge (ends and middle); the middle of the
 /// diagonal where two triangles meet one quadrilateral; the nodes inside a quadrilateral where four
 /// do.
-struct RimTie {
+struct HangingNodeTie {
   base::NodeId slave;
   std::vector<base::NodeId> master;
   std::vector<double> weight; ///< as many
@@ -68,22 +68,22 @@ struct FrontPoint {
 };
 
 /// Where a crack in space lies in its body.
-enum class CrackKind {
+enum class CrackConfiguration {
   embedded, ///< inside
   surface,  ///< one mouth on one smooth piece of the surface
   corner,   ///< one mouth across one edge of the body
   through,  ///< several mouths, or across several edges
 };
-inline const char* name_of(CrackKind kind) {
-  return kind == CrackKind::embedded  ? "embedded"
-         : kind == CrackKind::surface ? "surface"
-         : kind == CrackKind::corner  ? "corner"
-                                      : "through";
+inline const char* configuration_name(CrackConfiguration kind) {
+  return kind == CrackConfiguration::embedded  ? "embedded"
+         : kind == CrackConfiguration::surface ? "surface"
+         : kind == CrackConfiguration::corner  ? "corner"
+                                               : "through";
 }
 
 /// Where a front of a crack ended up in the mesh. K belongs to its points; in the plane there is
 /// one, the tip, in space one for each corner node on the front, in the order of t = m x b.
-struct Front {
+struct CrackFront {
   base::CrackId crack;
   int number = 1;      ///< 1, or 1 and 2 of an embedded crack
   double a = 0.0;      ///< crack length, half of it if embedded
@@ -92,11 +92,11 @@ struct Front {
   bool symmetric_half = false;
   std::vector<FrontPoint> points{FrontPoint{}}; ///< along the front
   std::shared_ptr<const FrontCurve> curve;      ///< in space: the front, with the crack's axes
-  CrackKind kind = CrackKind::embedded;         ///< in space, of the whole crack
+  CrackConfiguration kind = CrackConfiguration::embedded; ///< in space, of the whole crack
 
   /// The one point of a front in the plane.
-  [[nodiscard]] const FrontPoint& tip() const { return points.front(); }
-  [[nodiscard]] FrontPoint& tip() { return points.front(); }
+  [[nodiscard]] const FrontPoint& tip_point() const { return points.front(); }
+  [[nodiscard]] FrontPoint& tip_point() { return points.front(); }
 };
 
 /// The two faces of a crack by their nodes, the left one first, seen along the crack; of a
@@ -109,11 +109,13 @@ struct CrackFaces {
   std::vector<model::Face> left_sides{}, right_sides{}; ///< in space: element sides that make them
 
   /// Whether one is the mirror image of the other and not meshed.
-  [[nodiscard]] bool half() const { return left.empty() || right.empty(); }
+  [[nodiscard]] bool has_one_face() const { return left.empty() || right.empty(); }
   /// The face that is meshed, the left one of two.
-  [[nodiscard]] const std::vector<base::NodeId>& own() const { return left.empty() ? right : left; }
+  [[nodiscard]] const std::vector<base::NodeId>& meshed_face() const {
+    return left.empty() ? right : left;
+  }
   /// Nodes of both faces that lie on one another, left and right; not those that are one node.
-  [[nodiscard]] std::vector<std::pair<base::NodeId, base::NodeId>> twins() const {
+  [[nodiscard]] std::vector<std::pair<base::NodeId, base::NodeId>> node_pairs() const {
     std::vector<std::pair<base::NodeId, base::NodeId>> pairs;
     for (std::size_t i = 0; i < left.size() && i < right.size(); ++i) {
       if (left[i] != right[i]) {
@@ -130,13 +132,13 @@ struct CrackFaces {
 /// host with the cavity's members replaced, under the same set numbers.
 struct CrackedMesh {
   model::Mesh mesh;
-  std::vector<Front> fronts;
+  std::vector<CrackFront> fronts;
   std::vector<base::ElementId> host; ///< [element] the host element it is, or invalid if new
   std::vector<CrackFaces> faces;     ///< [crack line]
-  std::vector<RimTie> ties;          ///< of patches with a transition
+  std::vector<HangingNodeTie> ties;  ///< of patches with a transition
   /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
   /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
-  std::vector<std::vector<base::NodeId>> lost;
+  std::vector<std::vector<base::NodeId>> removed_nodes;
   std::vector<std::string> notes; ///< what was chosen, for the listing
 };
 

@@ -20,7 +20,7 @@ using base::Vec2;
 /// Finds the element of a cavity that a point lies in, or comes nearest to.
 class Locator {
 public:
-  Locator(const model::Mesh& host, const Graft& graft) : elements_(graft.cavity.elements) {
+  Locator(const model::Mesh& host, const PatchGraft& graft) : elements_(graft.cavity.elements) {
     for (const ElementId e : elements_) {
       std::vector<Vec2> outline = polygon(host, e, graft.frame);
       Vec2 low = outline.front();
@@ -37,7 +37,7 @@ public:
     ElementId best = elements_.front();
     double least = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < shapes_.size() && least > 0.0; ++i) {
-      const Shape& shape = shapes_[i];
+      const BoundedPolygon& shape = shapes_[i];
       const double away = std::max((shape.low - p).maxCoeff(), (p - shape.high).maxCoeff());
       if (away > least + same) {
         continue; // its box is farther off already
@@ -52,17 +52,17 @@ public:
   }
 
 private:
-  struct Shape {
+  struct BoundedPolygon {
     std::vector<Vec2> outline;
     Vec2 low, high;
   };
   const std::vector<ElementId>& elements_;
-  std::vector<Shape> shapes_;
+  std::vector<BoundedPolygon> shapes_;
 };
 
 class Grafter {
 public:
-  Grafter(const model::Mesh& host, std::span<Graft> grafts)
+  Grafter(const model::Mesh& host, std::span<PatchGraft> grafts)
       : host_(host), grafts_(grafts), kept_(host.element_count()), used_(host.node_count(), false) {
   }
 
@@ -85,7 +85,7 @@ private:
     mesh.x = host_.x;
     mesh.node_label = host_.node_label;
     mesh.node_net = host_.node_net;
-    for (Graft& g : grafts_) {
+    for (PatchGraft& g : grafts_) {
       const base::NetId net = host_.element_net[g.cavity.elements.front().index()];
       base::Label label = next_node_label(mesh, net);
       for (const PatchNode& node : g.patch.nodes) {
@@ -97,7 +97,7 @@ private:
 
   void keep_elements() {
     std::vector<bool> removed(host_.element_count(), false);
-    for (const Graft& g : grafts_) {
+    for (const PatchGraft& g : grafts_) {
       for (const ElementId e : g.cavity.elements) {
         removed[e.index()] = true;
       }
@@ -124,7 +124,7 @@ private:
   }
 
   void add_elements() {
-    for (const Graft& g : grafts_) {
+    for (const PatchGraft& g : grafts_) {
       const base::NetId net = host_.element_net[g.cavity.elements.front().index()];
       // Labels of elements that were cut out are not given anew.
       base::Label label =
@@ -176,12 +176,12 @@ private:
       for (int s = 0; s < base::element_info(result_.mesh.type[e.index()]).sides; ++s) {
         // Pieces run as the host's edge does, body on the left: the direction tells a side from
         // that of the neighbour.
-        const Edge edge = edge_of(result_.mesh, {e, s});
+        const ElementEdge edge = element_edge(result_.mesh, {e, s});
         by_ends[{edge.a, edge.b}] = {e, s};
       }
     }
     std::map<model::Face, std::vector<model::Face>> result;
-    for (const Graft& g : grafts_) {
+    for (const PatchGraft& g : grafts_) {
       for (const auto& [face, pieces] : g.patch.edges) {
         for (const auto& [a, b] : pieces) {
           result[face].push_back(by_ends.at(
@@ -230,7 +230,7 @@ private:
     }
     std::vector<bool> replaced(host_.node_count(), false);
     for (const model::Face& face : boundary_faces(host_)) {
-      const Edge edge = edge_of(host_, face);
+      const ElementEdge edge = element_edge(host_, face);
       if (!kept_[face.element.index()].valid() && member[edge.a.index()] &&
           member[edge.b.index()] && (!edge.mid.valid() || member[edge.mid.index()])) {
         replaced[edge.a.index()] = true;
@@ -238,7 +238,7 @@ private:
         replaced[edge.mid.valid() ? edge.mid.index() : edge.a.index()] = true;
       }
     }
-    for (const Graft& g : grafts_) {
+    for (const PatchGraft& g : grafts_) {
       for (const ElementId e :
            covers(member, g.cavity) ? g.cavity.elements : std::vector<ElementId>()) {
         for (const NodeId n : host_.element_nodes(e)) {
@@ -275,30 +275,30 @@ private:
         }
       };
       for (const auto& [face, pieces] : faces_) {
-        const Edge edge = edge_of(host_, face);
+        const ElementEdge edge = element_edge(host_, face);
         if (old_member[edge.a.index()] && old_member[edge.b.index()] &&
             (!edge.mid.valid() || old_member[edge.mid.index()])) {
           for (const model::Face& piece : pieces) {
-            const Edge part = edge_of(result_.mesh, piece);
+            const ElementEdge part = element_edge(result_.mesh, piece);
             join(part.a);
             join(part.mid);
             join(part.b);
           }
         }
       }
-      for (const Graft& g : grafts_) {
+      for (const PatchGraft& g : grafts_) {
         // A set that has all of a cavity has all of the patch.
         if (covers(old_member, g.cavity)) {
           std::for_each(g.node.begin(), g.node.end(), join);
         }
       }
-      result_.lost.push_back(lost_nodes(old, old_member, had));
+      result_.removed_nodes.push_back(lost_nodes(old, old_member, had));
       result_.mesh.node_sets.push_back(std::move(set));
     }
   }
 
   const model::Mesh& host_;
-  std::span<Graft> grafts_;
+  std::span<PatchGraft> grafts_;
   CrackedMesh result_;
   std::vector<ElementId> kept_;                         ///< [host element] its new number
   std::vector<bool> used_;                              ///< [host node] by an element of the result
@@ -308,7 +308,7 @@ private:
 
 } // namespace
 
-CrackedMesh graft(const model::Mesh& host, std::span<Graft> grafts) {
+CrackedMesh graft_patches(const model::Mesh& host, std::span<PatchGraft> grafts) {
   return Grafter(host, grafts).graft();
 }
 

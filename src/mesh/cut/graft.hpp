@@ -9,14 +9,14 @@
 namespace spricka::mesh {
 
 /// A patch ready to be put into the host, and afterwards where its nodes are.
-struct Graft {
+struct PatchGraft {
   Patch patch;
   Cavity cavity;
-  CrackFrame frame;
+  PlanarCrackFrame frame;
   std::vector<base::NodeId> node; ///< [patch node] once grafted
 };
 
 /// The host with its cavities filled: mesh, `host` and all sets of the result, still uncracked.
-CrackedMesh graft(const model::Mesh& host, std::span<Graft> grafts);
+CrackedMesh graft_patches(const model::Mesh& host, std::span<PatchGraft> grafts);
 
 } // namespace spricka::mesh

@@ -10,14 +10,14 @@
 
 namespace spricka::mesh {
 
-Edge edge_of(const model::Mesh& mesh, const model::Face& face) {
+ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face) {
   const auto nodes = mesh.element_nodes(face.element);
   const auto local = shape::side_nodes(mesh.type[face.element.index()], face.side);
   return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])],
           local.size() == 3 ? nodes[static_cast<std::size_t>(local[2])] : base::NodeId()};
 }
 
-base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi) {
+base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi) {
   const base::Vec3& a = mesh.x[edge.a.index()];
   const base::Vec3& b = mesh.x[edge.b.index()];
   if (!edge.mid.valid()) {
@@ -28,16 +28,17 @@ base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi) {
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
 }
 
-base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const Edge& edge, double xi) {
-  const base::Vec2 a = frame.local(mesh.x[edge.a.index()]);
-  const base::Vec2 b = frame.local(mesh.x[edge.b.index()]);
-  const base::Vec2 m = frame.local(mesh.x[edge.mid.index()]);
+base::Vec2 point_on(const model::Mesh& mesh, const PlanarCrackFrame& frame, const ElementEdge& edge,
+                    double xi) {
+  const base::Vec2 a = frame.rounded_local(mesh.x[edge.a.index()]);
+  const base::Vec2 b = frame.rounded_local(mesh.x[edge.b.index()]);
+  const base::Vec2 m = frame.rounded_local(mesh.x[edge.mid.index()]);
   const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
   return N[0] * a + N[1] * b + N[2] * m;
 }
 
-EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p) {
-  EdgePoint best{0.0, std::numeric_limits<double>::max()};
+NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p) {
+  NearestEdgePoint best{0.0, std::numeric_limits<double>::max()};
   const auto meet = [&](double xi) {
     const double d = (point_on(mesh, edge, xi) - p).norm();
     if (d < best.distance) {
@@ -62,20 +63,21 @@ EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3
   return best;
 }
 
-bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance) {
+bool is_beyond(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
+               double distance) {
   const base::Vec3& a = mesh.x[edge.a.index()];
   // No point of the edge is taken to be farther from its first end than twice the chord.
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
 }
 
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
-                                const CrackFrame& frame) {
+                                const PlanarCrackFrame& frame) {
   std::vector<base::Vec2> result;
   for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
-    const Edge edge = edge_of(mesh, {e, s});
-    result.push_back(frame.local(mesh.x[edge.a.index()]));
+    const ElementEdge edge = element_edge(mesh, {e, s});
+    result.push_back(frame.rounded_local(mesh.x[edge.a.index()]));
     if (edge.mid.valid()) {
-      result.push_back(frame.local(mesh.x[edge.mid.index()]));
+      result.push_back(frame.rounded_local(mesh.x[edge.mid.index()]));
     }
   }
   return result;
@@ -85,7 +87,7 @@ bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
   return !net.valid() || mesh.element_net[face.element.index()] == net;
 }
 
-Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
+HostMesh::HostMesh(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
   assert(mesh.dim == 2);
   beyond_.assign(most_sides * mesh.element_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -106,7 +108,7 @@ Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
 
 // Sides of plane elements join one corner to the next: those of neighbours run against each other,
 // and what one finds the other need not look for.
-void Host::meet(const model::Face& face) {
+void HostMesh::meet(const model::Face& face) {
   const auto next_corner = [&](base::ElementId e, std::size_t i) {
     const std::size_t next = i + 1;
     return next == std::size_t(base::element_info(mesh_.type[e.index()]).corners) ? 0 : next;
@@ -115,7 +117,7 @@ void Host::meet(const model::Face& face) {
   const auto s = static_cast<std::size_t>(face.side);
   const base::NodeId a = own[s];
   const base::NodeId b = own[next_corner(face.element, s)];
-  for (const base::ElementId other : around(a)) {
+  for (const base::ElementId other : elements_around(a)) {
     if (other == face.element) {
       continue;
     }

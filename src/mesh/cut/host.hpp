@@ -14,54 +14,56 @@ namespace spricka::mesh {
 
 /// An edge of a 2D element: the nodes at its ends, body on the left, and in the middle (invalid for
 /// linear elements).
-struct Edge {
+struct ElementEdge {
   base::NodeId a, b, mid;
 };
-Edge edge_of(const model::Mesh& mesh, const model::Face& face);
+ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face);
 
 /// Point of an edge at xi in [-1, 1] on its own, straight or quadratic, curve.
-base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi);
+base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi);
 
 /// The same, of an edge with a middle node, in a crack's frame: from rounded coordinates.
-base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const Edge& edge, double xi);
+base::Vec2 point_on(const model::Mesh& mesh, const PlanarCrackFrame& frame, const ElementEdge& edge,
+                    double xi);
 
 /// The point of an edge nearest to p.
-struct EdgePoint {
+struct NearestEdgePoint {
   double xi = 0.0;
   double distance = 0.0;
 };
-EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p);
+NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p);
 
 /// Whether an edge is for certain farther from p than `distance`: a quick test.
-bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance);
+bool is_beyond(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
+               double distance);
 
 /// Corner and mid nodes of an element in the crack's frame, in order round it.
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
-                                const CrackFrame& frame);
+                                const PlanarCrackFrame& frame);
 
 /// Whether the element of a face belongs to a net (any net: invalid).
 bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
 
 /// A 2D mesh with its neighbourhoods. Functions that want one take a mesh as well; who calls
 /// several makes it once.
-class Host {
+class HostMesh {
 public:
-  Host(const model::Mesh& mesh);
+  HostMesh(const model::Mesh& mesh);
 
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
   /// Elements that have this node, ascending.
-  [[nodiscard]] std::span<const base::ElementId> around(base::NodeId node) const {
-    return elements_.around(node);
+  [[nodiscard]] std::span<const base::ElementId> elements_around(base::NodeId node) const {
+    return elements_.elements_around(node);
   }
   /// The element on the other side of an edge; empty on the boundary.
-  [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const {
+  [[nodiscard]] std::optional<base::ElementId> neighbour(const model::Face& face) const {
     const std::int32_t e = beyond_[place(face)];
     return e < 0 ? std::nullopt : std::optional(base::ElementId(static_cast<std::size_t>(e)));
   }
   /// Edges of one element only.
   [[nodiscard]] const std::vector<model::Face>& boundary() const { return boundary_; }
   /// Edges with another property beyond them.
-  [[nodiscard]] const std::vector<model::Face>& borders() const { return borders_; }
+  [[nodiscard]] const std::vector<model::Face>& property_borders() const { return borders_; }
 
 private:
   static constexpr std::size_t most_sides = 4;

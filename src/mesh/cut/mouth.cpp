@@ -9,7 +9,7 @@ using base::NodeId;
 using base::Vec2;
 using base::Vec3;
 
-NearestMouth find_mouth(const Host& host, const Vec3& start, base::NetId net) {
+NearestMouth find_mouth(const HostMesh& host, const Vec3& start, base::NetId net) {
   constexpr double at_node = 1e-6; // of the edge: a mouth this near to a node is at the node
   const model::Mesh& mesh = host.mesh();
   NearestMouth found;
@@ -17,19 +17,19 @@ NearestMouth find_mouth(const Host& host, const Vec3& start, base::NetId net) {
     if (!in_net(mesh, face, net)) {
       continue;
     }
-    const Edge edge = edge_of(mesh, face);
+    const ElementEdge edge = element_edge(mesh, face);
     const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
     if (is_beyond(mesh, edge, start, found.distance)) {
       continue;
     }
-    const EdgePoint p = nearest_on(mesh, edge, start);
+    const NearestEdgePoint p = nearest_on(mesh, edge, start);
     // At a node two edges are equally near: the first one counts, not the better by round-off.
     if (p.distance < found.distance - 1e-9 * chord) {
       found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
     }
   }
   if (found.on_boundary()) {
-    const Edge edge = edge_of(mesh, found.mouth.face);
+    const ElementEdge edge = element_edge(mesh, found.mouth.face);
     for (const NodeId n : {edge.a, edge.b, edge.mid}) {
       if (n.valid() && (mesh.x[n.index()] - found.at).norm() <= at_node * found.chord) {
         found.mouth.node = n;
@@ -57,12 +57,12 @@ base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::Net
   return {};
 }
 
-BoundaryPoint nearest_boundary(const Host& host, const Vec3& point, base::NetId net) {
+BoundaryPoint nearest_boundary(const HostMesh& host, const Vec3& point, base::NetId net) {
   const NearestMouth found = find_mouth(host, point, net);
   return {found.at, found.distance};
 }
 
-CrackStart crack_start(const Host& host, const Vec3& point, base::NetId net) {
+CrackStart locate_crack_start(const HostMesh& host, const Vec3& point, base::NetId net) {
   const NearestMouth found = find_mouth(host, point, net);
   if (found.on_boundary()) {
     return CrackStart::boundary;

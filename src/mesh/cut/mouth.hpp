@@ -7,7 +7,7 @@
 namespace spricka::mesh {
 
 /// Where a crack starts: on a boundary edge of the host, at a node of it if `node` is valid.
-struct Mouth {
+struct MouthPosition {
   model::Face face;
   double xi = 0.0;
   base::NodeId node;
@@ -15,7 +15,7 @@ struct Mouth {
 
 /// The boundary point nearest to the start of a crack.
 struct NearestMouth {
-  Mouth mouth;
+  MouthPosition mouth;
   base::Vec3 at = base::Vec3::Zero();
   double distance = std::numeric_limits<double>::max();
   double chord = 0.0; ///< of the edge it lies on; 0: the net has no boundary
@@ -28,7 +28,7 @@ struct NearestMouth {
   }
 };
 /// On the boundary of a net (any net: invalid); at a node where one is there.
-NearestMouth find_mouth(const Host& host, const base::Vec3& start, base::NetId net);
+NearestMouth find_mouth(const HostMesh& host, const base::Vec3& start, base::NetId net);
 
 /// The element of a net (any net: invalid) that a point lies in, or an invalid one.
 base::ElementId element_at(const model::Mesh& mesh, const base::Vec3& point, base::NetId net);
@@ -38,11 +38,11 @@ struct BoundaryPoint {
   base::Vec3 x = base::Vec3::Zero();
   double distance = 0.0;
 };
-BoundaryPoint nearest_boundary(const Host& host, const base::Vec3& point, base::NetId net);
+BoundaryPoint nearest_boundary(const HostMesh& host, const base::Vec3& point, base::NetId net);
 
 /// Where the first point of a free crack lies: on the boundary of the net (any net if invalid),
 /// inside it, or neither.
 enum class CrackStart { boundary, inside, outside };
-CrackStart crack_start(const Host& host, const base::Vec3& point, base::NetId net);
+CrackStart locate_crack_start(const HostMesh& host, const base::Vec3& point, base::NetId net);
 
 } // namespace spricka::mesh

@@ -29,7 +29,7 @@ using base::Vec3;
 constexpr double neither = 0.02;
 
 /// The worst element of a patch, empty if all are good.
-std::optional<BadElement> worst_element(const Patch& patch) {
+std::optional<InvalidElement> worst_element(const Patch& patch) {
   model::Mesh mesh;
   for (const PatchNode& node : patch.nodes) {
     model::add_node(mesh, node.x, 0, {});
@@ -42,19 +42,19 @@ std::optional<BadElement> worst_element(const Patch& patch) {
     }
     model::add_element(mesh, element.type, nodes, 0, {});
   }
-  const std::vector<BadElement> bad = bad_elements(mesh);
+  const std::vector<InvalidElement> bad = bad_elements(mesh);
   if (bad.empty()) {
     return std::nullopt;
   }
-  return *std::min_element(bad.begin(), bad.end(), [](const BadElement& a, const BadElement& b) {
-    return a.jacobian < b.jacobian;
-  });
+  return *std::min_element(
+      bad.begin(), bad.end(),
+      [](const InvalidElement& a, const InvalidElement& b) { return a.jacobian < b.jacobian; });
 }
 
 /// Everything about one crack on its way into the mesh.
 struct Work {
   const CrackLine* line = nullptr;
-  const TipMesh* tip = nullptr;
+  const TipMeshParameters* tip = nullptr;
   base::SourceSpan span;
   std::size_t place = 0;  ///< with a patch: number of its placement,
   std::size_t graft = 0;  ///< of the graft it is in
@@ -64,12 +64,13 @@ struct Work {
 
 class Inserter {
 public:
-  Inserter(const Host& host, base::Diagnostics& diagnostics)
+  Inserter(const HostMesh& host, base::Diagnostics& diagnostics)
       : mesh_(host.mesh()), host_(host), diagnostics_(diagnostics) {}
 
-  std::optional<CrackedMesh> insert(std::span<const CrackLine> lines, std::span<const TipMesh> tips,
+  std::optional<CrackedMesh> insert(std::span<const CrackLine> lines,
+                                    std::span<const TipMeshParameters> tips,
                                     std::span<const base::SourceSpan> spans) {
-    if (!lines_are_sound(lines, spans, diagnostics_)) {
+    if (!check_crack_lines(lines, spans, diagnostics_)) {
       return std::nullopt;
     }
     bool good = true;
@@ -81,7 +82,7 @@ public:
     if (!good || !rosettes_are_apart() || !cut() || !make_patches()) {
       return std::nullopt;
     }
-    result_ = graft(mesh_, grafts_);
+    result_ = graft_patches(mesh_, grafts_);
     tie_rims();
     if (!open_cracks()) {
       return std::nullopt;
@@ -99,7 +100,7 @@ private:
   }
 
   bool find_place(Work& work) {
-    auto placement = place(host_, *work.line, *work.tip, work.span, diagnostics_);
+    auto placement = place_crack(host_, *work.line, *work.tip, work.span, diagnostics_);
     if (placement) {
       work.place = placements_.size();
       placements_.push_back(std::move(*placement));
@@ -116,7 +117,7 @@ private:
     bool good = true;
     for (const Work& work : work_) {
       const double room =
-          work.tip->patch ? room_beside_cracks(*work.line, lines) : work.tip->radius;
+          work.tip->patch ? clearance_to_cracks(*work.line, lines) : work.tip->radius;
       // Less than a half: two rosettes that face each other leave elements between them.
       if (work.tip->patch && work.tip->radius > 0.45 * room) {
         diagnostics_.error(
@@ -124,7 +125,7 @@ private:
             fmt::format(
                 "{}: a rosette of radius {:.6g} does not fit, another crack or another part "
                 "of this one is {:.6g} from a tip",
-                work.line->title(), work.tip->radius, room),
+                work.line->display_name(), work.tip->radius, room),
             "RADIUS of $TIPNET must be smaller than 0.45 of that");
         good = false;
       }
@@ -165,8 +166,8 @@ private:
     if (&first != &work) {
       diagnostics_.error(
           work.span, "E428",
-          fmt::format("the patches of {} and {} meet, on a line of symmetry", first.line->title(),
-                      work.line->title()),
+          fmt::format("the patches of {} and {} meet, on a line of symmetry",
+                      first.line->display_name(), work.line->display_name()),
           "refine the net there, give a smaller RADIUS on $TIPNET, or model the body "
           "on both sides of the line");
     }
@@ -183,7 +184,7 @@ private:
 
   /// Finer edges bend less: the remedy for elements that the host's curves fold.
   bool make_patch(std::size_t g) {
-    Graft& graft = grafts_[g];
+    PatchGraft& graft = grafts_[g];
     std::vector<PatchCrack> cracks;
     std::string names;
     base::SourceSpan span;
@@ -192,12 +193,12 @@ private:
         // All in the frame of the patch, that of its first crack.
         cracks.push_back({seen_from(placements_[work.place], graft.frame), work.tip});
         span = names.empty() ? work.span : span;
-        names += (names.empty() ? "" : ", ") + work.line->title();
+        names += (names.empty() ? "" : ", ") + work.line->display_name();
       }
     }
     std::string trouble;
     for (const double fineness : {1.0, 2.0, 4.0}) {
-      graft.patch = build_patch(host_, cracks, graft.cavity, fineness);
+      graft.patch = mesh_cavity(host_, cracks, graft.cavity, fineness);
       trouble = graft.patch.trouble;
       if (trouble.empty()) {
         const auto bad = worst_element(graft.patch);
@@ -218,8 +219,8 @@ private:
       if (!work.tip->patch || work.member != 0) {
         continue;
       }
-      const Graft& g = grafts_[work.graft];
-      for (const Patch::Tied& tied : g.patch.tied) {
+      const PatchGraft& g = grafts_[work.graft];
+      for (const Patch::TiedPatchNode& tied : g.patch.tied) {
         const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(tied.xi));
         result_.ties.push_back({g.node[static_cast<std::size_t>(tied.node)],
                                 {tied.edge.a, tied.edge.b, tied.edge.mid},
@@ -232,7 +233,7 @@ private:
   bool open_cracks() {
     for (Work& work : work_) {
       if (work.tip->patch) {
-        const Graft& g = grafts_[work.graft];
+        const PatchGraft& g = grafts_[work.graft];
         for (const int n : g.patch.paths[work.member]) {
           work.path.push_back(g.node[static_cast<std::size_t>(n)]);
         }
@@ -242,14 +243,15 @@ private:
       } else if (auto crack_faces = split_along(result_.mesh, work.path, work.line->embedded)) {
         result_.faces.push_back(std::move(*crack_faces));
       } else {
-        diagnostics_.error(work.span, "E427",
-                           fmt::format("{} does not start on the boundary", work.line->title()));
+        diagnostics_.error(
+            work.span, "E427",
+            fmt::format("{} does not start on the boundary", work.line->display_name()));
         return false;
       }
       add_tips(work);
     }
     // Sets come after all cracks: several may double the nodes of one place.
-    settle_crack_faces(result_.mesh, result_.faces);
+    add_crack_face_nodes(result_.mesh, result_.faces);
     return true;
   }
 
@@ -263,38 +265,41 @@ private:
   }
   /// Places from one corner of a path without a patch to the next: 2 on quadratic edges.
   [[nodiscard]] std::size_t path_step(const Work& work) const {
-    const auto around = host_.around(work.path[0]);
+    const auto around = host_.elements_around(work.path[0]);
     return base::element_info(mesh_.type[around.front().index()]).quadratic ? 2 : 1;
   }
 
   void add_tips(const Work& work) {
-    Front front;
+    CrackFront front;
     front.crack = work.line->crack;
-    front.a = frame_of(*work.line).a;
+    front.a = make_crack_frame(*work.line).a;
     front.symmetric_half = work.line->symmetric_half;
     result_.notes.push_back(work.tip->patch ? add_patch_tips(work, front)
                                             : add_own_tip(work, front));
   }
 
-  std::string add_patch_tips(const Work& work, Front front) {
-    const Placement& placement = placements_[work.place];
-    const CrackFrame& frame = placement.frame;
+  std::string add_patch_tips(const Work& work, CrackFront front) {
+    const CrackPlacement& placement = placements_[work.place];
+    const PlanarCrackFrame& frame = placement.frame;
     front.size = work.tip->size;
     front.radius = work.tip->radius;
     for (std::size_t i = 0; i < placement.tips.size(); ++i) {
       front.number = static_cast<int>(i) + 1;
-      front.tip().node = i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
-      front.tip().x = result_.mesh.x[front.tip().node.index()];
-      front.tip().growth = (frame.global(placement.tips[i].ahead()) - frame.origin).normalized();
+      front.tip_point().node =
+          i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
+      front.tip_point().x = result_.mesh.x[front.tip_point().node.index()];
+      front.tip_point().growth =
+          (frame.global(placement.tips[i].growth_direction()) - frame.origin).normalized();
       result_.fronts.push_back(front);
     }
-    const Graft& g = grafts_[work.graft];
+    const PatchGraft& g = grafts_[work.graft];
     return fmt::format("{}: a = {:.6g}{}, patch of {} elements for {} of the net, {} of radius "
                        "{:.6g} with {} rings of {} sectors, tip elements {:.6g}{}",
-                       work.line->title(), front.a, work.line->embedded ? " (half its length)" : "",
-                       g.patch.elements.size(), g.cavity.elements.size(),
-                       placement.tips.size() > 1 ? "rosettes" : "rosette", front.radius,
-                       work.tip->rings, work.tip->sectors, front.size, more_about(work));
+                       work.line->display_name(), front.a,
+                       work.line->embedded ? " (half its length)" : "", g.patch.elements.size(),
+                       g.cavity.elements.size(), placement.tips.size() > 1 ? "rosettes" : "rosette",
+                       front.radius, work.tip->rings, work.tip->sectors, front.size,
+                       more_about(work));
   }
 
   /// The cracks that share a patch, and its rim.
@@ -302,51 +307,52 @@ private:
     std::string text;
     for (const Work& other : work_) {
       if (&other != &work && other.tip->patch && other.graft == work.graft) {
-        text += (text.empty() ? ", one patch with " : ", ") + other.line->title();
+        text += (text.empty() ? ", one patch with " : ", ") + other.line->display_name();
       }
     }
     const std::size_t tied = grafts_[work.graft].patch.tied.size();
     return text + (tied == 0 ? "" : fmt::format(", {} nodes of its rim tied", tied));
   }
 
-  std::string add_own_tip(const Work& work, Front front) {
-    front.tip().node = work.path.back();
+  std::string add_own_tip(const Work& work, CrackFront front) {
+    front.tip_point().node = work.path.back();
     // The last corner before the tip: growth goes on along the chord of the last edge.
     const std::size_t before = work.path.size() - 1 - path_step(work);
-    const Vec3 last = mesh_.x[front.tip().node.index()] - mesh_.x[work.path[before].index()];
-    front.tip().growth = last.normalized();
+    const Vec3 last = mesh_.x[front.tip_point().node.index()] - mesh_.x[work.path[before].index()];
+    front.tip_point().growth = last.normalized();
     front.size = last.norm();
     front.radius = front.size;
     const int moved =
-        work.tip->quarter_point ? move_quarter_points(result_.mesh, front.tip().node) : 0;
-    if (const double part = odd_middle(result_.mesh, front.tip().node);
+        work.tip->quarter_point ? move_quarter_points(result_.mesh, front.tip_point().node) : 0;
+    if (const double part = worst_mid_node(result_.mesh, front.tip_point().node);
         std::min(std::abs(part - 0.25), std::abs(part - 0.5)) > neither) {
       diagnostics_.warning(work.span, "W505",
                            fmt::format("{}: middle nodes at {:.3g} of edges that leave the tip are "
                                        "neither quarter points nor middles: K is some per cent off",
-                                       work.line->title(), part),
+                                       work.line->display_name(), part),
                            "QUARTER=YES on $TIPNET moves them to the quarter points");
     }
-    front.tip().x = result_.mesh.x[front.tip().node.index()];
+    front.tip_point().x = result_.mesh.x[front.tip_point().node.index()];
     result_.fronts.push_back(front);
     return fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
-                       work.line->title(), front.a, mesh_.node_label[front.tip().node.index()],
-                       front.size, moved > 0 ? "quarter points moved" : "no quarter points");
+                       work.line->display_name(), front.a,
+                       mesh_.node_label[front.tip_point().node.index()], front.size,
+                       moved > 0 ? "quarter points moved" : "no quarter points");
   }
 
   const model::Mesh& mesh_;
-  const Host& host_;
+  const HostMesh& host_;
   base::Diagnostics& diagnostics_;
   std::vector<Work> work_;
-  std::vector<Placement> placements_;
-  std::vector<Graft> grafts_;
+  std::vector<CrackPlacement> placements_;
+  std::vector<PatchGraft> grafts_;
   CrackedMesh result_;
 };
 
 } // namespace
 
-std::optional<CrackedMesh> insert_cracks(const Host& host, std::span<const CrackLine> lines,
-                                         std::span<const TipMesh> tips,
+std::optional<CrackedMesh> insert_cracks(const HostMesh& host, std::span<const CrackLine> lines,
+                                         std::span<const TipMeshParameters> tips,
                                          std::span<const base::SourceSpan> spans,
                                          base::Diagnostics& diagnostics) {
   assert(lines.size() == tips.size() && lines.size() == spans.size());

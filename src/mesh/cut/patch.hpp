@@ -14,8 +14,8 @@ namespace spricka::mesh {
 /// result. Patches are meshed in the crack's frame, coordinates divided by a and rounded (to 2^-26,
 /// for the choice of elements only), so that units and position do not change the mesh. Always cuts
 /// from the host.
-std::optional<CrackedMesh> insert_cracks(const Host& host, std::span<const CrackLine> lines,
-                                         std::span<const TipMesh> tips,
+std::optional<CrackedMesh> insert_cracks(const HostMesh& host, std::span<const CrackLine> lines,
+                                         std::span<const TipMeshParameters> tips,
                                          std::span<const base::SourceSpan> spans,
                                          base::Diagnostics& diagnostics);
 

@@ -6,7 +6,7 @@
 namespace spricka::mesh {
 namespace {
 
-bool has_mouth(const Placement& place, const OutlineEdge& edge) {
+bool has_mouth(const CrackPlacement& place, const OutlineEdge& edge) {
   return place.mouth && edge.face == place.mouth->face &&
          (!place.mouth->node.valid() || place.mouth->node == edge.edge.mid);
 }
@@ -18,7 +18,7 @@ std::vector<std::pair<double, std::size_t>> mouths_on(const OutlineEdge& edge,
   std::vector<std::pair<double, std::size_t>> result;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     if (has_mouth(cracks[i].place, edge)) {
-      const Mouth& mouth = *cracks[i].place.mouth;
+      const MouthPosition& mouth = *cracks[i].place.mouth;
       result.emplace_back(mouth.node.valid() ? 0.0 : mouth.xi, i);
     }
   }

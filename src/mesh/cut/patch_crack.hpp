@@ -11,8 +11,8 @@ namespace spricka::mesh {
 
 /// A crack of a cavity, in the frame that all of them share, and its mesh.
 struct PatchCrack {
-  Placement place;
-  const TipMesh* tip = nullptr;
+  CrackPlacement place;
+  const TipMeshParameters* tip = nullptr;
   std::vector<Rosette> rosettes = {}; ///< [tip] once they are made
   int mouth = -1;                     ///< the patch's node there, once it is made
 };

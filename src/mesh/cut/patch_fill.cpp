@@ -10,15 +10,15 @@
 
 namespace spricka::mesh {
 
-std::string fill_patch(PatchNet& net, const PatchContours& contours, const Grading& size) {
-  Region region;
+std::string triangulate_patch(PatchNet& net, const PatchContours& contours, const Grading& size) {
+  PlaneRegion region;
   std::map<int, int> place; // patch node -> point
   std::vector<int> node;    // and back
   const auto point = [&](int n) {
     const auto [at, fresh] = place.try_emplace(n, static_cast<int>(node.size()));
     if (fresh) {
       node.push_back(n);
-      region.points.push_back(net.local(n));
+      region.points.push_back(net.local_position(n));
     }
     return at->second;
   };
@@ -33,7 +33,7 @@ std::string fill_patch(PatchNet& net, const PatchContours& contours, const Gradi
   for (const std::vector<int>& line : contours.embedded) {
     region.embedded.push_back(points(line));
   }
-  const Filling filling = fill(region, size);
+  const TriangleFill filling = fill_triangles(region, size);
   if (!filling.trouble.empty()) {
     return filling.trouble;
   }

@@ -15,7 +15,7 @@ constexpr double least_gap = 1e-3;
 /// way along the crack or from the mouth.
 constexpr double beside = 0.5;
 
-double total_length(const Placement& placement) {
+double total_length(const CrackPlacement& placement) {
   double length = 0.0;
   for (std::size_t i = 1; i < placement.line.size(); ++i) {
     length += (placement.line[i] - placement.line[i - 1]).norm();
@@ -25,14 +25,15 @@ double total_length(const Placement& placement) {
 
 class Gaps {
 public:
-  Gaps(const std::vector<const Placement*>& cracks,
+  Gaps(const std::vector<const CrackPlacement*>& cracks,
        const std::vector<std::array<Vec2, 3>>& boundary)
       : cracks_(cracks), boundary_(boundary) {}
 
   /// At a point of segment k of a crack, `s` from its start.
-  [[nodiscard]] double at(const Placement& crack, const Vec2& p, double s, std::size_t k) const {
+  [[nodiscard]] double at(const CrackPlacement& crack, const Vec2& p, double s,
+                          std::size_t k) const {
     double gap = std::numeric_limits<double>::max();
-    for (const Placement* other : cracks_) {
+    for (const CrackPlacement* other : cracks_) {
       gap = std::min(gap, other == &crack ? to_itself(crack, p, s, k) : to_line(other->line, p));
     }
     for (const auto& [a, mid, b] : boundary_) {
@@ -51,7 +52,7 @@ private:
     }
     return least;
   }
-  static double to_itself(const Placement& crack, const Vec2& p, double s, std::size_t k) {
+  static double to_itself(const CrackPlacement& crack, const Vec2& p, double s, std::size_t k) {
     double gap = std::numeric_limits<double>::max();
     double start = 0.0;
     for (std::size_t i = 1; i < crack.line.size(); ++i) {
@@ -65,21 +66,21 @@ private:
     return gap;
   }
 
-  const std::vector<const Placement*>& cracks_;
+  const std::vector<const CrackPlacement*>& cracks_;
   const std::vector<std::array<Vec2, 3>>& boundary_;
 };
 
 } // namespace
 
-double own_length(const Placement& placement) {
+double placed_length(const CrackPlacement& placement) {
   const double length = total_length(placement);
   return placement.mouth ? length : 0.5 * length;
 }
 
-void add_gap_sizes(const std::vector<const Placement*>& cracks,
+void add_gap_sizes(const std::vector<const CrackPlacement*>& cracks,
                    const std::vector<std::array<Vec2, 3>>& boundary, Grading& size) {
   const Gaps gaps(cracks, boundary);
-  for (const Placement* crack : cracks) {
+  for (const CrackPlacement* crack : cracks) {
     const double total = total_length(*crack);
     double before = 0.0; // up to the segment
     for (std::size_t k = 1; k < crack->line.size(); ++k) {
@@ -90,7 +91,7 @@ void add_gap_sizes(const std::vector<const Placement*>& cracks,
         const Vec2 p = a + s / length * along;
         const double gap = std::max(gaps.at(*crack, p, before + s, k), least_gap * total);
         if (gap < total) {
-          size.add(p, gap);
+          size.add_source(p, gap);
         }
         // The next place to ask at is one gap on: in between the size has grown by a part of that
         // only (mesh.4).

@@ -9,12 +9,12 @@
 namespace spricka::mesh {
 
 /// Length of a crack in the frame its placement is given in; half of it where both ends are tips.
-double own_length(const Placement& placement);
+double placed_length(const CrackPlacement& placement);
 
 /// Asks along cracks for elements that are no longer than the gap to what runs beside them is wide:
 /// other cracks, a crack's own folds, the boundary (ends and middles of its edges) but near the
 /// mouth. All in one frame.
-void add_gap_sizes(const std::vector<const Placement*>& cracks,
+void add_gap_sizes(const std::vector<const CrackPlacement*>& cracks,
                    const std::vector<std::array<base::Vec2, 3>>& boundary, Grading& size);
 
 } // namespace spricka::mesh

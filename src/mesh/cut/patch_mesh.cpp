@@ -15,9 +15,9 @@ using base::Vec3;
 
 namespace {
 
-class Builder {
+class PlanePatchBuilder {
 public:
-  Builder(const Host& host, std::vector<PatchCrack> cracks, const Cavity& cavity)
+  PlanePatchBuilder(const HostMesh& host, std::vector<PatchCrack> cracks, const Cavity& cavity)
       : host_(host), cracks_(std::move(cracks)), frame_(cracks_.front().place.frame),
         half_(cracks_.front().place.half), cavity_(cavity), net_(host.mesh(), frame_),
         fill_size_(patch_grading(cracks_)), symmetry_line_(host.mesh(), frame_) {
@@ -30,7 +30,7 @@ public:
     // Rims of rosettes ask for sizes, loops make the nodes of mouths, and cracks run from these to
     // the rims: in this order.
     for (PatchCrack& crack : cracks_) {
-      for (const TipPlace& at : crack.place.tips) {
+      for (const PlacedTip& at : crack.place.tips) {
         crack.rosettes.push_back(add_rosette(net_, crack.place, at, *crack.tip));
       }
     }
@@ -41,7 +41,7 @@ public:
     }
     if (patch_.trouble.empty()) {
       add_rims();
-      patch_.trouble = fill_patch(net_, contours_, fill_size_);
+      patch_.trouble = triangulate_patch(net_, contours_, fill_size_);
     }
     patch_.nodes = std::move(net_.nodes);
     patch_.elements = std::move(net_.elements);
@@ -51,7 +51,7 @@ public:
 private:
   using Pair = std::pair<int, int>;
 
-  [[nodiscard]] Vec2 local(const Edge& edge, double xi) const {
+  [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
     return point_on(host_.mesh(), frame_, edge, xi);
   }
 
@@ -62,8 +62,8 @@ private:
       std::vector<int> nodes;
       for (const OutlineEdge& edge : loop) {
         nodes.push_back(net_.host_node(edge.edge.a));
-        if (half_ != 0 && symmetry_line_.holds(edge)) {
-          symmetry_line_.add(edge);
+        if (half_ != 0 && symmetry_line_.contains(edge)) {
+          symmetry_line_.add_edge(edge);
           continue;
         }
         const std::vector<int> inner = add_edge(edge);
@@ -112,7 +112,7 @@ private:
       // (mesh.12) for middle nodes of the parts and for corners between them; the host's own middle
       // node, at 0, needs no tie.
       patch_.tied.push_back(
-          {net_.mid(piece.first, piece.second), edge.edge, 0.5 * (xi[i - 1] + xi[i])});
+          {net_.mid_node(piece.first, piece.second), edge.edge, 0.5 * (xi[i - 1] + xi[i])});
       if (i + 1 < xi.size() && xi[i] != 0.0) {
         patch_.tied.push_back({piece.second, edge.edge, xi[i]});
       }
@@ -121,7 +121,7 @@ private:
   }
 
   std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi) {
-    const Edge& e = edge.edge;
+    const ElementEdge& e = edge.edge;
     const auto mouths = edge.free ? mouths_on(edge, cracks_) : decltype(mouths_on(edge, cracks_))();
     std::vector<int> inner;
     std::vector<Pair> pieces;
@@ -139,7 +139,7 @@ private:
       // An edge in one piece keeps its middle node, which elements that stay may have as well.
       const bool whole = xi.size() == 2;
       const Vec3 half = point_on(host_.mesh(), e, 0.5 * (xi[i - 1] + xi[i]));
-      net_.set_mid(from, to, whole ? net_.host_node(e.mid) : net_.new_node(half));
+      net_.set_mid_node(from, to, whole ? net_.host_node(e.mid) : net_.new_node(half));
       pieces.emplace_back(from, to);
       if (!last) {
         inner.push_back(to);
@@ -171,10 +171,10 @@ private:
   /// Corner nodes of the crack from the mouth, or out of the first rosette, to the last one, then
   /// through it to the tip.
   void add_crack(const PatchCrack& crack) {
-    const Placement& place = crack.place;
+    const CrackPlacement& place = crack.place;
     const Rosette& last_rosette = crack.rosettes.back();
-    const auto rim_point = [&](const TipPlace& tip) {
-      return Vec2(tip.at - place.radius * tip.ahead());
+    const auto rim_point = [&](const PlacedTip& tip) {
+      return Vec2(tip.at - place.radius * tip.growth_direction());
     };
     std::vector<int> crack_face{place.mouth ? crack.mouth : crack.rosettes.front().behind.back()};
     Vec2 from = place.mouth ? place.line.front() : rim_point(place.tips.front());
@@ -207,7 +207,7 @@ private:
     std::vector<int>& path = patch_.paths.emplace_back();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (i > 0) {
-        path.push_back(net_.mid(corners[i - 1], corners[i]));
+        path.push_back(net_.mid_node(corners[i - 1], corners[i]));
       }
       path.push_back(corners[i]);
     }
@@ -216,13 +216,13 @@ private:
   /// A half: crack, rosette and ligament take the place of the host's edges on the line.
   void add_half_line(const PatchCrack& crack, const std::vector<int>& crack_face) {
     const Rosette& rosette = crack.rosettes.front();
-    const SymmetryLine::End end = symmetry_line_.end();
+    const SymmetryLine::SymmetryLineEnd end = symmetry_line_.end();
     if (end.x < 1.0 + crack.place.radius + same) {
       patch_.trouble = "the symmetry line ends inside the rosette";
       return;
     }
     std::vector<int> ligament{rosette.ahead.back()};
-    const std::vector<int> inner = add_stretch(net_.local(ligament[0]), {end.x, 0.0});
+    const std::vector<int> inner = add_stretch(net_.local_position(ligament[0]), {end.x, 0.0});
     ligament.insert(ligament.end(), inner.begin(), inner.end());
     ligament.push_back(net_.host_node(end.node));
     for (std::size_t i = 0; i + 1 < ligament.size(); ++i) {
@@ -234,7 +234,7 @@ private:
     line.push_back(rosette.tip);
     line.insert(line.end(), rosette.ahead.begin(), rosette.ahead.end());
     line.insert(line.end(), ligament.begin() + 1, ligament.end());
-    const std::vector<EdgePieces> pieces = symmetry_line_.pieces(net_, line);
+    const std::vector<HeldEdgePieces> pieces = symmetry_line_.edge_pieces(net_, line);
     patch_.edges.insert(patch_.edges.end(), pieces.begin(), pieces.end());
     // what the filling sees: over the rosette
     std::vector<int> contour(crack_face.begin(), crack_face.end() - 1);
@@ -267,9 +267,9 @@ private:
     }
   }
 
-  const Host& host_;
+  const HostMesh& host_;
   std::vector<PatchCrack> cracks_;
-  CrackFrame frame_;
+  PlanarCrackFrame frame_;
   int half_;
   const Cavity& cavity_;
   PatchNet net_;
@@ -283,9 +283,9 @@ private:
 
 } // namespace
 
-Patch build_patch(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
+Patch mesh_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
                   double fineness) {
-  return Builder(host, cracks, cavity).build(fineness);
+  return PlanePatchBuilder(host, cracks, cavity).build(fineness);
 }
 
 } // namespace spricka::mesh

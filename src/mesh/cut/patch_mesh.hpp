@@ -16,20 +16,20 @@ struct Patch {
   std::vector<PatchElement> elements;
   /// [crack] its nodes from the mouth, or the first tip, to the (last) tip, mid nodes too.
   std::vector<std::vector<int>> paths;
-  std::vector<EdgePieces> edges; ///< of the cavity that belonged to its elements
+  std::vector<HeldEdgePieces> edges; ///< of the cavity that belonged to its elements
   /// Nodes inside edges that the host keeps, and where on them; their ties, with a transition.
-  struct Tied {
+  struct TiedPatchNode {
     int node = 0;
-    Edge edge;
+    ElementEdge edge;
     double xi = 0.0;
   };
-  std::vector<Tied> tied;
+  std::vector<TiedPatchNode> tied;
   std::string trouble; ///< why there is no patch
 };
 
 /// Meshes a cavity round its cracks: rosettes at the tips, graded triangles in the rest. `fineness`
 /// divides the wanted sizes along the boundary of the host.
-Patch build_patch(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
+Patch mesh_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
                   double fineness);
 
 } // namespace spricka::mesh

@@ -25,25 +25,27 @@ struct PatchElement {
 
 /// An edge of the cavity and the edges (from, to) of the patch that take its place, in its
 /// direction.
-using EdgePieces = std::pair<model::Face, std::vector<std::pair<int, int>>>;
+using HeldEdgePieces = std::pair<model::Face, std::vector<std::pair<int, int>>>;
 
 /// Collects nodes and quadratic elements of a patch; an edge gets its mid node when first met.
 class PatchNet {
 public:
-  PatchNet(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
+  PatchNet(const model::Mesh& host, const PlanarCrackFrame& frame) : host_(host), frame_(frame) {}
 
   int host_node(base::NodeId n);
   int new_node(const base::Vec3& x);
   /// At a place in the crack's frame, which is not rounded.
   int new_node(const base::Vec2& place);
   /// The node in the middle of an edge, made half way if the edge has none.
-  int mid(int a, int b);
-  void set_mid(int a, int b, int node) { mid_[std::minmax(a, b)] = node; }
+  int mid_node(int a, int b);
+  void set_mid_node(int a, int b, int node) { mid_[std::minmax(a, b)] = node; }
   void add_triangle(int a, int b, int c);
   void add_quadrilateral(int a, int b, int c, int d);
 
-  [[nodiscard]] const base::Vec3& x(int n) const { return nodes[static_cast<std::size_t>(n)].x; }
-  [[nodiscard]] const base::Vec2& local(int n) const {
+  [[nodiscard]] const base::Vec3& position(int n) const {
+    return nodes[static_cast<std::size_t>(n)].x;
+  }
+  [[nodiscard]] const base::Vec2& local_position(int n) const {
     return nodes[static_cast<std::size_t>(n)].local;
   }
 
@@ -52,7 +54,7 @@ public:
 
 private:
   const model::Mesh& host_;
-  const CrackFrame& frame_;
+  const PlanarCrackFrame& frame_;
   std::map<base::NodeId, int> of_host_;
   std::map<std::pair<int, int>, int> mid_;
 };

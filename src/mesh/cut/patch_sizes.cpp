@@ -27,7 +27,7 @@ double finest(const std::vector<PatchCrack>& cracks) {
 /// Puts the sizes of one patch together.
 class CurveSizes {
 public:
-  CurveSizes(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
+  CurveSizes(const HostMesh& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
              double fineness)
       : mesh_(host.mesh()), cracks_(cracks), cavity_(cavity), fineness_(fineness),
         frame_(cracks.front().place.frame), half_(cracks.front().place.half),
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Vec2 local(const Edge& edge, double xi) const {
+  [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
     return point_on(mesh_, frame_, edge, xi);
   }
 
@@ -69,14 +69,14 @@ private:
       const double finer = finest(cracks_);
       const double part =
           crack.tip->pressed ? pressed_mouth_size / std::max(finer, 1.0) : mouth_size / finer;
-      size_.add(crack.place.line.front(), part * own_length(crack.place) / fineness_);
+      size_.add_source(crack.place.line.front(), part * placed_length(crack.place) / fineness_);
     }
   }
 
   void add_edge(const OutlineEdge& edge, bool transition) {
     const double length = (local(edge.edge, 1.0) - local(edge.edge, -1.0)).norm();
     if (edge.free || !transition) { // an edge that is tied asks for nothing
-      size_.add(local(edge.edge, 0.0), edge.free ? length / fineness_ : length);
+      size_.add_source(local(edge.edge, 0.0), edge.free ? length / fineness_ : length);
     }
     std::vector<double> ends{-1.0};
     // A mouth cuts the edge: both parts ask for their own length, the shorter one for less than the
@@ -87,13 +87,13 @@ private:
     ends.push_back(1.0);
     for (std::size_t i = 1; i < ends.size() && ends.size() > 2; ++i) {
       const double part = 0.5 * (ends[i] - ends[i - 1]); // may be short indeed
-      size_.add(local(edge.edge, 0.5 * (ends[i - 1] + ends[i])), part * length);
+      size_.add_source(local(edge.edge, 0.5 * (ends[i - 1] + ends[i])), part * length);
     }
   }
 
   /// Between cracks and what runs beside them elements are no longer than the gap is wide.
   void add_gaps() {
-    std::vector<const Placement*> places;
+    std::vector<const CrackPlacement*> places;
     for (const PatchCrack& crack : cracks_) {
       places.push_back(&crack.place);
     }
@@ -113,7 +113,7 @@ private:
   const std::vector<PatchCrack>& cracks_;
   const Cavity& cavity_;
   double fineness_;
-  CrackFrame frame_;
+  PlanarCrackFrame frame_;
   int half_;
   Grading size_;
 };
@@ -124,15 +124,15 @@ Grading patch_grading(const std::vector<PatchCrack>& cracks) {
   return Grading(Grading::usual_growth / finest(cracks));
 }
 
-Grading curve_sizes(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
-                    const PatchNet& net, double fineness) {
+Grading curve_sizes(const HostMesh& host, const std::vector<PatchCrack>& cracks,
+                    const Cavity& cavity, const PatchNet& net, double fineness) {
   return CurveSizes(host, cracks, cavity, fineness).take(net);
 }
 
 void add_edge_size(Grading& grading, const PatchNet& net, int a, int b) {
-  const Vec2& p = net.local(a);
-  const Vec2& q = net.local(b);
-  grading.add(0.5 * (p + q), (q - p).norm());
+  const Vec2& p = net.local_position(a);
+  const Vec2& q = net.local_position(b);
+  grading.add_source(0.5 * (p + q), (q - p).norm());
 }
 
 } // namespace spricka::mesh

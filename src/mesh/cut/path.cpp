@@ -15,8 +15,8 @@ using base::NodeId;
 /// Room for round-off in a length along a path, as a part of the crack's length.
 constexpr double same_length = 1e-6;
 
-bool is_corner(const Host& host, NodeId n) {
-  const auto around = host.around(n);
+bool is_corner(const HostMesh& host, NodeId n) {
+  const auto around = host.elements_around(n);
   return std::any_of(around.begin(), around.end(), [&](ElementId e) {
     const auto nodes = host.mesh().element_nodes(e);
     const auto corners = base::element_info(host.mesh().type[e.index()]).corners;
@@ -24,10 +24,10 @@ bool is_corner(const Host& host, NodeId n) {
   });
 }
 
-std::optional<Edge> edge_between(const Host& host, NodeId from, NodeId to) {
-  for (const ElementId e : host.around(from)) {
+std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeId to) {
+  for (const ElementId e : host.elements_around(from)) {
     for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
-      const Edge edge = edge_of(host.mesh(), {e, s});
+      const ElementEdge edge = element_edge(host.mesh(), {e, s});
       if ((edge.a == from && edge.b == to) || (edge.a == to && edge.b == from)) {
         return edge;
       }
@@ -46,11 +46,11 @@ double length_of(const std::vector<base::Vec3>& points) {
 
 } // namespace
 
-bool body_on_left(const Host& host, NodeId from, NodeId to) {
-  const auto around = host.around(from);
+bool body_on_left(const HostMesh& host, NodeId from, NodeId to) {
+  const auto around = host.elements_around(from);
   return std::any_of(around.begin(), around.end(), [&](ElementId e) {
     for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
-      const Edge edge = edge_of(host.mesh(), {e, s});
+      const ElementEdge edge = element_edge(host.mesh(), {e, s});
       if (edge.a == from && edge.b == to) {
         return true;
       }
@@ -59,7 +59,7 @@ bool body_on_left(const Host& host, NodeId from, NodeId to) {
   });
 }
 
-std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine& line,
+std::optional<std::vector<NodeId>> path_nodes(const HostMesh& host, const CrackLine& line,
                                               base::SourceSpan span,
                                               base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
@@ -69,7 +69,7 @@ std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine&
   std::copy_if(line.path.begin(), line.path.end(), std::back_inserter(corners),
                [&](NodeId n) { return is_corner(host, n); });
   if (corners.empty()) {
-    diagnostics.error(span, "E427", fmt::format("{}: PATH has no nodes", line.title()));
+    diagnostics.error(span, "E427", fmt::format("{}: PATH has no nodes", line.display_name()));
     return std::nullopt;
   }
   std::vector<NodeId> result{corners.front()};
@@ -79,7 +79,7 @@ std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine&
     if (!edge) {
       diagnostics.error(span, "E427",
                         fmt::format("{}: no element edge joins the nodes {} and {} of PATH",
-                                    line.title(), mesh.node_label[corners[i - 1].index()],
+                                    line.display_name(), mesh.node_label[corners[i - 1].index()],
                                     mesh.node_label[corners[i].index()]),
                         "order the set from the mouth, ORDER=(..) on $NSET");
       return std::nullopt;
@@ -101,14 +101,14 @@ std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine&
           span, "E427",
           fmt::format("{}: without a patch the tip must be a node of PATH, a = {:.6g} lies between "
                       "node {} at {:.6g} and node {} at {:.6g}",
-                      line.title(), a, mesh.node_label[corners[i - 1].index()], before,
+                      line.display_name(), a, mesh.node_label[corners[i - 1].index()], before,
                       mesh.node_label[corners[i].index()], s));
       return std::nullopt;
     }
   }
-  diagnostics.error(
-      span, "E427",
-      fmt::format("{}: PATH ends at {:.6g}, before the tip at a = {:.6g}", line.title(), s, a));
+  diagnostics.error(span, "E427",
+                    fmt::format("{}: PATH ends at {:.6g}, before the tip at a = {:.6g}",
+                                line.display_name(), s, a));
   return std::nullopt;
 }
 

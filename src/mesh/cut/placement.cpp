@@ -28,11 +28,11 @@ bool on_axis(const Vec2& p) {
 }
 
 /// Which side of a crack along the boundary the body lies on.
-int side_of_body(const Host& host, const CrackFrame& frame) {
+int side_of_body(const HostMesh& host, const PlanarCrackFrame& frame) {
   for (const model::Face& face : host.boundary()) {
-    const Edge edge = edge_of(host.mesh(), face);
-    const Vec2 a = frame.local(host.mesh().x[edge.a.index()]);
-    const Vec2 b = frame.local(host.mesh().x[edge.b.index()]);
+    const ElementEdge edge = element_edge(host.mesh(), face);
+    const Vec2 a = frame.rounded_local(host.mesh().x[edge.a.index()]);
+    const Vec2 b = frame.rounded_local(host.mesh().x[edge.b.index()]);
     if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
         std::min(a.x(), b.x()) < 1.0 - same) {
       // Edges run with the body on their left: one that runs as the crack does has it on the
@@ -45,18 +45,19 @@ int side_of_body(const Host& host, const CrackFrame& frame) {
 
 /// Distance from the last point of a line to some faces of its net, but for the line itself of a
 /// symmetric half [a].
-double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line,
-                     bool half, base::NetId net, const std::vector<model::Face>& faces) {
+double tip_clearance(const HostMesh& host, const PlanarCrackFrame& frame,
+                     const std::vector<Vec2>& line, bool half, base::NetId net,
+                     const std::vector<model::Face>& faces) {
   const model::Mesh& mesh = host.mesh();
   const Vec3 tip = frame.global(line.back());
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
-  const auto on_line = [&](const Edge& edge) {
-    return std::abs(cross(along, frame.exact(mesh.x[edge.a.index()]) - line.back())) < same &&
-           std::abs(cross(along, frame.exact(mesh.x[edge.b.index()]) - line.back())) < same;
+  const auto on_line = [&](const ElementEdge& edge) {
+    return std::abs(cross(along, frame.exact_local(mesh.x[edge.a.index()]) - line.back())) < same &&
+           std::abs(cross(along, frame.exact_local(mesh.x[edge.b.index()]) - line.back())) < same;
   };
   double least = std::numeric_limits<double>::max();
   for (const model::Face& face : faces) {
-    const Edge edge = edge_of(mesh, face);
+    const ElementEdge edge = element_edge(mesh, face);
     // The quick test first: the nearest point of a curved edge takes some steps.
     if (in_net(mesh, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
       least = std::min(least, nearest_on(mesh, edge, tip).distance);
@@ -67,14 +68,14 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
 
 } // namespace
 
-double tip_room(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line, bool half,
-                base::NetId net) {
+double tip_boundary_distance(const HostMesh& host, const PlanarCrackFrame& frame,
+                             const std::vector<Vec2>& line, bool half, base::NetId net) {
   return std::min(tip_clearance(host, frame, line, half, net, host.boundary()),
-                  tip_clearance(host, frame, line, half, net, host.borders()));
+                  tip_clearance(host, frame, line, half, net, host.property_borders()));
 }
 
-CrackFrame frame_of(const CrackLine& line) {
-  CrackFrame frame;
+PlanarCrackFrame make_crack_frame(const CrackLine& line) {
+  PlanarCrackFrame frame;
   frame.origin = line.points.front();
   frame.e1 = (line.points[1] - line.points[0]).normalized();
   frame.a = 0.0;
@@ -94,7 +95,7 @@ std::string text(const Vec3& p) {
 }
 
 /// Finds where the crack starts and moves its frame there.
-bool put_start(const Host& host, const CrackLine& line, Placement& result,
+bool put_start(const HostMesh& host, const CrackLine& line, CrackPlacement& result,
                base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3& start = line.points.front();
   const NearestMouth found = find_mouth(host, start, line.net);
@@ -118,14 +119,14 @@ bool put_start(const Host& host, const CrackLine& line, Placement& result,
         span, "E421",
         fmt::format("{} starts at {}, {:.3g} short of the boundary: neither on it nor "
                     "inside the body",
-                    line.title(), text(start), found.distance),
+                    line.display_name(), text(start), found.distance),
         hint);
     return false;
   }
   diagnostics.error(span, "E421",
                     fmt::format("{} starts at {}, which is neither on the boundary nor inside the "
                                 "body",
-                                line.title(), text(start)),
+                                line.display_name(), text(start)),
                     hint);
   return false;
 }
@@ -135,7 +136,7 @@ double angle_of(const Vec2& v) {
 }
 
 /// The least distance of a tip from the boundary [a].
-double ligament_of(const Host& host, const Placement& placement, base::NetId net) {
+double ligament_of(const HostMesh& host, const CrackPlacement& placement, base::NetId net) {
   const bool half = placement.half != 0;
   const auto& faces = host.boundary();
   double least = tip_clearance(host, placement.frame, placement.line, half, net, faces);
@@ -147,14 +148,14 @@ double ligament_of(const Host& host, const Placement& placement, base::NetId net
 }
 
 /// A tip on the boundary: the whole crack may lie there.
-void report_lost_section(const Host& host, const CrackLine& line, const CrackFrame& frame,
+void report_lost_section(const HostMesh& host, const CrackLine& line, const PlanarCrackFrame& frame,
                          double room, base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
   if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
     const bool path = !line.path.empty();
     diagnostics.error(
         span, "E423",
-        fmt::format("{} runs along the boundary{}", line.title(),
+        fmt::format("{} runs along the boundary{}", line.display_name(),
                     path ? ", but not all nodes of PATH are suppressed across it" : ""),
         path ? "on a line of symmetry every node of PATH is in a $FREEDOM CLASS=SUPPRESSED of the "
                "direction across; the crack's part is set free by the program"
@@ -165,16 +166,16 @@ void report_lost_section(const Host& host, const CrackLine& line, const CrackFra
   diagnostics.error(span, "E423",
                     fmt::format("{}: with a = {:.6g} the net section is lost: a tip is {:.3g} from "
                                 "the boundary",
-                                line.title(), frame.a, room * frame.a),
+                                line.display_name(), frame.a, room * frame.a),
                     "a crack needs a ligament of at least 1e-4 of its length; a body cut through "
                     "is two nets");
 }
 
 /// The tips of a line, each with its direction of growth.
-std::vector<TipPlace> tips_of(const std::vector<Vec2>& line, bool embedded) {
+std::vector<PlacedTip> tips_of(const std::vector<Vec2>& line, bool embedded) {
   const bool straight = line.size() == 2; // then the angles are exact
   const Vec2 last = line.back() - line[line.size() - 2];
-  const TipPlace end{line.back(), straight ? 0.0 : angle_of(last)};
+  const PlacedTip end{line.back(), straight ? 0.0 : angle_of(last)};
   if (!embedded) {
     return {end};
   }
@@ -182,11 +183,11 @@ std::vector<TipPlace> tips_of(const std::vector<Vec2>& line, bool embedded) {
 }
 
 /// Room for a rosette at the last point of a line: to the boundary, along the last stretch.
-double room_at_end(const Host& host, const Placement& placement, const std::vector<Vec2>& line,
-                   base::NetId net) {
+double room_at_end(const HostMesh& host, const CrackPlacement& placement,
+                   const std::vector<Vec2>& line, base::NetId net) {
   const double last = (line.back() - line[line.size() - 2]).norm();
   const bool shared = placement.tips.size() > 1 && line.size() == 2; // with the other tip
-  return std::min(tip_room(host, placement.frame, line, placement.half != 0, net),
+  return std::min(tip_boundary_distance(host, placement.frame, line, placement.half != 0, net),
                   shared ? 0.5 * last : last);
 }
 
@@ -204,12 +205,12 @@ double reach_of(int rings, double factor) {
   return sum;
 }
 
-bool rings_follow(const TipMesh& tip) {
+bool rings_follow(const TipMeshParameters& tip) {
   return tip.rings < 2 || tip.radius <= reach_of(tip.rings, steepest) * tip.size;
 }
 
-void report_steep_rings(const CrackLine& line, const TipMesh& tip, base::Diagnostics& diagnostics,
-                        base::SourceSpan span) {
+void report_steep_rings(const CrackLine& line, const TipMeshParameters& tip,
+                        base::Diagnostics& diagnostics, base::SourceSpan span) {
   int rings = tip.rings;
   while (reach_of(rings, usual_steep) * tip.size < tip.radius) {
     ++rings;
@@ -218,24 +219,25 @@ void report_steep_rings(const CrackLine& line, const TipMesh& tip, base::Diagnos
       span, "E457",
       fmt::format("{}: {} rings from tip elements of {:.6g} to a radius of {:.6g} grow more than "
                   "{:.0f} times from one to the next: K would be wrong",
-                  line.title(), tip.rings, tip.size, tip.radius, steepest),
+                  line.display_name(), tip.rings, tip.size, tip.radius, steepest),
       fmt::format("SIZE={:.3g} of $TIPNET goes with these rings, or RINGS={} with that SIZE",
                   tip.radius / reach_of(tip.rings, usual_steep), rings));
 }
 
 } // namespace
 
-std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
-                               base::SourceSpan span, base::Diagnostics& diagnostics) {
-  Placement result;
-  CrackFrame& frame = result.frame;
-  frame = frame_of(line);
+std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine& line,
+                                          const TipMeshParameters& tip, base::SourceSpan span,
+                                          base::Diagnostics& diagnostics) {
+  CrackPlacement result;
+  PlanarCrackFrame& frame = result.frame;
+  frame = make_crack_frame(line);
   if (!put_start(host, line, result, diagnostics, span)) {
     return std::nullopt;
   }
   for (const Vec3& p : line.points) {
     // The start was moved onto the boundary and takes the line along: its length and shape stay.
-    result.line.push_back(frame.exact(p - line.points[0] + frame.origin));
+    result.line.push_back(frame.exact_local(p - line.points[0] + frame.origin));
   }
   result.line[0].setZero();
   // A straight crack lies on the axis exactly, whatever round-off its direction has.
@@ -251,7 +253,7 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
       diagnostics.error(span, "E422",
                         fmt::format("{} lies on a symmetry line, which must be a straight part of "
                                     "the boundary",
-                                    line.title()));
+                                    line.display_name()));
       return std::nullopt;
     }
   }
@@ -268,7 +270,7 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
     diagnostics.error(span, "E423",
                       fmt::format("{}: a tip has {:.3g} of room to a material boundary or to the "
                                   "point before it: at least 1e-5 of a = {:.6g}",
-                                  line.title(), room * frame.a, frame.a),
+                                  line.display_name(), room * frame.a, frame.a),
                       "end the crack before the boundary, or leave out the point before the tip");
     return std::nullopt;
   }
@@ -278,7 +280,7 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
         span, "E423",
         fmt::format("{}: a rosette of radius {:.6g} with tip elements of {:.6g} does not fit, the "
                     "tip has {:.6g} of room",
-                    line.title(), tip.radius, tip.size, room * frame.a),
+                    line.display_name(), tip.radius, tip.size, room * frame.a),
         "RADIUS of $TIPNET must be smaller than that, and SIZE smaller than RADIUS");
     return std::nullopt;
   }
@@ -289,9 +291,9 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
   return result;
 }
 
-Placement seen_from(const Placement& placement, const CrackFrame& frame) {
-  Placement result = placement;
-  const CrackFrame& own = placement.frame;
+CrackPlacement seen_from(const CrackPlacement& placement, const PlanarCrackFrame& frame) {
+  CrackPlacement result = placement;
+  const PlanarCrackFrame& own = placement.frame;
   if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
     return result;
   }
@@ -299,10 +301,10 @@ Placement seen_from(const Placement& placement, const CrackFrame& frame) {
   const double turn =
       std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
   for (Vec2& p : result.line) {
-    p = frame.exact(own.global(p));
+    p = frame.exact_local(own.global(p));
   }
-  for (TipPlace& tip : result.tips) {
-    tip.at = frame.exact(own.global(tip.at));
+  for (PlacedTip& tip : result.tips) {
+    tip.at = frame.exact_local(own.global(tip.at));
     tip.direction += turn;
   }
   result.radius *= own.a / frame.a;

@@ -13,41 +13,44 @@
 namespace spricka::mesh {
 
 /// A tip in the crack's frame.
-struct TipPlace {
+struct PlacedTip {
   base::Vec2 at = base::Vec2::Zero();
   double direction = 0.0; ///< of growth, angle from the frame's x
 
-  [[nodiscard]] base::Vec2 ahead() const { return {std::cos(direction), std::sin(direction)}; }
+  [[nodiscard]] base::Vec2 growth_direction() const {
+    return {std::cos(direction), std::sin(direction)};
+  }
 };
 
 /// A crack put into its host, in its own frame: mouth at (0, 0), length 1; an embedded one has its
 /// first tip there and length 2.
-struct Placement {
-  CrackFrame frame;
-  std::vector<base::Vec2> line; ///< the crack, mouth first
-  std::optional<Mouth> mouth;   ///< none: embedded
-  base::ElementId seed;         ///< host element that it starts in
-  std::vector<TipPlace> tips;   ///< in the order of the line
-  double radius = 0.0;          ///< of the rosettes
-  double size = 0.0;            ///< of the tip elements
+struct CrackPlacement {
+  PlanarCrackFrame frame;
+  std::vector<base::Vec2> line;       ///< the crack, mouth first
+  std::optional<MouthPosition> mouth; ///< none: embedded
+  base::ElementId seed;               ///< host element that it starts in
+  std::vector<PlacedTip> tips;        ///< in the order of the line
+  double radius = 0.0;                ///< of the rosettes
+  double size = 0.0;                  ///< of the tip elements
   /// Symmetric half: +1 if the body lies on the left of the line, -1 on the right; else 0.
   int half = 0;
 };
 
 /// Puts a crack with a patch into its host. Empty, with an error at `span`, if it does not start
 /// where it should or a rosette does not fit.
-std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
-                               base::SourceSpan span, base::Diagnostics& diagnostics);
+std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine& line,
+                                          const TipMeshParameters& tip, base::SourceSpan span,
+                                          base::Diagnostics& diagnostics);
 
 /// The same crack in another frame; unchanged in its own.
-Placement seen_from(const Placement& placement, const CrackFrame& frame);
+CrackPlacement seen_from(const CrackPlacement& placement, const PlanarCrackFrame& frame);
 
 /// Distance from the last point of a line to the net's boundary, but for the line itself of a
 /// symmetric half, and to borders of other properties [a].
-double tip_room(const Host& host, const CrackFrame& frame, const std::vector<base::Vec2>& line,
-                bool half, base::NetId net);
+double tip_boundary_distance(const HostMesh& host, const PlanarCrackFrame& frame,
+                             const std::vector<base::Vec2>& line, bool half, base::NetId net);
 
 /// Frame of a crack from its first point on; `a` is half the length of an embedded one.
-CrackFrame frame_of(const CrackLine& line);
+PlanarCrackFrame make_crack_frame(const CrackLine& line);
 
 } // namespace spricka::mesh

@@ -39,8 +39,8 @@ std::vector<double> ring_radii(double size, double radius, int rings) {
 
 } // namespace
 
-Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& at,
-                    const TipMesh& tip) {
+Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const PlacedTip& at,
+                    const TipMeshParameters& tip) {
   constexpr double pi = std::numbers::pi;
   const bool half = placement.half != 0;
   const auto sectors = static_cast<std::size_t>(half ? (tip.sectors + 1) / 2 : tip.sectors);
@@ -72,9 +72,9 @@ Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& a
     // (shape.13). The third edge, from ray to ray, gets its middle on the chord, as (shape.14)
     // needs.
     const double part = tip.quarter_point ? 0.25 : 0.5;
-    const base::Vec3& x = net.x(result.tip);
-    const base::Vec3 quarter = x + part * (net.x(corner[0][j]) - x);
-    net.set_mid(result.tip, corner[0][j], net.new_node(quarter));
+    const base::Vec3& x = net.position(result.tip);
+    const base::Vec3 quarter = x + part * (net.position(corner[0][j]) - x);
+    net.set_mid_node(result.tip, corner[0][j], net.new_node(quarter));
   }
   for (std::size_t j = 0; j < sectors; ++j) {
     const std::size_t next = (j + 1) % rays;

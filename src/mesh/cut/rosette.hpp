@@ -17,7 +17,7 @@ struct Rosette {
   std::vector<int> ahead;
 };
 /// Adds the rosette of one tip of a crack to a patch.
-Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& at,
-                    const TipMesh& tip);
+Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const PlacedTip& at,
+                    const TipMeshParameters& tip);
 
 } // namespace spricka::mesh

@@ -15,14 +15,14 @@ namespace {
 using base::ElementId;
 using base::NodeId;
 
-enum class Side { unknown, left, right, both };
+enum class PathSide { unknown, left, right, both };
 
-Side join(Side a, Side b) {
+PathSide join(PathSide a, PathSide b) {
   // Elements that both sides claim hang together round the node: the path does not part them.
-  if (a == Side::unknown || a == b) {
+  if (a == PathSide::unknown || a == b) {
     return b;
   }
-  return b == Side::unknown ? a : Side::both;
+  return b == PathSide::unknown ? a : PathSide::both;
 }
 
 /// Elements round one node of a path, told apart by the path's edges.
@@ -30,7 +30,7 @@ class Fan {
 public:
   Fan(const model::Mesh& mesh, std::vector<ElementId> elements)
       : mesh_(mesh), elements_(std::move(elements)), root_(elements_.size()),
-        side_(elements_.size(), Side::unknown) {
+        side_(elements_.size(), PathSide::unknown) {
     std::iota(root_.begin(), root_.end(), std::size_t{0});
   }
 
@@ -40,16 +40,16 @@ public:
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       const int sides = base::element_info(mesh_.type[elements_[i].index()]).sides;
       for (int s = 0; s < sides; ++s) {
-        const Edge edge = edge_of(mesh_, {elements_[i], s});
+        const ElementEdge edge = element_edge(mesh_, {elements_[i], s});
         if (edge.a != node && edge.b != node && edge.mid != node) {
           continue;
         }
         // An edge has its element on the left: one that runs with the path belongs to the left
         // face.
         if (cut.contains({edge.a, edge.b})) {
-          side_[i] = join(side_[i], Side::left);
+          side_[i] = join(side_[i], PathSide::left);
         } else if (cut.contains({edge.b, edge.a})) {
-          side_[i] = join(side_[i], Side::right);
+          side_[i] = join(side_[i], PathSide::right);
         } else {
           const auto [at, fresh] = first.try_emplace(std::minmax(edge.a, edge.b), i);
           // Elements that share an edge off the path hang together.
@@ -61,16 +61,16 @@ public:
 
   /// Elements on the right; empty optional if they hang together with those on the left.
   std::optional<std::vector<ElementId>> right() {
-    std::vector<Side> of_root(elements_.size(), Side::unknown);
+    std::vector<PathSide> of_root(elements_.size(), PathSide::unknown);
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       of_root[find(i)] = join(of_root[find(i)], side_[i]);
     }
     std::vector<ElementId> result;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
-      if (of_root[find(i)] == Side::both) {
+      if (of_root[find(i)] == PathSide::both) {
         return std::nullopt;
       }
-      if (of_root[find(i)] == Side::right) {
+      if (of_root[find(i)] == PathSide::right) {
         result.push_back(elements_[i]);
       }
     }
@@ -88,7 +88,7 @@ private:
   const model::Mesh& mesh_;
   std::vector<ElementId> elements_;
   std::vector<std::size_t> root_;
-  std::vector<Side> side_;
+  std::vector<PathSide> side_;
 };
 
 } // namespace
@@ -159,7 +159,7 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
   return crack_faces;
 }
 
-double odd_middle(const model::Mesh& mesh, NodeId tip) {
+double worst_mid_node(const model::Mesh& mesh, NodeId tip) {
   double odd = 0.5;
   const auto off = [](double part) {
     return std::min(std::abs(part - 0.25), std::abs(part - 0.5));
@@ -170,7 +170,7 @@ double odd_middle(const model::Mesh& mesh, NodeId tip) {
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const Edge edge = edge_of(mesh, {ElementId(e), s});
+      const ElementEdge edge = element_edge(mesh, {ElementId(e), s});
       if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
         const base::Vec3& x = mesh.x[tip.index()];
         const base::Vec3 side = mesh.x[(edge.a == tip ? edge.b : edge.a).index()] - x;
@@ -190,7 +190,7 @@ int move_quarter_points(model::Mesh& mesh, NodeId tip) {
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const Edge edge = edge_of(mesh, {ElementId(e), s});
+      const ElementEdge edge = element_edge(mesh, {ElementId(e), s});
       if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
         const NodeId other = edge.a == tip ? edge.b : edge.a;
         const base::Vec3& x = mesh.x[tip.index()];

@@ -19,6 +19,6 @@ int move_quarter_points(model::Mesh& mesh, base::NodeId tip);
 
 /// Where the middle node of an edge at the tip lies, as a part of the edge from the tip: of the one
 /// that is farthest from being a quarter point or a middle.
-double odd_middle(const model::Mesh& mesh, base::NodeId tip);
+double worst_mid_node(const model::Mesh& mesh, base::NodeId tip);
 
 } // namespace spricka::mesh

@@ -10,18 +10,18 @@ namespace spricka::mesh {
 using base::NodeId;
 using base::Vec2;
 
-bool SymmetryLine::holds(const OutlineEdge& edge) const {
+bool SymmetryLine::contains(const OutlineEdge& edge) const {
   // Ahead of the mouth only: the boundary may go on straight behind it.
   const auto local = [&](double xi) { return point_on(host_, frame_, edge.edge, xi); };
   return edge.free && std::abs(local(-1.0).y()) < same && std::abs(local(0.0).y()) < same &&
          std::abs(local(1.0).y()) < same && std::max(local(-1.0).x(), local(1.0).x()) > same;
 }
 
-SymmetryLine::End SymmetryLine::end() const {
-  End result;
+SymmetryLine::SymmetryLineEnd SymmetryLine::end() const {
+  SymmetryLineEnd result;
   for (const OutlineEdge& edge : edges_) {
     for (const NodeId n : {edge.edge.a, edge.edge.b}) {
-      const double x = frame_.local(host_.x[n.index()]).x();
+      const double x = frame_.rounded_local(host_.x[n.index()]).x();
       if (x > result.x) {
         result = {n, x};
       }
@@ -30,15 +30,16 @@ SymmetryLine::End SymmetryLine::end() const {
   return result;
 }
 
-std::vector<EdgePieces> SymmetryLine::pieces(const PatchNet& net,
-                                             const std::vector<int>& line) const {
-  std::vector<EdgePieces> result;
+std::vector<HeldEdgePieces> SymmetryLine::edge_pieces(const PatchNet& net,
+                                                      const std::vector<int>& line) const {
+  std::vector<HeldEdgePieces> result;
   for (const OutlineEdge& edge : edges_) {
     const double x0 = point_on(host_, frame_, edge.edge, -1.0).x();
     const double x1 = point_on(host_, frame_, edge.edge, 1.0).x();
     std::vector<std::pair<int, int>> pieces;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const double x = 0.5 * (net.local(line[i]).x() + net.local(line[i + 1]).x());
+      const double x =
+          0.5 * (net.local_position(line[i]).x() + net.local_position(line[i + 1]).x());
       // Half-open: a piece whose middle meets the end of two host edges goes to one of them.
       if (x >= std::min(x0, x1) - same && x < std::max(x0, x1) - same) {
         pieces.emplace_back(line[i], line[i + 1]);

@@ -11,27 +11,28 @@ namespace spricka::mesh {
 /// mouth on the x axis of its frame, and what takes their place.
 class SymmetryLine {
 public:
-  SymmetryLine(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
+  SymmetryLine(const model::Mesh& host, const PlanarCrackFrame& frame)
+      : host_(host), frame_(frame) {}
 
   /// Whether an edge of the cavity's outline lies on the line.
-  [[nodiscard]] bool holds(const OutlineEdge& edge) const;
-  void add(const OutlineEdge& edge) { edges_.push_back(edge); }
+  [[nodiscard]] bool contains(const OutlineEdge& edge) const;
+  void add_edge(const OutlineEdge& edge) { edges_.push_back(edge); }
 
   /// The node of these edges that lies farthest ahead.
-  struct End {
+  struct SymmetryLineEnd {
     base::NodeId node;
     double x = 0.0;
   };
-  [[nodiscard]] End end() const;
+  [[nodiscard]] SymmetryLineEnd end() const;
 
   /// The edges between nodes of the patch along the whole line, in the direction of growth: each
   /// belongs to the host edge that its middle lies on.
-  [[nodiscard]] std::vector<EdgePieces> pieces(const PatchNet& net,
-                                               const std::vector<int>& line) const;
+  [[nodiscard]] std::vector<HeldEdgePieces> edge_pieces(const PatchNet& net,
+                                                        const std::vector<int>& line) const;
 
 private:
   const model::Mesh& host_;
-  CrackFrame frame_;
+  PlanarCrackFrame frame_;
   std::vector<OutlineEdge> edges_;
 };
 

@@ -26,9 +26,10 @@ constexpr int fewest_sectors = 6;
 
 } // namespace
 
-TipMesh choose_tip_mesh(const Host& host, const CrackLine& line,
-                        const model::TipMeshSettings* wishes, std::span<const CrackLine> all) {
-  TipMesh tip;
+TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
+                                  const model::TipMeshSettings* wishes,
+                                  std::span<const CrackLine> all) {
+  TipMeshParameters tip;
   const double finer = wishes == nullptr ? 1.0 : wishes->finer;
   if (wishes != nullptr) {
     tip.rings = std::max(fewest_rings, static_cast<int>(std::lround(finer * wishes->rings)));
@@ -37,20 +38,21 @@ TipMesh choose_tip_mesh(const Host& host, const CrackLine& line,
     tip.patch = wishes->patch;
     tip.transition = wishes->join == model::PatchCoupling::transition;
   }
-  const CrackFrame frame = frame_of(line);
+  const PlanarCrackFrame frame = make_crack_frame(line);
   if (wishes != nullptr && wishes->radius) {
     tip.radius = *wishes->radius;
   } else {
     std::vector<Vec2> local;
     for (const Vec3& p : line.points) {
-      local.push_back(frame.local(p));
+      local.push_back(frame.rounded_local(p));
     }
-    double room = std::min(1.0, room_beside_cracks(line, all) / frame.a);
+    double room = std::min(1.0, clearance_to_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
       // (crack.16): half of the only straight part where both its ends are tips.
       const double last = (local.back() - local[local.size() - 2]).norm();
-      room = std::min({room, tip_room(host, frame, local, line.symmetric_half, line.net),
-                       1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
+      room =
+          std::min({room, tip_boundary_distance(host, frame, local, line.symmetric_half, line.net),
+                    1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
       // Room is measured at the last point.
       std::reverse(local.begin(), local.end());
     }

@@ -11,7 +11,8 @@ namespace spricka::mesh {
 /// Sizes where the deck is silent: from the crack's length and its last straight part, and the
 /// distance of a tip to the nearest boundary (the ligament, a hole, a contact surface), to other
 /// cracks in `all` and to earlier parts of its own. What the deck gives is taken as it is.
-TipMesh choose_tip_mesh(const Host& host, const CrackLine& line,
-                        const model::TipMeshSettings* wishes, std::span<const CrackLine> all = {});
+TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
+                                  const model::TipMeshSettings* wishes,
+                                  std::span<const CrackLine> all = {});
 
 } // namespace spricka::mesh

@@ -36,7 +36,7 @@ std::string number(double value) {
 
 std::vector<Label> unique_labels(const std::vector<Label>& labels) {
   std::vector<Label> result = labels;
-  if (LabelIndex(labels).doubled()) {
+  if (LabelIndex(labels).has_duplicates()) {
     std::iota(result.begin(), result.end(), Label{1});
   }
   return result;
@@ -68,7 +68,7 @@ private:
   }
   /// A name that no other set or material has.
   std::string unique(const std::string& name) {
-    const std::string wanted = set_name(name);
+    const std::string wanted = valid_set_name(name);
     std::string free = wanted;
     for (int n = 2; !names_.insert(free).second; ++n) {
       free = fmt::format("{}_{}", wanted, n);
@@ -187,7 +187,7 @@ private:
     if (!step.fixed.empty()) {
       put("*BOUNDARY\n");
     }
-    for (const InpStep::Fixed& f : step.fixed) {
+    for (const InpStep::PrescribedFreedom& f : step.fixed) {
       put("{}, {}, {}, {}\n", node_[f.node.index()], f.dof + 1, f.dof + 1, number(f.value));
     }
     bool headed = false;
@@ -234,7 +234,7 @@ std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh) {
   return unique_labels(mesh.node_label);
 }
 
-std::string inp_text(const model::Model& model, const InpStep* step) {
+std::string write_inp(const model::Model& model, const InpStep* step) {
   return InpWriter(model).text(step);
 }
 

@@ -11,13 +11,13 @@ namespace spricka::mesh {
 
 /// A static step as nodal values.
 struct InpStep {
-  struct Fixed {
+  struct PrescribedFreedom {
     base::NodeId node;
     int dof = 0; ///< 0 1 2
     double value = 0.0;
   };
   std::string name;
-  std::vector<Fixed> fixed;
+  std::vector<PrescribedFreedom> fixed;
   std::vector<base::Vec3> force;   ///< [node]; empty: none
   std::vector<double> temperature; ///< [node] above that of no strain; empty: none
 };
@@ -34,6 +34,6 @@ std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh);
 /// as many digits as it takes to read the same bits back, up to the 20 characters that CalculiX
 /// reads. Nodes of no element are left out; deck numbers stay where they are unique. All types must
 /// have a name there.
-std::string inp_text(const model::Model& model, const InpStep* step);
+std::string write_inp(const model::Model& model, const InpStep* step);
 
 } // namespace spricka::mesh

@@ -65,9 +65,9 @@ struct Cells {
 };
 
 /// gmsh's number and order of an element type.
-const GmshElement& to_gmsh(base::ElementType type) {
-  static const std::vector<GmshElement> known = [] {
-    std::vector<GmshElement> all(base::element_infos.size());
+const GmshElementType& to_gmsh(base::ElementType type) {
+  static const std::vector<GmshElementType> known = [] {
+    std::vector<GmshElementType> all(base::element_infos.size());
     for (int number = 1; number < 32; ++number) {
       if (const auto element = from_gmsh(number)) {
         all[static_cast<std::size_t>(element->type)] = *element;
@@ -80,7 +80,7 @@ const GmshElement& to_gmsh(base::ElementType type) {
 
 /// The nodes of an element or side as gmsh orders them.
 template <class NodeOf>
-void append(const GmshElement& form, std::size_t count, const NodeOf& node, Cells& cells) {
+void append(const GmshElementType& form, std::size_t count, const NodeOf& node, Cells& cells) {
   const std::size_t start = cells.nodes.size();
   cells.nodes.resize(start + count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -115,7 +115,7 @@ private:
 
   void number_nodes() {
     used_ = model::nodes_in_use(mesh_);
-    const bool own = LabelIndex(mesh_.node_label).doubled();
+    const bool own = LabelIndex(mesh_.node_label).has_duplicates();
     tag_ = mesh_.node_label;
     if (own) {
       std::iota(tag_.begin(), tag_.end(), base::Label{1});
@@ -139,7 +139,7 @@ private:
     bool rest = false;
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const auto nodes = mesh_.element_nodes(base::ElementId(e));
-      const GmshElement& form = to_gmsh(mesh_.type[e]);
+      const GmshElementType& form = to_gmsh(mesh_.type[e]);
       append(
           form, nodes.size(), [&](std::size_t i) { return nodes[i]; }, cells);
       cells.close(form.number);
@@ -151,7 +151,7 @@ private:
       cells.classes.sets(0).push_back(tag);
     }
     cells.label = mesh_.element_label;
-    if (LabelIndex(mesh_.element_label).doubled()) {
+    if (LabelIndex(mesh_.element_label).has_duplicates()) {
       std::iota(cells.label.begin(), cells.label.end(), base::Label{1});
     }
     return cells;
@@ -181,8 +181,8 @@ private:
       const auto local = shape::side_nodes(type, face.side);
       const auto nodes = mesh_.element_nodes(face.element);
       const int line = local.size() == 2 ? 1 : 8; // lines have our order
-      const GmshElement form = mesh_.dim == 3 ? to_gmsh(shape::solid_side_type(type, face.side))
-                                              : GmshElement{line, type, {}};
+      const GmshElementType form = mesh_.dim == 3 ? to_gmsh(shape::solid_side_type(type, face.side))
+                                                  : GmshElementType{line, type, {}};
       append(
           form, local.size(),
           [&](std::size_t i) { return nodes[static_cast<std::size_t>(local[i])]; }, cells);
@@ -328,7 +328,7 @@ private:
 
 } // namespace
 
-std::string msh_text(const model::Mesh& mesh) {
+std::string write_msh(const model::Mesh& mesh) {
   return MshText(mesh).text();
 }
 

@@ -10,6 +10,6 @@ namespace spricka::mesh {
 /// groups of their names, elements of no set the group REST when others have one. Coordinates have
 /// as many digits as it takes to read the same bits back. Nodes of no element are left out; deck
 /// numbers stay where they are unique. Source: gmsh 4.8 reference manual, "MSH file format".
-std::string msh_text(const model::Mesh& mesh);
+std::string write_msh(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

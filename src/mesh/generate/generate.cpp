@@ -15,7 +15,7 @@ namespace {
 using base::NodeId;
 using base::Vec3;
 using Key = Lattice::Key;
-using Point = Lattice::Point;
+using Point = Lattice::LatticePoint;
 
 using std::numbers::pi;
 
@@ -35,7 +35,7 @@ struct Turn {
         closed(std::abs(angle - 2.0 * pi) < 1e-9) {
     assert(angle > 0.0 && angle < 2.0 * pi + 1e-9);
   }
-  [[nodiscard]] Vec3 ray(int j) const { return direction(t0 + angle * j / (2.0 * nt)); }
+  [[nodiscard]] Vec3 ray(int j) const { return unit_direction(t0 + angle * j / (2.0 * nt)); }
   [[nodiscard]] int wrap(int j) const { return closed ? j % (2 * nt) : j; }
 };
 
@@ -52,7 +52,7 @@ void add_annulus(Lattice& lattice, const RingSpec& spec, const std::string& pref
   std::vector<model::Face> outer;
   for (int j = 0; j < spec.nt; ++j) {
     for (int i = 0; i < spec.nr; ++i) {
-      const std::array<model::Face, 4> side = lattice.cell(i, j, map);
+      const std::array<model::Face, 4> side = lattice.add_cell(i, j, map);
       if (i == 0) {
         inner.push_back(side[3]);
       }
@@ -94,14 +94,14 @@ public:
     for (int k = 0; k < sectors_; ++k) {
       for (int j = 0; j < n_; ++j) {
         for (int i = 0; i < n_; ++i) {
-          lattice.cell(i, j, [&](int u, int v) { return core(k, u, v); });
+          lattice.add_cell(i, j, [&](int u, int v) { return core(k, u, v); });
         }
       }
     }
     std::vector<model::Face> outer;
     for (int j = 0; j < spec_.nt; ++j) {
       for (int i = 0; i < spec_.nr; ++i) {
-        const auto side = lattice.cell(i, j, [&](int u, int v) { return ring(u, v); });
+        const auto side = lattice.add_cell(i, j, [&](int u, int v) { return ring(u, v); });
         if (i == spec_.nr - 1) {
           outer.push_back(side[1]);
         }
@@ -203,7 +203,7 @@ private:
 
   [[nodiscard]] int count(int k) const { return count_[static_cast<std::size_t>(k)]; }
   [[nodiscard]] Vec3 on_rim(double part) const {
-    return turn_.centre + spec_.ro * direction(turn_.t0 + turn_.angle * part);
+    return turn_.centre + spec_.ro * unit_direction(turn_.t0 + turn_.angle * part);
   }
   [[nodiscard]] Point point(const Place& p) const {
     const auto [k, i] = p;
@@ -220,7 +220,7 @@ private:
     std::array<NodeId, 3> corner;
     std::array<Point, 3> mid;
     for (std::size_t c = 0; c < 3; ++c) {
-      corner[c] = lattice.node(point(p[c]));
+      corner[c] = lattice.node_at(point(p[c]));
     }
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t d = (c + 1) % 3;
@@ -230,7 +230,7 @@ private:
       mid[c].x = rim ? on_rim((p[c].second + 0.5) / spec_.nt)
                      : Vec3(0.5 * (point(p[c]).x + point(p[d]).x));
     }
-    return lattice.triangle(corner, mid);
+    return lattice.add_triangle(corner, mid);
   }
 
   const RingSpec& spec_;
@@ -253,7 +253,7 @@ void generate_block(model::Mesh& mesh, base::NetId net, const std::string& prefi
   std::array<std::vector<model::Face>, 4> sets; // YMIN XMAX YMAX XMIN, as the sides of a cell
   for (int j = 0; j < spec.ny; ++j) {
     for (int i = 0; i < spec.nx; ++i) {
-      const std::array<model::Face, 4> side = lattice.cell(i, j, map);
+      const std::array<model::Face, 4> side = lattice.add_cell(i, j, map);
       const std::array<bool, 4> outside{j == 0, i == spec.nx - 1, j == spec.ny - 1, i == 0};
       for (std::size_t s = 0; s < 4; ++s) {
         if (outside[s]) {

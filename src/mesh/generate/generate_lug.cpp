@@ -11,7 +11,7 @@ namespace spricka::mesh {
 namespace {
 
 using base::Vec3;
-using Point = Lattice::Point;
+using Point = Lattice::LatticePoint;
 
 using std::numbers::pi;
 constexpr int key_eye = 0, key_shank = 1;
@@ -42,7 +42,7 @@ public:
     std::vector<model::Face> end;
     for (int j = 0; j < nt_; ++j) {
       for (int i = 0; i < spec_.nr; ++i) {
-        const auto side = lattice.cell(i, j, [&](int u, int v) { return eye(u, v); });
+        const auto side = lattice.add_cell(i, j, [&](int u, int v) { return eye(u, v); });
         if (i == 0) {
           bore.push_back(side[3]);
         }
@@ -56,7 +56,7 @@ public:
     }
     for (int j = 0; j < back_; ++j) {
       for (int i = 0; i < shank_; ++i) {
-        const auto side = lattice.cell(i, j, [&](int u, int v) { return shank(u, v); });
+        const auto side = lattice.add_cell(i, j, [&](int u, int v) { return shank(u, v); });
         if (i == shank_ - 1) {
           end.push_back(side[1]);
         }
@@ -71,8 +71,8 @@ public:
 private:
   [[nodiscard]] Vec3 ray(int j) const { // uniform over the head, uniform over the rest
     const int left = nt_ - head_;
-    return j <= 2 * head_ ? direction(pi * (j - head_) / (2.0 * head_))
-                          : direction(0.5 * pi + pi * (j - 2 * head_) / (2.0 * left));
+    return j <= 2 * head_ ? unit_direction(pi * (j - head_) / (2.0 * head_))
+                          : unit_direction(0.5 * pi + pi * (j - 2 * head_) / (2.0 * left));
   }
   [[nodiscard]] Vec3 outline(int j) const {
     if (j <= 2 * head_) {

@@ -19,7 +19,7 @@ Lattice::Lattice(model::Mesh& mesh, base::NetId net, ElementType type)
   assert(base::element_info(type).dim == 2);
 }
 
-NodeId Lattice::node(const Point& point) {
+NodeId Lattice::node_at(const LatticePoint& point) {
   const auto [at, fresh] = known_.try_emplace(point.key);
   if (fresh) {
     at->second = model::add_node(mesh_, point.x, next_node_++, net_);
@@ -31,20 +31,20 @@ base::ElementId Lattice::add(ElementType type, std::span<const NodeId> nodes) {
   return model::add_element(mesh_, type, nodes, next_element_++, net_);
 }
 
-base::ElementId Lattice::triangle(const std::array<NodeId, 3>& corner,
-                                  const std::array<Point, 3>& mid) {
+base::ElementId Lattice::add_triangle(const std::array<NodeId, 3>& corner,
+                                      const std::array<LatticePoint, 3>& mid) {
   if (!base::element_info(type_).quadratic) {
     return add(ElementType::trim3, corner);
   }
-  const std::array<NodeId, 6> nodes{corner[0],    corner[1],    corner[2],
-                                    node(mid[0]), node(mid[1]), node(mid[2])};
+  const std::array<NodeId, 6> nodes{corner[0],       corner[1],       corner[2],
+                                    node_at(mid[0]), node_at(mid[1]), node_at(mid[2])};
   return add(ElementType::trimc6, nodes);
 }
 
-std::array<model::Face, 4> Lattice::cell(int i, int j, const Map& map) {
+std::array<model::Face, 4> Lattice::add_cell(int i, int j, const Map& map) {
   static constexpr std::array<std::pair<int, int>, 9> place{
       {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
-  std::array<Point, 9> p;
+  std::array<LatticePoint, 9> p;
   for (std::size_t k = 0; k < 9; ++k) {
     p[k] = map(2 * i + place[k].first, 2 * j + place[k].second);
   }
@@ -53,7 +53,7 @@ std::array<model::Face, 4> Lattice::cell(int i, int j, const Map& map) {
     std::array<NodeId, 9> nodes;
     const auto count = static_cast<std::size_t>(info.nodes);
     for (std::size_t k = 0; k < count; ++k) {
-      nodes[k] = node(p[k]);
+      nodes[k] = node_at(p[k]);
     }
     const base::ElementId e = add(type_, std::span(nodes).first(count));
     return {{{e, 0}, {e, 1}, {e, 2}, {e, 3}}};
@@ -64,14 +64,14 @@ std::array<model::Face, 4> Lattice::cell(int i, int j, const Map& map) {
   for (std::size_t k = 0; k < 4; ++k) {
     p[8].x += 0.5 * (p[4 + k].x - 0.5 * (p[k].x + p[(k + 1) % 4].x));
   }
-  const std::array<NodeId, 4> c{node(p[0]), node(p[1]), node(p[2]), node(p[3])};
+  const std::array<NodeId, 4> c{node_at(p[0]), node_at(p[1]), node_at(p[2]), node_at(p[3])};
   if (even) { // diagonals alternate, so that no direction is preferred
-    const base::ElementId a = triangle({c[0], c[1], c[2]}, {p[4], p[5], p[8]});
-    const base::ElementId b = triangle({c[0], c[2], c[3]}, {p[8], p[6], p[7]});
+    const base::ElementId a = add_triangle({c[0], c[1], c[2]}, {p[4], p[5], p[8]});
+    const base::ElementId b = add_triangle({c[0], c[2], c[3]}, {p[8], p[6], p[7]});
     return {{{a, 0}, {a, 1}, {b, 1}, {b, 2}}};
   }
-  const base::ElementId a = triangle({c[0], c[1], c[3]}, {p[4], p[8], p[7]});
-  const base::ElementId b = triangle({c[1], c[2], c[3]}, {p[5], p[6], p[8]});
+  const base::ElementId a = add_triangle({c[0], c[1], c[3]}, {p[4], p[8], p[7]});
+  const base::ElementId b = add_triangle({c[1], c[2], c[3]}, {p[5], p[6], p[8]});
   return {{{a, 0}, {b, 0}, {b, 1}, {a, 2}}};
 }
 
@@ -87,7 +87,7 @@ void Lattice::add_face_set(std::string name, std::vector<model::Face> faces) {
   mesh_.face_sets.push_back({std::move(name), std::move(faces), {}});
 }
 
-base::Vec3 direction(double angle) {
+base::Vec3 unit_direction(double angle) {
   const double quarters = angle / (0.5 * std::numbers::pi);
   const double nearest = std::round(quarters);
   if (std::abs(quarters - nearest) < 1e-12) {

@@ -17,24 +17,24 @@ namespace spricka::mesh {
 class Lattice {
 public:
   using Key = std::array<int, 4>;
-  struct Point {
+  struct LatticePoint {
     Key key{};
     base::Vec3 x = base::Vec3::Zero();
   };
-  using Map = std::function<Point(int, int)>;
+  using Map = std::function<LatticePoint(int, int)>;
 
   Lattice(model::Mesh& mesh, base::NetId net, base::ElementType type);
 
   /// Meshes a cell with one quadrilateral or two triangles. Returns its sides: lower j, upper i,
   /// upper j, lower i. The map must be right-handed in (i, j).
-  std::array<model::Face, 4> cell(int i, int j, const Map& map);
+  std::array<model::Face, 4> add_cell(int i, int j, const Map& map);
 
   /// The node of a point, made when first asked for.
-  base::NodeId node(const Point& point);
+  base::NodeId node_at(const LatticePoint& point);
 
   /// A triangle of the lattice's order; `mid` are the points opposite corners 2, 0, 1.
-  base::ElementId triangle(const std::array<base::NodeId, 3>& corner,
-                           const std::array<Point, 3>& mid);
+  base::ElementId add_triangle(const std::array<base::NodeId, 3>& corner,
+                               const std::array<LatticePoint, 3>& mid);
 
   /// Appends the element set `prefix` + BODY of all elements made here.
   void add_body_set(const std::string& prefix);
@@ -54,7 +54,7 @@ private:
 
 /// Unit vector at an angle [rad] from x; multiples of a right angle are exact, so that nodes meant
 /// to lie on an axis do.
-base::Vec3 direction(double angle);
+base::Vec3 unit_direction(double angle);
 
 /// Positions 0 .. 1 of the 2n + 1 lattice lines of n intervals whose sizes grow geometrically, last
 /// over first = bias; odd lines halve their interval.

@@ -20,7 +20,7 @@ using Tag = std::size_t;
 
 class Sets {
 public:
-  Sets(model::Mesh& mesh, const ImportRequest& request, const GmshNumbers& numbers,
+  Sets(model::Mesh& mesh, const ImportRequest& request, const GmshNumbering& numbers,
        base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), numbers_(numbers), diagnostics_(diagnostics) {}
 
@@ -57,7 +57,7 @@ private:
   void add_node_set(const GmshGroup& group) {
     std::set<NodeId> nodes;
     for (const Tag tag : group.nodes) {
-      if (const NodeId node = numbers_.node_of(tag); node.valid()) {
+      if (const NodeId node = numbers_.node_with_tag(tag); node.valid()) {
         nodes.insert(node);
       }
     }
@@ -119,7 +119,7 @@ private:
     for (std::size_t e = 0; e < block.tags.size(); ++e) {
       std::vector<NodeId> key;
       for (std::size_t i = 0; i < std::min(corners, count); ++i) {
-        key.push_back(numbers_.node_of(block.nodes[e * count + i]));
+        key.push_back(numbers_.node_with_tag(block.nodes[e * count + i]));
       }
       const auto face = key.size() < 2 ? std::nullopt : side_on(sides, key);
       if (face) {
@@ -132,7 +132,7 @@ private:
 
   model::Mesh& mesh_;
   const ImportRequest& request_;
-  const GmshNumbers& numbers_;
+  const GmshNumbering& numbers_;
   base::Diagnostics& diagnostics_;
 };
 
@@ -145,9 +145,9 @@ bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics
   for (GmshGroup& group : groups) {
     const std::string name = group.name.empty() ? fmt::format("GROUP{}", group.tag) : group.name;
     names.push_back(name);
-    std::string set = set_name(name);
+    std::string set = valid_set_name(name);
     for (std::size_t i = 0; i < used.size(); ++i) {
-      if (upper(request.renames[i].first) == upper(name)) {
+      if (upper_case(request.renames[i].first) == upper_case(name)) {
         set = request.renames[i].second;
         used[i] = true;
       }
@@ -166,7 +166,7 @@ bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics
 }
 
 void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request, const GmshModel& from,
-                   const GmshNumbers& numbers, base::Diagnostics& diagnostics) {
+                   const GmshNumbering& numbers, base::Diagnostics& diagnostics) {
   Sets(mesh, request, numbers, diagnostics).add(from);
 }
 

@@ -14,7 +14,7 @@
 namespace spricka::mesh {
 
 /// Where gmsh's nodes and elements are in our mesh.
-struct GmshNumbers {
+struct GmshNumbering {
   int dim = 0;                    ///< of the elements
   std::optional<LabelIndex> tags; ///< of gmsh's nodes
   std::vector<base::NodeId> node; ///< [gmsh's node]; none if no element has it
@@ -24,7 +24,7 @@ struct GmshNumbers {
   /// further entities of elements that were met before.
   std::vector<std::pair<base::ElementId, int>> also;
 
-  [[nodiscard]] base::NodeId node_of(std::size_t tag) const {
+  [[nodiscard]] base::NodeId node_with_tag(std::size_t tag) const {
     const auto at = tags->find(tag);
     return at ? node[*at] : base::NodeId();
   }
@@ -36,6 +36,6 @@ bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics
 
 /// Sets of the groups: of elements, of faces one dimension lower, else of nodes.
 void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request, const GmshModel& from,
-                   const GmshNumbers& numbers, base::Diagnostics& diagnostics);
+                   const GmshNumbering& numbers, base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -29,13 +29,13 @@ public:
   GmshImport(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), diagnostics_(diagnostics) {}
 
-  std::vector<ScriptConstant> run() {
+  std::vector<GeometryScriptConstant> run() {
     std::error_code ignored;
     if (!fs::is_regular_file(request_.file, ignored)) {
       error("E330", fmt::format("no file '{}'", request_.file.string()));
       return {};
     }
-    GmshReading reading = read_by_gmsh(request_, diagnostics_);
+    GmshReadResult reading = read_by_gmsh(request_, diagnostics_);
     if (reading.model) {
       from_ = *std::move(reading.model);
       numbers_.dim = from_.dim;
@@ -48,7 +48,7 @@ public:
 
 private:
   /// Elements as gmsh has them, but their nodes in our order.
-  struct Elements {
+  struct GmshElementTable {
     std::vector<Tag> tag;
     std::vector<base::ElementType> type;
     std::vector<int> entity;
@@ -198,12 +198,12 @@ private:
       const base::ElementInfo& info = base::element_info(elements_.type[e]);
       nodes.clear();
       for (int i = 0; i < info.nodes; ++i) {
-        nodes.push_back(
-            numbers_.node_of(elements_.nodes[elements_.first[e] + static_cast<std::size_t>(i)]));
+        nodes.push_back(numbers_.node_with_tag(
+            elements_.nodes[elements_.first[e] + static_cast<std::size_t>(i)]));
       }
       if (numbers_.dim == 2 && runs_clockwise(nodes, info.corners)) {
         const std::vector<NodeId> before = nodes;
-        const std::span<const int> over = turned_over(elements_.type[e]);
+        const std::span<const int> over = reversed_order(elements_.type[e]);
         std::transform(over.begin(), over.end(), nodes.begin(),
                        [&](int i) { return before[static_cast<std::size_t>(i)]; });
       }
@@ -237,16 +237,16 @@ private:
   const ImportRequest& request_;
   base::Diagnostics& diagnostics_;
   GmshModel from_;
-  Elements elements_;
+  GmshElementTable elements_;
   std::vector<std::size_t> order_;                   ///< elements by ascending tag
   std::unordered_map<std::uint64_t, ElementId> met_; ///< by a hash of the nodes
-  GmshNumbers numbers_;
+  GmshNumbering numbers_;
 };
 
 } // namespace
 
-std::vector<ScriptConstant> import_mesh(model::Mesh& mesh, const ImportRequest& request,
-                                        base::Diagnostics& diagnostics) {
+std::vector<GeometryScriptConstant> import_mesh(model::Mesh& mesh, const ImportRequest& request,
+                                                base::Diagnostics& diagnostics) {
   return GmshImport(mesh, request, diagnostics).run();
 }
 

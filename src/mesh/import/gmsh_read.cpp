@@ -24,13 +24,13 @@ namespace {
 constexpr std::size_t longest_script = std::size_t{64} << 20U;
 constexpr std::size_t most_messages = 20;
 
-class Reading {
+class GmshFileReader {
 public:
-  Reading(const ImportRequest& request, base::Diagnostics& diagnostics)
+  GmshFileReader(const ImportRequest& request, base::Diagnostics& diagnostics)
       : request_(request), diagnostics_(diagnostics) {}
 
-  GmshReading run() {
-    GmshReading result;
+  GmshReadResult run() {
+    GmshReadResult result;
     if (prepare() && ask()) {
       result.model = std::move(from_);
     }
@@ -55,7 +55,7 @@ private:
     import_.quadratic = request_.quadratic;
     import_.size = request_.size;
     if (!import_.script) {
-      const std::string trouble = msh_trouble(import_.text);
+      const std::string trouble = check_msh(import_.text);
       if (!trouble.empty()) {
         error("E331", fmt::format("{}: {}", file_name(), trouble));
       }
@@ -85,15 +85,15 @@ private:
   bool prepare_script() {
     const ScriptScan scan = scan_script(import_.text);
     for (std::size_t i = 0; i < std::min(most_messages, scan.outreach.size()); ++i) {
-      const Outreach& o = scan.outreach[i];
+      const ForbiddenStatement& o = scan.outreach[i];
       error("E480", fmt::format("{}:{}: {} {}, which a script may not do here", file_name(), o.line,
                                 o.word, o.does));
     }
     const std::size_t errors = diagnostics_.error_count();
-    ScriptText script = with_parameters(import_.text, scan, request_, diagnostics_);
+    PreparedScript script = with_parameters(import_.text, scan, request_, diagnostics_);
     import_.text = std::move(script.text);
     constants_ = std::move(script.constants);
-    for (const ScriptConstant& constant : constants_) {
+    for (const GeometryScriptConstant& constant : constants_) {
       import_.constants.push_back(constant.name);
     }
     return scan.outreach.empty() && diagnostics_.error_count() == errors;
@@ -112,20 +112,20 @@ private:
   /// The model that gmsh makes of the file.
   bool ask() {
     const MesherAnswer answer = ask_mesher(import_request(import_));
-    if (answer.end != MesherEnd::answered) {
+    if (answer.end != MesherOutcome::answered) {
       report(answer);
       return false;
     }
     ByteReader in(answer.frame);
-    const auto kind = in.one<MesherFrame>();
-    if (kind == MesherFrame::no_sandbox) {
+    const auto kind = in.read_value<MesherFrameKind>();
+    if (kind == MesherFrameKind::no_sandbox) {
       error("E484",
             fmt::format("{}: this system has no seccomp filters, by which gmsh is kept from "
                         "all other files; without them no file is given to it",
                         file_name()));
       return false;
     }
-    if (kind != MesherFrame::model || !read_model_answer(in, from_)) {
+    if (kind != MesherFrameKind::model || !read_model_answer(in, from_)) {
       from_ = {};
       dismiss_mesher();
       error("E331", fmt::format("{}: gmsh makes no mesh of it", file_name()));
@@ -150,7 +150,7 @@ private:
 
   void take_values() {
     for (const auto& [name, value] : from_.constants) {
-      for (ScriptConstant& constant : constants_) {
+      for (GeometryScriptConstant& constant : constants_) {
         if (constant.name == name) {
           constant.value = value;
         }
@@ -175,10 +175,10 @@ private:
       error(code, fmt::format("{}: {}", file_name(), answer.trouble), hint);
     };
     switch (answer.end) {
-    case MesherEnd::no_time:
+    case MesherOutcome::no_time:
       say("E481", "fewer or larger elements; --mesh-time allows more");
       break;
-    case MesherEnd::no_memory:
+    case MesherOutcome::no_memory:
       say("E482", "fewer or larger elements; --mesh-memory allows more");
       break;
     default:
@@ -191,13 +191,13 @@ private:
   base::Diagnostics& diagnostics_;
   MesherImport import_;
   GmshModel from_;
-  std::vector<ScriptConstant> constants_;
+  std::vector<GeometryScriptConstant> constants_;
 };
 
 } // namespace
 
-GmshReading read_by_gmsh(const ImportRequest& request, base::Diagnostics& diagnostics) {
-  return Reading(request, diagnostics).run();
+GmshReadResult read_by_gmsh(const ImportRequest& request, base::Diagnostics& diagnostics) {
+  return GmshFileReader(request, diagnostics).run();
 }
 
 } // namespace spricka::mesh

@@ -10,13 +10,13 @@
 
 namespace spricka::mesh {
 
-struct GmshReading {
+struct GmshReadResult {
   std::optional<GmshModel> model; ///< empty after an error
-  std::vector<ScriptConstant> constants;
+  std::vector<GeometryScriptConstant> constants;
 };
 
 /// What gmsh, in its own process, makes of a script or mesh file. The file is looked through first:
 /// a script for what reaches outside, a mesh for its frame. Mistakes are reported at the card.
-GmshReading read_by_gmsh(const ImportRequest& request, base::Diagnostics& diagnostics);
+GmshReadResult read_by_gmsh(const ImportRequest& request, base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

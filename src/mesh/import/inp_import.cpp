@@ -28,13 +28,13 @@ public:
         errors_(diagnostics.error_count()), words_(request, data_, diagnostics) {}
 
   ImportedPhysics run() {
-    std::vector<InpComplaint> complaints;
+    std::vector<InpIssue> complaints;
     data_ = read_inp(request_.file, complaints, request_.skip_loads);
     std::stable_sort(
-        complaints.begin(), complaints.end(), [](const InpComplaint& a, const InpComplaint& b) {
+        complaints.begin(), complaints.end(), [](const InpIssue& a, const InpIssue& b) {
           return std::pair(a.place.file, a.place.line) < std::pair(b.place.file, b.place.line);
         });
-    for (InpComplaint& c : complaints) {
+    for (InpIssue& c : complaints) {
       error(c.place, "E336", std::move(c.text), std::move(c.hint));
     }
     if (data_.element.empty() && sound()) {
@@ -44,7 +44,8 @@ public:
       return {};
     }
     first_element_ = mesh_.element_count();
-    const Ends before{mesh_.node_sets.size(), mesh_.element_sets.size(), mesh_.face_sets.size()};
+    const MeshCounts before{mesh_.node_sets.size(), mesh_.element_sets.size(),
+                            mesh_.face_sets.size()};
     add_sets();
     ImportedPhysics physics = read_physics(
         data_, request_, mesh_, {*node_index_, node_, set_of_name_, first_element_, dim_}, words_);
@@ -60,19 +61,19 @@ public:
   }
 
 private:
-  struct Ends {
+  struct MeshCounts {
     std::size_t nodes, elements, faces;
   };
 
   [[nodiscard]] bool sound() const { return diagnostics_.error_count() == errors_; }
-  void error(InpPlace at, std::string code, std::string text, std::string hint = {}) {
+  void error(InpLocation at, std::string code, std::string text, std::string hint = {}) {
     words_.error(at, std::move(code), std::move(text), std::move(hint));
   }
 
   /// Labels of nodes become places in the file's list, those of no element drop out.
   bool look_up_nodes() {
     node_index_.emplace(data_.node);
-    if (node_index_->doubled()) {
+    if (node_index_->has_duplicates()) {
       for (std::size_t i = 0; i < data_.node.size(); ++i) {
         if (node_index_->find(data_.node[i]) != i) {
           error({}, "E304", fmt::format("node {} is defined twice", data_.node[i]));
@@ -105,7 +106,7 @@ private:
 
   bool look_up_elements() {
     element_index_.emplace(data_.element);
-    for (std::size_t e = 0; element_index_->doubled() && e < data_.element.size(); ++e) {
+    for (std::size_t e = 0; element_index_->has_duplicates() && e < data_.element.size(); ++e) {
       if (element_index_->find(data_.element[e]) != e) {
         error(data_.element_place[e], "E304",
               fmt::format("element {} is defined twice", data_.element[e]));
@@ -141,13 +142,13 @@ private:
 
   std::string name_of(const std::string& written) {
     for (std::size_t i = 0; i < request_.renames.size(); ++i) {
-      if (upper(request_.renames[i].first) == upper(written)) {
+      if (upper_case(request_.renames[i].first) == upper_case(written)) {
         renamed_.resize(request_.renames.size(), false);
         renamed_[i] = true;
         return request_.prefix + request_.renames[i].second;
       }
     }
-    return request_.prefix + set_name(written);
+    return request_.prefix + valid_set_name(written);
   }
 
   void add_sets() {
@@ -160,7 +161,7 @@ private:
       if (of_bars_alone(set)) {
         continue;
       }
-      set_of_name_[upper(set.name)] = mesh_.element_sets.size();
+      set_of_name_[upper_case(set.name)] = mesh_.element_sets.size();
       mesh_.element_sets.push_back({name_of(set.name), elements_of(set), request_.span});
       names.push_back(set.name);
     }
@@ -223,11 +224,11 @@ private:
     return elements;
   }
 
-  std::vector<model::Face> faces_of(const InpData::Named<InpData::SideOf>& surface) {
+  std::vector<model::Face> faces_of(const InpData::Named<InpData::InpSurfaceSide>& surface) {
     std::vector<model::Face> faces;
-    for (const InpData::SideOf& entry : surface.members) {
+    for (const InpData::InpSurfaceSide& entry : surface.members) {
       std::vector<ElementId> elements;
-      const auto set = set_of_name_.find(upper(entry.elements));
+      const auto set = set_of_name_.find(upper_case(entry.elements));
       const auto at = element_index_->find(entry.element);
       if (entry.elements.empty() ? !at.has_value() : set == set_of_name_.end()) {
         error(entry.place, "E303",
@@ -307,7 +308,7 @@ private:
   base::Diagnostics& diagnostics_;
   std::size_t errors_;
   InpData data_;
-  InpWords words_;
+  InpMessages words_;
   int dim_ = 2;
   std::size_t first_element_ = 0;
   std::optional<LabelIndex> node_index_;

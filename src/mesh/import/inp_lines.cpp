@@ -9,7 +9,7 @@
 
 namespace spricka::mesh {
 
-bool InpLines::only(std::initializer_list<std::string_view> known) const {
+bool InpKeywordReader::only(std::initializer_list<std::string_view> known) const {
   bool ok = true;
   for (const auto& [name, value] : key_.parameters) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -20,7 +20,7 @@ bool InpLines::only(std::initializer_list<std::string_view> known) const {
   return ok;
 }
 
-bool InpLines::needs(std::string_view key, std::string& value) const {
+bool InpKeywordReader::needs(std::string_view key, std::string& value) const {
   const std::string* given = key_.find(key);
   if (given == nullptr || given->empty()) {
     complain(key_.place, fmt::format("*{} needs {}=", key_.shown, key));
@@ -30,19 +30,19 @@ bool InpLines::needs(std::string_view key, std::string& value) const {
   return true;
 }
 
-std::size_t InpLines::set_of(std::vector<InpLabelSet>& sets,
-                             std::map<std::string, std::size_t>& index,
-                             const std::string& name) const {
-  const auto [at, fresh] = index.try_emplace(upper(plain(name)), sets.size());
+std::size_t InpKeywordReader::set_of(std::vector<InpLabelSet>& sets,
+                                     std::map<std::string, std::size_t>& index,
+                                     const std::string& name) const {
+  const auto [at, fresh] = index.try_emplace(upper_case(plain(name)), sets.size());
   if (fresh) {
     sets.push_back({plain(name), {}, key_.place});
   }
   return at->second;
 }
 
-std::string InpLines::plain(std::string_view name) const {
-  const std::string prefix = upper(shared_.instance) + ".";
-  const bool own = !shared_.instance.empty() && upper(name).starts_with(prefix);
+std::string InpKeywordReader::plain(std::string_view name) const {
+  const std::string prefix = upper_case(shared_.instance) + ".";
+  const bool own = !shared_.instance.empty() && upper_case(name).starts_with(prefix);
   return std::string(own ? name.substr(prefix.size()) : name);
 }
 

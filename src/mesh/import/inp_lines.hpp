@@ -16,35 +16,35 @@ namespace spricka::mesh {
 using InpLabelSet = InpData::Named<base::Label>;
 
 /// What the readers of single keywords share.
-struct InpShared {
-  InpText& text;
+struct InpReaderContext {
+  InpLineReader& text;
   InpData& data;
-  std::function<void(InpPlace, std::string, std::string)> complain; ///< place, words, hint
-  std::map<std::string, std::size_t> node_sets{};                   ///< by name in upper case
+  std::function<void(InpLocation, std::string, std::string)> complain; ///< place, words, hint
+  std::map<std::string, std::size_t> node_sets{};                      ///< by name in upper case
   std::map<std::string, std::size_t> element_sets{};
   std::string instance{}; ///< name of the one *INSTANCE
   bool in_assembly = false;
 };
 
 /// Reads the data lines of one keyword.
-class InpLines {
+class InpKeywordReader {
 public:
-  InpLines(InpShared& shared, InpKeyword key)
+  InpKeywordReader(InpReaderContext& shared, InpKeyword key)
       : text_(shared.text), data_(shared.data), shared_(shared), key_(std::move(key)) {}
-  virtual ~InpLines() = default;
-  InpLines(const InpLines&) = delete;
-  InpLines& operator=(const InpLines&) = delete;
+  virtual ~InpKeywordReader() = default;
+  InpKeywordReader(const InpKeywordReader&) = delete;
+  InpKeywordReader& operator=(const InpKeywordReader&) = delete;
 
   /// The line that the text stands at.
-  virtual void line() = 0;
+  virtual void read_line() = 0;
   /// At the next keyword.
-  virtual void finish() {}
+  virtual void finish_keyword() {}
 
 protected:
-  void complain(InpPlace at, std::string words, std::string hint = {}) const {
+  void complain(InpLocation at, std::string words, std::string hint = {}) const {
     shared_.complain(at, std::move(words), std::move(hint));
   }
-  void complain_here(std::string words) const { complain(text_.place(), std::move(words)); }
+  void complain_here(std::string words) const { complain(text_.location(), std::move(words)); }
   /// Parameters the keyword is understood with; others could change its meaning.
   bool only(std::initializer_list<std::string_view> known) const;
   /// The value of a parameter; a complaint without one.
@@ -55,15 +55,16 @@ protected:
   /// P-1.NAME of the one instance is NAME.
   [[nodiscard]] std::string plain(std::string_view name) const;
 
-  InpText& text_;
+  InpLineReader& text_;
   InpData& data_;
-  InpShared& shared_;
+  InpReaderContext& shared_;
   InpKeyword key_;
 };
 
 // The reader of a keyword; empty for those that are not of this kind.
-std::unique_ptr<InpLines> inp_mesh_lines(InpShared& shared, const InpKeyword& key);
-std::unique_ptr<InpLines> inp_set_lines(InpShared& shared, const InpKeyword& key);
-std::unique_ptr<InpLines> inp_physics_lines(InpShared& shared, const InpKeyword& key);
+std::unique_ptr<InpKeywordReader> inp_mesh_reader(InpReaderContext& shared, const InpKeyword& key);
+std::unique_ptr<InpKeywordReader> inp_set_reader(InpReaderContext& shared, const InpKeyword& key);
+std::unique_ptr<InpKeywordReader> inp_physics_reader(InpReaderContext& shared,
+                                                     const InpKeyword& key);
 
 } // namespace spricka::mesh

@@ -11,29 +11,29 @@ namespace {
 using base::Label;
 
 // Nodes and elements that stand in the assembly belong to no part.
-bool in_part(const InpShared& shared, const InpKeyword& key) {
+bool in_part(const InpReaderContext& shared, const InpKeyword& key) {
   if (shared.in_assembly) {
     shared.complain(key.place, fmt::format("*{} in an *ASSEMBLY is not imported", key.shown), "");
   }
   return !shared.in_assembly;
 }
 
-class NodeLines : public InpLines {
+class NodeLines : public InpKeywordReader {
 public:
-  NodeLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
+  NodeLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     sound_ = only({"NSET"}) && in_part(shared, key);
     const std::string* set = key_.find("NSET");
     if (sound_ && set != nullptr) {
       set_ = &data_.node_sets[set_of(data_.node_sets, shared.node_sets, *set)];
     }
   }
-  void line() override {
-    InpFields fields(text_.line());
-    const auto label = fields.integer();
-    const auto x = fields.real();
-    const auto y = fields.real();
-    const auto z = fields.real();
-    if (!label || *label <= 0 || !x || !y || !z || fields.more()) {
+  void read_line() override {
+    InpFields fields(text_.data_line());
+    const auto label = fields.next_integer();
+    const auto x = fields.next_real();
+    const auto y = fields.next_real();
+    const auto z = fields.next_real();
+    if (!label || *label <= 0 || !x || !y || !z || fields.has_more()) {
       complain_here("a line of *NODE is number, x, y, z");
       return;
     }
@@ -51,14 +51,14 @@ private:
   InpLabelSet* set_ = nullptr; ///< no set is made while the lines are read
 };
 
-class ElementLines : public InpLines {
+class ElementLines : public InpKeywordReader {
 public:
-  ElementLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
+  ElementLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     std::string type;
     if (!only({"TYPE", "ELSET"}) || !needs("TYPE", type) || !in_part(shared, key)) {
       return;
     }
-    name_ = upper(type);
+    name_ = upper_case(type);
     if (is_bar(name_)) {
       start_bars();
       return;
@@ -80,10 +80,10 @@ public:
     }
   }
   /// One line of an element; those with many nodes go on over several.
-  void line() override {
-    InpFields fields(text_.line());
+  void read_line() override {
+    InpFields fields(text_.data_line());
     if (bars_ != nullptr) {
-      const auto label = fields.integer();
+      const auto label = fields.next_integer();
       bars_->count += label ? 1 : 0;
       data_.bar.insert(label.value_or(0));
       if (set_ != nullptr && label) {
@@ -97,8 +97,8 @@ public:
       complain_here("a line of *ELEMENT is number, nodes");
       return;
     }
-    while (fields.more()) {
-      const auto node = fields.integer();
+    while (fields.has_more()) {
+      const auto node = fields.next_integer();
       if (!node || wanted_ == 0) {
         complain_here(fmt::format("{} takes {} nodes", name_, count_));
         drop();
@@ -110,7 +110,7 @@ public:
       }
     }
   }
-  void finish() override {
+  void finish_keyword() override {
     if (wanted_ > 0) {
       complain(start_, fmt::format("{} takes {} nodes; the element ends early", name_, count_));
       drop();
@@ -123,7 +123,7 @@ private:
     return name == "T2D2" || name == "T2D3" || name == "T3D2" || name == "T3D3";
   }
   void start_bars() {
-    InpData::LeftOut& left = data_.bars[name_];
+    InpData::InpSkippedItems& left = data_.bars[name_];
     left.first = left.count == 0 ? key_.place : left.first;
     bars_ = &left;
     if (const std::string* set = key_.find("ELSET")) {
@@ -131,8 +131,8 @@ private:
     }
   }
   bool start(InpFields& fields) {
-    const auto label = fields.integer();
-    start_ = text_.place();
+    const auto label = fields.next_integer();
+    start_ = text_.location();
     label_ = label.value_or(0);
     wanted_ = label_ > 0 ? count_ : 0;
     return label_ > 0;
@@ -152,19 +152,19 @@ private:
   }
 
   bool sound_ = false;
-  InpData::LeftOut* bars_ = nullptr; ///< these lines are bars
+  InpData::InpSkippedItems* bars_ = nullptr; ///< these lines are bars
   std::string name_;
-  InpElement type_;
+  InpElementType type_;
   std::size_t count_ = 0;
   InpLabelSet* set_ = nullptr;
-  InpPlace start_;
+  InpLocation start_;
   Label label_ = 0;
   std::size_t wanted_ = 0; ///< nodes of the element that are still to come
 };
 
 } // namespace
 
-std::unique_ptr<InpLines> inp_mesh_lines(InpShared& shared, const InpKeyword& key) {
+std::unique_ptr<InpKeywordReader> inp_mesh_reader(InpReaderContext& shared, const InpKeyword& key) {
   if (key.name == "NODE") {
     return std::make_unique<NodeLines>(shared, key);
   }

@@ -9,40 +9,42 @@ namespace spricka::mesh {
 namespace {
 
 /// *MATERIAL has no lines of its own.
-class NoLines : public InpLines {
+class NoLines : public InpKeywordReader {
 public:
-  NoLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
+  NoLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     std::string name;
     if (only({"NAME"}) && needs("NAME", name)) {
-      InpData::Material material;
+      InpData::InpMaterial material;
       material.name = name;
       material.place = key_.place;
       data_.materials.push_back(std::move(material));
     }
   }
-  void line() override { complain_here("*MATERIAL takes no data lines"); }
+  void read_line() override { complain_here("*MATERIAL takes no data lines"); }
 };
 
 /// *EQUATION: the number of terms, then as many times node, freedom, coefficient; again and again.
-class EquationLines : public InpLines {
+class EquationLines : public InpKeywordReader {
 public:
-  EquationLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) { only({}); }
-  void line() override {
-    InpFields fields(text_.line());
+  EquationLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
+    only({});
+  }
+  void read_line() override {
+    InpFields fields(text_.data_line());
     if (wanted_ == 0) {
-      const auto count = fields.integer();
-      if (!count || *count <= 0 || fields.more()) {
+      const auto count = fields.next_integer();
+      if (!count || *count <= 0 || fields.has_more()) {
         complain_here("an *EQUATION begins with the number of its terms");
         return;
       }
       wanted_ = *count;
-      data_.equations.push_back({{}, text_.place()});
+      data_.equations.push_back({{}, text_.location()});
       return;
     }
-    while (fields.more()) {
-      const auto node = fields.integer();
-      const auto dof = fields.integer();
-      const auto coefficient = fields.real();
+    while (fields.has_more()) {
+      const auto node = fields.next_integer();
+      const auto dof = fields.next_integer();
+      const auto coefficient = fields.next_real();
       if (!node || !dof || *dof < 1 || *dof > 3 || !coefficient || wanted_ == 0) {
         complain_here("a term of an *EQUATION is node number, freedom 1 to 3, coefficient");
         return;
@@ -51,7 +53,7 @@ public:
       --wanted_;
     }
   }
-  void finish() override {
+  void finish_keyword() override {
     if (wanted_ > 0) {
       complain(data_.equations.back().place, "the *EQUATION ends early");
     }
@@ -62,27 +64,27 @@ private:
 };
 
 /// *ELASTIC, *DENSITY, *EXPANSION: one line of numbers, the same at every temperature.
-class MaterialLines : public InpLines {
+class MaterialLines : public InpKeywordReader {
 public:
-  MaterialLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
+  MaterialLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     const std::string* type = key_.find("TYPE");
     if (data_.materials.empty()) {
       complain(key_.place, fmt::format("*{} without a *MATERIAL", key_.shown));
     } else if (key_.name == "DENSITY" ? !only({}) : !only({"TYPE"})) {
       return;
-    } else if (type != nullptr && !upper(*type).starts_with("ISO")) {
+    } else if (type != nullptr && !upper_case(*type).starts_with("ISO")) {
       complain(key_.place, fmt::format("*{}: only TYPE=ISO is imported", key_.shown));
     } else {
       material_ = &data_.materials.back();
     }
   }
-  void line() override {
+  void read_line() override {
     const std::size_t count = key_.name == "ELASTIC" ? 2 : 1;
-    InpFields fields(text_.line());
+    InpFields fields(text_.data_line());
     std::vector<double> v;
     bool ok = ++rows_ == 1;
-    while (fields.more()) {
-      const auto value = fields.real();
+    while (fields.has_more()) {
+      const auto value = fields.next_real();
       ok = ok && value.has_value();
       v.push_back(value.value_or(0.0));
     }
@@ -93,7 +95,7 @@ public:
       take(v);
     }
   }
-  void finish() override {
+  void finish_keyword() override {
     if (rows_ == 0) {
       complain(key_.place, fmt::format("*{} has no data line", key_.shown));
     }
@@ -114,14 +116,14 @@ private:
     }
   }
 
-  InpData::Material* material_ = nullptr; ///< no material is made while the lines are read
+  InpData::InpMaterial* material_ = nullptr; ///< no material is made while the lines are read
   std::size_t rows_ = 0;
 };
 
-class SectionLines : public InpLines {
+class SectionLines : public InpKeywordReader {
 public:
-  SectionLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
-    InpData::Section section;
+  SectionLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
+    InpData::InpSection section;
     section.place = key_.place;
     if (only({"ELSET", "MATERIAL"}) && needs("ELSET", section.elements) &&
         needs("MATERIAL", section.material)) {
@@ -130,10 +132,10 @@ public:
       sound_ = true;
     }
   }
-  void line() override {
-    InpFields fields(text_.line());
-    const auto thickness = fields.real();
-    if (++rows_ > 1 || !thickness || *thickness < 0.0 || fields.more()) {
+  void read_line() override {
+    InpFields fields(text_.data_line());
+    const auto thickness = fields.next_real();
+    if (++rows_ > 1 || !thickness || *thickness < 0.0 || fields.has_more()) {
       complain_here("*SOLID SECTION takes one number, the thickness");
     } else if (sound_ && *thickness > 0.0) { // empty: 1
       data_.sections.back().thickness = *thickness;
@@ -147,7 +149,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<InpLines> inp_physics_lines(InpShared& shared, const InpKeyword& key) {
+std::unique_ptr<InpKeywordReader> inp_physics_reader(InpReaderContext& shared,
+                                                     const InpKeyword& key) {
   if (key.name == "MATERIAL") {
     return std::make_unique<NoLines>(shared, key);
   }

@@ -11,10 +11,10 @@ namespace {
 using base::Label;
 
 /// Lines that fill a set of nodes or elements.
-class SetLines : public InpLines {
+class SetLines : public InpKeywordReader {
 public:
-  SetLines(InpShared& shared, const InpKeyword& key, bool nodes, std::string_view name_key)
-      : InpLines(shared, key), sets_(nodes ? data_.node_sets : data_.element_sets),
+  SetLines(InpReaderContext& shared, const InpKeyword& key, bool nodes, std::string_view name_key)
+      : InpKeywordReader(shared, key), sets_(nodes ? data_.node_sets : data_.element_sets),
         index_(nodes ? shared.node_sets : shared.element_sets),
         generate_(key_.find("GENERATE") != nullptr) {
     std::string name;
@@ -22,8 +22,8 @@ public:
              needs(name_key, name);
     set_ = sound_ ? set_of(sets_, index_, name) : 0;
   }
-  void line() override {
-    InpFields fields(text_.line());
+  void read_line() override {
+    InpFields fields(text_.data_line());
     if (!sound_) {
       return;
     }
@@ -31,8 +31,8 @@ public:
       generate(fields);
       return;
     }
-    while (fields.more()) {
-      member(fields.text());
+    while (fields.has_more()) {
+      member(fields.next_text());
     }
   }
 
@@ -44,7 +44,7 @@ protected:
       into.push_back(*label);
       return;
     }
-    const auto other = index_.find(upper(plain(field)));
+    const auto other = index_.find(upper_case(plain(field)));
     if (other == index_.end()) {
       complain_here(fmt::format("there is no set '{}' up to here", field));
       return;
@@ -55,11 +55,11 @@ protected:
 
 private:
   void generate(InpFields& fields) {
-    const auto first = fields.integer();
-    const auto last = fields.integer();
-    const auto step = fields.more() ? fields.integer() : std::optional<Label>(1);
+    const auto first = fields.next_integer();
+    const auto last = fields.next_integer();
+    const auto step = fields.has_more() ? fields.next_integer() : std::optional<Label>(1);
     const bool ok = first && last && step && *first > 0 && *step > 0 && *last >= *first;
-    if (!ok || *last - *first > most || fields.more()) {
+    if (!ok || *last - *first > most || fields.has_more()) {
       complain_here("with GENERATE a line is first, last, step");
       return;
     }
@@ -79,12 +79,12 @@ private:
 /// *SURFACE, TYPE=NODE: nodes or sets, each with an area that says nothing about the mesh.
 class NodeSurfaceLines : public SetLines {
 public:
-  NodeSurfaceLines(InpShared& shared, const InpKeyword& key)
+  NodeSurfaceLines(InpReaderContext& shared, const InpKeyword& key)
       : SetLines(shared, key, true, "NAME") {}
-  void line() override {
-    InpFields fields(text_.line());
-    const std::string_view what = fields.text();
-    if ((fields.more() && !fields.real()) || fields.more()) {
+  void read_line() override {
+    InpFields fields(text_.data_line());
+    const std::string_view what = fields.next_text();
+    if ((fields.has_more() && !fields.next_real()) || fields.has_more()) {
       complain_here("a line of *SURFACE, TYPE=NODE is a node or node set");
     } else if (sound()) {
       member(what);
@@ -92,25 +92,25 @@ public:
   }
 };
 
-class SurfaceLines : public InpLines {
+class SurfaceLines : public InpKeywordReader {
 public:
-  SurfaceLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
+  SurfaceLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     std::string name;
     const bool sound = only({"NAME", "TYPE", "INTERNAL"}) && needs("NAME", name);
-    if (const std::string* type = key_.find("TYPE"); type && upper(*type) != "ELEMENT") {
+    if (const std::string* type = key_.find("TYPE"); type && upper_case(*type) != "ELEMENT") {
       complain(key_.place, fmt::format("*SURFACE: TYPE={} is not understood", *type));
     } else if (sound) {
       set_ = data_.surfaces.size();
       data_.surfaces.push_back({name, {}, key_.place});
     }
   }
-  void line() override {
-    InpFields fields(text_.line());
-    const std::string_view what = fields.text();
-    const std::string side = upper(fields.text());
-    InpData::SideOf entry;
-    entry.place = text_.place();
-    if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '6' || fields.more()) {
+  void read_line() override {
+    InpFields fields(text_.data_line());
+    const std::string_view what = fields.next_text();
+    const std::string side = upper_case(fields.next_text());
+    InpData::InpSurfaceSide entry;
+    entry.place = text_.location();
+    if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '6' || fields.has_more()) {
       complain_here("a line of *SURFACE is element or set, side S1 to S6");
       return;
     }
@@ -131,7 +131,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<InpLines> inp_set_lines(InpShared& shared, const InpKeyword& key) {
+std::unique_ptr<InpKeywordReader> inp_set_reader(InpReaderContext& shared, const InpKeyword& key) {
   if (key.name == "NSET" || key.name == "ELSET") {
     return std::make_unique<SetLines>(shared, key, key.name == "NSET", key.name);
   }
@@ -139,7 +139,7 @@ std::unique_ptr<InpLines> inp_set_lines(InpShared& shared, const InpKeyword& key
     return nullptr;
   }
   const std::string* type = key.find("TYPE");
-  if (type != nullptr && upper(*type) == "NODE") {
+  if (type != nullptr && upper_case(*type) == "NODE") {
     return std::make_unique<NodeSurfaceLines>(shared, key);
   }
   return std::make_unique<SurfaceLines>(shared, key);

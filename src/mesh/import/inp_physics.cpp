@@ -15,20 +15,20 @@ using base::ElementId;
 class Physics {
 public:
   Physics(const InpData& data, const ImportRequest& request, const model::Mesh& mesh,
-          const InpPlaces& places, InpWords& words)
+          const InpMeshNumbering& places, InpMessages& words)
       : data_(data), request_(request), mesh_(mesh), places_(places), words_(words) {}
 
   ImportedPhysics run() {
     std::map<std::string, std::size_t> index;
-    for (const InpData::Material& m : data_.materials) {
+    for (const InpData::InpMaterial& m : data_.materials) {
       if (!m.elastic) {
         words_.error(m.place, "E336", fmt::format("material {} has no *ELASTIC", m.name));
       }
-      if (!index.try_emplace(upper(m.name), physics_.materials.size()).second) {
+      if (!index.try_emplace(upper_case(m.name), physics_.materials.size()).second) {
         words_.error(m.place, "E302", fmt::format("material {} is defined twice", m.name));
       }
       model::ElasticMaterial material;
-      material.name = request_.prefix + set_name(m.name);
+      material.name = request_.prefix + valid_set_name(m.name);
       material.E = m.E;
       material.nu = m.nu;
       material.rho = m.rho;
@@ -37,7 +37,7 @@ public:
       physics_.materials.push_back(std::move(material));
     }
     std::vector<bool> taken(data_.element.size(), false);
-    for (const InpData::Section& section : data_.sections) {
+    for (const InpData::InpSection& section : data_.sections) {
       if (has_bars(section.elements)) {
         words_.error(section.place, "E336",
                      fmt::format("set {} has a section and holds bars, which are not imported",
@@ -45,8 +45,8 @@ public:
                      "take the bars out of the file if they carry no load");
         continue;
       }
-      const auto material = index.find(upper(section.material));
-      const auto set = places_.set_of_name.find(upper(section.elements));
+      const auto material = index.find(upper_case(section.material));
+      const auto set = places_.set_of_name.find(upper_case(section.elements));
       if (material == index.end() || set == places_.set_of_name.end()) {
         words_.error(section.place, "E301",
                      material == index.end()
@@ -58,7 +58,7 @@ public:
                    taken);
     }
     physics_.files = data_.files;
-    for (const InpData::Equation& equation : data_.equations) {
+    for (const InpData::InpEquation& equation : data_.equations) {
       add_equation(equation);
     }
     return std::move(physics_);
@@ -67,15 +67,15 @@ public:
 private:
   [[nodiscard]] bool has_bars(const std::string& set) const {
     return std::any_of(data_.element_sets.begin(), data_.element_sets.end(), [&](const auto& s) {
-      return upper(s.name) == upper(set) &&
+      return upper_case(s.name) == upper_case(set) &&
              std::any_of(s.members.begin(), s.members.end(),
                          [&](base::Label label) { return data_.bar.contains(label); });
     });
   }
-  void add_equation(const InpData::Equation& from) {
+  void add_equation(const InpData::InpEquation& from) {
     model::ConstraintEquation equation;
     equation.span = request_.span;
-    for (const InpData::Equation::Term& term : from.terms) {
+    for (const InpData::InpEquation::InpEquationTerm& term : from.terms) {
       const auto at = places_.nodes.find(term.node);
       if (!at || !places_.node[*at].valid() || term.dof >= places_.dim) {
         words_.error(from.place, "E303",
@@ -99,7 +99,7 @@ private:
     }
   }
 
-  void add_property(const InpData::Section& section, base::ElementSetId set,
+  void add_property(const InpData::InpSection& section, base::ElementSetId set,
                     base::MaterialId material, std::vector<bool>& taken) {
     const std::vector<ElementId>& elements = mesh_.set_with_id(set).elements;
     if (elements.empty()) {
@@ -132,15 +132,16 @@ private:
   const InpData& data_;
   const ImportRequest& request_;
   const model::Mesh& mesh_;
-  const InpPlaces& places_;
-  InpWords& words_;
+  const InpMeshNumbering& places_;
+  InpMessages& words_;
   ImportedPhysics physics_;
 };
 
 } // namespace
 
 ImportedPhysics read_physics(const InpData& data, const ImportRequest& request,
-                             const model::Mesh& mesh, const InpPlaces& places, InpWords& words) {
+                             const model::Mesh& mesh, const InpMeshNumbering& places,
+                             InpMessages& words) {
   return Physics(data, request, mesh, places, words).run();
 }
 

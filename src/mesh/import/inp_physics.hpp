@@ -13,7 +13,7 @@
 namespace spricka::mesh {
 
 /// Where the names and numbers of a file stand in the mesh to be.
-struct InpPlaces {
+struct InpMeshNumbering {
   const LabelIndex& nodes;                               ///< place of a node label in the file
   const std::vector<base::NodeId>& node;                 ///< [place]; none if no element has it
   const std::map<std::string, std::size_t>& set_of_name; ///< element sets, names in upper case
@@ -24,6 +24,7 @@ struct InpPlaces {
 /// Materials, properties and equations of a file whose sets are in the mesh already. What is wrong
 /// goes to `words`.
 ImportedPhysics read_physics(const InpData& data, const ImportRequest& request,
-                             const model::Mesh& mesh, const InpPlaces& places, InpWords& words);
+                             const model::Mesh& mesh, const InpMeshNumbering& places,
+                             InpMessages& words);
 
 } // namespace spricka::mesh

@@ -59,48 +59,49 @@ std::string advice(const std::string& name) {
   return is_load(name) ? words.append(skip_words) : words;
 }
 
-class Reader {
+class InpFileReader {
 public:
-  Reader(const std::filesystem::path& file, InpData& data, std::vector<InpComplaint>& complaints,
-         bool skip_loads)
+  InpFileReader(const std::filesystem::path& file, InpData& data, std::vector<InpIssue>& complaints,
+                bool skip_loads)
       : complaints_(complaints), skip_loads_(skip_loads),
-        text_(file, [this](InpPlace at, std::string words) { complain(at, std::move(words), {}); }),
-        shared_{text_, data, [this](InpPlace at, std::string words, std::string hint) {
+        text_(file,
+              [this](InpLocation at, std::string words) { complain(at, std::move(words), {}); }),
+        shared_{text_, data, [this](InpLocation at, std::string words, std::string hint) {
                   complain(at, std::move(words), std::move(hint));
                 }} {}
 
   void run() {
-    std::unique_ptr<InpLines> lines;
-    while (text_.next()) {
+    std::unique_ptr<InpKeywordReader> lines;
+    while (text_.next_line()) {
       if (text_.at_keyword()) {
         if (lines != nullptr) {
-          lines->finish();
+          lines->finish_keyword();
         }
         lines = lines_of(text_.keyword());
       } else if (lines != nullptr) {
-        lines->line();
+        lines->read_line();
       } else if (in_instance_) {
-        complain(text_.place(), "an *INSTANCE that is moved or turned is not imported", {});
+        complain(text_.location(), "an *INSTANCE that is moved or turned is not imported", {});
       }
     }
     if (lines != nullptr) {
-      lines->finish();
+      lines->finish_keyword();
     }
     for (const auto& [name, met] : refused_) {
       const std::string more = met.count > 1 ? fmt::format(" (and {} more)", met.count - 1) : "";
       complain(met.first, fmt::format("*{} is not imported{}", met.shown, more), advice(name));
     }
-    shared_.data.files = text_.paths();
+    shared_.data.files = text_.file_paths();
   }
 
 private:
   struct Refused {
     std::string shown;
-    InpPlace first;
+    InpLocation first;
     std::size_t count = 0;
   };
 
-  void complain(InpPlace at, std::string words, std::string hint) {
+  void complain(InpLocation at, std::string words, std::string hint) {
     if (complaints_.size() < most_complaints) {
       complaints_.push_back({at, std::move(words), std::move(hint)});
     }
@@ -117,17 +118,17 @@ private:
       return false;
     }
     if (std::find(harmless.begin(), harmless.end(), key.name) == harmless.end()) {
-      InpData::LeftOut& left = shared_.data.keywords[key.shown];
+      InpData::InpSkippedItems& left = shared_.data.keywords[key.shown];
       left.first = left.count++ == 0 ? key.place : left.first;
     }
     return true;
   }
 
-  std::unique_ptr<InpLines> lines_of(const InpKeyword& key) {
+  std::unique_ptr<InpKeywordReader> lines_of(const InpKeyword& key) {
     if (passed_over(key)) {
       return nullptr;
     }
-    for (const auto make : {inp_mesh_lines, inp_set_lines, inp_physics_lines}) {
+    for (const auto make : {inp_mesh_reader, inp_set_reader, inp_physics_reader}) {
       if (auto lines = make(shared_, key)) {
         return lines;
       }
@@ -171,11 +172,11 @@ private:
     return true;
   }
 
-  std::vector<InpComplaint>& complaints_;
+  std::vector<InpIssue>& complaints_;
   bool skip_loads_;
   bool in_step_ = false;
-  InpText text_;
-  InpShared shared_;
+  InpLineReader text_;
+  InpReaderContext shared_;
   std::map<std::string, Refused> refused_;
   int parts_ = 0;
   int instances_ = 0;
@@ -184,10 +185,10 @@ private:
 
 } // namespace
 
-InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints,
+InpData read_inp(const std::filesystem::path& file, std::vector<InpIssue>& complaints,
                  bool skip_loads) {
   InpData data;
-  Reader(file, data, complaints, skip_loads).run();
+  InpFileReader(file, data, complaints, skip_loads).run();
   return data;
 }
 

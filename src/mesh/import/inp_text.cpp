@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string without_blanks(std::string_view text) {
-  std::string result = upper(text);
+  std::string result = upper_case(text);
   std::erase_if(result, [](char c) { return blanks.find(c) != std::string_view::npos; });
   return result;
 }
@@ -64,12 +64,12 @@ const std::string* InpKeyword::find(std::string_view key) const {
   return at == parameters.end() ? nullptr : &at->second;
 }
 
-InpText::InpText(const std::filesystem::path& file, Complain complain)
+InpLineReader::InpLineReader(const std::filesystem::path& file, Complain complain)
     : complain_(std::move(complain)) {
   open(file, {});
 }
 
-void InpText::open(const std::filesystem::path& path, InpPlace from) {
+void InpLineReader::open(const std::filesystem::path& path, InpLocation from) {
   const auto same = [&](std::uint32_t f) { return files_[f].path == path; };
   if (std::any_of(open_.begin(), open_.end(), same)) {
     complain_(from, fmt::format("*INCLUDE: '{}' includes itself", path.string()));
@@ -86,7 +86,7 @@ void InpText::open(const std::filesystem::path& path, InpPlace from) {
     }
     return;
   }
-  File file;
+  InpFile file;
   file.path = path;
   std::error_code unknown;
   if (!std::filesystem::exists(path, unknown)) {
@@ -104,9 +104,9 @@ void InpText::open(const std::filesystem::path& path, InpPlace from) {
   files_.push_back(std::move(file));
 }
 
-bool InpText::raw_line() {
+bool InpLineReader::raw_line() {
   while (!open_.empty()) {
-    File& file = files_[open_.back()];
+    InpFile& file = files_[open_.back()];
     while (file.at < file.text.size()) {
       const std::size_t end = std::min(file.text.find('\n', file.at), file.text.size());
       line_ = trimmed(std::string_view(file.text).substr(file.at, end - file.at));
@@ -122,7 +122,7 @@ bool InpText::raw_line() {
   return false;
 }
 
-bool InpText::next() {
+bool InpLineReader::next_line() {
   while (raw_line()) {
     if (!at_keyword()) {
       return true;
@@ -136,7 +136,7 @@ bool InpText::next() {
   return false;
 }
 
-void InpText::read_keyword() {
+void InpLineReader::read_keyword() {
   keyword_ = {};
   keyword_.place = place_;
   std::string whole(line_);
@@ -155,7 +155,7 @@ void InpText::read_keyword() {
     rest.remove_prefix(std::min(comma + 1, rest.size()));
     const std::size_t equal = part.find('=');
     if (first) {
-      keyword_.shown = upper(trimmed(part));
+      keyword_.shown = upper_case(trimmed(part));
       keyword_.name = without_blanks(part);
     } else if (!trimmed(part).empty()) {
       keyword_.parameters.emplace_back(
@@ -165,7 +165,7 @@ void InpText::read_keyword() {
   }
 }
 
-void InpText::include() {
+void InpLineReader::include() {
   const std::string* input = keyword_.find("INPUT");
   if (input == nullptr) {
     complain_(keyword_.place, "*INCLUDE needs INPUT=");
@@ -174,15 +174,15 @@ void InpText::include() {
   open(files_[keyword_.place.file].path.parent_path() / *input, keyword_.place);
 }
 
-std::vector<std::string> InpText::paths() const {
+std::vector<std::string> InpLineReader::file_paths() const {
   std::vector<std::string> paths;
-  for (const File& file : files_) {
+  for (const InpFile& file : files_) {
     paths.push_back(file.path.string());
   }
   return paths;
 }
 
-std::string_view InpFields::text() {
+std::string_view InpFields::next_text() {
   const std::size_t comma = rest_.find(',');
   const std::string_view field = trimmed(rest_.substr(0, comma));
   // a comma at the end of the line opens no further field
@@ -191,8 +191,8 @@ std::string_view InpFields::text() {
   return field;
 }
 
-std::optional<double> InpFields::real() {
-  const std::string_view field = unsigned_part(text());
+std::optional<double> InpFields::next_real() {
+  const std::string_view field = unsigned_part(next_text());
   if (field.empty()) {
     return 0.0;
   }
@@ -205,8 +205,8 @@ std::optional<double> InpFields::real() {
   return digit ? fortran(field) : std::nullopt;
 }
 
-std::optional<std::int64_t> InpFields::integer() {
-  return inp_integer(text());
+std::optional<std::int64_t> InpFields::next_integer() {
+  return inp_integer(next_text());
 }
 
 std::optional<std::int64_t> inp_integer(std::string_view text) {

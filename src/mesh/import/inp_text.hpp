@@ -13,7 +13,7 @@
 namespace spricka::mesh {
 
 /// A line of an input file or of one that it includes.
-struct InpPlace {
+struct InpLocation {
   std::uint32_t file = 0;
   std::uint32_t line = 0; ///< from 1
 };
@@ -23,33 +23,33 @@ struct InpKeyword {
   std::string name;  ///< "SOLIDSECTION"
   std::string shown; ///< "SOLID SECTION"
   std::vector<std::pair<std::string, std::string>> parameters;
-  InpPlace place;
+  InpLocation place;
 
   [[nodiscard]] const std::string* find(std::string_view key) const;
 };
 
 /// The lines of an Abaqus or CalculiX input file, includes followed: comments (**) and empty lines
 /// left out, keyword lines joined with those they continue on.
-class InpText {
+class InpLineReader {
 public:
-  using Complain = std::function<void(InpPlace, std::string)>;
+  using Complain = std::function<void(InpLocation, std::string)>;
 
   /// Complaints: files that cannot be read or include themselves.
-  InpText(const std::filesystem::path& file, Complain complain);
+  InpLineReader(const std::filesystem::path& file, Complain complain);
 
   /// Moves to the next line; false at the end.
-  bool next();
+  bool next_line();
   [[nodiscard]] bool at_keyword() const { return line_[0] == '*'; }
   /// The keyword at this line. *INCLUDE is followed and never seen.
   [[nodiscard]] const InpKeyword& keyword() const { return keyword_; }
   /// A data line without the blanks at its ends.
-  [[nodiscard]] std::string_view line() const { return line_; }
-  [[nodiscard]] InpPlace place() const { return place_; }
+  [[nodiscard]] std::string_view data_line() const { return line_; }
+  [[nodiscard]] InpLocation location() const { return place_; }
   /// Paths of the files met so far, as places count them.
-  [[nodiscard]] std::vector<std::string> paths() const;
+  [[nodiscard]] std::vector<std::string> file_paths() const;
 
 private:
-  struct File {
+  struct InpFile {
     std::filesystem::path path;
     std::string text;
     std::size_t at = 0;
@@ -59,14 +59,14 @@ private:
   bool raw_line();
   void read_keyword();
   void include();
-  void open(const std::filesystem::path& path, InpPlace from);
+  void open(const std::filesystem::path& path, InpLocation from);
 
   Complain complain_;
-  std::deque<File> files_;
+  std::deque<InpFile> files_;
   std::vector<std::uint32_t> open_;
   std::size_t bytes_ = 0; ///< of all files so far
   std::string_view line_;
-  InpPlace place_;
+  InpLocation place_;
   InpKeyword keyword_;
 };
 
@@ -75,12 +75,12 @@ class InpFields {
 public:
   explicit InpFields(std::string_view line) : rest_(line), more_(!line.empty()) {}
 
-  [[nodiscard]] bool more() const { return more_; }
+  [[nodiscard]] bool has_more() const { return more_; }
   /// The next field without blanks at its ends.
-  std::string_view text();
+  std::string_view next_text();
   /// The next field as a number; empty if it is none. An empty field is 0.
-  std::optional<double> real();
-  std::optional<std::int64_t> integer();
+  std::optional<double> next_real();
+  std::optional<std::int64_t> next_integer();
 
 private:
   std::string_view rest_;

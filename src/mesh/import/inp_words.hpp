@@ -12,30 +12,30 @@
 namespace spricka::mesh {
 
 /// Says what is wrong with an Abaqus input file: at the card that imports it, with the file's line.
-class InpWords {
+class InpMessages {
 public:
-  InpWords(const ImportRequest& request, const InpData& data, base::Diagnostics& diagnostics)
+  InpMessages(const ImportRequest& request, const InpData& data, base::Diagnostics& diagnostics)
       : request_(request), data_(data), diagnostics_(diagnostics) {}
 
-  void error(InpPlace at, std::string code, std::string text, std::string hint = {}) {
+  void error(InpLocation at, std::string code, std::string text, std::string hint = {}) {
     diagnostics_.error(request_.span, std::move(code),
                        fmt::format("{}: {}", place(at), shown(at, text)), std::move(hint));
   }
-  void warning(InpPlace at, std::string code, const std::string& text) {
+  void warning(InpLocation at, std::string code, const std::string& text) {
     diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text));
   }
 
 private:
   /// An included file may be any that this user can read, named by somebody else's input: what its
   /// lines hold is not repeated.
-  static std::string shown(InpPlace at, const std::string& text) {
+  static std::string shown(InpLocation at, const std::string& text) {
     const std::size_t first = text.find('\'');
     const std::size_t last = text.rfind('\'');
     return at.file == 0 || first == last
                ? text
                : fmt::format("{}'..'{}", text.substr(0, first), text.substr(last + 1));
   }
-  [[nodiscard]] std::string place(InpPlace at) const {
+  [[nodiscard]] std::string place(InpLocation at) const {
     const std::string own = request_.file.filename().string();
     const std::string name = at.file < data_.files.size()
                                  ? std::filesystem::path(data_.files[at.file]).filename().string()

@@ -13,13 +13,15 @@ namespace spricka::mesh {
 namespace {
 
 struct Token {
-  enum class Kind { word, text, mark };
-  Kind kind = Kind::mark;
+  enum class TokenKind { word, text, mark };
+  TokenKind kind = TokenKind::mark;
   std::string_view text; ///< without quotes
   std::size_t line = 1;
   std::size_t at = 0; ///< in the script
 
-  [[nodiscard]] bool is(std::string_view mark) const { return kind != Kind::text && text == mark; }
+  [[nodiscard]] bool is(std::string_view mark) const {
+    return kind != TokenKind::text && text == mark;
+  }
 };
 
 bool starts_word(char c) {
@@ -71,10 +73,10 @@ private:
     return false;
   }
   Token next() {
-    Token token{Token::Kind::mark, {}, line_, at_};
+    Token token{Token::TokenKind::mark, {}, line_, at_};
     std::size_t end = at_ + 1;
     if (const char quote = text_[at_]; quote == '"' || quote == '\'') {
-      token.kind = Token::Kind::text;
+      token.kind = Token::TokenKind::text;
       end = text_.find(quote, end); // a backslash hides nothing from gmsh
       end = std::min(end, text_.size());
       token.text = text_.substr(at_ + 1, end - at_ - 1);
@@ -82,7 +84,7 @@ private:
       return token;
     }
     if (starts_word(text_[at_])) {
-      token.kind = Token::Kind::word;
+      token.kind = Token::TokenKind::word;
       while (end < text_.size() && in_word(text_[end])) {
         ++end;
       }
@@ -148,7 +150,7 @@ public:
 
   ScriptScan run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (tokens_[i].kind == Token::Kind::word) {
+      if (tokens_[i].kind == Token::TokenKind::word) {
         scan_.words.emplace(tokens_[i].text);
         look_outside(i);
         look_at_scale(i);
@@ -160,7 +162,8 @@ public:
         }
       }
     }
-    for (const Block& block : open_) { // gmsh reads a script that is cut off as if it were whole
+    for (const ScriptBlock& block :
+         open_) { // gmsh reads a script that is cut off as if it were whole
       scan_.outreach.push_back(
           {block.line, std::string(block.begin), "is not ended by " + std::string(block.end)});
     }
@@ -209,7 +212,7 @@ private:
     }
   }
 
-  struct Block {
+  struct ScriptBlock {
     std::string_view begin, end;
     std::size_t line = 0;
   };
@@ -252,7 +255,7 @@ private:
       if (depth == 0 && t.is("]")) {
         break;
       }
-      if (depth == 0 && at_name && t.kind == Token::Kind::word &&
+      if (depth == 0 && at_name && t.kind == Token::TokenKind::word &&
           (token(i + 1).is("=") || token(i + 1).is(",") || token(i + 1).is("]"))) {
         add(constants_, scan_.constants, {std::string(t.text), t.line, default_of(i + 1)});
       }
@@ -298,7 +301,8 @@ private:
     }
   }
 
-  static void add(std::set<std::string>& met, std::vector<ScriptName>& names, ScriptName name) {
+  static void add(std::set<std::string>& met, std::vector<ScriptAssignment>& names,
+                  ScriptAssignment name) {
     if (met.insert(name.name).second) {
       names.push_back(std::move(name));
     }
@@ -308,7 +312,7 @@ private:
   std::vector<Token> tokens_;
   std::set<std::string> constants_, assigned_; ///< names met
   std::size_t behind_constants_ = 0;           ///< what was looked through as DefineConstant
-  std::vector<Block> open_;                    ///< not ended so far
+  std::vector<ScriptBlock> open_;              ///< not ended so far
   ScriptScan scan_;
 };
 

@@ -10,7 +10,7 @@
 namespace spricka::mesh {
 
 /// A word of a geometry script that reaches outside of it, or that gmsh would pass over in silence.
-struct Outreach {
+struct ForbiddenStatement {
   std::size_t line = 0;
   std::string word; ///< as the script writes it
   std::string does; ///< "runs a command"
@@ -18,21 +18,21 @@ struct Outreach {
 
 /// A name to which a script gives a value: by DefineConstant, which leaves it alone if it has one
 /// already, or by an assignment.
-struct ScriptName {
+struct ScriptAssignment {
   std::string name;
   std::size_t line = 0;
   std::string text; ///< the default of a constant as the script writes it, at most a short line
 };
 
 struct ScriptScan {
-  std::vector<Outreach> outreach;    ///< in order of the text
-  std::vector<ScriptName> constants; ///< each name once
-  std::vector<ScriptName> assigned;  ///< numbers, each name once; also those of constants
-  std::set<std::string> words;       ///< all names and words of the language
+  std::vector<ForbiddenStatement> outreach; ///< in order of the text
+  std::vector<ScriptAssignment> constants;  ///< each name once
+  std::vector<ScriptAssignment> assigned;   ///< numbers, each name once; also those of constants
+  std::set<std::string> words;              ///< all names and words of the language
 };
 
 /// A number to which a geometry script gives a name.
-struct ScriptConstant {
+struct GeometryScriptConstant {
   std::string name;       ///< as the script writes it
   bool defined = true;    ///< by DefineConstant; else the script sets it, whatever the deck says
   bool from_deck = false; ///< a parameter of the deck has set it

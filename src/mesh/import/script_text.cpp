@@ -27,7 +27,7 @@ bool can_be_set(const std::string& name) {
 /// The constants that a parameter means.
 std::vector<std::string> meant_by(const std::string& parameter, const ScriptScan& scan) {
   std::vector<std::string> alike;
-  for (const ScriptName& constant : scan.constants) {
+  for (const ScriptAssignment& constant : scan.constants) {
     if (constant.name == parameter) {
       return {parameter};
     }
@@ -40,20 +40,20 @@ std::vector<std::string> meant_by(const std::string& parameter, const ScriptScan
 
 } // namespace
 
-ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
-                           const ImportRequest& request, base::Diagnostics& diagnostics) {
-  ScriptText result;
+PreparedScript with_parameters(const std::string& text, const ScriptScan& scan,
+                               const ImportRequest& request, base::Diagnostics& diagnostics) {
+  PreparedScript result;
   std::set<std::string> from_deck;
   std::set<std::string> constants;
-  for (const ScriptName& constant : scan.constants) {
+  for (const ScriptAssignment& constant : scan.constants) {
     constants.insert(constant.name);
   }
   std::set<std::string> assigned;
-  for (const ScriptName& own : scan.assigned) {
+  for (const ScriptAssignment& own : scan.assigned) {
     assigned.insert(own.name);
   }
-  std::vector<ScriptConstant> used; // without being defined
-  result.text = "/**/";             // so that nothing but a script can begin here
+  std::vector<GeometryScriptConstant> used; // without being defined
+  result.text = "/**/";                     // so that nothing but a script can begin here
   for (const auto& [name, value] : request.parameters) {
     if (!can_be_set(name)) {
       continue;
@@ -82,20 +82,20 @@ ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
     }
   }
   result.text += text;
-  for (const ScriptName& constant : scan.constants) {
+  for (const ScriptAssignment& constant : scan.constants) {
     result.constants.push_back({.name = constant.name,
                                 .from_deck = from_deck.contains(constant.name),
                                 .value = std::nullopt,
                                 .text = constant.text});
   }
-  for (ScriptConstant& constant : used) {
+  for (GeometryScriptConstant& constant : used) {
     const bool met = std::any_of(result.constants.begin(), result.constants.end(),
                                  [&](const auto& c) { return c.name == constant.name; });
     if (!met) {
       result.constants.push_back(std::move(constant));
     }
   }
-  for (const ScriptName& own : scan.assigned) {
+  for (const ScriptAssignment& own : scan.assigned) {
     const bool is_parameter =
         std::any_of(request.parameters.begin(), request.parameters.end(),
                     [&](const auto& parameter) { return parameter.first == own.name; });

@@ -10,16 +10,16 @@
 namespace spricka::mesh {
 
 /// A geometry script made ready for gmsh.
-struct ScriptText {
+struct PreparedScript {
   std::string text; ///< with the deck's parameters set in its first line
-  std::vector<ScriptConstant> constants;
+  std::vector<GeometryScriptConstant> constants;
 };
 
 /// Sets the parameters of a request in the names of the script's constants, whatever the case of
 /// letters, and in upper and lower case for scripts that use a name they do not define. (gmsh's
 /// DefineConstant leaves a name alone that has a value.) Constants that differ by case only take
 /// the parameter that is written like them; without such a one they are an error.
-ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
-                           const ImportRequest& request, base::Diagnostics& diagnostics);
+PreparedScript with_parameters(const std::string& text, const ScriptScan& scan,
+                               const ImportRequest& request, base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -13,28 +13,28 @@ namespace spricka::mesh {
 /// Values as bytes for another process of the same program on the same machine.
 class ByteWriter {
 public:
-  template <class T> void one(const T& value) {
+  template <class T> void write_value(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  template <class T> void list(const std::vector<T>& values) {
+  template <class T> void write_list(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
-    one(values.size());
+    write_value(values.size());
     if (!values.empty()) {
       bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     }
   }
-  void text(std::string_view value) {
-    one(value.size());
+  void write_text(std::string_view value) {
+    write_value(value.size());
     bytes_ += value;
   }
-  void texts(const std::vector<std::string>& values) {
-    one(values.size());
+  void write_texts(const std::vector<std::string>& values) {
+    write_value(values.size());
     for (const std::string& value : values) {
-      text(value);
+      write_text(value);
     }
   }
-  [[nodiscard]] std::string take() { return std::move(bytes_); }
+  [[nodiscard]] std::string release() { return std::move(bytes_); }
 
 private:
   std::string bytes_;
@@ -45,14 +45,14 @@ class ByteReader {
 public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
-  template <class T> T one() {
+  template <class T> T read_value() {
     static_assert(std::is_trivially_copyable_v<T>);
     T value{};
     copy(&value, sizeof value);
     return value;
   }
-  template <class T> std::vector<T> list() {
-    const auto count = one<std::size_t>();
+  template <class T> std::vector<T> read_list() {
+    const auto count = read_value<std::size_t>();
     if (count > rest_.size() / sizeof(T)) {
       sound_ = false;
       return {};
@@ -63,8 +63,8 @@ public:
     }
     return values;
   }
-  std::string text() {
-    const auto count = one<std::size_t>();
+  std::string read_text() {
+    const auto count = read_value<std::size_t>();
     if (count > rest_.size()) {
       sound_ = false;
       return {};
@@ -73,14 +73,14 @@ public:
     rest_.remove_prefix(count);
     return value;
   }
-  std::vector<std::string> texts() {
+  std::vector<std::string> read_texts() {
     std::vector<std::string> values;
-    for (auto count = one<std::size_t>(); count > 0 && sound_; --count) {
-      values.push_back(text());
+    for (auto count = read_value<std::size_t>(); count > 0 && sound_; --count) {
+      values.push_back(read_text());
     }
     return values;
   }
-  [[nodiscard]] bool sound() const { return sound_; }
+  [[nodiscard]] bool is_valid() const { return sound_; }
   [[nodiscard]] bool at_end() const { return sound_ && rest_.empty(); }
 
 private:

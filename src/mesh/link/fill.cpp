@@ -18,7 +18,7 @@ using base::Vec2;
 /// the other diagonal of the quadrilateral that it halves. Given edges stay.
 class Flips {
 public:
-  Flips(const Region& region, Filling& filling) : region_(region), filling_(filling) {
+  Flips(const PlaneRegion& region, TriangleFill& filling) : region_(region), filling_(filling) {
     for (const auto* chains : {&region.loops, &region.embedded}) {
       for (const std::vector<int>& chain : *chains) {
         const std::size_t count = chain.size() - (chains == &region.embedded ? 1 : 0);
@@ -86,20 +86,21 @@ private:
     return false;
   }
 
-  const Region& region_;
-  Filling& filling_;
+  const PlaneRegion& region_;
+  TriangleFill& filling_;
   std::set<std::pair<int, int>> given_;
 };
 
-Filling made_by_gmsh(const Region& region, const Grading& size) {
+TriangleFill made_by_gmsh(const PlaneRegion& region, const Grading& size) {
   const MesherAnswer answer = ask_mesher(fill_request(region, size));
-  Filling filling;
-  if (answer.end != MesherEnd::answered) {
+  TriangleFill filling;
+  if (answer.end != MesherOutcome::answered) {
     filling.trouble = answer.trouble;
     return filling;
   }
   ByteReader in(answer.frame);
-  if (in.one<MesherFrame>() != MesherFrame::filling || !read_fill_answer(in, region, filling)) {
+  if (in.read_value<MesherFrameKind>() != MesherFrameKind::filling ||
+      !read_fill_answer(in, region, filling)) {
     filling = {};
     filling.trouble = "gmsh gave no mesh";
   }
@@ -108,8 +109,8 @@ Filling made_by_gmsh(const Region& region, const Grading& size) {
 
 } // namespace
 
-Filling fill(const Region& region, const Grading& size) {
-  Filling filling = made_by_gmsh(region, size);
+TriangleFill fill_triangles(const PlaneRegion& region, const Grading& size) {
+  TriangleFill filling = made_by_gmsh(region, size);
   if (filling.trouble.empty()) {
     Flips(region, filling).run();
   }

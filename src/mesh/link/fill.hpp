@@ -6,6 +6,6 @@
 namespace spricka::mesh {
 
 /// Fills a region with triangles by gmsh; with `trouble` there are none.
-Filling fill(const Region& region, const Grading& size);
+TriangleFill fill_triangles(const PlaneRegion& region, const Grading& size);
 
 } // namespace spricka::mesh

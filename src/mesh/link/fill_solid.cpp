@@ -20,20 +20,20 @@ using Triangle = SolidRegion::Triangle;
 
 void write_point(ByteWriter& out, const Vec3& p) {
   for (const double c : p) {
-    out.one(c);
+    out.write_value(c);
   }
 }
 
 Vec3 read_solid_point(ByteReader& in) {
   Vec3 p;
   for (double& c : p) {
-    c = in.one<double>();
+    c = in.read_value<double>();
   }
   return p;
 }
 
 void write_solid_points(ByteWriter& out, const std::vector<Vec3>& points) {
-  out.one(points.size());
+  out.write_value(points.size());
   for (const Vec3& p : points) {
     write_point(out, p);
   }
@@ -41,7 +41,7 @@ void write_solid_points(ByteWriter& out, const std::vector<Vec3>& points) {
 
 std::vector<Vec3> read_solid_points(ByteReader& in) {
   std::vector<Vec3> points;
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
     points.push_back(read_solid_point(in));
   }
   return points;
@@ -63,7 +63,7 @@ Triangle sorted(Triangle t) {
 /// Counts how often triangles are sides of the tetrahedra.
 class Sides {
 public:
-  explicit Sides(const SolidFilling& filling) {
+  explicit Sides(const TetrahedronFill& filling) {
     for (const std::array<int, 4>& t : filling.tetrahedra) {
       for (std::size_t i = 0; i < 4; ++i) {
         all_.push_back(sorted({t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4]}));
@@ -81,7 +81,7 @@ private:
 };
 
 /// What is wrong with a filling; empty if nothing.
-std::string fault_of(const SolidRegion& region, const SolidFilling& filling) {
+std::string fault_of(const SolidRegion& region, const TetrahedronFill& filling) {
   if (filling.tetrahedra.empty()) {
     return "no tetrahedra were made";
   }
@@ -97,7 +97,7 @@ std::string fault_of(const SolidRegion& region, const SolidFilling& filling) {
                    : fmt::format("{} given triangles are no sides of the tetrahedra made", lost);
 }
 
-void turn_positive(const SolidRegion& region, SolidFilling& filling) {
+void turn_positive(const SolidRegion& region, TetrahedronFill& filling) {
   const auto at = [&](int n) -> const Vec3& {
     const auto i = static_cast<std::size_t>(n);
     return i < region.points.size() ? region.points[i] : filling.added[i - region.points.size()];
@@ -114,7 +114,7 @@ void turn_positive(const SolidRegion& region, SolidFilling& filling) {
 
 double SolidGrading::operator()(const Vec3& p) const {
   double least = std::numeric_limits<double>::max();
-  for (const Source& source : sources) {
+  for (const SolidSizeSource& source : sources) {
     const double beyond = std::max(0.0, (p - source.at).norm() - source.radius);
     least = std::min(least, source.size + source.growth * beyond);
   }
@@ -123,35 +123,35 @@ double SolidGrading::operator()(const Vec3& p) const {
 
 std::string fill_solid_request(const SolidRegion& region, const SolidGrading& size) {
   ByteWriter out;
-  out.one(MesherFrame::fill_solid);
+  out.write_value(MesherFrameKind::fill_solid);
   write_solid_points(out, region.points);
-  out.one(region.shells.size());
+  out.write_value(region.shells.size());
   for (const auto& shell : region.shells) {
-    out.list(shell);
+    out.write_list(shell);
   }
-  out.list(region.embedded);
-  out.one(size.sources.size());
-  for (const SolidGrading::Source& source : size.sources) {
+  out.write_list(region.embedded);
+  out.write_value(size.sources.size());
+  for (const SolidGrading::SolidSizeSource& source : size.sources) {
     write_point(out, source.at);
-    out.one(source.radius);
-    out.one(source.size);
-    out.one(source.growth);
+    out.write_value(source.radius);
+    out.write_value(source.size);
+    out.write_value(source.growth);
   }
-  return out.take();
+  return out.release();
 }
 
 bool read_fill_solid_request(ByteReader& in, SolidRegion& region, SolidGrading& size) {
   region.points = read_solid_points(in);
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
-    region.shells.push_back(in.list<Triangle>());
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+    region.shells.push_back(in.read_list<Triangle>());
   }
-  region.embedded = in.list<Triangle>();
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
-    SolidGrading::Source source;
+  region.embedded = in.read_list<Triangle>();
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+    SolidGrading::SolidSizeSource source;
     source.at = read_solid_point(in);
-    source.radius = in.one<double>();
-    source.size = in.one<double>();
-    source.growth = in.one<double>();
+    source.radius = in.read_value<double>();
+    source.size = in.read_value<double>();
+    source.growth = in.read_value<double>();
     size.sources.push_back(source);
   }
   return in.at_end() && within(region.embedded, region.points.size()) &&
@@ -159,32 +159,32 @@ bool read_fill_solid_request(ByteReader& in, SolidRegion& region, SolidGrading& 
              region.shells, [&](const auto& shell) { return within(shell, region.points.size()); });
 }
 
-std::string fill_solid_answer(const SolidFilling& filling) {
+std::string fill_solid_answer(const TetrahedronFill& filling) {
   ByteWriter out;
-  out.one(MesherFrame::solid_filling);
+  out.write_value(MesherFrameKind::solid_filling);
   write_solid_points(out, filling.added);
-  out.list(filling.tetrahedra);
-  out.text(filling.trouble);
-  return out.take();
+  out.write_list(filling.tetrahedra);
+  out.write_text(filling.trouble);
+  return out.release();
 }
 
-bool read_fill_solid_answer(ByteReader& in, const SolidRegion& region, SolidFilling& filling) {
+bool read_fill_solid_answer(ByteReader& in, const SolidRegion& region, TetrahedronFill& filling) {
   filling.added = read_solid_points(in);
-  filling.tetrahedra = in.list<std::array<int, 4>>();
-  filling.trouble = in.text();
+  filling.tetrahedra = in.read_list<std::array<int, 4>>();
+  filling.trouble = in.read_text();
   return in.at_end() && within(filling.tetrahedra, region.points.size() + filling.added.size()) &&
          std::ranges::all_of(filling.added, [](const Vec3& p) { return p.allFinite(); });
 }
 
-SolidFilling fill_solid(const SolidRegion& region, const SolidGrading& size) {
+TetrahedronFill fill_tetrahedra(const SolidRegion& region, const SolidGrading& size) {
   const MesherAnswer answer = ask_mesher(fill_solid_request(region, size));
-  SolidFilling filling;
-  if (answer.end != MesherEnd::answered) {
+  TetrahedronFill filling;
+  if (answer.end != MesherOutcome::answered) {
     filling.trouble = answer.trouble;
     return filling;
   }
   ByteReader in(answer.frame);
-  if (in.one<MesherFrame>() != MesherFrame::solid_filling ||
+  if (in.read_value<MesherFrameKind>() != MesherFrameKind::solid_filling ||
       !read_fill_solid_answer(in, region, filling)) {
     filling = {};
     filling.trouble = "gmsh gave no mesh";

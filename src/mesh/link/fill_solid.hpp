@@ -9,13 +9,13 @@ namespace spricka::mesh {
 
 /// Fills a region with tetrahedra by gmsh; with `trouble` there are none. Every triangle of a shell
 /// is the side of one of them, every embedded one that of two.
-SolidFilling fill_solid(const SolidRegion& region, const SolidGrading& size);
+TetrahedronFill fill_tetrahedra(const SolidRegion& region, const SolidGrading& size);
 
 // How the mesher is asked, and answers (mesher_request.hpp).
 std::string fill_solid_request(const SolidRegion& region, const SolidGrading& size);
 /// False if the bytes are none.
 bool read_fill_solid_request(ByteReader& in, SolidRegion& region, SolidGrading& size);
-std::string fill_solid_answer(const SolidFilling& filling);
-bool read_fill_solid_answer(ByteReader& in, const SolidRegion& region, SolidFilling& filling);
+std::string fill_solid_answer(const TetrahedronFill& filling);
+bool read_fill_solid_answer(ByteReader& in, const SolidRegion& region, TetrahedronFill& filling);
 
 } // namespace spricka::mesh

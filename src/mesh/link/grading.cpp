@@ -13,7 +13,7 @@ using base::Vec2;
 
 double Grading::operator()(const Vec2& p) const {
   double least = std::numeric_limits<double>::max();
-  for (const Source& source : sources_) {
+  for (const SizeSource& source : sources_) {
     least = std::min(least, source.size + growth_ * (p - source.at).norm());
   }
   return least;

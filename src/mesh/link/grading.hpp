@@ -17,19 +17,19 @@ public:
 
   explicit Grading(double growth = usual_growth) : growth_(growth) {}
 
-  void add(const base::Vec2& at, double size) { sources_.push_back({at, size}); }
+  void add_source(const base::Vec2& at, double size) { sources_.push_back({at, size}); }
   [[nodiscard]] double operator()(const base::Vec2& p) const;
 
-  struct Source {
+  struct SizeSource {
     base::Vec2 at;
     double size;
   };
-  [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
+  [[nodiscard]] const std::vector<SizeSource>& sources() const { return sources_; }
   [[nodiscard]] double growth() const { return growth_; }
 
 private:
   double growth_; ///< of the size for each unit of distance
-  std::vector<Source> sources_;
+  std::vector<SizeSource> sources_;
 };
 
 /// Divides a curve x(t), from t0 to t1, into elements of the wanted sizes. Returns the values of t

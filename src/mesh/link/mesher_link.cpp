@@ -46,7 +46,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-MesherAnswer trouble(MesherEnd end, std::string text) {
+MesherAnswer trouble(MesherOutcome end, std::string text) {
   MesherAnswer answer;
   answer.end = end;
   answer.trouble = std::move(text);
@@ -61,7 +61,7 @@ MesherAnswer post_mortem(int status, const std::vector<std::string>& words) {
     });
   };
   if (said("Out of memory") || said("bad_alloc")) {
-    return trouble(MesherEnd::no_memory, "gmsh needs more memory than it may have");
+    return trouble(MesherOutcome::no_memory, "gmsh needs more memory than it may have");
   }
   constexpr int not_loaded = 127; // of the loader of libraries
   if (WIFEXITED(status) && WEXITSTATUS(status) == not_loaded) {
@@ -69,16 +69,16 @@ MesherAnswer post_mortem(int status, const std::vector<std::string>& words) {
                             words.empty() ? "cannot start gmsh" : words.back());
   }
   if (WIFEXITED(status)) {
-    return trouble(MesherEnd::left, "gmsh ended in the middle of its work");
+    return trouble(MesherOutcome::left, "gmsh ended in the middle of its work");
   }
   switch (const int signal = WTERMSIG(status)) {
   case SIGSYS:
-    return trouble(MesherEnd::forbidden,
+    return trouble(MesherOutcome::forbidden,
                    "gmsh tried to start a program or to reach the network, and was stopped");
   case SIGXCPU:
-    return trouble(MesherEnd::no_time, "gmsh took longer than it may");
+    return trouble(MesherOutcome::no_time, "gmsh took longer than it may");
   default:
-    return trouble(MesherEnd::crashed, fmt::format("gmsh crashed ({})", strsignal(signal)));
+    return trouble(MesherOutcome::crashed, fmt::format("gmsh crashed ({})", strsignal(signal)));
   }
 }
 
@@ -87,38 +87,40 @@ public:
   explicit Exchange(MesherProcess& process) : process_(process) {}
 
   MesherAnswer run(std::string_view request) {
-    meshing_ = request.front() != static_cast<char>(MesherFrame::import);
-    process_.take_words(); // of earlier requests
+    meshing_ = request.front() != static_cast<char>(MesherFrameKind::import);
+    process_.take_output(); // of earlier requests
     const double used = process_.processor_time();
     double waited = 0.0;
     base::Stopwatch since_look;
     double worked = used;
-    if (!process_.send(request)) {
+    if (!process_.send_frame(request)) {
       return gone();
     }
     while (true) {
       MesherAnswer answer;
-      switch (process_.listen(look_every, longest(), answer.frame)) {
-      case MesherProcess::News::gone:
+      switch (process_.receive_frame(look_every, longest(), answer.frame)) {
+      case MesherProcess::ReceiveResult::gone:
         return gone();
-      case MesherProcess::News::too_long:
-        return ended(trouble(MesherEnd::no_memory, "the mesh is larger than memory allows"));
-      case MesherProcess::News::frame:
-        if (is(answer.frame, MesherFrame::meshing)) {
+      case MesherProcess::ReceiveResult::too_long:
+        return ended(trouble(MesherOutcome::no_memory, "the mesh is larger than memory allows"));
+      case MesherProcess::ReceiveResult::frame:
+        if (is(answer.frame, MesherFrameKind::meshing)) {
           meshing_ = true;
           break;
         }
-        if (is(answer.frame, MesherFrame::no_memory)) {
-          return ended(trouble(MesherEnd::no_memory, "gmsh needs more memory than it may have"));
+        if (is(answer.frame, MesherFrameKind::no_memory)) {
+          return ended(
+              trouble(MesherOutcome::no_memory, "gmsh needs more memory than it may have"));
         }
         return answer;
-      case MesherProcess::News::nothing:
+      case MesherProcess::ReceiveResult::nothing:
         break;
       }
       // Of the clock only what it waits for by itself counts: other work on the machine may keep it
       // from a processor for any time.
       const double now = process_.processor_time();
-      waited += process_.waits() ? std::max(0.0, since_look.wall_time() - (now - worked)) : 0.0;
+      waited +=
+          process_.is_waiting() ? std::max(0.0, since_look.wall_time() - (now - worked)) : 0.0;
       since_look = {};
       worked = now;
       if (std::optional<MesherAnswer> late = too_late(now - used, waited)) {
@@ -130,35 +132,35 @@ public:
 private:
   static constexpr int look_every = 50; // ms
 
-  static bool is(const std::string& frame, MesherFrame kind) {
+  static bool is(const std::string& frame, MesherFrameKind kind) {
     return !frame.empty() && frame.front() == static_cast<char>(kind);
   }
   static std::size_t longest() { return mesher_limits().memory; }
 
   [[nodiscard]] std::optional<MesherAnswer> too_late(double processor, double waited) const {
     const MesherLimits& limits = mesher_limits();
-    const double may = meshing_ ? limits.seconds : limits.reading();
+    const double may = meshing_ ? limits.seconds : limits.reading_seconds();
     const char* const doing = meshing_ ? "meshing" : "reading";
     if (processor > may) {
-      return trouble(MesherEnd::no_time,
+      return trouble(MesherOutcome::no_time,
                      fmt::format("{} took more than {:g} s of processor time", doing, may));
     }
     if (waited > limits.waiting) {
-      return trouble(MesherEnd::no_time,
+      return trouble(MesherOutcome::no_time,
                      fmt::format("{} has stood still for {:.0f} s", doing, waited));
     }
     return std::nullopt;
   }
   MesherAnswer gone() {
     const int status = process_.end();
-    std::vector<std::string> words = lines_of(process_.take_words());
+    std::vector<std::string> words = lines_of(process_.take_output());
     MesherAnswer answer = post_mortem(status, words);
     answer.words = std::move(words);
     return answer;
   }
   MesherAnswer ended(MesherAnswer answer) {
     process_.end();
-    answer.words = lines_of(process_.take_words());
+    answer.words = lines_of(process_.take_output());
     return answer;
   }
 
@@ -168,7 +170,7 @@ private:
 
 /// Ended from outside, not by what it was doing.
 bool was_killed(const MesherAnswer& answer, MesherProcess& process) {
-  if (answer.end != MesherEnd::crashed) {
+  if (answer.end != MesherOutcome::crashed) {
     return false;
   }
   const int status = process.end();
@@ -189,8 +191,8 @@ MesherLimits& mesher_limits() {
   return limits;
 }
 
-std::function<void(const MesherUse&)>& mesher_listener() {
-  static std::function<void(const MesherUse&)> listener;
+std::function<void(const MesherUsage&)>& mesher_listener() {
+  static std::function<void(const MesherUsage&)> listener;
   return listener;
 }
 
@@ -198,14 +200,14 @@ namespace {
 
 MesherAnswer ask(Mesher& m, std::string_view request) {
   for (bool again : {true, false}) {
-    if (m.process && !m.process->mine()) {
+    if (m.process && !m.process->is_owner()) {
       m.process.reset(); // made before a fork; its owner goes on with it
     }
     if (!m.process) {
       m.process = MesherProcess::start(mesher_limits().memory);
     }
     MesherAnswer answer = Exchange(*m.process).run(request);
-    if (answer.end == MesherEnd::answered) {
+    if (answer.end == MesherOutcome::answered) {
       return answer;
     }
     again = again && was_killed(answer, *m.process);
@@ -227,9 +229,10 @@ MesherAnswer ask_mesher(std::string_view request) {
   }
   const base::Stopwatch watch;
   // One that is started for this request has all of its time from it.
-  const double used = m.process && m.process->mine() ? m.process->processor_time() : 0.0;
+  const double used = m.process && m.process->is_owner() ? m.process->processor_time() : 0.0;
   MesherAnswer answer = ask(m, request);
-  MesherUse use{.begin = watch.start_time(), .end = base::steady_seconds(), .cpu = {}, .peak = {}};
+  MesherUsage use{
+      .begin = watch.start_time(), .end = base::steady_seconds(), .cpu = {}, .peak = {}};
   if (m.process) {
     use.cpu = std::max(0.0, m.process->processor_time() - used);
     use.peak = m.process->peak_memory();

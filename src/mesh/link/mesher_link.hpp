@@ -7,7 +7,7 @@
 namespace spricka::mesh {
 
 /// How a request to the mesher ended.
-enum class MesherEnd {
+enum class MesherOutcome {
   answered,
   crashed,   ///< by a signal
   left,      ///< it ended by itself, without an answer
@@ -17,7 +17,7 @@ enum class MesherEnd {
 };
 
 struct MesherAnswer {
-  MesherEnd end = MesherEnd::answered;
+  MesherOutcome end = MesherOutcome::answered;
   std::string frame;              ///< the answer
   std::string trouble;            ///< in words, unless answered
   std::vector<std::string> words; ///< what gmsh printed last, line by line, unless answered

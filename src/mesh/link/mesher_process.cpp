@@ -66,7 +66,7 @@ private:
 };
 
 /// Both ends of a new socket and of a new pipe.
-struct Ends {
+struct MesherChannels {
   Handle socket, of_mesher, words, printed;
 
   bool make() {
@@ -110,7 +110,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-pid_t spawn(const std::string& path, std::size_t memory, const Ends& ends) {
+pid_t spawn(const std::string& path, std::size_t memory, const MesherChannels& ends) {
   posix_spawn_file_actions_t actions{};
   posix_spawnattr_t attributes{};
   if (posix_spawn_file_actions_init(&actions) != 0 || posix_spawnattr_init(&attributes) != 0) {
@@ -160,7 +160,7 @@ std::unique_ptr<MesherProcess> MesherProcess::start(std::size_t memory) {
     throw std::system_error(ENOENT, std::generic_category(),
                             fmt::format("the program {} is not installed beside spricka", program));
   }
-  Ends ends;
+  MesherChannels ends;
   const pid_t pid = ends.make() ? spawn(path, memory, ends) : -1;
   if (pid < 0) {
     throw std::system_error(errno, std::generic_category(), fmt::format("cannot start {}", path));
@@ -173,18 +173,18 @@ MesherProcess::MesherProcess(pid_t pid, int socket, int words)
     : owner_(getpid()), pid_(pid), socket_(socket), words_end_(words) {}
 
 MesherProcess::~MesherProcess() {
-  if (mine()) {
+  if (is_owner()) {
     end();
   }
   close(socket_);
   close(words_end_);
 }
 
-bool MesherProcess::mine() const {
+bool MesherProcess::is_owner() const {
   return owner_ == getpid();
 }
 
-bool MesherProcess::send(std::string_view bytes) const {
+bool MesherProcess::send_frame(std::string_view bytes) const {
   const std::size_t size = bytes.size();
   std::string whole(reinterpret_cast<const char*>(&size), sizeof size);
   whole += bytes;
@@ -198,35 +198,36 @@ bool MesherProcess::send(std::string_view bytes) const {
   return true;
 }
 
-MesherProcess::News MesherProcess::listen(int milliseconds, std::size_t most, std::string& frame) {
+MesherProcess::ReceiveResult MesherProcess::receive_frame(int milliseconds, std::size_t most,
+                                                          std::string& frame) {
   const auto whole = [&] {
     std::size_t size = 0;
     if (received_.size() < sizeof size) {
-      return News::nothing;
+      return ReceiveResult::nothing;
     }
     std::memcpy(&size, received_.data(), sizeof size);
     if (size > most) {
-      return News::too_long;
+      return ReceiveResult::too_long;
     }
     if (received_.size() < sizeof size + size) {
-      return News::nothing;
+      return ReceiveResult::nothing;
     }
     frame = received_.substr(sizeof size, size);
     received_.erase(0, sizeof size + size);
-    return News::frame;
+    return ReceiveResult::frame;
   };
-  if (const News news = whole(); news != News::nothing) {
+  if (const ReceiveResult news = whole(); news != ReceiveResult::nothing) {
     return news;
   }
   std::array<pollfd, 2> ends{pollfd{socket_, POLLIN, 0}, pollfd{words_end_, POLLIN, 0}};
   if (poll(ends.data(), ends.size(), milliseconds) <= 0) {
-    return News::nothing;
+    return ReceiveResult::nothing;
   }
   if (ends[1].revents != 0) {
     take_printed();
   }
   if (ends[0].revents == 0) {
-    return News::nothing;
+    return ReceiveResult::nothing;
   }
   static constexpr std::size_t chunk = std::size_t{1} << 18U;
   const std::size_t filled = received_.size();
@@ -234,7 +235,7 @@ MesherProcess::News MesherProcess::listen(int milliseconds, std::size_t most, st
   const ssize_t got = recv(socket_, received_.data() + filled, chunk, MSG_DONTWAIT);
   received_.resize(filled + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
   if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) {
-    return News::gone;
+    return ReceiveResult::gone;
   }
   return whole();
 }
@@ -248,7 +249,7 @@ double MesherProcess::processor_time() const {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-bool MesherProcess::waits() const {
+bool MesherProcess::is_waiting() const {
   std::ifstream file(fmt::format("/proc/{}/stat", pid_));
   std::string line;
   std::getline(file, line);
@@ -271,7 +272,7 @@ void MesherProcess::take_printed() {
   }
 }
 
-std::string MesherProcess::take_words() {
+std::string MesherProcess::take_output() {
   take_printed();
   return std::exchange(words_, {});
 }

@@ -22,23 +22,23 @@ public:
   MesherProcess& operator=(const MesherProcess&) = delete;
 
   /// A fork of this process has the sockets, but no right to the mesher.
-  [[nodiscard]] bool mine() const;
+  [[nodiscard]] bool is_owner() const;
   /// Sends a frame; false if nobody is there to read it.
-  [[nodiscard]] bool send(std::string_view bytes) const;
+  [[nodiscard]] bool send_frame(std::string_view bytes) const;
 
-  enum class News { frame, nothing, gone, too_long };
+  enum class ReceiveResult { frame, nothing, gone, too_long };
   /// Takes what has arrived, waiting for at most `milliseconds`; a whole frame goes to `frame`. No
   /// frame may be longer than `most`.
-  News listen(int milliseconds, std::size_t most, std::string& frame);
+  ReceiveResult receive_frame(int milliseconds, std::size_t most, std::string& frame);
   /// Seconds of processor time it has used so far.
   [[nodiscard]] double processor_time() const;
   /// Whether it waits for something now instead of working: false of one that a busy machine keeps
   /// from a processor, or that is stopped, and where the system does not tell.
-  [[nodiscard]] bool waits() const;
+  [[nodiscard]] bool is_waiting() const;
   /// Its largest resident set so far [bytes]; empty: the system does not tell.
   [[nodiscard]] std::optional<std::size_t> peak_memory() const;
   /// The last of what it printed since the last call.
-  std::string take_words();
+  std::string take_output();
   /// Ends it, if it has not ended; the status as waitpid gives it.
   int end();
 

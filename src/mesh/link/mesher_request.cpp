@@ -11,25 +11,25 @@ namespace {
 
 using base::Vec2;
 
-ByteWriter frame(MesherFrame kind) {
+ByteWriter frame(MesherFrameKind kind) {
   ByteWriter out;
-  out.one(kind);
+  out.write_value(kind);
   return out;
 }
 
 void write(ByteWriter& out, const Vec2& p) {
-  out.one(p.x());
-  out.one(p.y());
+  out.write_value(p.x());
+  out.write_value(p.y());
 }
 
 Vec2 read_point(ByteReader& in) {
-  const auto x = in.one<double>();
-  const auto y = in.one<double>();
+  const auto x = in.read_value<double>();
+  const auto y = in.read_value<double>();
   return {x, y};
 }
 
 void write(ByteWriter& out, const std::vector<Vec2>& points) {
-  out.one(points.size());
+  out.write_value(points.size());
   for (const Vec2& p : points) {
     write(out, p);
   }
@@ -37,35 +37,35 @@ void write(ByteWriter& out, const std::vector<Vec2>& points) {
 
 std::vector<Vec2> read_points(ByteReader& in) {
   std::vector<Vec2> points;
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
     points.push_back(read_point(in));
   }
   return points;
 }
 
 void write(ByteWriter& out, const std::vector<std::vector<int>>& chains) {
-  out.one(chains.size());
+  out.write_value(chains.size());
   for (const std::vector<int>& chain : chains) {
-    out.list(chain);
+    out.write_list(chain);
   }
 }
 
 std::vector<std::vector<int>> read_chains(ByteReader& in) {
   std::vector<std::vector<int>> chains;
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
-    chains.push_back(in.list<int>());
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+    chains.push_back(in.read_list<int>());
   }
   return chains;
 }
 
 void write(ByteWriter& out, const std::vector<GmshBlock>& blocks) {
-  out.one(blocks.size());
+  out.write_value(blocks.size());
   for (const GmshBlock& block : blocks) {
-    out.one(block.entity);
-    out.one(block.type);
-    out.text(block.type_name);
-    out.list(block.tags);
-    out.list(block.nodes);
+    out.write_value(block.entity);
+    out.write_value(block.type);
+    out.write_text(block.type_name);
+    out.write_list(block.tags);
+    out.write_list(block.nodes);
   }
 }
 
@@ -86,13 +86,13 @@ bool belong_together(const GmshBlock& block, int dim) {
 
 std::vector<GmshBlock> read_blocks(ByteReader& in, int dim, bool& good) {
   std::vector<GmshBlock> blocks;
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
     GmshBlock block;
-    block.entity = in.one<int>();
-    block.type = in.one<int>();
-    block.type_name = in.text();
-    block.tags = in.list<std::size_t>();
-    block.nodes = in.list<std::size_t>();
+    block.entity = in.read_value<int>();
+    block.type = in.read_value<int>();
+    block.type_name = in.read_text();
+    block.tags = in.read_list<std::size_t>();
+    block.nodes = in.read_list<std::size_t>();
     good = good && belong_together(block, dim);
     blocks.push_back(std::move(block));
   }
@@ -101,44 +101,44 @@ std::vector<GmshBlock> read_blocks(ByteReader& in, int dim, bool& good) {
 
 } // namespace
 
-std::string fill_request(const Region& region, const Grading& size) {
-  ByteWriter out = frame(MesherFrame::fill);
+std::string fill_request(const PlaneRegion& region, const Grading& size) {
+  ByteWriter out = frame(MesherFrameKind::fill);
   write(out, region.points);
   write(out, region.loops);
   write(out, region.embedded);
-  out.one(size.growth());
-  out.one(size.sources().size());
-  for (const Grading::Source& source : size.sources()) {
+  out.write_value(size.growth());
+  out.write_value(size.sources().size());
+  for (const Grading::SizeSource& source : size.sources()) {
     write(out, source.at);
-    out.one(source.size);
+    out.write_value(source.size);
   }
-  return out.take();
+  return out.release();
 }
 
-bool read_fill_request(ByteReader& in, Region& region, Grading& size) {
+bool read_fill_request(ByteReader& in, PlaneRegion& region, Grading& size) {
   region.points = read_points(in);
   region.loops = read_chains(in);
   region.embedded = read_chains(in);
-  size = Grading(in.one<double>());
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
+  size = Grading(in.read_value<double>());
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
     const Vec2 at = read_point(in);
-    size.add(at, in.one<double>());
+    size.add_source(at, in.read_value<double>());
   }
   return in.at_end();
 }
 
-std::string fill_answer(const Filling& filling) {
-  ByteWriter out = frame(MesherFrame::filling);
+std::string fill_answer(const TriangleFill& filling) {
+  ByteWriter out = frame(MesherFrameKind::filling);
   write(out, filling.added);
-  out.list(filling.triangles);
-  out.text(filling.trouble);
-  return out.take();
+  out.write_list(filling.triangles);
+  out.write_text(filling.trouble);
+  return out.release();
 }
 
-bool read_fill_answer(ByteReader& in, const Region& region, Filling& filling) {
+bool read_fill_answer(ByteReader& in, const PlaneRegion& region, TriangleFill& filling) {
   filling.added = read_points(in);
-  filling.triangles = in.list<std::array<int, 3>>();
-  filling.trouble = in.text();
+  filling.triangles = in.read_list<std::array<int, 3>>();
+  filling.trouble = in.read_text();
   const auto count = static_cast<int>(region.points.size() + filling.added.size());
   return in.at_end() &&
          std::all_of(
@@ -148,39 +148,39 @@ bool read_fill_answer(ByteReader& in, const Region& region, Filling& filling) {
 }
 
 std::string import_request(const MesherImport& import) {
-  ByteWriter out = frame(MesherFrame::import);
-  out.text(import.name);
-  out.text(import.text);
-  out.one(import.script);
-  out.one(import.quadratic);
-  out.texts(import.constants);
-  out.one(static_cast<bool>(import.size));
+  ByteWriter out = frame(MesherFrameKind::import);
+  out.write_text(import.name);
+  out.write_text(import.text);
+  out.write_value(import.script);
+  out.write_value(import.quadratic);
+  out.write_texts(import.constants);
+  out.write_value(static_cast<bool>(import.size));
   if (import.size) {
-    out.one(import.size.scale);
-    out.one(import.size.map->given().size());
-    for (const SizeMap::Wish& wish : import.size.map->given()) {
+    out.write_value(import.size.scale);
+    out.write_value(import.size.map->requests().size());
+    for (const SizeMap::SizeRequest& wish : import.size.map->requests()) {
       write(out, wish.at);
-      out.one(wish.size);
-      out.one(wish.fresh);
+      out.write_value(wish.size);
+      out.write_value(wish.fresh);
     }
   }
-  return out.take();
+  return out.release();
 }
 
 bool read_import_request(ByteReader& in, MesherImport& import) {
-  import.name = in.text();
-  import.text = in.text();
-  import.script = in.one<bool>();
-  import.quadratic = in.one<bool>();
-  import.constants = in.texts();
-  if (in.one<bool>()) {
-    import.size.scale = in.one<double>();
-    std::vector<SizeMap::Wish> wishes;
-    for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
-      SizeMap::Wish wish;
+  import.name = in.read_text();
+  import.text = in.read_text();
+  import.script = in.read_value<bool>();
+  import.quadratic = in.read_value<bool>();
+  import.constants = in.read_texts();
+  if (in.read_value<bool>()) {
+    import.size.scale = in.read_value<double>();
+    std::vector<SizeMap::SizeRequest> wishes;
+    for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+      SizeMap::SizeRequest wish;
       wish.at = read_point(in);
-      wish.size = in.one<double>();
-      wish.fresh = in.one<bool>();
+      wish.size = in.read_value<double>();
+      wish.fresh = in.read_value<bool>();
       wishes.push_back(wish);
     }
     import.size.map = std::make_shared<const SizeMap>(std::move(wishes));
@@ -189,54 +189,54 @@ bool read_import_request(ByteReader& in, MesherImport& import) {
 }
 
 std::string model_answer(const GmshModel& model) {
-  ByteWriter out = frame(MesherFrame::model);
-  out.one(model.dim);
-  out.list(model.node_tags);
-  out.list(model.x);
+  ByteWriter out = frame(MesherFrameKind::model);
+  out.write_value(model.dim);
+  out.write_list(model.node_tags);
+  out.write_list(model.x);
   write(out, model.elements);
   write(out, model.sides);
-  out.one(model.groups.size());
+  out.write_value(model.groups.size());
   for (const GmshGroup& group : model.groups) {
-    out.one(group.dim);
-    out.one(group.tag);
-    out.text(group.name);
-    out.list(group.entities);
-    out.list(group.nodes);
+    out.write_value(group.dim);
+    out.write_value(group.tag);
+    out.write_text(group.name);
+    out.write_list(group.entities);
+    out.write_list(group.nodes);
   }
-  out.one(model.constants.size());
+  out.write_value(model.constants.size());
   for (const auto& [name, value] : model.constants) {
-    out.text(name);
-    out.one(value);
+    out.write_text(name);
+    out.write_value(value);
   }
-  out.texts(model.errors);
-  out.texts(model.warnings);
-  out.one(static_cast<char>(model.gave_up ? 1 : 0));
-  return out.take();
+  out.write_texts(model.errors);
+  out.write_texts(model.warnings);
+  out.write_value(static_cast<char>(model.gave_up ? 1 : 0));
+  return out.release();
 }
 
 bool read_model_answer(ByteReader& in, GmshModel& model) {
   bool good = true;
-  model.dim = in.one<int>();
-  model.node_tags = in.list<std::size_t>();
-  model.x = in.list<double>();
+  model.dim = in.read_value<int>();
+  model.node_tags = in.read_list<std::size_t>();
+  model.x = in.read_list<double>();
   model.elements = read_blocks(in, model.dim, good);
   model.sides = read_blocks(in, model.dim - 1, good);
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
     GmshGroup group;
-    group.dim = in.one<int>();
-    group.tag = in.one<int>();
-    group.name = in.text();
-    group.entities = in.list<int>();
-    group.nodes = in.list<std::size_t>();
+    group.dim = in.read_value<int>();
+    group.tag = in.read_value<int>();
+    group.name = in.read_text();
+    group.entities = in.read_list<int>();
+    group.nodes = in.read_list<std::size_t>();
     model.groups.push_back(std::move(group));
   }
-  for (auto count = in.one<std::size_t>(); count > 0 && in.sound(); --count) {
-    std::string name = in.text();
-    model.constants.emplace_back(std::move(name), in.one<double>());
+  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+    std::string name = in.read_text();
+    model.constants.emplace_back(std::move(name), in.read_value<double>());
   }
-  model.errors = in.texts();
-  model.warnings = in.texts();
-  model.gave_up = in.one<char>() != 0;
+  model.errors = in.read_texts();
+  model.warnings = in.read_texts();
+  model.gave_up = in.read_value<char>() != 0;
   return in.at_end() && good && model.dim >= 0 && model.dim <= 3 &&
          model.x.size() == 3 * model.node_tags.size() &&
          std::all_of(model.x.begin(), model.x.end(), [](double x) { return std::isfinite(x); });

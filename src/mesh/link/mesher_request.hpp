@@ -16,7 +16,7 @@ namespace spricka::mesh {
 // What spricka and spricka-mesher say to each other, each a frame of bytes: its length (8 bytes),
 // then its kind (1 byte), then what the kind has.
 
-enum class MesherFrame : char {
+enum class MesherFrameKind : char {
   fill = 'f',          ///< to the mesher: a region and its sizes
   fill_solid = 'v',    ///< to the mesher: a region of space and its sizes (fill_solid.hpp)
   import = 'i',        ///< to the mesher: a script or mesh file
@@ -35,16 +35,16 @@ struct MesherImport {
   std::string text;
   bool script = false;
   bool quadratic = false;
-  SizeWish size;                      ///< of a script
+  ScriptSizeRequest size;             ///< of a script
   std::vector<std::string> constants; ///< of a script, whose values at its end are asked for
 };
 
-std::string fill_request(const Region& region, const Grading& size);
+std::string fill_request(const PlaneRegion& region, const Grading& size);
 /// False if the bytes are none.
-bool read_fill_request(ByteReader& in, Region& region, Grading& size);
+bool read_fill_request(ByteReader& in, PlaneRegion& region, Grading& size);
 
-std::string fill_answer(const Filling& filling);
-bool read_fill_answer(ByteReader& in, const Region& region, Filling& filling);
+std::string fill_answer(const TriangleFill& filling);
+bool read_fill_answer(ByteReader& in, const PlaneRegion& region, TriangleFill& filling);
 
 std::string import_request(const MesherImport& import);
 bool read_import_request(ByteReader& in, MesherImport& import);

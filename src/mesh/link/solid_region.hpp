@@ -19,18 +19,18 @@ struct SolidRegion {
 /// Element size in space: each source asks for its size up to a radius round its place, and lets it
 /// grow with the distance beyond; the smallest wins.
 struct SolidGrading {
-  struct Source {
+  struct SolidSizeSource {
     base::Vec3 at = base::Vec3::Zero();
     double radius = 0.0;
     double size = 1.0;
     double growth = 0.3; ///< of the size for each unit of distance
   };
-  std::vector<Source> sources;
+  std::vector<SolidSizeSource> sources;
 
   [[nodiscard]] double operator()(const base::Vec3& p) const;
 };
 
-struct SolidFilling {
+struct TetrahedronFill {
   std::vector<base::Vec3> added;              ///< points that follow those of the region
   std::vector<std::array<int, 4>> tetrahedra; ///< of positive volume
   std::string trouble;                        ///< what the mesher said, if it failed

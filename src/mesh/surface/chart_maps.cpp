@@ -26,21 +26,21 @@ constexpr double is_cylinder = 1e-3; // of the radius
 constexpr double widest = 100.0;     // extents: a wider cylinder is unrolled by least squares
 constexpr double longest = 8.0;      // radii of a ring: sizes in its map change by e^8
 
-std::array<Vec3, 3> corners_of(const FacetNet& net, const FacetNet::Facet& facet) {
-  return {net.x()[static_cast<std::size_t>(facet.vertex[0])],
-          net.x()[static_cast<std::size_t>(facet.vertex[1])],
-          net.x()[static_cast<std::size_t>(facet.vertex[2])]};
+std::array<Vec3, 3> corners_of(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
+  return {net.vertices()[static_cast<std::size_t>(facet.vertex[0])],
+          net.vertices()[static_cast<std::size_t>(facet.vertex[1])],
+          net.vertices()[static_cast<std::size_t>(facet.vertex[2])]};
 }
 
-Vec3 area_vector(const FacetNet& net, const FacetNet::Facet& facet) {
+Vec3 area_vector(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
   const auto [a, b, c] = corners_of(net, facet);
   return 0.5 * (b - a).cross(c - a);
 }
 
 double extent_of(const FacetNet& net) {
-  Vec3 low = net.x().front();
+  Vec3 low = net.vertices().front();
   Vec3 high = low;
-  for (const Vec3& x : net.x()) {
+  for (const Vec3& x : net.vertices()) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
@@ -54,14 +54,14 @@ Vec3 across(const Vec3& normal, const Vec3& wanted, const Vec3& instead) {
 }
 
 /// e1 along the crack's normal where that lies in the plane.
-FlatFrame frame_across(const Vec3& normal, const CrackPlane& plane) {
+ChartPlaneFrame frame_across(const Vec3& normal, const CrackReferencePlane& plane) {
   const Vec3 e1 = across(normal, plane.normal, plane.axis);
   return {plane.origin, e1, normal.cross(e1), plane.length};
 }
 
 /// Of a line's two directions the one along the crack's normal; along other axes of the crack
 /// where it lies in its plane.
-bool along_crack(const Vec3& axis, const CrackPlane& plane) {
+bool along_crack(const Vec3& axis, const CrackReferencePlane& plane) {
   for (const Vec3& way : {plane.normal, plane.axis, plane.normal.cross(plane.axis).eval()}) {
     const double up = rounded(axis.dot(way));
     if (up != 0.0) {
@@ -78,7 +78,7 @@ struct Cylinder {
 
 std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
   Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-  for (const FacetNet::Facet& facet : patch.net.facets()) {
+  for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
     const Vec3 n = area_vector(patch.net, facet);
     moment += n * n.transpose() / std::max(n.norm(), 1e-300);
   }
@@ -87,10 +87,10 @@ std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
   const Vec3 t1 = across(axis, patch.plane.normal, patch.plane.axis);
   const Vec3 t2 = axis.cross(t1);
   const double extent = extent_of(patch.net);
-  const Vec3 middle = patch.net.x().front();
+  const Vec3 middle = patch.net.vertices().front();
   std::vector<Vec2> points;
   for (const std::size_t f : patch.faces) {
-    const SurfaceFace& face = patch.surface.face(f);
+    const CurvedFace& face = patch.surface.face(f);
     for (Eigen::Index i = 0; i < face.X.cols(); ++i) {
       const Vec3 d = (face.X.col(i) - middle) / extent;
       points.emplace_back(d.dot(t1), d.dot(t2));
@@ -128,7 +128,7 @@ class Angles {
 public:
   Angles(const FacetNet& net, const Cylinder& cylinder) : net_(net) {
     const Vec3 across = cylinder.axis.cross(cylinder.start);
-    for (const Vec3& x : net.x()) {
+    for (const Vec3& x : net.vertices()) {
       const Vec3 d = x - cylinder.point;
       angle_.push_back(std::atan2(d.dot(across), d.dot(cylinder.start)));
     }
@@ -142,7 +142,7 @@ private:
 
   void spread() {
     std::vector<std::vector<std::size_t>> near(angle_.size());
-    for (const FacetNet::Facet& facet : net_.facets()) {
+    for (const FacetNet::SurfaceFacet& facet : net_.facets()) {
       for (std::size_t c = 0; c < 3; ++c) {
         near[static_cast<std::size_t>(facet.vertex[c])].push_back(
             static_cast<std::size_t>(facet.vertex[(c + 1) % 3]));
@@ -184,8 +184,8 @@ private:
 int farthest_from(const ChartPatch& patch, const Vec3& from) {
   int best = 0;
   double most = -1.0;
-  for (std::size_t v = 0; v < patch.net.x().size(); ++v) {
-    const double away = rounded((patch.net.x()[v] - from).norm() / patch.plane.length);
+  for (std::size_t v = 0; v < patch.net.vertices().size(); ++v) {
+    const double away = rounded((patch.net.vertices()[v] - from).norm() / patch.plane.length);
     if (away > most) {
       most = away;
       best = static_cast<int>(v);
@@ -199,9 +199,9 @@ int farthest_from(const ChartPatch& patch, const Vec3& from) {
 class ConformalEquations {
 public:
   ConformalEquations(const FacetNet& net, int p, int q)
-      : p_(p), q_(q), size_(2 * static_cast<Eigen::Index>(net.x().size())),
+      : p_(p), q_(q), size_(2 * static_cast<Eigen::Index>(net.vertices().size())),
         right_(base::Vector::Zero(2 * static_cast<Eigen::Index>(net.facets().size()))) {
-    for (const FacetNet::Facet& facet : net.facets()) {
+    for (const FacetNet::SurfaceFacet& facet : net.facets()) {
       add(net, facet);
     }
   }
@@ -224,7 +224,7 @@ public:
   }
 
 private:
-  void add(const FacetNet& net, const FacetNet::Facet& facet) {
+  void add(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
     const auto [a, b, c] = corners_of(net, facet);
     const Vec3 normal = area_vector(net, facet);
     const Vec3 e1 = (b - a).normalized();
@@ -257,8 +257,8 @@ private:
 
 } // namespace
 
-bool upright(const FacetNet& net, const FlatPlaces& places) {
-  return std::ranges::all_of(net.facets(), [&](const FacetNet::Facet& facet) {
+bool all_face_up(const FacetNet& net, const FlatPlaces& places) {
+  return std::ranges::all_of(net.facets(), [&](const FacetNet::SurfaceFacet& facet) {
     const Vec2& a = places[static_cast<std::size_t>(facet.vertex[0])];
     const Vec2& b = places[static_cast<std::size_t>(facet.vertex[1])];
     const Vec2& c = places[static_cast<std::size_t>(facet.vertex[2])];
@@ -266,25 +266,26 @@ bool upright(const FacetNet& net, const FlatPlaces& places) {
   });
 }
 
-std::optional<FlatFrame> flat_frame(const ChartPatch& patch) {
-  const FlatFrame frame = mean_frame(patch);
+std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch) {
+  const ChartPlaneFrame frame = mean_frame(patch);
   const Vec3 normal = frame.e1.cross(frame.e2);
-  const Vec3& first = patch.net.x().front();
+  const Vec3& first = patch.net.vertices().front();
   const double most = is_flat * extent_of(patch.net);
-  const bool flat = std::ranges::all_of(
-      patch.net.x(), [&](const Vec3& x) { return std::abs((x - first).dot(normal)) <= most; });
+  const bool flat = std::ranges::all_of(patch.net.vertices(), [&](const Vec3& x) {
+    return std::abs((x - first).dot(normal)) <= most;
+  });
   return flat ? std::optional(frame) : std::nullopt;
 }
 
-FlatFrame mean_frame(const ChartPatch& patch) {
+ChartPlaneFrame mean_frame(const ChartPatch& patch) {
   Vec3 normal = Vec3::Zero();
-  for (const FacetNet::Facet& facet : patch.net.facets()) {
+  for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
     normal += area_vector(patch.net, facet);
   }
   return frame_across(normal.normalized(), patch.plane);
 }
 
-std::optional<FlatPlaces> unrolled(const ChartPatch& patch) {
+std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch) {
   const std::optional<Cylinder> cylinder = fit_cylinder(patch);
   if (!cylinder) {
     return std::nullopt;
@@ -292,14 +293,14 @@ std::optional<FlatPlaces> unrolled(const ChartPatch& patch) {
   const Angles angles(patch.net, *cylinder);
   const double R = cylinder->radius;
   double sense = 0.0; // of a pin above 0
-  for (const FacetNet::Facet& facet : patch.net.facets()) {
+  for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
     const auto [a, b, c] = corners_of(patch.net, facet);
     const Vec3 d = (a + b + c) / 3.0 - cylinder->point;
     sense += area_vector(patch.net, facet).dot(d - d.dot(cylinder->axis) * cylinder->axis);
   }
   sense = sense < 0.0 ? -1.0 : 1.0;
   std::vector<double> z;
-  for (const Vec3& x : patch.net.x()) {
+  for (const Vec3& x : patch.net.vertices()) {
     z.push_back((x - patch.plane.origin).dot(cylinder->axis));
   }
   const auto [low, high] = std::ranges::minmax(z);
@@ -319,10 +320,10 @@ std::optional<FlatPlaces> unrolled(const ChartPatch& patch) {
   return places;
 }
 
-std::optional<FlatPlaces> conformal(const ChartPatch& patch) {
+std::optional<FlatPlaces> conformal_map(const ChartPatch& patch) {
   const FacetNet& net = patch.net;
-  const int p = farthest_from(patch, net.x().front());
-  const int q = farthest_from(patch, net.x()[static_cast<std::size_t>(p)]);
+  const int p = farthest_from(patch, net.vertices().front());
+  const int q = farthest_from(patch, net.vertices()[static_cast<std::size_t>(p)]);
   const std::optional<base::Vector> u = ConformalEquations(net, p, q).solve();
   if (!u) {
     return std::nullopt;
@@ -333,7 +334,7 @@ std::optional<FlatPlaces> conformal(const ChartPatch& patch) {
   }
   double area = 0.0;
   double flat = 0.0;
-  for (const FacetNet::Facet& facet : net.facets()) {
+  for (const FacetNet::SurfaceFacet& facet : net.facets()) {
     const auto at = [&](std::size_t k) {
       return places[static_cast<std::size_t>(facet.vertex[k])];
     };

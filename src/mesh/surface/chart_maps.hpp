@@ -17,11 +17,11 @@ struct ChartPatch {
   const SurfaceGeometry& surface;
   const std::vector<std::size_t>& faces;
   const FacetNet& net;
-  const CrackPlane& plane;
+  const CrackReferencePlane& plane;
 };
 
 /// Axes of a plane with the crack's origin.
-struct FlatFrame {
+struct ChartPlaneFrame {
   base::Vec3 origin, e1, e2;
   double length = 1.0;
   [[nodiscard]] base::Vec2 operator()(const base::Vec3& x) const {
@@ -29,19 +29,19 @@ struct FlatFrame {
   }
 };
 /// Of a plane patch; none of others.
-std::optional<FlatFrame> flat_frame(const ChartPatch& patch);
+std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch);
 /// Straight onto a plane across the mean normal.
-FlatFrame mean_frame(const ChartPatch& patch);
+ChartPlaneFrame mean_frame(const ChartPatch& patch);
 
 /// A circular cylinder unrolled; where the patch goes all the way round, by the exponential
 /// function, which keeps angles too, onto a ring. None if it is no cylinder.
-std::optional<FlatPlaces> unrolled(const ChartPatch& patch);
+std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch);
 
 /// Angles kept as well as can be, by least squares (Levy, Petitjean, Ray and Maillot 2002), total
 /// area kept; none if the equations have no solution.
-std::optional<FlatPlaces> conformal(const ChartPatch& patch);
+std::optional<FlatPlaces> conformal_map(const ChartPatch& patch);
 
 /// Whether all facets lie face up.
-bool upright(const FacetNet& net, const FlatPlaces& places);
+bool all_face_up(const FacetNet& net, const FlatPlaces& places);
 
 } // namespace spricka::mesh

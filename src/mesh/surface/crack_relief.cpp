@@ -28,7 +28,7 @@ void begin_at(const Vec3& x, std::vector<Vec3>& line) {
 
 } // namespace
 
-CrackRelief::CrackRelief(Fronts fronts) : fronts_(std::move(fronts)) {
+NonPlanarCrackSurface::NonPlanarCrackSurface(SuccessiveFronts fronts) : fronts_(std::move(fronts)) {
   const std::vector<std::vector<Vec3>>& lines = fronts_.points;
   assert(lines.size() >= 2 && fronts_.normals.size() == lines.back().size());
   low_ = high_ = lines.front().front();
@@ -53,7 +53,7 @@ CrackRelief::CrackRelief(Fronts fronts) : fronts_(std::move(fronts)) {
   find_bends();
 }
 
-void CrackRelief::add(const Vec3& a, const Vec3& b, const Vec3& c) {
+void NonPlanarCrackSurface::add(const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr double no_area = 1e-12;
   const Vec3& n = fronts_.normal;
   const Vec3 e1 = flat(b - a);
@@ -68,7 +68,7 @@ void CrackRelief::add(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 // Triangles between two lines, each time with the shorter of both diagonals.
-void CrackRelief::rule(std::vector<Vec3> a, std::vector<Vec3> b) {
+void NonPlanarCrackSurface::rule(std::vector<Vec3> a, std::vector<Vec3> b) {
   if (a.front() == a.back()) {
     begin_at(b.front(), a);
   } else if (b.front() == b.back()) {
@@ -85,7 +85,7 @@ void CrackRelief::rule(std::vector<Vec3> a, std::vector<Vec3> b) {
   }
 }
 
-void CrackRelief::go_on_before() {
+void NonPlanarCrackSurface::go_on_before() {
   const std::vector<Vec3>& line = fronts_.points.back();
   const double far = (high_ - low_).norm();
   std::vector<Vec3> ahead;
@@ -100,52 +100,53 @@ void CrackRelief::go_on_before() {
 }
 
 // By the slopes on both sides of a front.
-void CrackRelief::find_bends() {
+void NonPlanarCrackSurface::find_bends() {
   constexpr double beside = 0.02; // of the narrowest strip
   for (std::size_t k = 0; k + 1 < fronts_.points.size(); ++k) {
     const std::vector<Vec3>& line = fronts_.points[k];
     std::vector<double>& turned = turned_.emplace_back();
     for (std::size_t i = 0; i < line.size(); ++i) {
       const Vec3 m = fronts_.normal.cross(flat(direction_at(line, i))).normalized();
-      const Vec3 before = fronts_.normal - slope(line[i] - beside * narrowest_ * m);
-      const Vec3 behind = fronts_.normal - slope(line[i] + beside * narrowest_ * m);
+      const Vec3 before = fronts_.normal - height_slope(line[i] - beside * narrowest_ * m);
+      const Vec3 behind = fronts_.normal - height_slope(line[i] + beside * narrowest_ * m);
       turned.push_back(std::atan2(before.cross(behind).norm(), before.dot(behind)));
     }
   }
 }
 
-bool CrackRelief::behind_first(const Vec3& q) const {
+bool NonPlanarCrackSurface::behind_first(const Vec3& q) const {
   const std::vector<Vec3>& line = fronts_.points.front();
-  const OnLine on = nearest_on(line, q + fronts_.normal.dot(line.front()) * fronts_.normal);
+  const PolylinePosition on =
+      nearest_on(line, q + fronts_.normal.dot(line.front()) * fronts_.normal);
   const std::size_t corner = on.part < 0.5 ? on.piece : on.piece + 1;
   const bool at_corner = on.part == 0.0 || on.part == 1.0;
   const Vec3 t = at_corner ? direction_at(line, corner)
                            : Vec3((line[on.piece + 1] - line[on.piece]).normalized());
-  return (q - flat(on.of(line))).dot(fronts_.normal.cross(t)) <= 0.0;
+  return (q - flat(on.interpolate(line))).dot(fronts_.normal.cross(t)) <= 0.0;
 }
 
-double CrackRelief::above(const Vec3& x) const {
+double NonPlanarCrackSurface::height_above(const Vec3& x) const {
   const Vec3& n = fronts_.normal;
   const Vec3 q = flat(x);
   if (behind_first(q)) {
     return n.dot(fronts_.points.front().front() - x);
   }
-  const TriangleTree::Nearest at = tree_.nearest(q);
-  const Strip& strip = strips_[at.given];
+  const TriangleTree::NearestTriangle at = tree_.nearest(q);
+  const StripTriangle& strip = strips_[at.given];
   return n.dot(strip.x0 - x) + strip.slope.dot(at.at - strip.x0);
 }
 
-Vec3 CrackRelief::slope(const Vec3& x) const {
+Vec3 NonPlanarCrackSurface::height_slope(const Vec3& x) const {
   const Vec3 q = flat(x);
   return behind_first(q) ? Vec3::Zero() : strips_[tree_.nearest(q).given].slope;
 }
 
-Vec3 CrackRelief::normal_at_front(const Vec3& x) const {
+Vec3 NonPlanarCrackSurface::normal_at_front(const Vec3& x) const {
   const std::vector<Vec3>& line = fronts_.points.back();
-  return nearest_on(line, x).of(fronts_.normals).normalized();
+  return nearest_on(line, x).interpolate(fronts_.normals).normalized();
 }
 
-double CrackRelief::from_bend(const Vec3& x, double angle) const {
+double NonPlanarCrackSurface::distance_to_kink(const Vec3& x, double angle) const {
   double least = std::numeric_limits<double>::max();
   for (std::size_t k = 0; k < turned_.size(); ++k) {
     for (std::size_t i = 0; i < turned_[k].size(); ++i) {
@@ -157,7 +158,7 @@ double CrackRelief::from_bend(const Vec3& x, double angle) const {
   return least;
 }
 
-std::vector<std::vector<Vec3>> CrackRelief::bends(double angle) const {
+std::vector<std::vector<Vec3>> NonPlanarCrackSurface::kink_lines(double angle) const {
   std::vector<std::vector<Vec3>> all;
   for (std::size_t k = 0; k < turned_.size(); ++k) {
     const std::vector<Vec3>& line = fronts_.points[k];
@@ -188,20 +189,21 @@ std::vector<std::vector<Vec3>> CrackRelief::bends(double angle) const {
   return all;
 }
 
-std::size_t CrackRelief::strip(const Vec3& x) const {
+std::size_t NonPlanarCrackSurface::strip_number(const Vec3& x) const {
   const Vec3 q = flat(x);
   return behind_first(q) ? 0 : strips_[tree_.nearest(q).given].number;
 }
 
-CrackRelief CrackRelief::moved(const Map& place, const Map& direction) const {
-  Fronts made;
+NonPlanarCrackSurface NonPlanarCrackSurface::transformed(const Map& place,
+                                                         const Map& direction) const {
+  SuccessiveFronts made;
   made.normal = direction(fronts_.normal);
   for (const std::vector<Vec3>& line : fronts_.points) {
     std::vector<Vec3>& there = made.points.emplace_back();
     std::ranges::transform(line, std::back_inserter(there), place);
   }
   std::ranges::transform(fronts_.normals, std::back_inserter(made.normals), direction);
-  return CrackRelief(std::move(made));
+  return NonPlanarCrackSurface(std::move(made));
 }
 
 } // namespace spricka::mesh

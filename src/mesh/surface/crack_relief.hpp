@@ -11,44 +11,44 @@ namespace spricka::mesh {
 
 /// A crack that has turned out of its first plane, as heights over that plane: ruled strips between
 /// the fronts it has had, the plane itself behind the first one, straight on before the last.
-class CrackRelief {
+class NonPlanarCrackSurface {
 public:
   /// The fronts it has had, the first of them in the plane, the last its present one. Closed ones
   /// end with their first point; all run the same way round, t = m x b.
-  struct Fronts {
+  struct SuccessiveFronts {
     base::Vec3 normal = base::Vec3::UnitZ();       ///< of the plane, unit
     std::vector<std::vector<base::Vec3>> points{}; ///< [front][point], two or more fronts
     std::vector<base::Vec3> normals{};             ///< [point of the last] of the crack there, unit
   };
-  explicit CrackRelief(Fronts fronts);
+  explicit NonPlanarCrackSurface(SuccessiveFronts fronts);
 
   /// How far the crack lies above a place, along the normal of its plane.
-  [[nodiscard]] double above(const base::Vec3& x) const;
+  [[nodiscard]] double height_above(const base::Vec3& x) const;
   /// How that height of the crack changes in the plane, at right angles to its normal.
-  [[nodiscard]] base::Vec3 slope(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec3 height_slope(const base::Vec3& x) const;
   /// Of the crack at its present front, where that is nearest to x.
   [[nodiscard]] base::Vec3 normal_at_front(const base::Vec3& x) const;
   /// Of a place from the nearest front before the present one at which the crack turns by more
   /// than an angle [rad].
-  [[nodiscard]] double from_bend(const base::Vec3& x, double angle) const;
+  [[nodiscard]] double distance_to_kink(const base::Vec3& x, double angle) const;
   /// The parts of these fronts, two points or more of each.
-  [[nodiscard]] std::vector<std::vector<base::Vec3>> bends(double angle) const;
+  [[nodiscard]] std::vector<std::vector<base::Vec3>> kink_lines(double angle) const;
   /// Behind how many of the fronts a place over the plane lies not: 0 behind the first.
-  [[nodiscard]] std::size_t strip(const base::Vec3& x) const;
+  [[nodiscard]] std::size_t strip_number(const base::Vec3& x) const;
 
-  [[nodiscard]] const Fronts& fronts() const { return fronts_; }
+  [[nodiscard]] const SuccessiveFronts& fronts() const { return fronts_; }
   /// The same crack elsewhere: points by `place`, directions by `direction`.
   using Map = std::function<base::Vec3(const base::Vec3&)>;
-  [[nodiscard]] CrackRelief moved(const Map& place, const Map& direction) const;
+  [[nodiscard]] NonPlanarCrackSurface transformed(const Map& place, const Map& direction) const;
   /// Whether the box that holds all fronts and one of these corners have something in common.
-  [[nodiscard]] bool may_meet(const base::Vec3& low, const base::Vec3& high) const {
+  [[nodiscard]] bool overlaps_box(const base::Vec3& low, const base::Vec3& high) const {
     return (low.array() <= high_.array()).all() && (high.array() >= low_.array()).all();
   }
   /// The shortest way of the crack from one front to the next, where it is longest.
   [[nodiscard]] double narrowest_strip() const { return narrowest_; }
 
 private:
-  struct Strip {
+  struct StripTriangle {
     base::Vec3 x0;    ///< a corner
     base::Vec3 slope; ///< in the plane
     std::size_t number = 0;
@@ -62,8 +62,8 @@ private:
   void go_on_before();
   void find_bends();
 
-  Fronts fronts_;
-  std::vector<Strip> strips_;               ///< [triangle]
+  SuccessiveFronts fronts_;
+  std::vector<StripTriangle> strips_;       ///< [triangle]
   std::vector<CornerPlaces> flat_;          ///< [triangle] in the plane
   std::size_t number_ = 1;                  ///< of the strip that is made
   TriangleTree tree_{{}};                   ///< of these

@@ -49,11 +49,11 @@ FacetNet::FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> 
   first_.push_back(facets_.size());
 }
 
-int FacetNet::steps(const SurfaceFace& face) const {
+int FacetNet::steps(const CurvedFace& face) const {
   return (face.quadratic() ? divisions : 1) * finer_;
 }
 
-int FacetNet::corner(const SurfaceFace& face, int i) {
+int FacetNet::corner(const CurvedFace& face, int i) {
   const auto [at, fresh] =
       corner_.try_emplace(face.nodes[static_cast<std::size_t>(i)], static_cast<int>(x_.size()));
   if (fresh) {
@@ -64,12 +64,12 @@ int FacetNet::corner(const SurfaceFace& face, int i) {
 
 /// The vertex k steps along side i of a face.
 int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k) {
-  const SurfaceFace& f = surface.face(face);
+  const CurvedFace& f = surface.face(face);
   const int n = steps(f);
   if (k == 0 || k == n) {
     return corner(f, (i + k / n) % f.corners());
   }
-  const std::size_t e = surface.edge(face, i);
+  const std::size_t e = surface.face_edge(face, i);
   const bool along = f.nodes[static_cast<std::size_t>(i)] == surface.edges()[e].ends[0];
   const int step = along ? k : n - k;
   const auto [at, fresh] = inner_.try_emplace({e, step}, static_cast<int>(x_.size()));
@@ -80,7 +80,7 @@ int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, i
 }
 
 void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
-  const SurfaceFace& f = surface.face(face);
+  const CurvedFace& f = surface.face(face);
   const FaceGrid grid{f.shape, steps(f)};
   const int n = grid.n;
   const auto points = static_cast<std::size_t>(n + 1);
@@ -89,7 +89,7 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
     return vertex[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
   };
   for (int s = 0; s < f.corners(); ++s) {
-    const std::size_t e = surface.edge(face, s);
+    const std::size_t e = surface.face_edge(face, s);
     const bool along = f.nodes[static_cast<std::size_t>(s)] == surface.edges()[e].ends[0];
     for (int k = 0; k <= n; ++k) {
       const auto [i, j] = grid.at(s, k);
@@ -110,12 +110,12 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
     for (int i = 0; i <= grid.width(j); ++i) {
       if (at(i, j) < 0) {
         at(i, j) = static_cast<int>(x_.size());
-        x_.push_back(surface.place(face, grid.r(i, j)).x);
+        x_.push_back(surface.place_on_face(face, grid.r(i, j)).x);
       }
     }
   }
   const auto add = [&](std::array<std::array<int, 2>, 3> p) {
-    Facet facet{face, {}, {}};
+    SurfaceFacet facet{face, {}, {}};
     for (std::size_t c = 0; c < 3; ++c) {
       facet.vertex[c] = at(p[c][0], p[c][1]);
       facet.r[c] = grid.r(p[c][0], p[c][1]);
@@ -133,7 +133,7 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
   }
 }
 
-const FacetNet::OnEdge* FacetNet::on_edge(int v, int w) const {
+const FacetNet::FacetEdgeSegment* FacetNet::edge_segment(int v, int w) const {
   const auto found = sides_.find(std::minmax(v, w));
   return found == sides_.end() ? nullptr : &found->second;
 }

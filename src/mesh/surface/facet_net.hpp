@@ -16,13 +16,13 @@ class FacetNet {
 public:
   static constexpr int divisions = 4; ///< of an edge of a quadratic face
 
-  struct Facet {
+  struct SurfaceFacet {
     std::size_t face = nowhere;
     std::array<int, 3> vertex{-1, -1, -1}; ///< round the outer normal
     std::array<base::Vec2, 3> r;           ///< on the face
   };
   /// A side of facets that is part of an edge of the surface, with its t at both vertices.
-  struct OnEdge {
+  struct FacetEdgeSegment {
     std::size_t edge = nowhere;
     std::array<double, 2> t{0.0, 0.0}; ///< at the lower vertex, at the higher
   };
@@ -30,26 +30,26 @@ public:
   /// With so many times more divisions.
   FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces, int finer = 1);
 
-  [[nodiscard]] const std::vector<base::Vec3>& x() const { return x_; } ///< [vertex]
-  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  [[nodiscard]] const std::vector<base::Vec3>& vertices() const { return x_; } ///< [vertex]
+  [[nodiscard]] const std::vector<SurfaceFacet>& facets() const { return facets_; }
   /// The facets of the i-th face given: from first(i) up to first(i + 1).
-  [[nodiscard]] std::size_t first(std::size_t i) const { return first_[i]; }
+  [[nodiscard]] std::size_t first_facet(std::size_t i) const { return first_[i]; }
   /// What lies between two vertices, if it is part of an edge.
-  [[nodiscard]] const OnEdge* on_edge(int v, int w) const;
+  [[nodiscard]] const FacetEdgeSegment* edge_segment(int v, int w) const;
 
 private:
   void add_face(const SurfaceGeometry& surface, std::size_t face);
-  [[nodiscard]] int steps(const SurfaceFace& face) const; ///< along an edge
-  int corner(const SurfaceFace& face, int i);
+  [[nodiscard]] int steps(const CurvedFace& face) const; ///< along an edge
+  int corner(const CurvedFace& face, int i);
   int on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k);
 
   int finer_ = 1;
   std::vector<base::Vec3> x_;
-  std::vector<Facet> facets_;
+  std::vector<SurfaceFacet> facets_;
   std::vector<std::size_t> first_;
   std::map<base::NodeId, int> corner_;
   std::map<std::pair<std::size_t, int>, int> inner_; ///< edge and step from its first end
-  std::map<std::pair<int, int>, OnEdge> sides_;
+  std::map<std::pair<int, int>, FacetEdgeSegment> sides_;
 };
 
 } // namespace spricka::mesh

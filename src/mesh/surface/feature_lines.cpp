@@ -26,7 +26,7 @@ constexpr double least_gap = 0.4; // of the wanted size: nearer to others a node
 struct FeatureLines::Chain {
   static constexpr int steps = 8; ///< in which the length of an edge is measured
 
-  struct Place {
+  struct ChainPosition {
     std::size_t i = 0; ///< edge of the chain
     double t = 0.0;    ///< on it, from its lower node
   };
@@ -48,13 +48,13 @@ struct FeatureLines::Chain {
   }
   [[nodiscard]] double length() const { return arc.back(); }
   [[nodiscard]] double at_node(std::size_t i) const { return arc[i * steps]; }
-  [[nodiscard]] double at(const Place& place) const {
+  [[nodiscard]] double at(const ChainPosition& place) const {
     const double u = 0.5 * steps * (1.0 + way(place.i) * place.t);
     const auto k = static_cast<std::size_t>(std::clamp(std::floor(u), 0.0, steps - 1.0));
     const std::size_t j = place.i * steps + k;
     return arc[j] + (u - static_cast<double>(k)) * (arc[j + 1] - arc[j]);
   }
-  [[nodiscard]] Place place(double s) const {
+  [[nodiscard]] ChainPosition place(double s) const {
     const auto above = std::ranges::upper_bound(arc, s);
     const auto j = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
         above - arc.begin() - 1, 0, static_cast<std::ptrdiff_t>(arc.size()) - 2));
@@ -62,7 +62,7 @@ struct FeatureLines::Chain {
     const double u = (static_cast<double>(j % steps) + part) / steps;
     return {j / steps, way(j / steps) * (2.0 * u - 1.0)};
   }
-  [[nodiscard]] SurfacePlace surface_place(const Place& p) const {
+  [[nodiscard]] SurfacePlace surface_place(const ChainPosition& p) const {
     return surface.place_on_edge(chain.edges[p.i], p.t);
   }
   /// The place half way: by the edge's own parameter if both lie on one, which keeps its shape.
@@ -95,7 +95,8 @@ struct FeatureLines::Chain {
 
 FeatureLines::FeatureLines(const SurfaceGeometry& surface, const RegionPatches& patches,
                            const SizeAt& size,
-                           std::map<std::size_t, std::vector<EdgePoint>> crossings, NewSurface& out)
+                           std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings,
+                           RemeshedSurface& out)
     : surface_(surface), patches_(patches), size_(size), on_edge_(std::move(crossings)), out_(out) {
   add_rim();
   take_nodes();
@@ -104,29 +105,29 @@ FeatureLines::FeatureLines(const SurfaceGeometry& surface, const RegionPatches& 
     stops.insert(node);
   }
   add_ends_of_lines(stops);
-  for (const FeatureChain& chain : chain_edges(surface_.edges(), patches_.features(), stops)) {
+  for (const FeatureChain& chain : chain_edges(surface_.edges(), patches_.feature_edges(), stops)) {
     divide(chain);
   }
   for (auto& [edge, points] : on_edge_) {
-    std::ranges::sort(points, {}, &EdgePoint::t);
+    std::ranges::sort(points, {}, &FeatureEdgePoint::t);
   }
 }
 
-int FeatureLines::on_node(NodeId node) const {
+int FeatureLines::point_at_node(NodeId node) const {
   const auto at = on_node_.find(node);
   return at == on_node_.end() ? -1 : at->second;
 }
 
-const std::vector<EdgePoint>& FeatureLines::on_edge(std::size_t edge) const {
-  static const std::vector<EdgePoint> none;
+const std::vector<FeatureEdgePoint>& FeatureLines::points_on_edge(std::size_t edge) const {
+  static const std::vector<FeatureEdgePoint> none;
   const auto at = on_edge_.find(edge);
   return at == on_edge_.end() ? none : at->second;
 }
 
 void FeatureLines::add_rim() {
-  for (const std::size_t e : patches_.rim()) {
+  for (const std::size_t e : patches_.rim_edges()) {
     const SurfaceEdge& edge = surface_.edges()[e];
-    NewEdge made;
+    RemeshedEdge made;
     for (const std::size_t k : {0U, 1U}) {
       const SurfacePlace place = surface_.place_on_edge(e, k == 0 ? -1.0 : 1.0);
       const auto [at, fresh] =
@@ -136,7 +137,7 @@ void FeatureLines::add_rim() {
       }
       made.points[k] = at->second;
     }
-    made.kind = NewEdgeKind::rim;
+    made.kind = RemeshedEdgeKind::rim;
     made.mid = surface_.place_on_edge(e, 0.0);
     made.host_mid = edge.mid;
     out_.edges.push_back(made);
@@ -145,9 +146,9 @@ void FeatureLines::add_rim() {
 
 /// Where a set has a node, and not the edges on both sides of it, a new edge ends.
 void FeatureLines::add_ends_of_lines(std::set<NodeId>& stops) const {
-  for (const std::size_t e : patches_.features()) {
+  for (const std::size_t e : patches_.feature_edges()) {
     for (const NodeId n : surface_.edges()[e].ends) {
-      if (surface_.lines(e) != surface_.lines(n)) {
+      if (surface_.node_sets(e) != surface_.node_sets(n)) {
         stops.insert(n);
       }
     }
@@ -158,7 +159,7 @@ void FeatureLines::add_ends_of_lines(std::set<NodeId>& stops) const {
 void FeatureLines::take_nodes() {
   for (auto& [e, points] : on_edge_) {
     const auto& ends = surface_.edges()[e].ends;
-    std::erase_if(points, [&](const EdgePoint& point) {
+    std::erase_if(points, [&](const FeatureEdgePoint& point) {
       const bool at_node = std::abs(point.t) >= 1.0 - same;
       if (at_node) {
         on_node_.try_emplace(ends[point.t < 0.0 ? 0 : 1], point.point);
@@ -175,7 +176,7 @@ void FeatureLines::divide(const FeatureChain& feature) {
   const std::size_t count = feature.edges.size();
   std::vector<double> fixed{0.0, chain.length()};
   for (std::size_t i = 0; i < count; ++i) {
-    for (const EdgePoint& point : on_edge(feature.edges[i])) {
+    for (const FeatureEdgePoint& point : points_on_edge(feature.edges[i])) {
       fixed.push_back(chain.at({i, point.t}));
     }
   }
@@ -210,9 +211,9 @@ void FeatureLines::divide(const FeatureChain& feature) {
     s = {0.0, chain.length() / 3.0, chain.length() / 1.5, chain.length()};
   }
   for (std::size_t i = 0; i + 1 < s.size(); ++i) {
-    NewEdge made;
+    RemeshedEdge made;
     made.points = {point_at(chain, s[i]), point_at(chain, s[i + 1])};
-    made.kind = NewEdgeKind::feature;
+    made.kind = RemeshedEdgeKind::feature;
     made.mid = chain.middle(s[i], s[i + 1]);
     made.host_edge = feature.edges[chain.place(0.5 * (s[i] + s[i + 1])).i];
     out_.edges.push_back(made);
@@ -226,9 +227,9 @@ int FeatureLines::point_at(const Chain& chain, double s) {
       return point_on_node(chain.chain.nodes[i], chain.surface_place(chain.place(s)));
     }
   }
-  const Chain::Place place = chain.place(s);
-  std::vector<EdgePoint>& points = on_edge_[chain.chain.edges[place.i]];
-  for (const EdgePoint& other : points) {
+  const Chain::ChainPosition place = chain.place(s);
+  std::vector<FeatureEdgePoint>& points = on_edge_[chain.chain.edges[place.i]];
+  for (const FeatureEdgePoint& other : points) {
     if (std::abs(chain.at({place.i, other.t}) - s) <= room) {
       return other.point;
     }
@@ -241,7 +242,7 @@ int FeatureLines::point_at(const Chain& chain, double s) {
 int FeatureLines::point_on_node(NodeId node, const SurfacePlace& place) {
   const auto [at, fresh] = on_node_.try_emplace(node, static_cast<int>(out_.points.size()));
   if (fresh) {
-    out_.points.push_back({place, surface_.lines(node).empty() ? NodeId() : node});
+    out_.points.push_back({place, surface_.node_sets(node).empty() ? NodeId() : node});
   }
   return at->second;
 }

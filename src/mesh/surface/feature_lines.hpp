@@ -10,7 +10,7 @@
 namespace spricka::mesh {
 
 /// A point of the new surface on an edge of the old one.
-struct EdgePoint {
+struct FeatureEdgePoint {
   double t = 0.0;
   int point = -1;
 };
@@ -21,12 +21,13 @@ class FeatureLines {
 public:
   /// `crossings`: points that must be there, by edge.
   FeatureLines(const SurfaceGeometry& surface, const RegionPatches& patches, const SizeAt& size,
-               std::map<std::size_t, std::vector<EdgePoint>> crossings, NewSurface& out);
+               std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings,
+               RemeshedSurface& out);
 
   /// The point on a node of the host, -1 if there is none.
-  [[nodiscard]] int on_node(base::NodeId node) const;
+  [[nodiscard]] int point_at_node(base::NodeId node) const;
   /// The points on an edge, between its ends, t ascending.
-  [[nodiscard]] const std::vector<EdgePoint>& on_edge(std::size_t edge) const;
+  [[nodiscard]] const std::vector<FeatureEdgePoint>& points_on_edge(std::size_t edge) const;
 
 private:
   struct Chain;
@@ -40,9 +41,9 @@ private:
   const SurfaceGeometry& surface_;
   const RegionPatches& patches_;
   const SizeAt& size_;
-  std::map<std::size_t, std::vector<EdgePoint>> on_edge_;
+  std::map<std::size_t, std::vector<FeatureEdgePoint>> on_edge_;
   std::map<base::NodeId, int> on_node_;
-  NewSurface& out_;
+  RemeshedSurface& out_;
 };
 
 } // namespace spricka::mesh

@@ -30,7 +30,7 @@ public:
   FrontWalk(const SurfaceGeometry& surface, const FrontCurve& front)
       : surface_(surface), front_(front), reach_(front.closed() ? 0.0 : front_reach) {}
 
-  FrontArcs arcs() {
+  InteriorFrontArcs arcs() {
     find_crossings();
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
       const Crossing& next = crossings_[(i + 1) % crossings_.size()];
@@ -52,15 +52,17 @@ private:
     return end.x + (s < 0.0 ? s : s - L) * end.t;
   }
 
-  static FrontArcs trouble(const std::string& why, const Vec3& at) { return {{}, {why, at}}; }
+  static InteriorFrontArcs trouble(const std::string& why, const Vec3& at) {
+    return {{}, {why, at}};
+  }
 
-  std::optional<Crossing> refined(const SegmentGuess& guess, double s) const {
-    const SurfaceFace& face = surface_.face(guess.face);
+  std::optional<Crossing> refined(const CrossingGuess& guess, double s) const {
+    const CurvedFace& face = surface_.face(guess.face);
     const double L = front_.length();
     Vec2 r = guess.r;
     Vec3 t = Vec3::Zero();
     for (int i = 0; i < 30; ++i) {
-      const SurfacePoint p = point_on(face, r);
+      const SurfaceQuadraturePoint p = point_on(face, r);
       t = front_.at(front_.closed() ? s : std::clamp(s, 0.0, L)).t;
       Eigen::Matrix3d J;
       J << p.slope, -t;
@@ -74,12 +76,12 @@ private:
         break;
       }
     }
-    if (!(outside(face.shape, r) <= 1e-9)) {
+    if (!(distance_outside(face.shape, r) <= 1e-9)) {
       return std::nullopt;
     }
-    Crossing crossing{s, surface_.place(guess.face, into_face(face.shape, r)), false};
+    Crossing crossing{s, surface_.place_on_face(guess.face, clamp_to_face(face.shape, r)), false};
     crossing.enters = crossing.place.normal.dot(t) < 0.0;
-    const bool met = (crossing.place.x - x(s)).norm() <= 1e-8 * surface_.extent();
+    const bool met = (crossing.place.x - x(s)).norm() <= 1e-8 * surface_.diagonal();
     return met ? std::optional(crossing) : std::nullopt;
   }
 
@@ -91,12 +93,12 @@ private:
     const double to = L + reach_ * L;
     const int chords = std::max(least_chords, 2 * static_cast<int>(front_.points().size()));
     const double ds = (to - from) / chords;
-    SurfacePlace before = surface_.nearest(x(from));
+    SurfacePlace before = surface_.nearest_place(x(from));
     double height = (x(from) - before.x).dot(before.normal);
     for (int i = 0; i < chords; ++i) {
       const double s = from + i * ds;
-      std::vector<SegmentGuess> guesses = segment_guesses(surface_, x(s), x(s + ds));
-      const SurfacePlace after = surface_.nearest(x(s + ds));
+      std::vector<CrossingGuess> guesses = segment_guesses(surface_, x(s), x(s + ds));
+      const SurfacePlace after = surface_.nearest_place(x(s + ds));
       const double next = (x(s + ds) - after.x).dot(after.normal);
       if ((height > 0.0) != (next > 0.0)) {
         guesses.push_back({before.face, before.r, height / (height - next)});
@@ -104,7 +106,7 @@ private:
       }
       before = after;
       height = next;
-      for (const SegmentGuess& guess : guesses) {
+      for (const CrossingGuess& guess : guesses) {
         const auto crossing = refined(guess, s + guess.part * ds);
         if (crossing && (front_.closed() || (crossing->s >= from && crossing->s <= to))) {
           add(*crossing);
@@ -131,14 +133,14 @@ private:
     crossings_.push_back(crossing);
   }
 
-  FrontArcs closed_arcs() const {
+  InteriorFrontArcs closed_arcs() const {
     if (crossings_.empty()) {
-      if (!inside(surface_, x(0.0))) {
+      if (!is_inside(surface_, x(0.0))) {
         return trouble("the front lies outside of the body", x(0.0));
       }
-      return {{FrontArc{{0.0, front_.length()}, {}, true}}, {}};
+      return {{InteriorFrontArc{{0.0, front_.length()}, {}, true}}, {}};
     }
-    FrontArcs result;
+    InteriorFrontArcs result;
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
       if (crossings_[i].enters) {
         const Crossing& out = crossings_[(i + 1) % crossings_.size()];
@@ -149,24 +151,24 @@ private:
     return result;
   }
 
-  FrontArcs open_arcs() const {
+  InteriorFrontArcs open_arcs() const {
     const double L = front_.length();
     // What a straight prolongation meets beyond the surface does not matter.
-    std::vector<FrontArc> arcs;
+    std::vector<InteriorFrontArc> arcs;
     for (std::size_t i = 0; i + 1 < crossings_.size(); ++i) {
-      const FrontArc arc{{crossings_[i].s, crossings_[i + 1].s},
-                         {crossings_[i].place, crossings_[i + 1].place},
-                         false};
+      const InteriorFrontArc arc{{crossings_[i].s, crossings_[i + 1].s},
+                                 {crossings_[i].place, crossings_[i + 1].place},
+                                 false};
       if (crossings_[i].enters && arc.s[1] > 0.0 && arc.s[0] < L) {
         arcs.push_back(arc);
       }
     }
     for (const double end : {0.0, L}) {
       const bool covered = std::ranges::any_of(
-          arcs, [&](const FrontArc& arc) { return arc.s[0] <= end && end <= arc.s[1]; });
+          arcs, [&](const InteriorFrontArc& arc) { return arc.s[0] <= end && end <= arc.s[1]; });
       const bool near = std::ranges::any_of(
           crossings_, [&](const Crossing& c) { return std::abs(c.s - end) <= 1e-6 * L; });
-      if (!covered && !near && inside(surface_, x(end))) {
+      if (!covered && !near && is_inside(surface_, x(end))) {
         return trouble("the front ends in the body, away from its surface", x(end));
       }
     }
@@ -184,22 +186,22 @@ private:
 
 } // namespace
 
-FrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front) {
+InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front) {
   return FrontWalk(surface, front).arcs();
 }
 
-FrontMouths find_mouths(const SurfaceGeometry& surface, const CrackPlane& plane,
-                        const FrontCurve& front, const std::vector<FrontArc>& arcs) {
+FrontMouths find_mouths(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                        const FrontCurve& front, const std::vector<InteriorFrontArc>& arcs) {
   FrontMouths result;
   std::vector<SurfacePlace> starts;
   starts.reserve(arcs.size());
-  for (const FrontArc& arc : arcs) {
+  for (const InteriorFrontArc& arc : arcs) {
     starts.push_back(arc.place[0]);
   }
   for (std::size_t i = 0; i < arcs.size() && !arcs[i].whole; ++i) {
     // The surface is left to the crack's side, which is that of -m.
     const SurfacePlace& end = arcs[i].place[1];
-    Traced traced = trace(surface, plane, end, starts, -front.at(arcs[i].s[1]).m);
+    TraceResult traced = trace_plane(surface, plane, end, starts, -front.at(arcs[i].s[1]).m);
     if (traced.trouble) {
       return {{}, traced.trouble};
     }

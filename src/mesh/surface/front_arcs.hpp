@@ -11,15 +11,15 @@ namespace spricka::mesh {
 /// A part of a front that lies in the body: from length s[0] to s[1] > s[0] of the curve, with the
 /// places of the surface there. Of a closed curve s[1] may exceed its length (FrontCurve::at counts
 /// on). An open curve may go on straight a little to reach the surface: s[0] < 0, s[1] > length.
-struct FrontArc {
+struct InteriorFrontArc {
   std::array<double, 2> s{0.0, 0.0};
   std::array<SurfacePlace, 2> place;
   bool whole = false; ///< a closed curve inside of the body: no places, s = 0 and its length
 };
 
-struct FrontArcs {
-  std::vector<FrontArc> arcs; ///< ascending by s[0]
-  SurfaceTrouble trouble;     ///< if an open front ends in the body, or none of it is inside
+struct InteriorFrontArcs {
+  std::vector<InteriorFrontArc> arcs; ///< ascending by s[0]
+  SurfaceFailure trouble; ///< if an open front ends in the body, or none of it is inside
 };
 
 /// How far an open front may end below the surface and still be prolonged to it, in parts of its
@@ -27,7 +27,7 @@ struct FrontArcs {
 inline constexpr double front_reach = 0.1;
 
 /// Which parts of a front the body has.
-FrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front);
+InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front);
 
 /// A mouth between fronts: from the end of one arc over the surface to the start of one (the same
 /// or another), with the crack on its left seen along b.
@@ -38,11 +38,11 @@ struct FrontMouth {
 
 struct FrontMouths {
   std::vector<FrontMouth> mouths; ///< one for each arc, none of a whole front
-  SurfaceTrouble trouble;
+  SurfaceFailure trouble;
 };
 
 /// The mouths of a plane crack. The surface must outlive their traces.
-FrontMouths find_mouths(const SurfaceGeometry& surface, const CrackPlane& plane,
-                        const FrontCurve& front, const std::vector<FrontArc>& arcs);
+FrontMouths find_mouths(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                        const FrontCurve& front, const std::vector<InteriorFrontArc>& arcs);
 
 } // namespace spricka::mesh

@@ -15,7 +15,7 @@ struct MouthEnd {
 };
 
 struct SurfaceMouth {
-  SurfaceLine line;            ///< of divide(); end places are those of the caps' corners
+  DividedTrace line;           ///< of divide(); end places are those of the caps' corners
   std::array<MouthEnd, 2> end; ///< of its first and last corner
   bool closed = false;         ///< its last corner is the first one again, both are free
 };
@@ -28,13 +28,13 @@ struct SurfaceRegion {
   /// they enclose stays free. Each lies on one smooth piece.
   std::vector<std::vector<base::Vec3>> caps;
   std::vector<SurfaceMouth> mouths;
-  CrackPlane plane; ///< of the crack: for rounded coordinates
+  CrackReferencePlane plane; ///< of the crack: for rounded coordinates
   SizeAt size;
   double growth = 0.3; ///< of the size for each unit of distance
 };
 
 /// What an edge of the new mesh is. Its middle is fixed for all but `outline`, whose tube has one.
-enum class NewEdgeKind {
+enum class RemeshedEdgeKind {
   rim,     ///< of the host, to a face that stays
   feature, ///< part of a feature edge of the host
   outline, ///< of a tube's end
@@ -42,34 +42,34 @@ enum class NewEdgeKind {
   inner,   ///< between two of the new triangles
 };
 
-struct NewEdge {
+struct RemeshedEdge {
   std::array<int, 2> points{-1, -1}; ///< the lower first
-  NewEdgeKind kind = NewEdgeKind::inner;
+  RemeshedEdgeKind kind = RemeshedEdgeKind::inner;
   SurfacePlace mid;      ///< on the host's true face
   base::NodeId host_mid; ///< of a rim of quadratic elements
   /// Of a feature one of the host's edges that it lies on; all of these have the same lines.
   std::size_t host_edge = nowhere;
 };
 
-struct NewPoint {
+struct RemeshedPoint {
   SurfacePlace place;
   base::NodeId host; ///< on the rim, and where a line of nodes has one
 };
 
-struct NewTriangle {
+struct RemeshedTriangle {
   std::array<int, 3> points{-1, -1, -1}; ///< round the outer normal
   std::array<int, 3> edges{-1, -1, -1};  ///< [i] from point i to the next
   std::size_t face = nowhere;            ///< the host's face that its middle lies on
 };
 
 /// The region as quadratic triangles.
-struct NewSurface {
-  std::vector<NewPoint> points;
-  std::vector<NewEdge> edges;
-  std::vector<NewTriangle> triangles;
+struct RemeshedSurface {
+  std::vector<RemeshedPoint> points;
+  std::vector<RemeshedEdge> edges;
+  std::vector<RemeshedTriangle> triangles;
   std::vector<std::vector<int>> caps;   ///< [cap][corner] point, as given
   std::vector<std::vector<int>> mouths; ///< [mouth][corner of its line] point
-  SurfaceTrouble trouble;               ///< then there is nothing else
+  SurfaceFailure trouble;               ///< then there is nothing else
 };
 
 } // namespace spricka::mesh

@@ -14,11 +14,11 @@ namespace {
 
 using Line = std::pair<int, int>;
 
-const Vec2& point_of(const Region& region, int i) {
+const Vec2& point_of(const PlaneRegion& region, int i) {
   return region.points[static_cast<std::size_t>(i)];
 }
 
-std::vector<Line> lines_of(const Region& region) {
+std::vector<Line> lines_of(const PlaneRegion& region) {
   std::vector<Line> lines;
   for (const std::vector<int>& loop : region.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -34,7 +34,7 @@ std::vector<Line> lines_of(const Region& region) {
 }
 
 /// Whether two lines meet other than in a common end.
-bool clash(const Region& region, const Line& one, const Line& two) {
+bool clash(const PlaneRegion& region, const Line& one, const Line& two) {
   const Vec2& a = point_of(region, one.first);
   const Vec2& b = point_of(region, one.second);
   const Vec2& c = point_of(region, two.first);
@@ -64,7 +64,8 @@ bool clash(const Region& region, const Line& one, const Line& two) {
 /// are smaller than the size.
 class WantedSizes {
 public:
-  WantedSizes(const SurfaceChart& chart, const Region& region, const SizeAt& size, Grading& grading)
+  WantedSizes(const SurfaceChart& chart, const PlaneRegion& region, const SizeAt& size,
+              Grading& grading)
       : chart_(chart), region_(region), size_(size), grading_(grading) {}
 
   void add() {
@@ -114,22 +115,22 @@ private:
     if (!within) {
       return near > 1.5 * half ? std::numeric_limits<double>::max() : grading_(u);
     }
-    const double size = rounded(size_(chart_.place(u).x) * chart_.scale(u));
+    const double size = rounded(size_(chart_.map_to_surface(u).x) * chart_.parameter_scale(u));
     if (grading_(u) > coarser * size) {
-      grading_.add(u, size);
+      grading_.add_source(u, size);
     }
     return size;
   }
 
   const SurfaceChart& chart_;
-  const Region& region_;
+  const PlaneRegion& region_;
   const SizeAt& size_;
   Grading& grading_;
 };
 
 } // namespace
 
-int PieceOutline::local(int of_surface, const Vec2& u) {
+int ChartOutline::region_point(int of_surface, const Vec2& u) {
   const auto [at, fresh] = known_.try_emplace(of_surface, static_cast<int>(point.size()));
   if (fresh) {
     point.push_back(of_surface);
@@ -138,12 +139,13 @@ int PieceOutline::local(int of_surface, const Vec2& u) {
   return at->second;
 }
 
-std::optional<LineClash> line_clash(const Region& region, std::size_t first_cap) {
+std::optional<LineIntersection> find_intersection(const PlaneRegion& region,
+                                                  std::size_t first_cap) {
   const std::vector<Line> lines = lines_of(region);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (clash(region, lines[i], lines[j])) {
-        return LineClash{lines[i], lines[j], false};
+        return LineIntersection{lines[i], lines[j], false};
       }
     }
   }
@@ -154,25 +156,26 @@ std::optional<LineClash> line_clash(const Region& region, std::size_t first_cap)
       for (const int i : region.loops[other]) {
         polygon.push_back(point_of(region, i));
       }
-      in = in != (other != k && inside(point_of(region, region.loops[k].front()), polygon));
+      in = in != (other != k && is_inside(point_of(region, region.loops[k].front()), polygon));
     }
     if (!in) {
       const Line at{region.loops[k][0], region.loops[k][1]};
-      return LineClash{at, at, true};
+      return LineIntersection{at, at, true};
     }
   }
   return std::nullopt;
 }
 
-Grading piece_sizes(const SurfaceChart& chart, const Region& region, const SizeAt& size,
-                    double growth) {
+Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region, const SizeAt& size,
+                      double growth) {
   Grading grading(growth);
   for (const auto& [a, b] : lines_of(region)) {
     const Vec2& p = point_of(region, a);
     const Vec2& q = point_of(region, b);
     const Vec2 middle = 0.5 * (p + q);
-    const double wanted = rounded(size(chart.place(middle).x) * chart.scale(middle));
-    grading.add(middle, std::min((q - p).norm(), wanted));
+    const double wanted =
+        rounded(size(chart.map_to_surface(middle).x) * chart.parameter_scale(middle));
+    grading.add_source(middle, std::min((q - p).norm(), wanted));
   }
   WantedSizes(chart, region, size, grading).add();
   return grading;

@@ -14,13 +14,13 @@
 namespace spricka::mesh {
 
 /// What is to be filled of one patch: its lines in parameters.
-struct PieceOutline {
-  Region region;          ///< points in parameters, loops with the patch on their left
+struct ChartOutline {
+  PlaneRegion region;     ///< points in parameters, loops with the patch on their left
   std::vector<int> point; ///< [point of the region] point of the new surface
 
   /// The region's number of a point of the new surface, which is taken in with its parameters if it
   /// is not yet there.
-  int local(int of_surface, const base::Vec2& u);
+  int region_point(int of_surface, const base::Vec2& u);
 
 private:
   std::map<int, int> known_;
@@ -28,17 +28,17 @@ private:
 
 /// A mistake of lines that cross or run over each other, where a mesher would give up or worse: the
 /// points of the region at the two edges.
-struct LineClash {
+struct LineIntersection {
   std::pair<int, int> one, two;
   bool outside = false; ///< a cap (`one`) that does not lie in the patch
 };
 
 /// The first mistake found: edges of loops and embedded lines that meet other than in their ends,
 /// or loops from `first_cap` on that lie outside of the others.
-std::optional<LineClash> line_clash(const Region& region, std::size_t first_cap);
+std::optional<LineIntersection> find_intersection(const PlaneRegion& region, std::size_t first_cap);
 
 /// Sizes in parameters: as wanted on the surface, and those of the lines where they are finer.
-Grading piece_sizes(const SurfaceChart& chart, const Region& region, const SizeAt& size,
-                    double growth);
+Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region, const SizeAt& size,
+                      double growth);
 
 } // namespace spricka::mesh

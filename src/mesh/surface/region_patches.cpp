@@ -23,8 +23,8 @@ RegionPatches::RegionPatches(const SurfaceGeometry& surface, std::span<const std
     for (std::size_t i = 0; i < found.size(); ++i) {
       for (int s = 0; s < surface_.face(found[i]).corners(); ++s) {
         const std::size_t next = across(found[i], s);
-        if (next != nowhere && patch_of(next) == nowhere && patch_.contains(next) &&
-            !surface_.edges()[surface_.edge(found[i], s)].feature) {
+        if (next != nowhere && patch_containing(next) == nowhere && patch_.contains(next) &&
+            !surface_.edges()[surface_.face_edge(found[i], s)].feature) {
           patch_[next] = faces_.size();
           found.push_back(next);
         }
@@ -40,14 +40,14 @@ RegionPatches::RegionPatches(const SurfaceGeometry& surface, std::span<const std
   }
 }
 
-std::size_t RegionPatches::patch_of(std::size_t face) const {
+std::size_t RegionPatches::patch_containing(std::size_t face) const {
   const auto at = patch_.find(face);
   return at == patch_.end() ? nowhere : at->second;
 }
 
 /// The face beyond a side, if there is exactly one.
 std::size_t RegionPatches::across(std::size_t face, int side) const {
-  const SurfaceEdge& edge = surface_.edges()[surface_.edge(face, side)];
+  const SurfaceEdge& edge = surface_.edges()[surface_.face_edge(face, side)];
   return edge.count != 2 ? nowhere : edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
 }
 
@@ -56,7 +56,7 @@ void RegionPatches::sort_edges() {
   std::set<std::size_t> rim;
   for (const std::size_t face : all_) {
     for (int s = 0; s < surface_.face(face).corners(); ++s) {
-      const std::size_t e = surface_.edge(face, s);
+      const std::size_t e = surface_.face_edge(face, s);
       if (surface_.edges()[e].count != 2) {
         trouble_ = {"more than two faces of the body meet in one edge",
                     surface_.place_on_edge(e, 0.0).x};
@@ -73,7 +73,7 @@ void RegionPatches::sort_edges() {
 
 bool RegionPatches::is_border(std::size_t face, int side) const {
   const std::size_t other = across(face, side);
-  return other == nowhere || patch_of(other) != patch_of(face);
+  return other == nowhere || patch_containing(other) != patch_containing(face);
 }
 
 /// The next side of the border: round the node at the end of this one, over the faces of the patch.
@@ -81,13 +81,13 @@ PatchSide RegionPatches::side_after(const PatchSide& at) const {
   std::size_t face = at.face;
   int side = (at.side + 1) % surface_.face(face).corners();
   while (!is_border(face, side)) {
-    const std::size_t e = surface_.edge(face, side);
+    const std::size_t e = surface_.face_edge(face, side);
     const SurfaceEdge& edge = surface_.edges()[e];
     const std::size_t way = edge.faces[0] == face ? 1 : 0;
     face = edge.faces[way];
     side = (edge.side[way] + 1) % surface_.face(face).corners();
   }
-  return {face, side, surface_.edge(face, side), !patch_.contains(across(face, side))};
+  return {face, side, surface_.face_edge(face, side), !patch_.contains(across(face, side))};
 }
 
 void RegionPatches::string_loops(std::size_t patch) {
@@ -98,7 +98,7 @@ void RegionPatches::string_loops(std::size_t patch) {
         continue;
       }
       std::vector<PatchSide> loop;
-      PatchSide at{face, s, surface_.edge(face, s), !patch_.contains(across(face, s))};
+      PatchSide at{face, s, surface_.face_edge(face, s), !patch_.contains(across(face, s))};
       while (used.insert({at.face, at.side}).second) {
         loop.push_back(at);
         at = side_after(at);

@@ -22,22 +22,24 @@ class RegionPatches {
 public:
   RegionPatches(const SurfaceGeometry& surface, std::span<const std::size_t> faces);
 
-  [[nodiscard]] const SurfaceTrouble& trouble() const { return trouble_; }
+  [[nodiscard]] const SurfaceFailure& failure() const { return trouble_; }
   [[nodiscard]] std::size_t count() const { return faces_.size(); }
   /// The patch of a face of the surface; `nowhere` outside of the region.
-  [[nodiscard]] std::size_t patch_of(std::size_t face) const;
+  [[nodiscard]] std::size_t patch_containing(std::size_t face) const;
   [[nodiscard]] const std::vector<std::size_t>& faces(std::size_t patch) const {
     return faces_[patch];
   }
   /// Closed borders of a patch, which lies on the left seen from outside the body.
-  [[nodiscard]] const std::vector<std::vector<PatchSide>>& loops(std::size_t patch) const {
+  [[nodiscard]] const std::vector<std::vector<PatchSide>>& border_loops(std::size_t patch) const {
     return loops_[patch];
   }
   /// All faces of the region, ascending.
-  [[nodiscard]] const std::vector<std::size_t>& all() const { return all_; }
+  [[nodiscard]] const std::vector<std::size_t>& all_faces() const { return all_; }
   /// Feature edges between two faces of the region, ascending.
-  [[nodiscard]] const std::vector<std::size_t>& features() const { return features_; }
-  [[nodiscard]] const std::vector<std::size_t>& rim() const { return rim_; } ///< edges, ascending
+  [[nodiscard]] const std::vector<std::size_t>& feature_edges() const { return features_; }
+  [[nodiscard]] const std::vector<std::size_t>& rim_edges() const {
+    return rim_;
+  } ///< edges, ascending
 
 private:
   void sort_edges();
@@ -47,7 +49,7 @@ private:
   [[nodiscard]] bool is_border(std::size_t face, int side) const;
 
   const SurfaceGeometry& surface_;
-  SurfaceTrouble trouble_;
+  SurfaceFailure trouble_;
   std::vector<std::size_t> all_;
   std::map<std::size_t, std::size_t> patch_; ///< of a face
   std::vector<std::vector<std::size_t>> faces_;

@@ -31,9 +31,9 @@ public:
   Remesher(const SurfaceGeometry& surface, const SurfaceRegion& region)
       : surface_(surface), region_(region), patches_(surface, region.faces) {}
 
-  NewSurface run() {
-    if (patches_.trouble()) {
-      fail(patches_.trouble().why, patches_.trouble().at);
+  RemeshedSurface run() {
+    if (patches_.failure()) {
+      fail(patches_.failure().why, patches_.failure().at);
     }
     take_caps();
     take_mouths();
@@ -47,7 +47,7 @@ public:
       fill_patch(p);
     }
     if (!out_.trouble) {
-      out_.trouble = surface_fold(surface_, out_);
+      out_.trouble = find_surface_fold(surface_, out_);
     }
     if (out_.trouble) {
       return {{}, {}, {}, {}, {}, out_.trouble};
@@ -74,7 +74,7 @@ private:
     }
     known_.try_emplace({a, b}, static_cast<int>(e));
   }
-  void add_edge(int a, int b, NewEdgeKind kind, const SurfacePlace& mid) {
+  void add_edge(int a, int b, RemeshedEdgeKind kind, const SurfacePlace& mid) {
     out_.edges.push_back({{a, b}, kind, mid, NodeId()});
     know(out_.edges.size() - 1);
   }
@@ -83,7 +83,7 @@ private:
     for (const std::vector<Vec3>& cap : region_.caps) {
       std::vector<int> points;
       for (const Vec3& x : cap) {
-        const SurfacePlace near = surface_.nearest(x, patches_.all());
+        const SurfacePlace near = surface_.nearest_place(x, patches_.all_faces());
         if (near.face == nowhere || (near.x - x).norm() > on_region * region_.plane.length) {
           fail("an end of the tube round the crack's front does not lie on the surface that the "
                "cavity takes away",
@@ -91,7 +91,8 @@ private:
           return;
         }
         points.push_back(add_point(near));
-        if (patches_.patch_of(near.face) != patches_.patch_of(place(points.front()).face)) {
+        if (patches_.patch_containing(near.face) !=
+            patches_.patch_containing(place(points.front()).face)) {
           fail("an end of the tube round the crack's front covers an edge of the body", x);
         }
       }
@@ -128,30 +129,30 @@ private:
         }
       }
       for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        if (patches_.patch_of(mouth.line.mids[i].face) == nowhere) {
+        if (patches_.patch_containing(mouth.line.mids[i].face) == nowhere) {
           fail("the crack's mouth leaves the surface that the cavity takes away",
                mouth.line.mids[i].x);
         }
-        add_edge(points[i], points[i + 1], NewEdgeKind::mouth, mouth.line.mids[i]);
+        add_edge(points[i], points[i + 1], RemeshedEdgeKind::mouth, mouth.line.mids[i]);
       }
       out_.mouths.push_back(points);
     }
   }
 
-  void cross_edge(const LinePoint& corner, int point) {
+  void cross_edge(const TracePoint& corner, int point) {
     const SurfaceEdge& edge = surface_.edges()[corner.edge];
-    if (!std::ranges::binary_search(patches_.features(), corner.edge)) {
+    if (!std::ranges::binary_search(patches_.feature_edges(), corner.edge)) {
       // The line may have been followed over borders of sets that are no edges here.
       if (edge.faces[0] != nowhere && edge.faces[1] != nowhere &&
-          patches_.patch_of(edge.faces[0]) != nowhere &&
-          patches_.patch_of(edge.faces[0]) == patches_.patch_of(edge.faces[1])) {
+          patches_.patch_containing(edge.faces[0]) != nowhere &&
+          patches_.patch_containing(edge.faces[0]) == patches_.patch_containing(edge.faces[1])) {
         return;
       }
       fail("the crack's mouth leaves the surface that the cavity takes away", corner.place.x);
     }
     if (std::abs(corner.t) >= 1.0 - same) {
       const NodeId node = edge.ends[corner.t < 0.0 ? 0 : 1];
-      for (const std::size_t e : patches_.rim()) {
+      for (const std::size_t e : patches_.rim_edges()) {
         if (std::ranges::count(surface_.edges()[e].ends, node) > 0) {
           fail("the crack's mouth runs through the rim of the cavity", corner.place.x);
         }
@@ -177,7 +178,7 @@ private:
         const auto& corners = mouth.line.corners;
         for (const std::size_t end : {0U, 1U}) {
           if (!mouth.closed && mouth.end[end].cap < 0) {
-            const LinePoint& corner = end == 0 ? corners.front() : corners.back();
+            const TracePoint& corner = end == 0 ? corners.front() : corners.back();
             away = std::min(away, (x - corner.place.x).norm());
           }
         }
@@ -187,33 +188,34 @@ private:
   }
 
   /// The points on one side of a patch's border, but for its end.
-  void go_along(const PatchSide& side, const SurfaceChart& chart, PieceOutline& outline,
+  void go_along(const PatchSide& side, const SurfaceChart& chart, ChartOutline& outline,
                 std::vector<int>& loop) {
-    const SurfaceFace& face = surface_.face(side.face);
+    const CurvedFace& face = surface_.face(side.face);
     const SurfaceEdge& edge = surface_.edges()[side.edge];
     const auto take = [&](int point, double t) {
-      loop.push_back(outline.local(point, chart.at(side.face, edge_r(face.shape, side.side, t))));
+      loop.push_back(outline.region_point(
+          point, chart.at(side.face, edge_coordinates(face.shape, side.side, t))));
     };
     const NodeId from = face.nodes[static_cast<std::size_t>(side.side)];
-    if (lines_->on_node(from) >= 0) {
-      take(lines_->on_node(from), -1.0);
+    if (lines_->point_at_node(from) >= 0) {
+      take(lines_->point_at_node(from), -1.0);
     }
     const bool along = from == edge.ends[0];
-    const std::vector<EdgePoint>& points = lines_->on_edge(side.edge);
+    const std::vector<FeatureEdgePoint>& points = lines_->points_on_edge(side.edge);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const EdgePoint& point = along ? points[i] : points[points.size() - 1 - i];
+      const FeatureEdgePoint& point = along ? points[i] : points[points.size() - 1 - i];
       take(point.point, along ? point.t : -point.t);
     }
   }
 
   void fill_patch(std::size_t patch) {
     const SurfaceChart chart(surface_, patches_.faces(patch), region_.plane);
-    if (chart.trouble()) {
-      fail(chart.trouble().why, chart.trouble().at);
+    if (chart.failure()) {
+      fail(chart.failure().why, chart.failure().at);
       return;
     }
-    PieceOutline outline;
-    for (const std::vector<PatchSide>& sides : patches_.loops(patch)) {
+    ChartOutline outline;
+    for (const std::vector<PatchSide>& sides : patches_.border_loops(patch)) {
       std::vector<int> loop;
       for (const PatchSide& side : sides) {
         go_along(side, chart, outline, loop);
@@ -224,12 +226,12 @@ private:
     add_caps(patch, chart, outline);
     embed_mouths(patch, chart, outline);
     embed_creases(patch, chart, outline);
-    if (const auto clash = line_clash(outline.region, first_cap)) {
+    if (const auto clash = find_intersection(outline.region, first_cap)) {
       tell(*clash, outline);
       return;
     }
-    const Filling filling =
-        fill(outline.region, piece_sizes(chart, outline.region, region_.size, region_.growth));
+    const TriangleFill filling = fill_triangles(
+        outline.region, chart_grading(chart, outline.region, region_.size, region_.growth));
     if (!filling.trouble.empty()) {
       fail("the surface that the crack's cavity takes away cannot be meshed anew: " +
                filling.trouble,
@@ -239,16 +241,16 @@ private:
     take_triangles(chart, outline, filling);
   }
 
-  void add_caps(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
+  void add_caps(std::size_t patch, const SurfaceChart& chart, ChartOutline& outline) {
     for (const std::vector<int>& cap : out_.caps) {
-      if (patches_.patch_of(place(cap.front()).face) != patch) {
+      if (patches_.patch_containing(place(cap.front()).face) != patch) {
         continue;
       }
       std::vector<int> loop;
       loop.reserve(cap.size());
       double area = 0.0;
       for (const int point : cap) {
-        loop.push_back(outline.local(point, chart.at(place(point).face, place(point).r)));
+        loop.push_back(outline.region_point(point, chart.at(place(point).face, place(point).r)));
       }
       const auto u = [&](std::size_t i) -> const Vec2& {
         return outline.region.points[static_cast<std::size_t>(loop[i % loop.size()])];
@@ -256,7 +258,8 @@ private:
       for (std::size_t i = 0; i < loop.size(); ++i) {
         area += cross(u(i), u(i + 1));
         const auto [a, b] = std::pair(cap[i], cap[(i + 1) % cap.size()]);
-        add_edge(a, b, NewEdgeKind::outline, chart.middle(place(a), place(b), u(i), u(i + 1)));
+        add_edge(a, b, RemeshedEdgeKind::outline,
+                 chart.midpoint(place(a), place(b), u(i), u(i + 1)));
       }
       if (area > 0.0) { // the patch lies outside of it, and on the left
         std::ranges::reverse(loop);
@@ -269,20 +272,21 @@ private:
   [[nodiscard]] Vec2 from_patch(std::size_t patch, std::size_t e, double t,
                                 const SurfaceChart& chart) const {
     const SurfaceEdge& edge = surface_.edges()[e];
-    const std::size_t way = patches_.patch_of(edge.faces[0]) == patch ? 0 : 1;
+    const std::size_t way = patches_.patch_containing(edge.faces[0]) == patch ? 0 : 1;
     const std::size_t f = edge.faces[way];
-    return chart.at(f, edge_r(surface_.face(f).shape, edge.side[way], way == 0 ? t : -t));
+    return chart.at(f, edge_coordinates(surface_.face(f).shape, edge.side[way], way == 0 ? t : -t));
   }
 
-  void embed_mouths(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
+  void embed_mouths(std::size_t patch, const SurfaceChart& chart, ChartOutline& outline) {
     for (std::size_t m = 0; m < region_.mouths.size(); ++m) {
-      const SurfaceLine& line = region_.mouths[m].line;
+      const DividedTrace& line = region_.mouths[m].line;
       std::vector<int> chain;
       for (std::size_t i = 0; i < line.mids.size(); ++i) {
-        const bool here = patches_.patch_of(line.mids[i].face) == patch;
+        const bool here = patches_.patch_containing(line.mids[i].face) == patch;
         for (const std::size_t k : {i, i + 1}) {
           if (here && (k > i || chain.empty())) {
-            chain.push_back(outline.local(out_.mouths[m][k], mouth_at(patch, line, {m, k}, chart)));
+            chain.push_back(
+                outline.region_point(out_.mouths[m][k], mouth_at(patch, line, {m, k}, chart)));
           }
         }
         if (!chain.empty() && (!here || i + 1 == line.mids.size())) {
@@ -292,64 +296,66 @@ private:
     }
   }
 
-  [[nodiscard]] Vec2 mouth_at(std::size_t patch, const SurfaceLine& line,
+  [[nodiscard]] Vec2 mouth_at(std::size_t patch, const DividedTrace& line,
                               std::pair<std::size_t, std::size_t> index,
                               const SurfaceChart& chart) const {
-    const LinePoint& corner = line.corners[index.second];
+    const TracePoint& corner = line.corners[index.second];
     // In a corner of the body the line comes to a third patch, which does not have the edge.
-    const auto has = [&](std::size_t face) { return patches_.patch_of(face) == patch; };
+    const auto has = [&](std::size_t face) { return patches_.patch_containing(face) == patch; };
     if (corner.edge != nowhere && std::ranges::any_of(surface_.edges()[corner.edge].faces, has)) {
       return from_patch(patch, corner.edge, corner.t, chart);
     }
     const int point = out_.mouths[index.first][index.second];
     const SurfacePlace& at_cap = place(point);
-    if (patches_.patch_of(at_cap.face) == patch) {
+    if (patches_.patch_containing(at_cap.face) == patch) {
       return chart.at(at_cap.face, at_cap.r);
     }
-    const SurfacePlace near = surface_.nearest(at_cap.x, patches_.faces(patch));
+    const SurfacePlace near = surface_.nearest_place(at_cap.x, patches_.faces(patch));
     return chart.at(near.face, near.r);
   }
 
   /// Feature edges that end within the patch, as they are divided.
-  void embed_creases(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
-    for (const NewEdge& made : out_.edges) {
-      if (made.kind != NewEdgeKind::feature) {
+  void embed_creases(std::size_t patch, const SurfaceChart& chart, ChartOutline& outline) {
+    for (const RemeshedEdge& made : out_.edges) {
+      if (made.kind != RemeshedEdgeKind::feature) {
         continue;
       }
       const SurfaceEdge& edge = surface_.edges()[made.host_edge];
-      if (patches_.patch_of(edge.faces[0]) != patch || patches_.patch_of(edge.faces[1]) != patch) {
+      if (patches_.patch_containing(edge.faces[0]) != patch ||
+          patches_.patch_containing(edge.faces[1]) != patch) {
         continue;
       }
       std::vector<int>& chain = outline.region.embedded.emplace_back();
       for (const int point : made.points) {
-        const SurfacePlace near = patches_.patch_of(place(point).face) == patch
-                                      ? place(point)
-                                      : surface_.nearest(place(point).x, patches_.faces(patch));
-        chain.push_back(outline.local(point, chart.at(near.face, near.r)));
+        const SurfacePlace near =
+            patches_.patch_containing(place(point).face) == patch
+                ? place(point)
+                : surface_.nearest_place(place(point).x, patches_.faces(patch));
+        chain.push_back(outline.region_point(point, chart.at(near.face, near.r)));
       }
     }
   }
 
-  [[nodiscard]] std::string name_of(std::pair<int, int> line, const PieceOutline& outline) const {
+  [[nodiscard]] std::string name_of(std::pair<int, int> line, const ChartOutline& outline) const {
     const auto [a, b] = std::minmax(outline.point[static_cast<std::size_t>(line.first)],
                                     outline.point[static_cast<std::size_t>(line.second)]);
     const auto at = known_.find({a, b});
-    switch (at == known_.end() ? NewEdgeKind::inner
+    switch (at == known_.end() ? RemeshedEdgeKind::inner
                                : out_.edges[static_cast<std::size_t>(at->second)].kind) {
-    case NewEdgeKind::rim:
+    case RemeshedEdgeKind::rim:
       return "the rim of the cavity";
-    case NewEdgeKind::feature:
+    case RemeshedEdgeKind::feature:
       return "an edge of the body";
-    case NewEdgeKind::outline:
+    case RemeshedEdgeKind::outline:
       return "an end of the tube";
-    case NewEdgeKind::mouth:
+    case RemeshedEdgeKind::mouth:
       return "the crack's mouth";
     default:
       return "a line";
     }
   }
 
-  void tell(const LineClash& clash, const PieceOutline& outline) {
+  void tell(const LineIntersection& clash, const ChartOutline& outline) {
     const int at = outline.point[static_cast<std::size_t>(clash.one.first)];
     const Vec3& x = place(at).x;
     if (clash.outside) {
@@ -361,29 +367,30 @@ private:
     }
   }
 
-  void take_triangles(const SurfaceChart& chart, PieceOutline& outline, const Filling& filling) {
+  void take_triangles(const SurfaceChart& chart, ChartOutline& outline,
+                      const TriangleFill& filling) {
     std::vector<Vec2> u = outline.region.points;
     std::vector<int> point = outline.point;
     for (const Vec2& p : filling.added) {
       u.emplace_back(rounded(p.x()), rounded(p.y()));
-      point.push_back(add_point(chart.place(u.back())));
+      point.push_back(add_point(chart.map_to_surface(u.back())));
     }
     for (const std::array<int, 3>& corners : filling.triangles) {
-      NewTriangle triangle;
+      RemeshedTriangle triangle;
       Vec2 middle = Vec2::Zero();
       for (std::size_t k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(corners[k]);
         const auto j = static_cast<std::size_t>(corners[(k + 1) % 3]);
         const auto [a, b] = std::minmax(point[i], point[j]);
         if (!known_.contains({a, b})) {
-          add_edge(a, b, NewEdgeKind::inner,
-                   chart.middle(place(point[i]), place(point[j]), u[i], u[j]));
+          add_edge(a, b, RemeshedEdgeKind::inner,
+                   chart.midpoint(place(point[i]), place(point[j]), u[i], u[j]));
         }
         triangle.points[k] = point[i];
         triangle.edges[k] = known_.at({a, b});
         middle += u[i] / 3.0;
       }
-      triangle.face = chart.place(middle).face;
+      triangle.face = chart.map_to_surface(middle).face;
       out_.triangles.push_back(triangle);
     }
   }
@@ -391,15 +398,15 @@ private:
   const SurfaceGeometry& surface_;
   const SurfaceRegion& region_;
   RegionPatches patches_;
-  NewSurface out_;
-  std::map<std::size_t, std::vector<EdgePoint>> crossings_;
+  RemeshedSurface out_;
+  std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings_;
   std::optional<FeatureLines> lines_;
   std::map<std::pair<int, int>, int> known_; ///< edges by their points
 };
 
 } // namespace
 
-NewSurface remesh_surface(const SurfaceGeometry& surface, const SurfaceRegion& region) {
+RemeshedSurface remesh_surface(const SurfaceGeometry& surface, const SurfaceRegion& region) {
   return Remesher(surface, region).run();
 }
 

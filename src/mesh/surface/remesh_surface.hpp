@@ -9,6 +9,6 @@ namespace spricka::mesh {
 /// of new edges. Each smooth piece is filled by gmsh in parameters: two coordinates of a plane, a
 /// cylinder unrolled, other pieces by a least-squares conformal map (Levy et al. 2002). All points
 /// and middles lie on the host's true faces.
-NewSurface remesh_surface(const SurfaceGeometry& surface, const SurfaceRegion& region);
+RemeshedSurface remesh_surface(const SurfaceGeometry& surface, const SurfaceRegion& region);
 
 } // namespace spricka::mesh

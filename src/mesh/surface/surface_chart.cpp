@@ -17,40 +17,40 @@ using base::Vec2;
 using base::Vec3;
 
 SurfaceChart::SurfaceChart(const SurfaceGeometry& surface, const std::vector<std::size_t>& faces,
-                           const CrackPlane& plane)
+                           const CrackReferencePlane& plane)
     : surface_(surface), faces_(faces), net_(surface, faces_) {
-  lay_flat(plane);
+  flatten_onto_plane(plane);
   if (!trouble_) {
     sort_facets();
   }
 }
 
-void SurfaceChart::lay_flat(const CrackPlane& plane) {
+void SurfaceChart::flatten_onto_plane(const CrackReferencePlane& plane) {
   const ChartPatch patch{surface_, faces_, net_, plane};
-  const auto straight = [&](const FlatFrame& frame) {
+  const auto straight = [&](const ChartPlaneFrame& frame) {
     FlatPlaces places;
-    for (const Vec3& x : net_.x()) {
+    for (const Vec3& x : net_.vertices()) {
       places.push_back(frame(x));
     }
     return places;
   };
-  flat_ = flat_frame(patch);
+  flat_ = fit_plane_frame(patch);
   if (flat_) {
     u_ = straight(*flat_);
     return;
   }
-  for (const auto& way : {unrolled, conformal}) {
+  for (const auto& way : {unroll_cylinder, conformal_map}) {
     const std::optional<FlatPlaces> places = way(patch);
-    if (places && upright(net_, *places)) {
+    if (places && all_face_up(net_, *places)) {
       u_ = *places;
       return;
     }
   }
   u_ = straight(mean_frame(patch));
-  if (!upright(net_, u_)) {
+  if (!all_face_up(net_, u_)) {
     trouble_ = {"the surface that the crack's cavity takes away is curved too much to be meshed "
                 "anew",
-                net_.x().front()};
+                net_.vertices().front()};
   }
 }
 
@@ -101,7 +101,7 @@ Eigen::Vector3d SurfaceChart::hats(std::size_t facet, const Vec2& u) const {
 
 /// The facet that has u, the first of several; beyond the border the nearest, and the nearest place
 /// on it.
-SurfaceChart::Spot SurfaceChart::find(const Vec2& u) const {
+SurfaceChart::BarycentricPoint SurfaceChart::find(const Vec2& u) const {
   const Vec2 c = (u - low_).cwiseQuotient(pitch_);
   if (c.minCoeff() >= 0.0 && c.maxCoeff() < cells_) {
     const auto cell =
@@ -113,7 +113,7 @@ SurfaceChart::Spot SurfaceChart::find(const Vec2& u) const {
       }
     }
   }
-  Spot best;
+  BarycentricPoint best;
   double least = std::numeric_limits<double>::max();
   for (std::size_t f = 0; f < net_.facets().size(); ++f) {
     const auto& v = net_.facets()[f].vertex;
@@ -145,8 +145,8 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
     const auto i =
         static_cast<std::size_t>(std::ranges::lower_bound(faces_, face) - faces_.begin());
     double most = -std::numeric_limits<double>::max();
-    for (std::size_t f = net_.first(i); f < net_.first(i + 1); ++f) {
-      const FacetNet::Facet& facet = net_.facets()[f];
+    for (std::size_t f = net_.first_facet(i); f < net_.first_facet(i + 1); ++f) {
+      const FacetNet::SurfaceFacet& facet = net_.facets()[f];
       const Vec2 b = facet.r[1] - facet.r[0];
       const Vec2 c = facet.r[2] - facet.r[0];
       const double hb = cross(r - facet.r[0], c) / cross(b, c);
@@ -164,10 +164,10 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
 }
 
 /// The place of a plane face with exactly these parameters, or the nearest that steps lead to.
-SurfaceChart::FlatPlace SurfaceChart::flat_on(std::size_t face, Vec2 r, const Vec2& u) const {
-  const SurfaceFace& f = surface_.face(face);
+SurfaceChart::ChartPreimage SurfaceChart::flat_on(std::size_t face, Vec2 r, const Vec2& u) const {
+  const CurvedFace& f = surface_.face(face);
   for (int i = 0; i < 20; ++i) {
-    const SurfacePoint p = point_on(f, r);
+    const SurfaceQuadraturePoint p = point_on(f, r);
     Eigen::Matrix2d J;
     J << flat_->e1.dot(p.slope.col(0)), flat_->e1.dot(p.slope.col(1)),
         flat_->e2.dot(p.slope.col(0)), flat_->e2.dot(p.slope.col(1));
@@ -175,7 +175,7 @@ SurfaceChart::FlatPlace SurfaceChart::flat_on(std::size_t face, Vec2 r, const Ve
     if (!step.allFinite()) {
       break;
     }
-    const Vec2 next = into_face(f.shape, r + step);
+    const Vec2 next = clamp_to_face(f.shape, r + step);
     const double moved = (next - r).norm();
     r = next;
     if (moved < 1e-15) {
@@ -187,9 +187,9 @@ SurfaceChart::FlatPlace SurfaceChart::flat_on(std::size_t face, Vec2 r, const Ve
 
 /// The same on whichever face has it: edges between plane faces may be curved, so that the facet
 /// tells only whereabouts to look.
-SurfaceChart::FlatPlace SurfaceChart::flat_place(std::size_t face, const Vec2& r,
-                                                 const Vec2& u) const {
-  FlatPlace best = flat_on(face, r, u);
+SurfaceChart::ChartPreimage SurfaceChart::flat_place(std::size_t face, const Vec2& r,
+                                                     const Vec2& u) const {
+  ChartPreimage best = flat_on(face, r, u);
   if (best.off <= same) {
     return best;
   }
@@ -207,34 +207,34 @@ SurfaceChart::FlatPlace SurfaceChart::flat_place(std::size_t face, const Vec2& r
   for (const std::size_t other : near) {
     const bool triangle = surface_.face(other).corners() == 3;
     const Vec2 centre = triangle ? Vec2(1.0 / 3.0, 1.0 / 3.0) : Vec2(0.0, 0.0);
-    const FlatPlace there = flat_on(other, centre, u);
+    const ChartPreimage there = flat_on(other, centre, u);
     best = there.off < best.off - same ? there : best;
   }
   return best;
 }
 
-SurfacePlace SurfaceChart::place(const Vec2& u) const {
-  const Spot spot = find(u);
-  const FacetNet::Facet& facet = net_.facets()[spot.facet];
+SurfacePlace SurfaceChart::map_to_surface(const Vec2& u) const {
+  const BarycentricPoint spot = find(u);
+  const FacetNet::SurfaceFacet& facet = net_.facets()[spot.facet];
   Vec2 r = spot.hat[0] * facet.r[0] + spot.hat[1] * facet.r[1] + spot.hat[2] * facet.r[2];
-  r = into_face(surface_.face(facet.face).shape, r);
+  r = clamp_to_face(surface_.face(facet.face).shape, r);
   if (!flat_) {
-    return surface_.place(facet.face, r);
+    return surface_.place_on_face(facet.face, r);
   }
-  const FlatPlace exact = flat_place(facet.face, r, u);
-  return surface_.place(exact.face, exact.r);
+  const ChartPreimage exact = flat_place(facet.face, r, u);
+  return surface_.place_on_face(exact.face, exact.r);
 }
 
-SurfacePlace SurfaceChart::middle(const SurfacePlace& a, const SurfacePlace& b, const Vec2& ua,
-                                  const Vec2& ub) const {
-  return place(flat_ ? (*flat_)(0.5 * (a.x + b.x)) : Vec2(0.5 * (ua + ub)));
+SurfacePlace SurfaceChart::midpoint(const SurfacePlace& a, const SurfacePlace& b, const Vec2& ua,
+                                    const Vec2& ub) const {
+  return map_to_surface(flat_ ? (*flat_)(0.5 * (a.x + b.x)) : Vec2(0.5 * (ua + ub)));
 }
 
-double SurfaceChart::scale(const Vec2& u) const {
-  const FacetNet::Facet& facet = net_.facets()[find(u).facet];
+double SurfaceChart::parameter_scale(const Vec2& u) const {
+  const FacetNet::SurfaceFacet& facet = net_.facets()[find(u).facet];
   const auto at = [&](std::size_t k) { return static_cast<std::size_t>(facet.vertex[k]); };
-  const Vec3 b = net_.x()[at(1)] - net_.x()[at(0)];
-  const Vec3 c = net_.x()[at(2)] - net_.x()[at(0)];
+  const Vec3 b = net_.vertices()[at(1)] - net_.vertices()[at(0)];
+  const Vec3 c = net_.vertices()[at(2)] - net_.vertices()[at(0)];
   const double area = std::sqrt(b.squaredNorm() * c.squaredNorm() - b.dot(c) * b.dot(c));
   const double flat = cross(u_[at(1)] - u_[at(0)], u_[at(2)] - u_[at(0)]);
   return std::sqrt(flat / area);

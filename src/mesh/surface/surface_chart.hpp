@@ -12,44 +12,44 @@ class SurfaceChart {
 public:
   /// The surface must outlive the chart.
   SurfaceChart(const SurfaceGeometry& surface, const std::vector<std::size_t>& faces,
-               const CrackPlane& plane);
+               const CrackReferencePlane& plane);
 
   /// What kept the patch from being laid flat.
-  [[nodiscard]] const SurfaceTrouble& trouble() const { return trouble_; }
+  [[nodiscard]] const SurfaceFailure& failure() const { return trouble_; }
   /// Rounded parameters of a place on one of the patch's faces.
   [[nodiscard]] base::Vec2 at(std::size_t face, const base::Vec2& r) const;
   /// The place with these parameters, on a true face; beyond the border the nearest.
-  [[nodiscard]] SurfacePlace place(const base::Vec2& u) const;
+  [[nodiscard]] SurfacePlace map_to_surface(const base::Vec2& u) const;
   /// The place half way between two, whose parameters these are: of a plane exactly.
-  [[nodiscard]] SurfacePlace middle(const SurfacePlace& a, const SurfacePlace& b,
-                                    const base::Vec2& ua, const base::Vec2& ub) const;
+  [[nodiscard]] SurfacePlace midpoint(const SurfacePlace& a, const SurfacePlace& b,
+                                      const base::Vec2& ua, const base::Vec2& ub) const;
   /// Length in parameters for one in space, thereabouts.
-  [[nodiscard]] double scale(const base::Vec2& u) const;
+  [[nodiscard]] double parameter_scale(const base::Vec2& u) const;
 
 private:
-  struct Spot {
+  struct BarycentricPoint {
     std::size_t facet = 0;
     Eigen::Vector3d hat = Eigen::Vector3d::Zero();
   };
-  struct FlatPlace {
+  struct ChartPreimage {
     std::size_t face = nowhere;
     base::Vec2 r = base::Vec2::Zero();
     double off = 0.0; ///< in parameters
   };
-  void lay_flat(const CrackPlane& plane);
+  void flatten_onto_plane(const CrackReferencePlane& plane);
   void sort_facets();
-  [[nodiscard]] Spot find(const base::Vec2& u) const;
+  [[nodiscard]] BarycentricPoint find(const base::Vec2& u) const;
   [[nodiscard]] Eigen::Vector3d hats(std::size_t facet, const base::Vec2& u) const;
-  [[nodiscard]] FlatPlace flat_on(std::size_t face, base::Vec2 r, const base::Vec2& u) const;
-  [[nodiscard]] FlatPlace flat_place(std::size_t face, const base::Vec2& r,
-                                     const base::Vec2& u) const;
+  [[nodiscard]] ChartPreimage flat_on(std::size_t face, base::Vec2 r, const base::Vec2& u) const;
+  [[nodiscard]] ChartPreimage flat_place(std::size_t face, const base::Vec2& r,
+                                         const base::Vec2& u) const;
 
   const SurfaceGeometry& surface_;
   std::vector<std::size_t> faces_;
   FacetNet net_;
-  SurfaceTrouble trouble_;
-  std::optional<FlatFrame> flat_; ///< of a plane patch, whose parameters are exact
-  FlatPlaces u_;                  ///< [vertex]
+  SurfaceFailure trouble_;
+  std::optional<ChartPlaneFrame> flat_; ///< of a plane patch, whose parameters are exact
+  FlatPlaces u_;                        ///< [vertex]
   base::Vec2 low_ = base::Vec2::Zero();
   base::Vec2 pitch_ = base::Vec2::Ones();
   int cells_ = 1;                                ///< of a grid, each way

@@ -34,7 +34,7 @@ Vec2 into_domain(shape::ReferenceDomain domain, const Vec2& r) {
 }
 
 /// Foot of the perpendicular by Gauss and Newton's method, kept inside the face.
-Vec2 foot_on(const SurfaceFace& face, const Vec3& x) {
+Vec2 foot_on(const CurvedFace& face, const Vec3& x) {
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
   Vec2 r = element.centre();
   for (int i = 0; i < most_steps; ++i) {
@@ -58,7 +58,7 @@ Vec2 foot_on(const SurfaceFace& face, const Vec3& x) {
 }
 
 /// The foot on the edge from corner i to the next, as t.
-double foot_on_edge(const SurfaceFace& face, int i, const Vec3& x) {
+double foot_on_edge(const CurvedFace& face, int i, const Vec3& x) {
   const std::span<const int> nodes = shape::side_nodes(face.shape, i);
   const shape::ReferenceElement<1>& edge = shape::reference_line(static_cast<int>(nodes.size()));
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<1>> E(3, edge.nodes);
@@ -82,10 +82,10 @@ double foot_on_edge(const SurfaceFace& face, int i, const Vec3& x) {
 
 } // namespace
 
-SurfaceFace make_surface_face(const model::Mesh& mesh, const model::Face& face) {
+CurvedFace make_surface_face(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementType type = mesh.type[face.element.index()];
   const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-  SurfaceFace out{face, shape::solid_side_type(type, face.side), {}, {}};
+  CurvedFace out{face, shape::solid_side_type(type, face.side), {}, {}};
   for (const int local : shape::side_nodes(type, face.side)) {
     out.nodes.push_back(nodes[static_cast<std::size_t>(local)]);
   }
@@ -96,37 +96,37 @@ SurfaceFace make_surface_face(const model::Mesh& mesh, const model::Face& face) 
   return out;
 }
 
-Vec3 SurfacePoint::normal() const {
+Vec3 SurfaceQuadraturePoint::normal() const {
   return slope.col(0).cross(slope.col(1)).normalized();
 }
 
-SurfacePoint point_on(const SurfaceFace& face, const Vec2& r) {
+SurfaceQuadraturePoint point_on(const CurvedFace& face, const Vec2& r) {
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
   return {face.X * element.N(r), face.X.lazyProduct(element.dN(r))};
 }
 
-Vec2 edge_r(base::ElementType shape, int i, double t) {
+Vec2 edge_coordinates(base::ElementType shape, int i, double t) {
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(shape);
   const int next = (i + 1) % element.corners;
   return 0.5 * (1.0 - t) * element.node_coordinates(i) +
          0.5 * (1.0 + t) * element.node_coordinates(next);
 }
 
-double outside(base::ElementType shape, const Vec2& r) {
+double distance_outside(base::ElementType shape, const Vec2& r) {
   return shape::reference_element<2>(shape).distance_outside(r);
 }
 
-Vec2 into_face(base::ElementType shape, const Vec2& r) {
+Vec2 clamp_to_face(base::ElementType shape, const Vec2& r) {
   return into_domain(shape::reference_element<2>(shape).domain, r);
 }
 
-Vec2 nearest_on(const SurfaceFace& face, const Vec3& x) {
+Vec2 nearest_on(const CurvedFace& face, const Vec3& x) {
   Vec2 best = foot_on(face, x);
   // A foot that was kept from leaving is not the nearest place of its edge.
-  double least = outside(face.shape, best) < -1e-14 ? (x - point_on(face, best).x).norm()
-                                                    : std::numeric_limits<double>::max();
+  double least = distance_outside(face.shape, best) < -1e-14 ? (x - point_on(face, best).x).norm()
+                                                             : std::numeric_limits<double>::max();
   for (int i = 0; i < face.corners(); ++i) {
-    const Vec2 r = edge_r(face.shape, i, foot_on_edge(face, i, x));
+    const Vec2 r = edge_coordinates(face.shape, i, foot_on_edge(face, i, x));
     const double distance = (x - point_on(face, r).x).norm();
     if (distance < (1.0 - 1e-9) * least) {
       least = distance;
@@ -138,7 +138,7 @@ Vec2 nearest_on(const SurfaceFace& face, const Vec3& x) {
 
 // A quadratic face lies in the hull of its Bezier points (Farin 2002): corners, twice the mid nodes
 // less the middle of the edge's ends, and of quadrilaterals one for the centre.
-std::array<Vec3, 2> box_of(const SurfaceFace& face) {
+std::array<Vec3, 2> bounding_box(const CurvedFace& face) {
   const Eigen::Index corners = face.corners();
   Vec3 low = face.X.leftCols(corners).rowwise().minCoeff();
   Vec3 high = face.X.leftCols(corners).rowwise().maxCoeff();

@@ -18,7 +18,7 @@ constexpr double least_facing = 0.3; // cosine between a triangle's normal and t
 
 } // namespace
 
-Vec3 normal_of(const NewSurface& made, const NewTriangle& triangle, const Vec2& r) {
+Vec3 triangle_normal(const RemeshedSurface& made, const RemeshedTriangle& triangle, const Vec2& r) {
   Eigen::Matrix<double, 3, 6> X;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -29,12 +29,12 @@ Vec3 normal_of(const NewSurface& made, const NewTriangle& triangle, const Vec2& 
   return T.col(0).cross(T.col(1));
 }
 
-SurfaceTrouble surface_fold(const SurfaceGeometry& surface, const NewSurface& made) {
+SurfaceFailure find_surface_fold(const SurfaceGeometry& surface, const RemeshedSurface& made) {
   std::vector<int> count(made.edges.size(), 0);
-  for (const NewTriangle& triangle : made.triangles) {
-    const Vec3 outward = surface.place(triangle.face, {1.0 / 3.0, 1.0 / 3.0}).normal;
+  for (const RemeshedTriangle& triangle : made.triangles) {
+    const Vec3 outward = surface.place_on_face(triangle.face, {1.0 / 3.0, 1.0 / 3.0}).normal;
     for (const auto& q : shape::triangle_rule(looked_at)) {
-      const Vec3 n = normal_of(made, triangle, q.r);
+      const Vec3 n = triangle_normal(made, triangle, q.r);
       if (!(n.dot(outward) > least_facing * n.norm()) || !(n.norm() > 0.0)) {
         return {"the crack leaves the surface of the body too coarse or too narrow a place: a "
                 "triangle folds",
@@ -46,8 +46,8 @@ SurfaceTrouble surface_fold(const SurfaceGeometry& surface, const NewSurface& ma
     }
   }
   for (std::size_t e = 0; e < made.edges.size(); ++e) {
-    const NewEdgeKind kind = made.edges[e].kind;
-    const int wanted = kind == NewEdgeKind::rim || kind == NewEdgeKind::outline ? 1 : 2;
+    const RemeshedEdgeKind kind = made.edges[e].kind;
+    const int wanted = kind == RemeshedEdgeKind::rim || kind == RemeshedEdgeKind::outline ? 1 : 2;
     if (count[e] != wanted) {
       return {"the mesher left out an edge of the body's new surface", made.edges[e].mid.x};
     }

@@ -34,16 +34,16 @@ double distance_to_box(const std::array<Vec3, 2>& box, const Vec3& x) {
 }
 
 /// The nearest place on faces that come one by one; ties go to the lower number.
-class Nearest {
+class NearestFaceSearch {
 public:
-  Nearest(const SurfaceGeometry& surface, const Vec3& x) : surface_(surface), x_(x) {}
+  NearestFaceSearch(const SurfaceGeometry& surface, const Vec3& x) : surface_(surface), x_(x) {}
 
   [[nodiscard]] double distance() const { return distance_; }
   void look_at(std::size_t face) {
-    const SurfaceFace& f = surface_.face(face);
+    const CurvedFace& f = surface_.face(face);
     const Vec2 r = nearest_on(f, x_);
     const double distance = (point_on(f, r).x - x_).norm();
-    const double same = 1e-12 * surface_.extent();
+    const double same = 1e-12 * surface_.diagonal();
     if (distance < distance_ - same || (distance < distance_ + same && face < face_)) {
       distance_ = std::min(distance, distance_);
       face_ = face;
@@ -51,7 +51,7 @@ public:
     }
   }
   [[nodiscard]] SurfacePlace place() const {
-    return face_ == nowhere ? SurfacePlace{} : surface_.place(face_, r_);
+    return face_ == nowhere ? SurfacePlace{} : surface_.place_on_face(face_, r_);
   }
 
 private:
@@ -79,9 +79,9 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
     }
     faces_.push_back(make_surface_face(mesh, face));
   }
-  std::ranges::sort(faces_, {}, &SurfaceFace::face);
+  std::ranges::sort(faces_, {}, &CurvedFace::face);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const auto [least, most] = box_of(faces_[f]);
+    const auto [least, most] = bounding_box(faces_[f]);
     entries.emplace_back(TreeBox(tree_point(least), tree_point(most)), f);
     low = f == 0 ? least : Vec3(low.cwiseMin(least));
     high = f == 0 ? most : Vec3(high.cwiseMax(most));
@@ -98,19 +98,19 @@ SurfaceGeometry::~SurfaceGeometry() = default;
 SurfaceGeometry::SurfaceGeometry(SurfaceGeometry&&) noexcept = default;
 SurfaceGeometry& SurfaceGeometry::operator=(SurfaceGeometry&&) noexcept = default;
 
-std::size_t SurfaceGeometry::index(const model::Face& face) const {
-  const auto at = std::ranges::lower_bound(faces_, face, {}, &SurfaceFace::face);
+std::size_t SurfaceGeometry::face_index(const model::Face& face) const {
+  const auto at = std::ranges::lower_bound(faces_, face, {}, &CurvedFace::face);
   return at != faces_.end() && at->face == face ? static_cast<std::size_t>(at - faces_.begin())
                                                 : nowhere;
 }
 
-SurfacePlace SurfaceGeometry::place(std::size_t face, const Vec2& r) const {
-  const SurfacePoint point = point_on(faces_[face], r);
+SurfacePlace SurfaceGeometry::place_on_face(std::size_t face, const Vec2& r) const {
+  const SurfaceQuadraturePoint point = point_on(faces_[face], r);
   return {face, r, point.x, point.normal()};
 }
 
-SurfacePlace SurfaceGeometry::nearest(const Vec3& x) const {
-  Nearest nearest(*this, x);
+SurfacePlace SurfaceGeometry::nearest_place(const Vec3& x) const {
+  NearestFaceSearch nearest(*this, x);
   // The tree hands boxes out by their distance, the nearest first.
   const double same = 1e-12 * extent_;
   for (auto it = tree_->boxes.qbegin(
@@ -124,17 +124,18 @@ SurfacePlace SurfaceGeometry::nearest(const Vec3& x) const {
   return nearest.place();
 }
 
-SurfacePlace SurfaceGeometry::nearest(const Vec3& x, std::span<const std::size_t> among) const {
-  Nearest nearest(*this, x);
+SurfacePlace SurfaceGeometry::nearest_place(const Vec3& x,
+                                            std::span<const std::size_t> among) const {
+  NearestFaceSearch nearest(*this, x);
   for (const std::size_t face : among) {
-    if (distance_to_box(box_of(faces_[face]), x) <= nearest.distance() + 1e-12 * extent_) {
+    if (distance_to_box(bounding_box(faces_[face]), x) <= nearest.distance() + 1e-12 * extent_) {
       nearest.look_at(face);
     }
   }
   return nearest.place();
 }
 
-std::vector<std::size_t> SurfaceGeometry::in_box(const Vec3& low, const Vec3& high) const {
+std::vector<std::size_t> SurfaceGeometry::faces_in_box(const Vec3& low, const Vec3& high) const {
   std::vector<std::size_t> found;
   const TreeBox box(tree_point(low), tree_point(high));
   for (auto it = tree_->boxes.qbegin(bg::index::intersects(box)); it != tree_->boxes.qend(); ++it) {

@@ -69,41 +69,44 @@ public:
   SurfaceGeometry(const SurfaceGeometry&) = delete;
   SurfaceGeometry& operator=(const SurfaceGeometry&) = delete;
 
-  [[nodiscard]] const std::vector<SurfaceFace>& faces() const { return faces_; }
-  [[nodiscard]] const SurfaceFace& face(std::size_t f) const { return faces_[f]; }
+  [[nodiscard]] const std::vector<CurvedFace>& faces() const { return faces_; }
+  [[nodiscard]] const CurvedFace& face(std::size_t f) const { return faces_[f]; }
   /// The number of a boundary face; `nowhere` if it is none.
-  [[nodiscard]] std::size_t index(const model::Face& face) const;
-  [[nodiscard]] SurfacePlace place(std::size_t face, const base::Vec2& r) const;
+  [[nodiscard]] std::size_t face_index(const model::Face& face) const;
+  [[nodiscard]] SurfacePlace place_on_face(std::size_t face, const base::Vec2& r) const;
   /// Length of the diagonal of the box round everything.
-  [[nodiscard]] double extent() const { return extent_; }
+  [[nodiscard]] double diagonal() const { return extent_; }
 
   [[nodiscard]] const std::vector<SurfaceEdge>& edges() const { return edges_; }
   /// The edge from corner i of a face to the next.
-  [[nodiscard]] std::size_t edge(std::size_t face, int i) const {
+  [[nodiscard]] std::size_t face_edge(std::size_t face, int i) const {
     return face_edges_[face][static_cast<std::size_t>(i)];
   }
   /// The place at t of an edge, on its first face (or its second, if it has no first).
   [[nodiscard]] SurfacePlace place_on_edge(std::size_t edge, double t) const;
   /// The smooth piece of a face, counted from 0 in the order of the faces.
-  [[nodiscard]] std::size_t piece(std::size_t face) const { return piece_[face]; }
+  [[nodiscard]] std::size_t smooth_piece(std::size_t face) const { return piece_[face]; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_; }
   /// Which of the sets kept have a face, ascending, by their place in `kept`.
-  [[nodiscard]] const std::vector<std::size_t>& sets(std::size_t face) const { return sets_[face]; }
+  [[nodiscard]] const std::vector<std::size_t>& face_sets(std::size_t face) const {
+    return sets_[face];
+  }
   /// Which of the node sets in `lines` have all nodes of an edge, ascending, by their place there.
-  [[nodiscard]] const std::vector<std::size_t>& lines(std::size_t edge) const {
+  [[nodiscard]] const std::vector<std::size_t>& node_sets(std::size_t edge) const {
     return lines_[edge];
   }
   /// Which of them have a node.
-  [[nodiscard]] const std::vector<std::size_t>& lines(base::NodeId node) const;
+  [[nodiscard]] const std::vector<std::size_t>& node_sets(base::NodeId node) const;
   [[nodiscard]] std::vector<FeatureChain> feature_chains() const;
 
   /// The place nearest to x; of several faces as near (an edge) that with the lowest number.
-  [[nodiscard]] SurfacePlace nearest(const base::Vec3& x) const;
+  [[nodiscard]] SurfacePlace nearest_place(const base::Vec3& x) const;
   /// The same among some faces only.
-  [[nodiscard]] SurfacePlace nearest(const base::Vec3& x, std::span<const std::size_t> among) const;
+  [[nodiscard]] SurfacePlace nearest_place(const base::Vec3& x,
+                                           std::span<const std::size_t> among) const;
   /// Faces whose boxes meet a box, ascending.
-  [[nodiscard]] std::vector<std::size_t> in_box(const base::Vec3& low,
-                                                const base::Vec3& high) const;
+  [[nodiscard]] std::vector<std::size_t> faces_in_box(const base::Vec3& low,
+                                                      const base::Vec3& high) const;
 
 private:
   struct Tree;
@@ -112,7 +115,7 @@ private:
   void find_lines(const model::Mesh& mesh, std::span<const base::NodeSetId> lines);
   void find_pieces(bool borders);
 
-  std::vector<SurfaceFace> faces_; ///< ascending by element and side
+  std::vector<CurvedFace> faces_; ///< ascending by element and side
   std::vector<std::array<std::size_t, 4>> face_edges_;
   std::vector<SurfaceEdge> edges_;
   std::vector<std::size_t> piece_;

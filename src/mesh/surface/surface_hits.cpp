@@ -22,11 +22,11 @@ constexpr double facet_room = 0.1; // by how much of a facet a line may miss it 
 constexpr double on_face = 1e-9;   // outside of a face in reference coordinates
 
 /// Where the line x + part d passes the plane of a facet.
-std::optional<SegmentGuess> pass(const FacetNet& net, const FacetNet::Facet& facet, const Vec3& x,
-                                 const Vec3& d) {
-  const std::array<Vec3, 3> p{net.x()[static_cast<std::size_t>(facet.vertex[0])],
-                              net.x()[static_cast<std::size_t>(facet.vertex[1])],
-                              net.x()[static_cast<std::size_t>(facet.vertex[2])]};
+std::optional<CrossingGuess> pass(const FacetNet& net, const FacetNet::SurfaceFacet& facet,
+                                  const Vec3& x, const Vec3& d) {
+  const std::array<Vec3, 3> p{net.vertices()[static_cast<std::size_t>(facet.vertex[0])],
+                              net.vertices()[static_cast<std::size_t>(facet.vertex[1])],
+                              net.vertices()[static_cast<std::size_t>(facet.vertex[2])]};
   const Vec3 u = p[1] - p[0];
   const Vec3 v = p[2] - p[0];
   const Vec3 n = u.cross(v);
@@ -43,7 +43,7 @@ std::optional<SegmentGuess> pass(const FacetNet& net, const FacetNet::Facet& fac
     return std::nullopt;
   }
   const Vec2 r = (1.0 - b - c) * facet.r[0] + b * facet.r[1] + c * facet.r[2];
-  return SegmentGuess{facet.face, r, part};
+  return CrossingGuess{facet.face, r, part};
 }
 
 bool misses_box(const std::array<Vec3, 2>& box, const Vec3& x, const Vec3& d) {
@@ -66,12 +66,12 @@ bool misses_box(const std::array<Vec3, 2>& box, const Vec3& x, const Vec3& d) {
 }
 
 /// The guess made true: the line x + along d and the curved face by Newton's steps.
-std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const SegmentGuess& guess,
+std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const CrossingGuess& guess,
                                   const Vec3& x, const Vec3& d, double along) {
-  const SurfaceFace& face = surface.face(guess.face);
+  const CurvedFace& face = surface.face(guess.face);
   Vec2 r = guess.r;
   for (int i = 0; i < 20; ++i) {
-    const SurfacePoint p = point_on(face, r);
+    const SurfaceQuadraturePoint p = point_on(face, r);
     Eigen::Matrix3d J;
     J << p.slope, -d;
     const Vec3 step = J.inverse() * (x + along * d - p.x);
@@ -84,27 +84,28 @@ std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const SegmentG
       break;
     }
   }
-  if (!(outside(face.shape, r) <= on_face)) {
+  if (!(distance_outside(face.shape, r) <= on_face)) {
     return std::nullopt;
   }
-  const SurfacePlace place = surface.place(guess.face, into_face(face.shape, r));
-  const bool met = (place.x - x - along * d).norm() <= 1e-8 * surface.extent();
+  const SurfacePlace place = surface.place_on_face(guess.face, clamp_to_face(face.shape, r));
+  const bool met = (place.x - x - along * d).norm() <= 1e-8 * surface.diagonal();
   return met ? std::optional(SurfaceHit{place, along}) : std::nullopt;
 }
 
 } // namespace
 
-std::vector<SegmentGuess> segment_guesses(const SurfaceGeometry& surface, const Vec3& from,
-                                          const Vec3& to) {
-  std::vector<SegmentGuess> guesses;
+std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const Vec3& from,
+                                           const Vec3& to) {
+  std::vector<CrossingGuess> guesses;
   const Vec3 d = to - from;
   const Vec3 room = Vec3::Constant(facet_room * d.norm());
-  for (const std::size_t f : surface.in_box(from.cwiseMin(to) - room, from.cwiseMax(to) + room)) {
-    if (misses_box(box_of(surface.face(f)), from, d)) {
+  for (const std::size_t f :
+       surface.faces_in_box(from.cwiseMin(to) - room, from.cwiseMax(to) + room)) {
+    if (misses_box(bounding_box(surface.face(f)), from, d)) {
       continue;
     }
     const FacetNet net(surface, std::array{f});
-    for (const FacetNet::Facet& facet : net.facets()) {
+    for (const FacetNet::SurfaceFacet& facet : net.facets()) {
       if (const auto guess = pass(net, facet, from, d)) {
         guesses.push_back(*guess);
       }
@@ -113,11 +114,11 @@ std::vector<SegmentGuess> segment_guesses(const SurfaceGeometry& surface, const 
   return guesses;
 }
 
-std::vector<SurfaceHit> hits(const SurfaceGeometry& surface, const Vec3& x, const Vec3& d,
-                             double most) {
-  const double same = 1e-9 * surface.extent();
+std::vector<SurfaceHit> find_hits(const SurfaceGeometry& surface, const Vec3& x, const Vec3& d,
+                                  double most) {
+  const double same = 1e-9 * surface.diagonal();
   std::vector<SurfaceHit> all;
-  for (const SegmentGuess& guess : segment_guesses(surface, x, x + most * d)) {
+  for (const CrossingGuess& guess : segment_guesses(surface, x, x + most * d)) {
     const auto hit = refined(surface, guess, x, d, guess.part * most);
     if (hit && hit->along >= -same && hit->along <= most + same) {
       all.push_back(*hit);
@@ -140,14 +141,14 @@ std::vector<SurfaceHit> hits(const SurfaceGeometry& surface, const Vec3& x, cons
   return result;
 }
 
-bool inside(const SurfaceGeometry& surface, const Vec3& x) {
+bool is_inside(const SurfaceGeometry& surface, const Vec3& x) {
   // Three lines in no special direction: one of them may run through an edge.
   static const std::array<Vec3, 3> ways{Vec3(0.5377, 0.7210, 0.4369).normalized(),
                                         Vec3(-0.3188, 0.4129, -0.8531).normalized(),
                                         Vec3(0.1763, -0.8622, 0.4749).normalized()};
   int votes = 0;
   for (const Vec3& d : ways) {
-    votes += hits(surface, x, d, 2.0 * surface.extent()).size() % 2 == 1 ? 1 : 0;
+    votes += find_hits(surface, x, d, 2.0 * surface.diagonal()).size() % 2 == 1 ? 1 : 0;
   }
   return votes >= 2;
 }

@@ -16,20 +16,20 @@ struct SurfaceHit {
 
 /// All of them up to x + most d, nearest first, on the true faces; an edge or a corner that the
 /// line passes through counts once. Empty: it meets nothing.
-std::vector<SurfaceHit> hits(const SurfaceGeometry& surface, const base::Vec3& x,
-                             const base::Vec3& d, double most);
+std::vector<SurfaceHit> find_hits(const SurfaceGeometry& surface, const base::Vec3& x,
+                                  const base::Vec3& d, double most);
 
 /// Whether x lies in the body (on the surface: either), by what lines from it pass.
-bool inside(const SurfaceGeometry& surface, const base::Vec3& x);
+bool is_inside(const SurfaceGeometry& surface, const base::Vec3& x);
 
 /// Where a segment passes the facets of curved faces, or misses them by a little: first guesses of
 /// where a line passes the faces themselves.
-struct SegmentGuess {
+struct CrossingGuess {
   std::size_t face = nowhere;
   base::Vec2 r = base::Vec2::Zero();
   double part = 0.0; ///< of the segment
 };
-std::vector<SegmentGuess> segment_guesses(const SurfaceGeometry& surface, const base::Vec3& from,
-                                          const base::Vec3& to);
+std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const base::Vec3& from,
+                                           const base::Vec3& to);
 
 } // namespace spricka::mesh

@@ -17,15 +17,15 @@ using base::Vec3;
 namespace {
 
 /// Moves r within the face until its point lies on the plane.
-Vec2 onto_plane(const SurfaceFace& face, const CrackPlane& plane, Vec2 r) {
+Vec2 onto_plane(const CurvedFace& face, const CrackReferencePlane& plane, Vec2 r) {
   for (int i = 0; i < 8; ++i) {
-    const SurfacePoint p = point_on(face, r);
-    const Vec2 g = p.slope.transpose() * plane.rise(p.x);
+    const SurfaceQuadraturePoint p = point_on(face, r);
+    const Vec2 g = p.slope.transpose() * plane.height_gradient(p.x);
     const double height = plane.height(p.x);
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
       break;
     }
-    r = into_face(face.shape, r - height / g.squaredNorm() * g);
+    r = clamp_to_face(face.shape, r - height / g.squaredNorm() * g);
   }
   return r;
 }
@@ -40,10 +40,10 @@ public:
     std::array<Side, 2> sides;
   };
 
-  PlaneLine(const SurfaceGeometry& surface, const CrackPlane& plane)
+  PlaneLine(const SurfaceGeometry& surface, const CrackReferencePlane& plane)
       : surface_(surface), plane_(plane),
         net_(surface, faces_near(surface, plane), finer(surface, plane)) {
-    for (const Vec3& x : net_.x()) {
+    for (const Vec3& x : net_.vertices()) {
       height_.push_back(rounded(plane.height(x) / plane.length));
     }
     for (std::size_t f = 0; f < net_.facets().size(); ++f) {
@@ -52,7 +52,7 @@ public:
   }
 
   [[nodiscard]] const std::vector<Passing>& passings() const { return passings_; }
-  [[nodiscard]] const FacetNet::Facet& facet(std::size_t passing) const {
+  [[nodiscard]] const FacetNet::SurfaceFacet& facet(std::size_t passing) const {
     return net_.facets()[passings_[passing].facet];
   }
   [[nodiscard]] Vec3 x(const Side& side) const { return at_.at(side).x; }
@@ -84,14 +84,14 @@ public:
   }
   /// The passing point of a side in the reference coordinates of a facet.
   [[nodiscard]] Vec2 r(std::size_t passing, const Side& side) const {
-    const FacetNet::Facet& facet = this->facet(passing);
+    const FacetNet::SurfaceFacet& facet = this->facet(passing);
     const double part = at_.at(side).part;
     return (1.0 - part) * r_of(facet, side.first) + part * r_of(facet, side.second);
   }
-  [[nodiscard]] LinePoint point(std::size_t passing, const Side& side) const {
-    LinePoint point;
-    point.place = surface_.place(facet(passing).face, r(passing, side));
-    const FacetNet::OnEdge* on = net_.on_edge(side.first, side.second);
+  [[nodiscard]] TracePoint point(std::size_t passing, const Side& side) const {
+    TracePoint point;
+    point.place = surface_.place_on_face(facet(passing).face, r(passing, side));
+    const FacetNet::FacetEdgeSegment* on = net_.edge_segment(side.first, side.second);
     if (on != nullptr && surface_.edges()[on->edge].feature) {
       point.edge = on->edge;
       point.t = on->t[0] + at_.at(side).part * (on->t[1] - on->t[0]);
@@ -100,20 +100,20 @@ public:
   }
 
 private:
-  struct At {
+  struct PlaneCrossing {
     double part = 0.0; ///< from the lower vertex
     Vec3 x;
   };
 
   static std::vector<std::size_t> faces_near(const SurfaceGeometry& surface,
-                                             const CrackPlane& plane) {
+                                             const CrackReferencePlane& plane) {
     std::vector<std::size_t> faces;
     for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-      const auto [low, high] = box_of(surface.face(f));
-      const double middle = plane.over_plane(0.5 * (low + high));
+      const auto [low, high] = bounding_box(surface.face(f));
+      const double middle = plane.plane_distance(0.5 * (low + high));
       const double half = 0.5 * (high - low).dot(plane.normal.cwiseAbs());
       if (std::abs(middle) <= half + 1e-6 * plane.length ||
-          (plane.relief && plane.relief->may_meet(low, high))) {
+          (plane.relief && plane.relief->overlaps_box(low, high))) {
         faces.push_back(f);
       }
     }
@@ -122,13 +122,13 @@ private:
 
   /// Facets smaller than the strips of a crack that has turned: such a line may come back to the
   /// side where it has entered a larger one.
-  static int finer(const SurfaceGeometry& surface, const CrackPlane& plane) {
+  static int finer(const SurfaceGeometry& surface, const CrackReferencePlane& plane) {
     constexpr double of_strip = 0.5;
     constexpr int most = 32;
     double longest = 0.0;
     for (std::size_t f = 0; f < surface.faces().size() && plane.relief; ++f) {
-      const auto [low, high] = box_of(surface.face(f));
-      if (plane.relief->may_meet(low, high)) {
+      const auto [low, high] = bounding_box(surface.face(f));
+      if (plane.relief->overlaps_box(low, high)) {
         const double own = surface.face(f).quadratic() ? FacetNet::divisions : 1;
         longest = std::max(longest, (high - low).norm() / own);
       }
@@ -140,7 +140,7 @@ private:
     return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most)));
   }
 
-  static Vec2 r_of(const FacetNet::Facet& facet, int vertex) {
+  static Vec2 r_of(const FacetNet::SurfaceFacet& facet, int vertex) {
     std::size_t c = 0;
     while (facet.vertex[c] != vertex) {
       ++c;
@@ -153,7 +153,7 @@ private:
   }
 
   void add(std::size_t f) {
-    const FacetNet::Facet& facet = net_.facets()[f];
+    const FacetNet::SurfaceFacet& facet = net_.facets()[f];
     Passing passing{f, {}};
     std::size_t count = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -179,13 +179,13 @@ private:
 
   /// Where between the two vertices the curved face passes the plane, by bisection and secants
   /// (Illinois); at a vertex that lies on the plane, there.
-  [[nodiscard]] double root(const FacetNet::Facet& facet, const Side& side) const {
+  [[nodiscard]] double root(const FacetNet::SurfaceFacet& facet, const Side& side) const {
     for (const auto& [vertex, part] : {std::pair(side.first, 0.0), std::pair(side.second, 1.0)}) {
       if (height_[static_cast<std::size_t>(vertex)] == 0.0) {
         return part;
       }
     }
-    const SurfaceFace& face = surface_.face(facet.face);
+    const CurvedFace& face = surface_.face(facet.face);
     const Vec2 r0 = r_of(facet, side.first);
     const Vec2 r1 = r_of(facet, side.second);
     const auto height = [&](double t) {
@@ -216,21 +216,21 @@ private:
   }
 
   const SurfaceGeometry& surface_;
-  const CrackPlane& plane_;
+  const CrackReferencePlane& plane_;
   FacetNet net_;
   std::vector<double> height_; ///< [vertex] rounded
   std::vector<Passing> passings_;
-  std::map<Side, At> at_;
+  std::map<Side, PlaneCrossing> at_;
   std::map<Side, std::vector<std::size_t>> beside_;
 };
 
 /// The way along a PlaneLine from one place to another.
 class TraceWalk {
 public:
-  TraceWalk(const SurfaceGeometry& surface, const CrackPlane& plane)
+  TraceWalk(const SurfaceGeometry& surface, const CrackReferencePlane& plane)
       : surface_(surface), plane_(plane), line_(surface, plane) {}
 
-  Traced go(const SurfacePlace& from, std::span<const SurfacePlace> to, const Vec3& towards) {
+  TraceResult go(const SurfacePlace& from, std::span<const SurfacePlace> to, const Vec3& towards) {
     const std::size_t first = line_.nearest(from.x);
     std::vector<std::size_t> last;
     bool on_line = first != nowhere && near(first, from.x);
@@ -301,14 +301,15 @@ private:
   }
 
   /// A point of no length from the one before is not taken; its mark of an edge is.
-  void add(std::size_t passing, const Vec2& r0, const LinePoint& point, const Vec2& r1) {
-    LinePoint& before = points_.back();
+  void add(std::size_t passing, const Vec2& r0, const TracePoint& point, const Vec2& r1) {
+    TracePoint& before = points_.back();
     if ((point.place.x - before.place.x).norm() > same * plane_.length) {
       stretches_.push_back({line_.facet(passing).face, r0, r1, 0.0});
       points_.push_back(point);
     } else if (point.edge != nowhere) {
       if (before.edge != nowhere && stretches_.size() > 0 && before.edge != point.edge &&
-          surface_.piece(stretches_.back().face) == surface_.piece(line_.facet(passing).face)) {
+          surface_.smooth_piece(stretches_.back().face) ==
+              surface_.smooth_piece(line_.facet(passing).face)) {
         return;
       }
       before.edge = point.edge;
@@ -317,17 +318,17 @@ private:
   }
 
   const SurfaceGeometry& surface_;
-  const CrackPlane& plane_;
+  const CrackReferencePlane& plane_;
   PlaneLine line_;
-  std::vector<LinePoint> points_;
-  std::vector<SurfaceTrace::Stretch> stretches_;
+  std::vector<TracePoint> points_;
+  std::vector<SurfaceTrace::TraceSegment> stretches_;
   std::size_t visited_ = 0;
 };
 
 } // namespace
 
-SurfaceTrace::SurfaceTrace(const SurfaceGeometry& surface, const CrackPlane& plane,
-                           std::vector<LinePoint> points, std::vector<Stretch> stretches)
+SurfaceTrace::SurfaceTrace(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                           std::vector<TracePoint> points, std::vector<TraceSegment> stretches)
     : surface_(&surface), plane_(plane), points_(std::move(points)),
       stretches_(std::move(stretches)), arc_{0.0} {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
@@ -344,18 +345,19 @@ SurfacePlace SurfaceTrace::at(double s) const {
   const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
       above - arc_.begin() - 1, 0, static_cast<std::ptrdiff_t>(stretches_.size()) - 1));
   const double part = std::clamp((s - arc_[i]) / (arc_[i + 1] - arc_[i]), 0.0, 1.0);
-  const Stretch& stretch = stretches_[i];
+  const TraceSegment& stretch = stretches_[i];
   const Vec2 r = (1.0 - part) * stretch.r0 + part * stretch.r1;
-  return surface_->place(stretch.face, onto_plane(surface_->face(stretch.face), plane_, r));
+  return surface_->place_on_face(stretch.face, onto_plane(surface_->face(stretch.face), plane_, r));
 }
 
-Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
-             const SurfacePlace& to, const Vec3& towards) {
+TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                        const SurfacePlace& from, const SurfacePlace& to, const Vec3& towards) {
   return TraceWalk(surface, plane).go(from, std::span(&to, 1), towards);
 }
 
-Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
-             std::span<const SurfacePlace> to, const Vec3& towards) {
+TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                        const SurfacePlace& from, std::span<const SurfacePlace> to,
+                        const Vec3& towards) {
   return TraceWalk(surface, plane).go(from, to, towards);
 }
 

@@ -14,7 +14,7 @@
 namespace spricka::mesh {
 
 /// Why something could not be made, in words, and where. Empty words: it was made.
-struct SurfaceTrouble {
+struct SurfaceFailure {
   std::string why;
   base::Vec3 at = base::Vec3::Zero();
   explicit operator bool() const { return !why.empty(); }
@@ -24,29 +24,29 @@ struct SurfaceTrouble {
 /// of its front), and a direction in it that goes with the crack. Decisions are taken on
 /// coordinates about that point, divided by that length and rounded, so that units and place of a
 /// model do not change a mesh.
-struct CrackPlane {
+struct CrackReferencePlane {
   base::Vec3 origin = base::Vec3::Zero();
   base::Vec3 normal = base::Vec3::UnitZ();
   double length = 1.0;
   base::Vec3 axis = base::Vec3::UnitX(); ///< unit
   /// Where the crack has turned out of it; empty: nowhere.
-  std::shared_ptr<const CrackRelief> relief = nullptr;
+  std::shared_ptr<const NonPlanarCrackSurface> relief = nullptr;
 
-  [[nodiscard]] double over_plane(const base::Vec3& x) const {
+  [[nodiscard]] double plane_distance(const base::Vec3& x) const {
     return (x - (relief ? relief->fronts().points.front().front() : origin)).dot(normal);
   }
   /// Of a place over the crack.
   [[nodiscard]] double height(const base::Vec3& x) const {
-    return relief ? -relief->above(x) : over_plane(x);
+    return relief ? -relief->height_above(x) : plane_distance(x);
   }
   /// How that height changes in space.
-  [[nodiscard]] base::Vec3 rise(const base::Vec3& x) const {
-    return relief ? base::Vec3(normal - relief->slope(x)) : normal;
+  [[nodiscard]] base::Vec3 height_gradient(const base::Vec3& x) const {
+    return relief ? base::Vec3(normal - relief->height_slope(x)) : normal;
   }
 };
 
 /// A point of a line on the surface.
-struct LinePoint {
+struct TracePoint {
   SurfacePlace place;
   std::size_t edge = nowhere; ///< the feature edge that the line crosses here, if it does
   double t = 0.0;             ///< the place on that edge [-1,1]
@@ -56,55 +56,57 @@ struct LinePoint {
 class SurfaceTrace {
 public:
   /// A straight stretch in reference coordinates of one face.
-  struct Stretch {
+  struct TraceSegment {
     std::size_t face = nowhere;
     base::Vec2 r0, r1;
     double s = 0.0; ///< length of the trace at r0
   };
-  SurfaceTrace(const SurfaceGeometry& surface, const CrackPlane& plane,
-               std::vector<LinePoint> points, std::vector<Stretch> stretches);
+  SurfaceTrace(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+               std::vector<TracePoint> points, std::vector<TraceSegment> stretches);
 
   [[nodiscard]] double length() const { return arc_.back(); }
   /// Points in their order, first and last included, several on each curved face, one at each edge
   /// that is crossed; all of them on the plane and the true faces.
-  [[nodiscard]] const std::vector<LinePoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<TracePoint>& points() const { return points_; }
   /// [point] length up to it, along chords.
-  [[nodiscard]] const std::vector<double>& arc() const { return arc_; }
+  [[nodiscard]] const std::vector<double>& arc_lengths() const { return arc_; }
   /// The place at a length s, on the plane and the true face.
   [[nodiscard]] SurfacePlace at(double s) const;
   /// Lengths at which a crack that has turned does so by more than an angle [rad], ascending.
-  [[nodiscard]] std::vector<double> bends(double angle) const;
+  [[nodiscard]] std::vector<double> kink_positions(double angle) const;
 
 private:
   const SurfaceGeometry* surface_;
-  CrackPlane plane_;
-  std::vector<LinePoint> points_;
-  std::vector<Stretch> stretches_; ///< one less than points
+  CrackReferencePlane plane_;
+  std::vector<TracePoint> points_;
+  std::vector<TraceSegment> stretches_; ///< one less than points
   std::vector<double> arc_;
 };
 
-struct Traced {
+struct TraceResult {
   std::vector<SurfaceTrace> trace; ///< one, or none with trouble
   std::size_t reached = 0;         ///< which of several places it ends at
-  SurfaceTrouble trouble;
+  SurfaceFailure trouble;
 };
 
 /// The line of the plane on the surface from one place to another, both on the plane; it leaves
 /// `from` to the side of `towards`. The surface must outlive the trace.
-Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
-             const SurfacePlace& to, const base::Vec3& towards);
+TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                        const SurfacePlace& from, const SurfacePlace& to,
+                        const base::Vec3& towards);
 
 /// The same to whichever of some places the line comes to first.
-Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
-             std::span<const SurfacePlace> to, const base::Vec3& towards);
+TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                        const SurfacePlace& from, std::span<const SurfacePlace> to,
+                        const base::Vec3& towards);
 
 /// A size of elements wanted at a point of space [length].
 using SizeAt = std::function<double(const base::Vec3&)>;
 
 /// A line on the surface divided into edges: corners, and a middle between each two, all on the
 /// plane and the true faces.
-struct SurfaceLine {
-  std::vector<LinePoint> corners;
+struct DividedTrace {
+  std::vector<TracePoint> corners;
   std::vector<SurfacePlace> mids; ///< one less
 };
 
@@ -113,6 +115,6 @@ inline constexpr double bent = 0.03;
 
 /// Divides a trace into edges of the wanted sizes. Where it crosses feature edges or is bent there
 /// are corners.
-SurfaceLine divide(const SurfaceTrace& trace, const SizeAt& size);
+DividedTrace divide(const SurfaceTrace& trace, const SizeAt& size);
 
 } // namespace spricka::mesh

@@ -11,14 +11,14 @@ constexpr double least_of_size = 0.3;
 
 } // namespace
 
-std::vector<double> SurfaceTrace::bends(double angle) const {
+std::vector<double> SurfaceTrace::kink_positions(double angle) const {
   constexpr int looks = 8; // between two points
   std::vector<double> all;
   if (!plane_.relief) {
     return all;
   }
-  const CrackRelief& crack = *plane_.relief;
-  const auto strip = [&](double s) { return crack.strip(at(s).x); };
+  const NonPlanarCrackSurface& crack = *plane_.relief;
+  const auto strip = [&](double s) { return crack.strip_number(at(s).x); };
   double before = 0.0;
   std::size_t last = strip(before);
   for (std::size_t i = 1; i < arc_.size(); ++i) {
@@ -31,7 +31,8 @@ std::vector<double> SurfaceTrace::bends(double angle) const {
         const double middle = 0.5 * (low + high);
         (strip(middle) == last ? low : high) = middle;
       }
-      if (now != last && crack.from_bend(at(high).x, angle) < crack.narrowest_strip() / looks) {
+      if (now != last &&
+          crack.distance_to_kink(at(high).x, angle) < crack.narrowest_strip() / looks) {
         all.push_back(high);
       }
       before = here;
@@ -41,27 +42,27 @@ std::vector<double> SurfaceTrace::bends(double angle) const {
   return all;
 }
 
-SurfaceLine divide(const SurfaceTrace& trace, const SizeAt& size) {
+DividedTrace divide(const SurfaceTrace& trace, const SizeAt& size) {
   const auto size_of = [&](double at) { return size(trace.at(at).x); };
-  SurfaceLine line;
+  DividedTrace line;
   double begin = 0.0;
   line.corners.push_back(trace.points().front());
-  const auto go_to = [&](double end, const LinePoint& there) {
+  const auto go_to = [&](double end, const TracePoint& there) {
     const std::vector<double> s = divide_length(begin, end, size_of);
     for (std::size_t i = 0; i + 1 < s.size(); ++i) {
       line.mids.push_back(trace.at(0.5 * (s[i] + s[i + 1])));
-      line.corners.push_back(i + 2 < s.size() ? LinePoint{trace.at(s[i + 1]), nowhere, 0.0}
+      line.corners.push_back(i + 2 < s.size() ? TracePoint{trace.at(s[i + 1]), nowhere, 0.0}
                                               : there);
     }
     begin = end;
   };
-  const std::vector<double> bends = trace.bends(bent);
+  const std::vector<double> bends = trace.kink_positions(bent);
   std::size_t bend = 0;
   for (std::size_t i = 1; i < trace.points().size(); ++i) {
     if (trace.points()[i].edge == nowhere && i + 1 < trace.points().size()) {
       continue;
     }
-    const double end = trace.arc()[i];
+    const double end = trace.arc_lengths()[i];
     for (; bend < bends.size() && bends[bend] < end; ++bend) {
       const double near = least_of_size * size_of(bends[bend]);
       if (bends[bend] > begin + near && bends[bend] < end - near) {

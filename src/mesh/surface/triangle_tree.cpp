@@ -8,7 +8,7 @@ namespace spricka::mesh {
 using base::Vec3;
 
 // By the regions of the triangle's plane (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-Vec3 nearest_of(const CornerPlaces& triangle, const Vec3& p) {
+Vec3 nearest_in_triangle(const CornerPlaces& triangle, const Vec3& p) {
   const auto& [a, b, c] = triangle;
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -44,7 +44,7 @@ Vec3 nearest_of(const CornerPlaces& triangle, const Vec3& p) {
 }
 
 TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std::move(triangles)) {
-  std::vector<Given> all;
+  std::vector<InputTriangle> all;
   all.reserve(triangles_.size());
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     all.push_back({triangles_[i], i});
@@ -58,9 +58,10 @@ TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std
   }
 }
 
-std::size_t TriangleTree::make(std::vector<Given>& all, std::size_t begin, std::size_t end) {
+std::size_t TriangleTree::make(std::vector<InputTriangle>& all, std::size_t begin,
+                               std::size_t end) {
   constexpr std::size_t few = 8;
-  Box box{all[begin].x[0], all[begin].x[0], begin, end, 0, 0};
+  TriangleBox box{all[begin].x[0], all[begin].x[0], begin, end, 0, 0};
   for (std::size_t i = begin; i < end; ++i) {
     for (const Vec3& p : all[i].x) {
       box.low = box.low.cwiseMin(p);
@@ -74,9 +75,12 @@ std::size_t TriangleTree::make(std::vector<Given>& all, std::size_t begin, std::
     (box.high - box.low).maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
-    const auto sum = [&](const Given& t) { return t.x[0][axis] + t.x[1][axis] + t.x[2][axis]; };
-    std::nth_element(at(begin), at(middle), at(end),
-                     [&](const Given& s, const Given& t) { return sum(s) < sum(t); });
+    const auto sum = [&](const InputTriangle& t) {
+      return t.x[0][axis] + t.x[1][axis] + t.x[2][axis];
+    };
+    std::nth_element(
+        at(begin), at(middle), at(end),
+        [&](const InputTriangle& s, const InputTriangle& t) { return sum(s) < sum(t); });
     const std::size_t left = make(all, begin, middle);
     const std::size_t right = make(all, middle, end);
     boxes_[own].left = left;
@@ -85,18 +89,18 @@ std::size_t TriangleTree::make(std::vector<Given>& all, std::size_t begin, std::
   return own;
 }
 
-double TriangleTree::away(const Box& box, const Vec3& p) {
+double TriangleTree::away(const TriangleBox& box, const Vec3& p) {
   return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
-  Nearest best;
+TriangleTree::NearestTriangle TriangleTree::nearest(const Vec3& p) const {
+  NearestTriangle best;
   std::vector<std::size_t> open;
   if (!boxes_.empty()) {
     open.push_back(0);
   }
   while (!open.empty()) {
-    const Box& box = boxes_[open.back()];
+    const TriangleBox& box = boxes_[open.back()];
     open.pop_back();
     if (away(box, p) >= best.distance) {
       continue;
@@ -108,7 +112,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
       continue;
     }
     for (std::size_t i = box.begin; i < box.end; ++i) {
-      const Vec3 at = nearest_of(triangles_[i], p);
+      const Vec3 at = nearest_in_triangle(triangles_[i], p);
       if (const double d = (at - p).norm(); d < best.distance) {
         best = {d, at, i, given_[i]};
       }

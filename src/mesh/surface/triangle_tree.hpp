@@ -12,38 +12,38 @@ namespace spricka::mesh {
 using CornerPlaces = std::array<base::Vec3, 3>;
 
 /// The point of a triangle that is nearest to p.
-base::Vec3 nearest_of(const CornerPlaces& triangle, const base::Vec3& p);
+base::Vec3 nearest_in_triangle(const CornerPlaces& triangle, const base::Vec3& p);
 
 /// Triangles in a tree of boxes.
 class TriangleTree {
 public:
   explicit TriangleTree(std::vector<CornerPlaces> triangles);
 
-  struct Nearest {
+  struct NearestTriangle {
     double distance = std::numeric_limits<double>::max();
     base::Vec3 at = base::Vec3::Zero();
     std::size_t triangle = 0; ///< of triangles()
     std::size_t given = 0;    ///< of those the tree was made of
   };
-  [[nodiscard]] Nearest nearest(const base::Vec3& p) const;
+  [[nodiscard]] NearestTriangle nearest(const base::Vec3& p) const;
   [[nodiscard]] const std::vector<CornerPlaces>& triangles() const { return triangles_; }
 
 private:
-  struct Box {
+  struct TriangleBox {
     base::Vec3 low, high;
     std::size_t begin = 0, end = 0;  ///< of triangles
     std::size_t left = 0, right = 0; ///< boxes; 0: none
   };
-  struct Given {
+  struct InputTriangle {
     CornerPlaces x;
     std::size_t number = 0;
   };
-  std::size_t make(std::vector<Given>& all, std::size_t begin, std::size_t end);
-  [[nodiscard]] static double away(const Box& box, const base::Vec3& p);
+  std::size_t make(std::vector<InputTriangle>& all, std::size_t begin, std::size_t end);
+  [[nodiscard]] static double away(const TriangleBox& box, const base::Vec3& p);
 
   std::vector<CornerPlaces> triangles_;
   std::vector<std::size_t> given_; ///< [triangle]
-  std::vector<Box> boxes_;
+  std::vector<TriangleBox> boxes_;
 };
 
 } // namespace spricka::mesh

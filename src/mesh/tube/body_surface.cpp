@@ -12,7 +12,7 @@ namespace spricka::mesh {
 using base::ElementId;
 
 BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& elements,
-                         const SetUse& use)
+                         const SetUsage& use)
     : elements_(elements), number_(mesh.element_count(), -1) {
   body_.dim = 3;
   body_.x = mesh.x;
@@ -36,7 +36,7 @@ BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& 
   static_cast<void>(geometry());
 }
 
-void BodySurface::add_face_sets(const model::Mesh& mesh, const SetUse& use) {
+void BodySurface::add_face_sets(const model::Mesh& mesh, const SetUsage& use) {
   for (std::size_t s = 0; s < mesh.face_sets.size(); ++s) {
     const model::FaceSet& set = mesh.face_sets[s];
     model::FaceSet own{set.name, {}, set.span};
@@ -48,12 +48,12 @@ void BodySurface::add_face_sets(const model::Mesh& mesh, const SetUse& use) {
     }
     std::ranges::sort(own.faces);
     body_.face_sets.push_back(std::move(own));
-    used_.push_back(SetUse::uses(use.faces, s));
+    used_.push_back(SetUsage::is_used(use.faces, s));
   }
 }
 
 /// A face set has a node set of the same faces: only what is new makes borders.
-void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUse& use) {
+void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUsage& use) {
   std::map<std::vector<model::Face>, std::size_t> known;
   for (std::size_t s = 0; s < body_.face_sets.size(); ++s) {
     const std::size_t first = known.try_emplace(body_.face_sets[s].faces, s).first->second;
@@ -70,7 +70,7 @@ void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUse& use) {
     std::ranges::copy_if(boundary, std::back_inserter(own.faces),
                          [&](const model::Face& face) { return lies_within(body_, face, member); });
     std::ranges::sort(own.faces);
-    const bool used = SetUse::uses(use.nodes, s);
+    const bool used = SetUsage::is_used(use.nodes, s);
     const auto [at, fresh] = known.try_emplace(own.faces, body_.face_sets.size());
     if (fresh) {
       body_.face_sets.push_back(std::move(own));
@@ -81,21 +81,22 @@ void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUse& use) {
   }
 }
 
-const SurfaceGeometry& BodySurface::geometry(Borders borders) const {
+const SurfaceGeometry& BodySurface::geometry(KeptBorders borders) const {
   std::optional<SurfaceGeometry>& made = geometry_[static_cast<std::size_t>(borders)];
   if (!made) {
     std::vector<base::FaceSetId> kept = kept_;
-    if (borders == Borders::used) {
+    if (borders == KeptBorders::used) {
       std::erase_if(kept, [&](base::FaceSetId set) { return !used_[set.index()]; });
     }
-    made.emplace(body_, kept, borders != Borders::none, lines_);
+    made.emplace(body_, kept, borders != KeptBorders::none, lines_);
   }
   return *made;
 }
 
-std::size_t BodySurface::index(const model::Face& face) const {
+std::size_t BodySurface::face_index(const model::Face& face) const {
   const std::int32_t e = number_[face.element.index()];
-  return e < 0 ? nowhere : geometry().index({ElementId(static_cast<std::size_t>(e)), face.side});
+  return e < 0 ? nowhere
+               : geometry().face_index({ElementId(static_cast<std::size_t>(e)), face.side});
 }
 
 model::Face BodySurface::face(std::size_t index) const {

@@ -11,7 +11,7 @@
 namespace spricka::mesh {
 
 /// Borders of which sets are edges of a surface.
-enum class Borders {
+enum class KeptBorders {
   all,
   used, ///< sets that something asks for
   none, ///< sharp edges only
@@ -23,24 +23,24 @@ enum class Borders {
 class BodySurface {
 public:
   BodySurface(const model::Mesh& mesh, const std::vector<base::ElementId>& elements,
-              const SetUse& use);
+              const SetUsage& use);
 
   /// With fewer borders where a crack leaves no room for all. Made when first asked for, by one
   /// thread at a time. Faces have the same numbers in all of them, sets in `all` and `none`.
-  [[nodiscard]] const SurfaceGeometry& geometry(Borders borders = Borders::all) const;
+  [[nodiscard]] const SurfaceGeometry& geometry(KeptBorders borders = KeptBorders::all) const;
   /// Names of the sets of the geometries; empty for those of single cards.
-  [[nodiscard]] const std::string& set_name(std::size_t set) const {
+  [[nodiscard]] const std::string& face_set_name(std::size_t set) const {
     return body_.face_sets[set].name;
   }
-  [[nodiscard]] bool set_used(std::size_t set) const { return used_[set]; }
+  [[nodiscard]] bool is_face_set_used(std::size_t set) const { return used_[set]; }
   /// The number of a face of the mesh in the geometry; `nowhere` if it is none of its surface.
-  [[nodiscard]] std::size_t index(const model::Face& face) const;
+  [[nodiscard]] std::size_t face_index(const model::Face& face) const;
   /// The face of the mesh with a number of the geometry.
   [[nodiscard]] model::Face face(std::size_t index) const;
 
 private:
-  void add_face_sets(const model::Mesh& mesh, const SetUse& use);
-  void add_node_sets(const model::Mesh& mesh, const SetUse& use);
+  void add_face_sets(const model::Mesh& mesh, const SetUsage& use);
+  void add_node_sets(const model::Mesh& mesh, const SetUsage& use);
   std::vector<base::ElementId> elements_; ///< [number in the geometry]
   std::vector<std::int32_t> number_;      ///< [element] or -1
   model::Mesh body_;                      ///< with face sets for all sets

@@ -20,11 +20,12 @@ constexpr double at_mouth = 0.05;
 
 class BendLines {
 public:
-  BendLines(const CrackReach& reach, double finer, const std::vector<int>& rim, const SolidNet& net)
+  BendLines(const CrackDistanceField& reach, double finer, const std::vector<int>& rim,
+            const SolidPatchNet& net)
       : reach_(reach), finer_(finer), rim_(rim), net_(net) {}
 
-  std::vector<BendLine> make() {
-    for (const std::vector<Vec3>& line : reach_.plane().relief->bends(bent)) {
+  std::vector<KinkLine> make() {
+    for (const std::vector<Vec3>& line : reach_.plane().relief->kink_lines(bent)) {
       divide(line);
     }
     return std::move(lines_);
@@ -32,14 +33,14 @@ public:
 
 private:
   [[nodiscard]] double size_of(const Vec3& x) const {
-    return size_at(reach_.distance(x), CrackReach::usual_growth / finer_) / finer_;
+    return graded_size(reach_.distance(x), CrackDistanceField::usual_growth / finer_) / finer_;
   }
   /// Within the loops, and not beside one.
   [[nodiscard]] bool free(const Vec3& x) const {
-    const base::Vec2 q = reach_.plane().flat(x);
+    const base::Vec2 q = reach_.plane().project(x);
     const double away = least_of_size * size_of(x);
-    const CrackReach::Distance d = reach_.distance(x);
-    return reach_.area().within(q) && reach_.area().from_outline(q) > away &&
+    const CrackDistanceField::CrackDistances d = reach_.distance(x);
+    return reach_.polygons().contains(q) && reach_.polygons().outline_distance(q) > away &&
            d.front > d.radius + away;
   }
 
@@ -64,10 +65,10 @@ private:
     const int from = closed ? -1 : mouth_node(line, begin, -1);
     const int to = closed ? -1 : mouth_node(line, end - 1, 1);
     if (from >= 0) {
-      points.insert(points.begin(), net_.local(from));
+      points.insert(points.begin(), net_.local_position(from));
     }
     if (to >= 0) {
-      points.push_back(net_.local(to));
+      points.push_back(net_.local_position(to));
     }
     std::vector<double> arc{0.0};
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -83,7 +84,7 @@ private:
       const double part = std::clamp((s - arc[i]) / (arc[i + 1] - arc[i]), 0.0, 1.0);
       return Vec3(points[i] + part * (points[i + 1] - points[i]));
     };
-    BendLine made;
+    KinkLine made;
     for (const double s :
          divide_length(0.0, arc.back(), [&](double s) { return size_of(at(s)); })) {
       made.points.push_back({-1, at(s), size_of(at(s))});
@@ -109,7 +110,7 @@ private:
       const Vec3& a = line[static_cast<std::size_t>(k)];
       const Vec3 d = line[static_cast<std::size_t>(next)] - a;
       for (const int n : rim_) {
-        const Vec3 x = net_.local(n);
+        const Vec3 x = net_.local_position(n);
         const double part = std::clamp(d.dot(x - a) / d.squaredNorm(), 0.0, 1.0);
         if ((a + part * d - x).norm() < at_mouth * size) {
           return n;
@@ -119,17 +120,17 @@ private:
     }
   }
 
-  const CrackReach& reach_;
+  const CrackDistanceField& reach_;
   double finer_;
   const std::vector<int>& rim_;
-  const SolidNet& net_;
-  std::vector<BendLine> lines_;
+  const SolidPatchNet& net_;
+  std::vector<KinkLine> lines_;
 };
 
 } // namespace
 
-std::vector<BendLine> bend_lines(const CrackReach& reach, double finer, const std::vector<int>& rim,
-                                 const SolidNet& net) {
+std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
+                                       const std::vector<int>& rim, const SolidPatchNet& net) {
   if (!reach.plane().relief) {
     return {};
   }

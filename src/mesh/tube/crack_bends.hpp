@@ -8,19 +8,19 @@
 /// Where a crack that has turned is bent: lines that its faces have edges along.
 namespace spricka::mesh {
 
-struct BendPoint {
+struct KinkLinePoint {
   int node = -1; ///< of the net, where the line begins or ends at a mouth; else a new one:
   base::Vec3 x = base::Vec3::Zero(); ///< there
   double size = 0.0;                 ///< of elements
 };
-struct BendLine {
-  std::vector<BendPoint> points;
+struct KinkLine {
+  std::vector<KinkLinePoint> points;
   bool closed = false; ///< the first point not repeated
 };
 
 /// Lines within the loops of a crack, whose nodes are `rim`, away from its tubes; in the frame of
 /// the patch.
-std::vector<BendLine> bend_lines(const CrackReach& reach, double finer, const std::vector<int>& rim,
-                                 const SolidNet& net);
+std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
+                                       const std::vector<int>& rim, const SolidPatchNet& net);
 
 } // namespace spricka::mesh

@@ -23,15 +23,16 @@ struct Chord {
   SurfacePlace place; ///< in its middle
 };
 
-class Extent {
+class CrackInBodyMeasurement {
 public:
-  Extent(const SolidHost& host, const SolidCrack& crack, const SolidRequest& placed)
-      : crack_(crack), placed_(placed), body_(host.surface(placed.seed)),
+  CrackInBodyMeasurement(const SolidHost& host, const SolidCrack& crack,
+                         const LocatedSolidCrack& placed)
+      : crack_(crack), placed_(placed), body_(host.body_surface(placed.seed)),
         surface_(body_.geometry()), area_(crack, placed.outlines) {}
 
-  CrackExtent measure() {
+  CrackInBody measure() {
     find_chords();
-    extent_.kind = kind_of(placed_);
+    extent_.kind = classify_crack(placed_);
     extent_.seed = placed_.seed;
     extent_.area = area_.area();
     if (crack_.closed) {
@@ -47,7 +48,7 @@ private:
   void find_chords() {
     const auto add = [&](const Vec3& from, const Vec3& to) {
       if ((to - from).norm() > 0.0) {
-        chords_.push_back({from, to, surface_.nearest(0.5 * (from + to))});
+        chords_.push_back({from, to, surface_.nearest_place(0.5 * (from + to))});
       }
     };
     for (const SolidFront& front : placed_.fronts) {
@@ -55,7 +56,7 @@ private:
         add(front.mouth[i - 1], front.mouth[i]);
       }
     }
-    for (const SolidHole& hole : placed_.holes) {
+    for (const CrackHole& hole : placed_.holes) {
       for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
         add(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
       }
@@ -66,17 +67,17 @@ private:
   [[nodiscard]] std::string name_of_face(std::size_t face) {
     if (members_.empty()) {
       for (std::size_t f = 0; f < surface_.faces().size(); ++f) {
-        for (const std::size_t set : surface_.sets(f)) {
+        for (const std::size_t set : surface_.face_sets(f)) {
           ++members_[set];
         }
       }
     }
     std::string name;
     std::size_t least = nowhere;
-    for (const std::size_t set : surface_.sets(face)) {
-      if (members_[set] < least && !body_.set_name(set).empty()) {
+    for (const std::size_t set : surface_.face_sets(face)) {
+      if (members_[set] < least && !body_.face_set_name(set).empty()) {
         least = members_[set];
-        name = body_.set_name(set);
+        name = body_.face_set_name(set);
       }
     }
     return name;
@@ -88,7 +89,7 @@ private:
     std::vector<double> nearest;    // [open face] of its stretches to the centre
     for (const Chord& chord : chords_) {
       const std::string name = name_of_face(chord.place.face);
-      const std::size_t own = surface_.piece(chord.place.face);
+      const std::size_t own = surface_.smooth_piece(chord.place.face);
       std::size_t k = 0;
       while (k < piece.size() &&
              (extent_.open[k].name != name || (name.empty() && piece[k] != own))) {
@@ -97,12 +98,12 @@ private:
       if (k == piece.size()) {
         piece.push_back(own);
         nearest.push_back(std::numeric_limits<double>::max());
-        OpenFace& fresh = extent_.open.emplace_back();
+        CrackMouthFace& fresh = extent_.open.emplace_back();
         fresh.name = name;
         fresh.at = chord.place.x;
         fresh.normal = chord.place.normal;
       }
-      OpenFace& open = extent_.open[k];
+      CrackMouthFace& open = extent_.open[k];
       open.length += (chord.to - chord.from).norm();
       const model::Face side = body_.face(chord.place.face);
       if (std::ranges::find(open.faces, side) == open.faces.end()) {
@@ -116,7 +117,7 @@ private:
 
   /// Of the line through the stretch that is nearest to the centre; positive: the centre lies on
   /// the body's side of it.
-  void measure_offset(const Chord& chord, OpenFace& open, double& nearest) const {
+  void measure_offset(const Chord& chord, CrackMouthFace& open, double& nearest) const {
     const double away = nearest_on({chord.from, chord.to}, *crack_.middle).distance;
     if (away >= nearest) {
       return;
@@ -132,16 +133,16 @@ private:
 
   /// Of the drawn ellipse from its middle; 0 along nothing.
   [[nodiscard]] double radius_along(const Vec3& way) const {
-    const Vec2 q = area_.plane().flat(area_.plane().origin + way);
+    const Vec2 q = area_.plane().project(area_.plane().origin + way);
     if (!(q.norm() > 0.0)) {
       return 0.0;
     }
     const Vec2 unit = q.normalized();
-    const Vec2 middle = area_.plane().flat(*crack_.middle);
+    const Vec2 middle = area_.plane().project(*crack_.middle);
     double radius = 0.0;
     double best = -1.0;
     for (const Vec3& x : crack_.front) {
-      const Vec2 r = area_.plane().flat(x) - middle;
+      const Vec2 r = area_.plane().project(x) - middle;
       if (const double cosine = r.dot(unit) / r.norm(); cosine > best) {
         best = cosine;
         radius = r.norm();
@@ -152,13 +153,13 @@ private:
 
   void find_depth() {
     constexpr int samples = 64;
-    const bool inside = extent_.kind == CrackKind::embedded;
+    const bool inside = extent_.kind == CrackConfiguration::embedded;
     extent_.depth = inside ? std::numeric_limits<double>::max() : 0.0;
     for (const SolidFront& front : placed_.fronts) {
       for (int i = 0; i <= samples; ++i) {
         const Vec3 x = front.curve->at(static_cast<double>(i) / samples * front.curve->length()).x;
         if (inside) {
-          const SurfacePlace near = surface_.nearest(x);
+          const SurfacePlace near = surface_.nearest_place(x);
           if (const double away = (near.x - x).norm(); away < extent_.depth) {
             extent_.depth = away;
             extent_.nearest = name_of_face(near.face);
@@ -181,8 +182,8 @@ private:
     }
     const SolidFront& front = placed_.fronts.front();
     const FrontCurve& curve = *front.curve;
-    const Traced round =
-        trace(surface_, plane_of(crack_), front.end[1], front.end[0], curve.at(curve.length()).m);
+    const TraceResult round = trace_plane(surface_, reference_plane(crack_), front.end[1],
+                                          front.end[0], curve.at(curve.length()).m);
     if (round.trouble) {
       return;
     }
@@ -193,54 +194,54 @@ private:
       ligament.push_back(curve.at(static_cast<double>(i) / samples * curve.length()).x);
     }
     for (std::size_t i = 0; i + 1 < way.points().size(); ++i) {
-      const LinePoint& point = way.points()[i];
+      const TracePoint& point = way.points()[i];
       ligament.push_back(point.place.x);
-      if (extent_.kind != CrackKind::surface || point.edge == nowhere ||
+      if (extent_.kind != CrackConfiguration::surface || point.edge == nowhere ||
           surface_.edges()[point.edge].border) {
         continue;
       }
       if (std::isinf(extent_.to_edge[1])) {
-        extent_.to_edge[1] = way.arc()[i];
+        extent_.to_edge[1] = way.arc_lengths()[i];
         extent_.edge[1] = point.place.x;
       }
-      extent_.to_edge[0] = way.length() - way.arc()[i];
+      extent_.to_edge[0] = way.length() - way.arc_lengths()[i];
       extent_.edge[0] = point.place.x;
     }
     extent_.of_section = extent_.area / (extent_.area + PlanePolygons(crack_, {ligament}).area());
   }
 
   const SolidCrack& crack_;
-  const SolidRequest& placed_;
+  const LocatedSolidCrack& placed_;
   const BodySurface& body_;
   const SurfaceGeometry& surface_;
   PlanePolygons area_;
   std::vector<Chord> chords_;
   std::map<std::size_t, std::size_t> members_; ///< of sets of the surface: their faces
-  CrackExtent extent_;
+  CrackInBody extent_;
 };
 
 } // namespace
 
-CrackKind kind_of(const SolidRequest& placed) {
+CrackConfiguration classify_crack(const LocatedSolidCrack& placed) {
   std::size_t mouths = placed.holes.size();
   std::size_t passed = 0;
   for (const SolidFront& front : placed.fronts) {
     mouths += front.curve->closed() ? 0 : 1;
     passed += front.edges;
   }
-  return mouths == 0                ? CrackKind::embedded
-         : mouths > 1 || passed > 1 ? CrackKind::through
-         : passed == 1              ? CrackKind::corner
-                                    : CrackKind::surface;
+  return mouths == 0                ? CrackConfiguration::embedded
+         : mouths > 1 || passed > 1 ? CrackConfiguration::through
+         : passed == 1              ? CrackConfiguration::corner
+                                    : CrackConfiguration::surface;
 }
 
-std::optional<CrackExtent> extent_of(const SolidHost& host, const SolidCrack& crack) {
-  SolidRequest request{&crack, nullptr, {}, {}};
+std::optional<CrackInBody> measure_crack(const SolidHost& host, const SolidCrack& crack) {
+  LocatedSolidCrack request{&crack, nullptr, {}, {}};
   base::Diagnostics told_by_the_cut;
-  if (!place_in_host(host, request, told_by_the_cut)) {
+  if (!locate_crack(host, request, told_by_the_cut)) {
     return std::nullopt;
   }
-  return Extent(host, crack, request).measure();
+  return CrackInBodyMeasurement(host, crack, request).measure();
 }
 
 } // namespace spricka::mesh

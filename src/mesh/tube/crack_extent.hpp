@@ -12,10 +12,10 @@
 
 namespace spricka::mesh {
 
-struct SolidRequest;
+struct LocatedSolidCrack;
 
 /// A face of the body at which a crack opens. Lengths are those of the deck.
-struct OpenFace {
+struct CrackMouthFace {
   std::string name;                       ///< of the smallest set that has it; empty: none has it
   base::Vec3 at = base::Vec3::Zero();     ///< a place of the mouth on it
   base::Vec3 normal = base::Vec3::Zero(); ///< unit, out of the body there
@@ -27,8 +27,8 @@ struct OpenFace {
 };
 
 /// What the body has of a crack before it is cut.
-struct CrackExtent {
-  CrackKind kind = CrackKind::embedded;
+struct CrackInBody {
+  CrackConfiguration kind = CrackConfiguration::embedded;
   base::ElementId seed{}; ///< one of the body's elements that its front passes
   double area = 0.0;      ///< of one of its faces
   double drawn = 1.0;     ///< area as a part of that of the drawn ellipse, or closed front; else 1
@@ -36,7 +36,7 @@ struct CrackExtent {
   /// least distance from the surface.
   double depth = 0.0;
   std::string nearest; ///< of an embedded one: the name of the face there
-  std::vector<OpenFace> open;
+  std::vector<CrackMouthFace> open;
   /// Area of the crack as a part of the section of the body that its front divides; not a number
   /// where no one front does.
   double of_section = std::numeric_limits<double>::quiet_NaN();
@@ -47,10 +47,10 @@ struct CrackExtent {
 };
 
 /// By the edges of the body that its mouths pass: of a crack that is placed.
-CrackKind kind_of(const SolidRequest& placed);
+CrackConfiguration classify_crack(const LocatedSolidCrack& placed);
 
 /// Finds it; empty where the crack cannot be placed (which a cut reports). The crack has not turned
 /// out of its plane.
-std::optional<CrackExtent> extent_of(const SolidHost& host, const SolidCrack& crack);
+std::optional<CrackInBody> measure_crack(const SolidHost& host, const SolidCrack& crack);
 
 } // namespace spricka::mesh

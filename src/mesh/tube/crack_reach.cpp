@@ -10,7 +10,7 @@ namespace spricka::mesh {
 using base::Vec2;
 using base::Vec3;
 
-void CrackReach::add(const Tube& tube) {
+void CrackDistanceField::add_tube(const Tube& tube) {
   const std::size_t n = tube.stations.size();
   free_ = free_ || tube.free;
   for (std::size_t i = 0; i < (tube.closed ? n : n - 1); ++i) {
@@ -24,11 +24,11 @@ void CrackReach::add(const Tube& tube) {
   double most = 0.0;
   for (const std::vector<Vec2>& outline : area_.outlines()) {
     for (const Vec2& q : outline) {
-      low = low.cwiseMin(plane().place(q));
-      high = high.cwiseMax(plane().place(q));
+      low = low.cwiseMin(plane().lift_to_crack(q));
+      high = high.cwiseMax(plane().lift_to_crack(q));
     }
   }
-  for (const Piece& piece : pieces_) {
+  for (const FrontSegment& piece : pieces_) {
     low = low.cwiseMin(piece.from);
     high = high.cwiseMax(piece.from);
     most = std::max(most, piece.radius);
@@ -37,10 +37,10 @@ void CrackReach::add(const Tube& tube) {
   radius_ = 0.5 * (high - low).norm() + most;
 }
 
-CrackReach::Distance CrackReach::distance(const Vec3& p) const {
-  Distance result;
+CrackDistanceField::CrackDistances CrackDistanceField::distance(const Vec3& p) const {
+  CrackDistances result;
   double least = std::numeric_limits<double>::max();
-  for (const Piece& piece : pieces_) {
+  for (const FrontSegment& piece : pieces_) {
     const Vec3 along = piece.to - piece.from;
     const double part = std::clamp((p - piece.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
     const double d = (piece.from + part * along - p).squaredNorm();

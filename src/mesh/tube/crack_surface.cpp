@@ -24,52 +24,54 @@ double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop)
 
 } // namespace
 
-CrackSurface mesh_crack(const CrackReach& reach, const std::vector<std::vector<int>>& loops,
-                        double finer, SolidNet& net) {
-  CrackSurface surface;
-  Region region;
+CrackTriangulation mesh_crack(const CrackDistanceField& reach,
+                              const std::vector<std::vector<int>>& loops, double finer,
+                              SolidPatchNet& net) {
+  CrackTriangulation surface;
+  PlaneRegion region;
   // Layers of elements round a free front are to be alike.
   constexpr double growth_at_free = 0.15;
-  const double growth = (reach.free() ? growth_at_free : CrackReach::usual_growth) / finer;
+  const double growth =
+      (reach.has_tubeless_front() ? growth_at_free : CrackDistanceField::usual_growth) / finer;
   Grading size(growth);
   for (const std::vector<int>& nodes : loops) {
     std::vector<int> loop;
     for (const int n : nodes) {
-      const Vec2 q = reach.plane().flat(net.local(n));
+      const Vec2 q = reach.plane().project(net.local_position(n));
       loop.push_back(static_cast<int>(region.points.size()));
       region.points.emplace_back(rounded(q.x()), rounded(q.y()));
       surface.nodes.push_back(n);
-      const CrackReach::Distance d = reach.distance(net.local(n));
-      const double wanted = size_at(d, CrackReach::usual_growth / finer) / finer;
-      size.add(region.points.back(), rounded(wanted));
+      const CrackDistanceField::CrackDistances d = reach.distance(net.local_position(n));
+      const double wanted = graded_size(d, CrackDistanceField::usual_growth / finer) / finer;
+      size.add_source(region.points.back(), rounded(wanted));
     }
     if ((twice_area(region.points, loop) < 0.0) == region.loops.empty()) {
       std::reverse(loop.begin(), loop.end());
     }
     region.loops.push_back(std::move(loop));
   }
-  for (const BendLine& bend : bend_lines(reach, finer, surface.nodes, net)) {
+  for (const KinkLine& bend : build_kink_lines(reach, finer, surface.nodes, net)) {
     std::vector<int>& chain = region.embedded.emplace_back();
-    for (const BendPoint& point : bend.points) {
+    for (const KinkLinePoint& point : bend.points) {
       if (point.node >= 0) { // one of a mouth
         const auto at = std::ranges::find(surface.nodes, point.node);
         chain.push_back(static_cast<int>(at - surface.nodes.begin()));
         continue;
       }
-      const Vec2 q = reach.plane().flat(point.x);
+      const Vec2 q = reach.plane().project(point.x);
       chain.push_back(static_cast<int>(region.points.size()));
       region.points.emplace_back(rounded(q.x()), rounded(q.y()));
       surface.nodes.push_back(net.new_node_at(point.x));
-      size.add(region.points.back(), rounded(point.size));
+      size.add_source(region.points.back(), rounded(point.size));
     }
     if (bend.closed) {
       chain.push_back(chain.front());
     }
   }
-  const Filling filling = fill(region, size);
+  const TriangleFill filling = fill_triangles(region, size);
   surface.trouble = filling.trouble;
   for (const Vec2& q : filling.added) {
-    surface.nodes.push_back(net.new_node_at(reach.plane().place(q)));
+    surface.nodes.push_back(net.new_node_at(reach.plane().lift_to_crack(q)));
   }
   for (const std::array<int, 3>& t : filling.triangles) {
     PatchTriangle triangle{};

@@ -9,7 +9,7 @@
 namespace spricka::mesh {
 
 /// A crack between its tubes (and mouths), as triangles round its normal.
-struct CrackSurface {
+struct CrackTriangulation {
   std::vector<PatchTriangle> triangles;
   std::vector<int> nodes; ///< corners, those of the loops first
   std::string trouble;    ///< what the mesher said
@@ -17,7 +17,8 @@ struct CrackSurface {
 
 /// Fills the first of some loops, closed polygons of nodes of the patch in the plane of the crack,
 /// but for the others, which are holes in it.
-CrackSurface mesh_crack(const CrackReach& reach, const std::vector<std::vector<int>>& loops,
-                        double finer, SolidNet& net);
+CrackTriangulation mesh_crack(const CrackDistanceField& reach,
+                              const std::vector<std::vector<int>>& loops, double finer,
+                              SolidPatchNet& net);
 
 } // namespace spricka::mesh

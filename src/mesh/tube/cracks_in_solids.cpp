@@ -44,7 +44,7 @@ std::vector<Vec3> drawn_front(const model::CrackDefinition& crack) {
     inwards = area.dot(plane.normal) > 0.0;
   } else {
     const FrontCurve curve(front, std::vector<Vec3>(front.size(), plane.normal), false);
-    const FrontFrame near = curve.at(curve.nearest(plane.place));
+    const FrontFrame near = curve.at(curve.nearest_length(plane.place));
     inwards = near.m.dot(plane.place - near.x) > 0.0;
   }
   if (inwards) {
@@ -75,8 +75,9 @@ std::vector<SolidCrack> solid_cracks(const model::Model& model) {
     cut.closed = ellipse || crack.plane.closed;
     cut.name = crack.name;
     if (!crack.front_history.fronts.empty()) {
-      cut.relief = std::make_shared<const CrackRelief>(CrackRelief::Fronts{
-          crack.plane.normal, crack.front_history.fronts, crack.front_history.normals});
+      cut.relief =
+          std::make_shared<const NonPlanarCrackSurface>(NonPlanarCrackSurface::SuccessiveFronts{
+              crack.plane.normal, crack.front_history.fronts, crack.front_history.normals});
     }
     cracks.push_back(std::move(cut));
   }

@@ -7,8 +7,8 @@ namespace spricka::mesh {
 
 using base::NodeId;
 
-std::vector<BadElement> folded_elements(const SolidNet& net,
-                                        const std::vector<std::size_t>& elements) {
+std::vector<InvalidElement> folded_elements(const SolidPatchNet& net,
+                                            const std::vector<std::size_t>& elements) {
   model::Mesh mesh;
   mesh.dim = 3;
   std::vector<NodeId> number(net.nodes.size());
@@ -19,14 +19,14 @@ std::vector<BadElement> folded_elements(const SolidNet& net,
     for (const int n : element.nodes) {
       NodeId& own = number[static_cast<std::size_t>(n)];
       if (!own.valid()) {
-        own = model::add_node(mesh, net.x(n), 0, {});
+        own = model::add_node(mesh, net.position(n), 0, {});
       }
       nodes.push_back(own);
     }
     model::add_element(mesh, element.type, nodes, 0, {});
   }
-  std::vector<BadElement> bad = mesh_faults(mesh).bad;
-  for (BadElement& element : bad) {
+  std::vector<InvalidElement> bad = mesh_faults(mesh).bad;
+  for (InvalidElement& element : bad) {
     element.element = base::ElementId(elements[element.element.index()]);
   }
   return bad;

@@ -9,7 +9,7 @@ namespace spricka::mesh {
 
 /// Of these elements of a patch, ascending, those that are folded (mesh_faults), by their numbers
 /// there.
-std::vector<BadElement> folded_elements(const SolidNet& net,
-                                        const std::vector<std::size_t>& elements);
+std::vector<InvalidElement> folded_elements(const SolidPatchNet& net,
+                                            const std::vector<std::size_t>& elements);
 
 } // namespace spricka::mesh

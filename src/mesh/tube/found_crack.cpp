@@ -40,15 +40,15 @@ struct PlacedSide {
   Vec3 normal = Vec3::Zero();      ///< outer, of the size of the side
 };
 
-class Finder {
+class CrackFaceFinder {
 public:
-  Finder(const FoundCrack& crack, CrackedMesh& cracked)
+  CrackFaceFinder(const ExistingCrack& crack, CrackedMesh& cracked)
       : crack_(crack), cracked_(cracked), mesh_(cracked.mesh) {}
 
   std::string find() {
-    for (std::string (Finder::*step)() :
-         {&Finder::place_sides, &Finder::pair_sides, &Finder::spread, &Finder::take_faces,
-          &Finder::take_fronts}) {
+    for (std::string (CrackFaceFinder::*step)() :
+         {&CrackFaceFinder::place_sides, &CrackFaceFinder::pair_sides, &CrackFaceFinder::spread,
+          &CrackFaceFinder::take_faces, &CrackFaceFinder::take_fronts}) {
       if (std::string why = (this->*step)(); !why.empty()) {
         return why;
       }
@@ -65,7 +65,7 @@ private:
     const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
     double shortest = std::numeric_limits<double>::infinity();
     std::set<NodeId> used;
-    for (const model::Face& face : SideIndex(mesh_).alone()) {
+    for (const model::Face& face : SideIndex(mesh_).unshared_sides()) {
       PlacedSide& side = sides_.emplace_back();
       side.face = face;
       const base::ElementType type = mesh_.type[face.element.index()];
@@ -308,7 +308,7 @@ private:
     if (closed) {
       line.pop_back();
     }
-    Front front;
+    CrackFront front;
     front.crack = crack_.crack;
     front.number = number;
     front.curve = std::make_shared<const FrontCurve>(std::move(points), std::move(normals), closed);
@@ -320,10 +320,10 @@ private:
       point.size = size_at(line[k], {line.begin(), line.end()});
       point.radius = rings_of_front * point.size;
     }
-    place_points(mesh_, front);
+    update_points(mesh_, front);
     front.size = std::ranges::min(front.points, {}, &FrontPoint::size).size;
     front.radius = rings_of_front * front.size;
-    front.kind = closed ? CrackKind::embedded : CrackKind::surface;
+    front.kind = closed ? CrackConfiguration::embedded : CrackConfiguration::surface;
     front.a = std::sqrt(area() / std::numbers::pi);
     cracked_.notes.push_back(
         fmt::format("crack {}: in the mesh already, as large as a circle of radius {:.4g}, {} "
@@ -358,7 +358,7 @@ private:
     return sum;
   }
 
-  const FoundCrack& crack_;
+  const ExistingCrack& crack_;
   CrackedMesh& cracked_;
   const model::Mesh& mesh_;
   double shortest_ = 0.0; ///< edge at the front
@@ -370,8 +370,8 @@ private:
 
 } // namespace
 
-std::string find_crack(const FoundCrack& crack, CrackedMesh& cracked) {
-  return Finder(crack, cracked).find();
+std::string find_existing_crack(const ExistingCrack& crack, CrackedMesh& cracked) {
+  return CrackFaceFinder(crack, cracked).find();
 }
 
 } // namespace spricka::mesh

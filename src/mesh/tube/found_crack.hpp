@@ -9,7 +9,7 @@ namespace spricka::mesh {
 
 /// A crack that the deck's own mesh has already: the nodes of its faces are there twice, at the
 /// same places, those of its front once.
-struct FoundCrack {
+struct ExistingCrack {
   base::CrackId crack;
   std::string name;
   std::vector<base::NodeId> front; ///< in any order; nodes between corners count for nothing
@@ -19,6 +19,6 @@ struct FoundCrack {
 /// sides of elements that lie on one another. The crack's normal is the one with a positive largest
 /// component. Adds a front for each line of nodes and fills `faces` of the crack; what is wrong, in
 /// words, or nothing.
-std::string find_crack(const FoundCrack& crack, CrackedMesh& cracked);
+std::string find_existing_crack(const ExistingCrack& crack, CrackedMesh& cracked);
 
 } // namespace spricka::mesh

@@ -15,13 +15,13 @@ constexpr double size_of_radius = 0.5;
 /// Elements along the front over those across it.
 constexpr double shortest_edge = 0.5;
 
-double size_at_front(double radius, const TubeMesh& given) {
+double size_at_front(double radius, const TubeMeshParameters& given) {
   return given.size > 0.0 ? std::min(given.size / given.finer, radius) : size_of_radius * radius;
 }
 
 } // namespace
 
-TubeSizes free_sizes(TubeSizes sizes, const TubeMesh& given) {
+TubeSizes tubeless_sizes(TubeSizes sizes, const TubeMeshParameters& given) {
   for (std::size_t i = 0; i < sizes.s.size(); ++i) {
     const double size = size_at_front(sizes.radius[i], given);
     sizes.length[i] = std::clamp(sizes.length[i], shortest_edge * size, size);
@@ -29,7 +29,8 @@ TubeSizes free_sizes(TubeSizes sizes, const TubeMesh& given) {
   return sizes;
 }
 
-Tube make_free_front(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given) {
+Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
+                         const TubeMeshParameters& given) {
   Tube tube;
   tube.closed = curve.closed();
   tube.free = true;
@@ -61,8 +62,8 @@ Tube make_free_front(const FrontCurve& curve, const TubeSizes& sizes, const Tube
   return tube;
 }
 
-void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidNet& net,
-                   CrackSurface& surface) {
+void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidPatchNet& net,
+                   CrackTriangulation& surface) {
   using Edge = std::pair<int, int>;
   std::map<Edge, std::vector<std::size_t>> chords;
   // Triangles that come of a division are looked at again: they may have a second chord.
@@ -81,8 +82,8 @@ void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidNet
       if (beside.size() < 2) { // an edge of the front
         continue;
       }
-      const Vec3 half = 0.5 * (net.local(edge.first) + net.local(edge.second));
-      const int middle = net.new_node_at(plane.place(plane.flat(half)));
+      const Vec3 half = 0.5 * (net.local_position(edge.first) + net.local_position(edge.second));
+      const int middle = net.new_node_at(plane.lift_to_crack(plane.project(half)));
       surface.nodes.push_back(middle);
       for (const std::size_t t : beside) {
         PatchTriangle other = surface.triangles[t];

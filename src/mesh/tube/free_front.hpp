@@ -9,14 +9,15 @@
 namespace spricka::mesh {
 
 /// Elements along a free front as long as those round it are large (mesh.13).
-TubeSizes free_sizes(TubeSizes sizes, const TubeMesh& given);
+TubeSizes tubeless_sizes(TubeSizes sizes, const TubeMeshParameters& given);
 
 /// The front alone, as a tube without elements.
-Tube make_free_front(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given);
+Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
+                         const TubeMeshParameters& given);
 
 /// Divides the edges of a crack's triangles that join two nodes of free fronts across the crack:
 /// with no node between them that is there twice the crack could not open there.
-void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidNet& net,
-                   CrackSurface& surface);
+void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidPatchNet& net,
+                   CrackTriangulation& surface);
 
 } // namespace spricka::mesh

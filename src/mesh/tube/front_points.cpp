@@ -13,12 +13,12 @@ using base::Vec3;
 constexpr double apart = 0.5; // radii of the tube
 constexpr std::size_t fewest = 4;
 
-bool is_closed(const Front& front) {
+bool is_closed(const CrackFront& front) {
   return front.points.size() > 1 && !front.points.front().at_surface;
 }
 
 // Points from one end to the middle, the end first.
-std::vector<Vec3> spaced_from(const Front& front, bool last) {
+std::vector<Vec3> spaced_from(const CrackFront& front, bool last) {
   const std::size_t count = front.points.size();
   const auto at = [&](std::size_t i) -> const FrontPoint& {
     return front.points[last ? count - 1 - i : i];
@@ -33,7 +33,7 @@ std::vector<Vec3> spaced_from(const Front& front, bool last) {
 }
 
 // Alike from both ends, so that mirrored fronts have mirrored curves.
-std::vector<Vec3> spaced_points(const Front& front) {
+std::vector<Vec3> spaced_points(const CrackFront& front) {
   std::vector<Vec3> points = spaced_from(front, false);
   const std::vector<Vec3> others = spaced_from(front, true);
   if (front.points.size() % 2 != 0) {
@@ -45,7 +45,8 @@ std::vector<Vec3> spaced_points(const Front& front) {
 
 } // namespace
 
-std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const SolidCrack& crack) {
+std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front,
+                                                  const SolidCrack& crack) {
   std::vector<Vec3> points;
   std::ranges::transform(front.points, std::back_inserter(points), &FrontPoint::x);
   if (!is_closed(front)) {
@@ -59,7 +60,7 @@ std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const So
                                             is_closed(front));
 }
 
-void weigh_points(bool closed, Front& front) {
+void weigh_points(bool closed, CrackFront& front) {
   const std::size_t n = front.points.size();
   for (FrontPoint& point : front.points) {
     point.weight = 0.0;
@@ -73,13 +74,13 @@ void weigh_points(bool closed, Front& front) {
   }
 }
 
-void place_points(const model::Mesh& mesh, Front& front) {
+void update_points(const model::Mesh& mesh, CrackFront& front) {
   const bool closed = is_closed(front);
   double first = 0.0;
   for (std::size_t k = 0; k < front.points.size(); ++k) {
     FrontPoint& point = front.points[k];
     point.x = mesh.x[point.node.index()];
-    const double s = front.curve->nearest(point.x);
+    const double s = front.curve->nearest_length(point.x);
     point.growth = front.curve->at(s).m;
     first = k == 0 ? s : first;
     point.s = s - first;

@@ -7,15 +7,15 @@
 namespace spricka::mesh {
 
 /// Weights of the points of a front: the lengths below their linear hats, from their s.
-void weigh_points(bool closed, Front& front);
+void weigh_points(bool closed, CrackFront& front);
 
 /// The front as smooth as its elements have it: the spline through its points, near the ends of an
 /// open one through those that lie half a radius of the tube or more apart. What is shorter than
 /// that in a front as it was drawn or grown, elements round it do not follow, and the axes along it
 /// would waver from it all over the domains.
-std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const SolidCrack& crack);
+std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front, const SolidCrack& crack);
 
 /// Places, growth directions, s and weights of points whose nodes or curve have been moved.
-void place_points(const model::Mesh& mesh, Front& front);
+void update_points(const model::Mesh& mesh, CrackFront& front);
 
 } // namespace spricka::mesh

@@ -26,14 +26,14 @@ public:
       : host_(host), diagnostics_(diagnostics) {}
 
   std::optional<CrackedMesh> insert(std::span<const SolidCrack> cracks,
-                                    std::span<const TubeMesh> tubes,
+                                    std::span<const TubeMeshParameters> tubes,
                                     std::span<const base::SourceSpan> spans) {
     bool good = true;
     tubes_.assign(tubes.begin(), tubes.end());
     why_free_.resize(cracks.size());
     for (std::size_t i = 0; i < cracks.size(); ++i) {
       requests_.push_back({&cracks[i], &tubes_[i], spans[i]});
-      good = place_in_host(host_, requests_.back(), diagnostics_) && good;
+      good = locate_crack(host_, requests_.back(), diagnostics_) && good;
       groups_.push_back({{i}});
     }
     // Each stage looks at all cracks before it fails, so that one run tells all that is wrong.
@@ -41,7 +41,7 @@ public:
       return std::nullopt;
     }
     std::vector<SolidGraft> grafts;
-    for (SolidGroup& group : groups_) {
+    for (CavityCrackGroup& group : groups_) {
       grafts.push_back(std::move(group.graft));
     }
     result_ = graft_solids(host_, grafts);
@@ -83,15 +83,15 @@ private:
     members.insert(members.end(), groups_[b].members.begin(), groups_[b].members.end());
     std::sort(members.begin(), members.end());
     groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(b));
-    for (SolidGroup& group : groups_) {
-      group = SolidGroup{std::move(group.members)};
+    for (CavityCrackGroup& group : groups_) {
+      group = CavityCrackGroup{std::move(group.members)};
     }
   }
 
-  bool dig(SolidGroup& group) {
-    const SolidRequest& first = requests_[group.members.front()];
-    group.frame = frame_of(*first.crack);
-    std::vector<CrackReach> reach;
+  bool dig(CavityCrackGroup& group) {
+    const LocatedSolidCrack& first = requests_[group.members.front()];
+    group.frame = make_crack_frame(*first.crack);
+    std::vector<CrackDistanceField> reach;
     std::vector<ElementId> seeds;
     bool good = true;
     for (const std::size_t i : group.members) {
@@ -115,9 +115,9 @@ private:
   }
 
   /// A crack with its tubes and mouths; without tubes where they do not fit.
-  std::optional<PatchSolidCrack> lay(const SolidFrame& frame, std::size_t i) {
+  std::optional<PatchSolidCrack> lay(const SolidCrackFrame& frame, std::size_t i) {
     const auto attempt = [&](base::Diagnostics& found) {
-      auto crack = lay_tubes(host_, frame, requests_[i], requests_, found);
+      auto crack = place_tubes(host_, frame, requests_[i], requests_, found);
       return crack && find_mouths(host_, frame, requests_[i], *crack, found) ? std::move(crack)
                                                                              : std::nullopt;
     };
@@ -129,7 +129,7 @@ private:
       crack = attempt(without);
       tubes_[i].tube = !crack;
       if (crack) {
-        const std::string title = requests_[i].crack->title() + ": ";
+        const std::string title = requests_[i].crack->display_name() + ": ";
         const std::string& why = found.messages().front().text;
         why_free_[i] = why.starts_with(title) ? why.substr(title.size()) : why;
       }
@@ -154,19 +154,19 @@ private:
       }
       more = false;
       bool good = true;
-      for (SolidGroup& group : groups_) {
+      for (CavityCrackGroup& group : groups_) {
         make_patch(group);
         const std::string& trouble = group.graft.patch.trouble;
         good = good && trouble.empty();
         more = (!trouble.empty() && free_fronts(group, trouble)) || more;
       }
-      for (SolidGroup& group : groups_) {
+      for (CavityCrackGroup& group : groups_) {
         if (more) {
-          group = SolidGroup{std::move(group.members)};
+          group = CavityCrackGroup{std::move(group.members)};
         } else if (!group.graft.patch.trouble.empty()) {
           refuse(group, group.graft.patch.trouble);
         } else if (good) {
-          tell_of_sets(host_, requests_, group, diagnostics_);
+          report_moved_sets(host_, requests_, group, diagnostics_);
         }
       }
       if (!good && !more) {
@@ -180,7 +180,7 @@ private:
   }
 
   /// Takes the tubes of a group away; false if there is none that may go.
-  bool free_fronts(const SolidGroup& group, const std::string& why) {
+  bool free_fronts(const CavityCrackGroup& group, const std::string& why) {
     bool any = false;
     for (const std::size_t i : group.members) {
       if (may_be_free(i)) {
@@ -197,7 +197,7 @@ private:
       diagnostics_.warning(
           requests_[i].span, "W423",
           fmt::format("{}: tetrahedra up to its front, as no tube of elements fits round it: {}",
-                      requests_[i].crack->title(), why_free_[i]),
+                      requests_[i].crack->display_name(), why_free_[i]),
           "K along it is less exact: K1 scatters by 2 to 4 % from point to point and by 1.3 to 2.6 "
           "% "
           "as a smooth curve, where tubes have 0.5 % (manual/solid_crack.md)");
@@ -207,17 +207,17 @@ private:
   /// Where a curved surface or a curved rim of the cavity folds elements there are three remedies:
   /// the surface meshed anew, a larger cavity, whose rim is others', and finer elements, which bend
   /// less.
-  void make_patch(SolidGroup& group) {
+  void make_patch(CavityCrackGroup& group) {
     constexpr double finer = 1.3;
     constexpr int most_finer = 2;
     SolidPatch& patch = group.graft.patch;
-    PatchWish wish;
+    SurfaceTreatment wish;
     bool renewed = false;
     bool widened = false;
     for (int refined = 0; refined <= most_finer;) {
-      patch = build_solid_patch(host_, group.frame, group.cracks, group.graft.cavity, wish);
-      if (!patch.trouble.empty() && patch.at_border && wish.borders != Borders::none) {
-        wish.borders = wish.borders == Borders::all ? Borders::used : Borders::none;
+      patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.graft.cavity, wish);
+      if (!patch.trouble.empty() && patch.at_border && wish.borders != KeptBorders::none) {
+        wish.borders = wish.borders == KeptBorders::all ? KeptBorders::used : KeptBorders::none;
         continue;
       }
       if (!patch.folded && !(wish.renew && !patch.trouble.empty())) {
@@ -239,9 +239,9 @@ private:
   }
 
   /// Takes in the elements behind folded ones, but not those of other groups.
-  bool widen(SolidGroup& group) {
+  bool widen(CavityCrackGroup& group) {
     std::vector<ElementId> seeds;
-    std::vector<CrackReach> reach;
+    std::vector<CrackDistanceField> reach;
     for (std::size_t i = 0; i < group.members.size(); ++i) {
       seeds.push_back(requests_[group.members[i]].seed);
       reach.push_back(group.cracks[i].reach);
@@ -249,14 +249,14 @@ private:
     const SolidCavity& before = group.graft.cavity;
     seeds.insert(seeds.end(), before.elements.begin(), before.elements.end());
     for (const NodeId n : group.graft.patch.folded_at) {
-      const auto around = host_.around(n);
+      const auto around = host_.elements_around(n);
       seeds.insert(seeds.end(), around.begin(), around.end());
     }
     SolidCavity cavity = find_solid_cavity(host_, group.frame, reach, seeds);
-    const auto has = [](const SolidGroup& other, ElementId e) {
+    const auto has = [](const CavityCrackGroup& other, ElementId e) {
       return std::ranges::binary_search(other.graft.cavity.elements, e);
     };
-    const bool free = std::ranges::none_of(groups_, [&](const SolidGroup& other) {
+    const bool free = std::ranges::none_of(groups_, [&](const CavityCrackGroup& other) {
       return &other != &group &&
              std::ranges::any_of(cavity.elements, [&](ElementId e) { return has(other, e); });
     });
@@ -267,19 +267,19 @@ private:
     return true;
   }
 
-  void refuse(const SolidGroup& group, const std::string& why) {
+  void refuse(const CavityCrackGroup& group, const std::string& why) {
     const std::size_t first = group.members.front();
     diagnostics_.error(
         requests_[first].span, "E429",
-        fmt::format("no patch could be made round {}: {}", titles_of(requests_, group), why),
+        fmt::format("no patch could be made round {}: {}", group_title(requests_, group), why),
         why_free_[first].empty() ? std::string()
                                  : "nor does a tube of elements fit: " + why_free_[first]);
   }
 
-  void tie(const SolidGroup& group) {
+  void tie(const CavityCrackGroup& group) {
     const auto node = [&](int n) { return group.graft.node[static_cast<std::size_t>(n)]; };
     for (const SolidTie& tie : group.graft.patch.ties) {
-      RimTie& made = result_.ties.emplace_back();
+      HangingNodeTie& made = result_.ties.emplace_back();
       made.slave = node(tie.slave);
       std::ranges::transform(tie.master, std::back_inserter(made.master), node);
       made.weight = tie.weight;
@@ -288,7 +288,7 @@ private:
   }
 
   void finish(std::size_t i) {
-    for (const SolidGroup& group : groups_) {
+    for (const CavityCrackGroup& group : groups_) {
       const auto at = std::ranges::find(group.members, i);
       if (at != group.members.end()) {
         const auto c = static_cast<std::size_t>(at - group.members.begin());
@@ -298,31 +298,31 @@ private:
     }
   }
 
-  void add_faces(const SolidGroup& group, std::size_t c) {
-    const SolidPatch::Crack& crack = group.graft.patch.cracks[c];
+  void add_faces(const CavityCrackGroup& group, std::size_t c) {
+    const SolidPatch::OpenedPatchCrack& crack = group.graft.patch.cracks[c];
     CrackFaces& faces = result_.faces.emplace_back();
     for (const auto& [upper, lower] : crack.twins) {
       faces.left.push_back(group.graft.node[static_cast<std::size_t>(upper)]);
       faces.right.push_back(group.graft.node[static_cast<std::size_t>(lower)]);
     }
-    const auto side = [&](const SolidPatch::Side& s) {
+    const auto side = [&](const SolidPatch::SolidPatchSide& s) {
       return model::Face{group.graft.element[s.element], s.side};
     };
     std::ranges::transform(crack.upper, std::back_inserter(faces.left_sides), side);
     std::ranges::transform(crack.lower, std::back_inserter(faces.right_sides), side);
   }
 
-  void add_fronts(const SolidGroup& group, std::size_t c) {
-    const SolidRequest& request = requests_[group.members[c]];
+  void add_fronts(const CavityCrackGroup& group, std::size_t c) {
+    const LocatedSolidCrack& request = requests_[group.members[c]];
     const SolidCrack& crack = *request.crack;
     const double unit = group.frame.a;
     for (std::size_t t = 0; t < group.cracks[c].tubes.size(); ++t) {
       const Tube& tube = group.cracks[c].tubes[t];
-      Front front;
+      CrackFront front;
       front.crack = crack.crack;
       front.number = static_cast<int>(t) + 1;
-      front.kind = kind_of(request);
-      front.a = frame_of(crack).a;
+      front.kind = classify_crack(request);
+      front.a = make_crack_frame(crack).a;
       front.size = unit * *std::ranges::min_element(tube.size);
       front.radius = unit * *std::ranges::min_element(tube.radius);
       front.points.clear();
@@ -336,19 +336,19 @@ private:
         point.radius = unit * tube.radius[k];
         point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
       }
-      front.curve = curve_of_elements(front, crack);
-      place_points(result_.mesh, front);
-      result_.notes.push_back(note_of(request, group, {c, t}, front));
+      front.curve = fit_front_curve(front, crack);
+      update_points(result_.mesh, front);
+      result_.notes.push_back(front_note(request, group, {c, t}, front));
       result_.fronts.push_back(std::move(front));
     }
   }
 
   const SolidHost& host_;
   base::Diagnostics& diagnostics_;
-  std::vector<TubeMesh> tubes_;       ///< [crack]
-  std::vector<std::string> why_free_; ///< [crack] why it has no tube, if not by the deck's wish
-  std::vector<SolidRequest> requests_;
-  std::vector<SolidGroup> groups_;
+  std::vector<TubeMeshParameters> tubes_; ///< [crack]
+  std::vector<std::string> why_free_;     ///< [crack] why it has no tube, if not by the deck's wish
+  std::vector<LocatedSolidCrack> requests_;
+  std::vector<CavityCrackGroup> groups_;
   CrackedMesh result_;
 };
 
@@ -356,7 +356,7 @@ private:
 
 std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
                                                std::span<const SolidCrack> cracks,
-                                               std::span<const TubeMesh> tubes,
+                                               std::span<const TubeMeshParameters> tubes,
                                                std::span<const base::SourceSpan> spans,
                                                base::Diagnostics& diagnostics) {
   assert(cracks.size() == tubes.size() && cracks.size() == spans.size());
@@ -365,7 +365,7 @@ std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
 
 std::optional<CrackedMesh> insert_solid_cracks(const model::Mesh& host,
                                                std::span<const SolidCrack> cracks,
-                                               std::span<const TubeMesh> tubes,
+                                               std::span<const TubeMeshParameters> tubes,
                                                std::span<const base::SourceSpan> spans,
                                                base::Diagnostics& diagnostics) {
   return insert_solid_cracks(SolidHost(host), cracks, tubes, spans, diagnostics);

@@ -32,7 +32,7 @@ constexpr double most_free_elements = 2000.0;
 
 class TubeLayer {
 public:
-  TubeLayer(const SolidHost& host, const SolidFrame& frame, const SolidRequest& request,
+  TubeLayer(const SolidHost& host, const SolidCrackFrame& frame, const LocatedSolidCrack& request,
             base::Diagnostics& diagnostics)
       : host_(host), frame_(frame), request_(request), diagnostics_(diagnostics),
         mesh_(*request.mesh) {
@@ -41,41 +41,43 @@ public:
     mesh_.length /= frame.a;
   }
 
-  std::optional<PatchSolidCrack> lay(std::span<const SolidRequest> all) {
-    const Eigen::Matrix3d axes = frame_.axes.transpose() * frame_of(*request_.crack).axes;
-    const PlaneBasis plane{frame_.exact(frame_of(*request_.crack).origin), axes.col(0), axes.col(1),
-                           axes.col(2), relief_in(frame_, *request_.crack)};
+  std::optional<PatchSolidCrack> lay(std::span<const LocatedSolidCrack> all) {
+    const Eigen::Matrix3d axes = frame_.axes.transpose() * make_crack_frame(*request_.crack).axes;
+    const PlaneBasis plane{frame_.exact_local(make_crack_frame(*request_.crack).origin),
+                           axes.col(0), axes.col(1), axes.col(2),
+                           surface_in_frame(frame_, *request_.crack)};
     std::vector<std::vector<Vec3>> outlines;
     for (const std::vector<Vec3>& outline : request_.outlines) {
       outlines.push_back(local(outline));
     }
     PatchSolidCrack made{
-        CrackReach(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
+        CrackDistanceField(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
     for (const SolidFront& front : request_.fronts) {
       const FrontCurve curve(local(front.curve->points()),
                              plane.relief
                                  ? directions(front.curve->normals())
                                  : std::vector<Vec3>(front.curve->points().size(), plane.normal),
                              front.curve->closed());
-      const FrontSurroundings round(host_, request_, front, all);
+      const TubeClearance round(host_, request_, front, all);
       if (!stands(front, round)) {
         return std::nullopt;
       }
-      TubeSizes sizes = tube_sizes(curve,
-                                   {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
-                                    [&](double s) { return round.width(s * frame_.a) / frame_.a; },
-                                    {round.lean(0), round.lean(1)},
-                                    straight(round)},
-                                   mesh_);
+      TubeSizes sizes =
+          tube_sizes(curve,
+                     {[&](double s) { return round.clearance(s * frame_.a) / frame_.a; },
+                      [&](double s) { return round.crack_width(s * frame_.a) / frame_.a; },
+                      {round.end_inclination(0), round.end_inclination(1)},
+                      straight(round)},
+                     mesh_);
       if (!mesh_.tube) {
-        sizes = free_sizes(std::move(sizes), mesh_);
+        sizes = tubeless_sizes(std::move(sizes), mesh_);
       }
       if (!fits(curve, sizes)) {
         return std::nullopt;
       }
       if (!mesh_.tube) {
-        made.tubes.push_back(make_free_front(curve, sizes, mesh_));
-        made.reach.add(made.tubes.back());
+        made.tubes.push_back(make_tubeless_front(curve, sizes, mesh_));
+        made.reach.add_tube(made.tubes.back());
         continue;
       }
       made.tubes.push_back(make_tube(curve, sizes, mesh_, [&](const Vec3& p, const Vec3& t) {
@@ -84,7 +86,7 @@ public:
       if (made.tubes.back().off_surface) {
         return no_end(frame_.global(*made.tubes.back().off_surface));
       }
-      made.reach.add(made.tubes.back());
+      made.reach.add_tube(made.tubes.back());
     }
     return made;
   }
@@ -93,7 +95,7 @@ private:
   [[nodiscard]] std::vector<Vec3> local(const std::vector<Vec3>& points) const {
     std::vector<Vec3> result;
     std::ranges::transform(points, std::back_inserter(result),
-                           [&](const Vec3& x) { return frame_.exact(x); });
+                           [&](const Vec3& x) { return frame_.exact_local(x); });
     return result;
   }
 
@@ -105,35 +107,35 @@ private:
   }
 
   /// Nothing of it for a crack that lies in its plane.
-  [[nodiscard]] std::function<double(double)> straight(const FrontSurroundings& round) const {
+  [[nodiscard]] std::function<double(double)> straight(const TubeClearance& round) const {
     if (!request_.crack->relief) {
       return {};
     }
-    return [&round, this](double s) { return round.straight(s * frame_.a) / frame_.a; };
+    return [&round, this](double s) { return round.kink_distance(s * frame_.a) / frame_.a; };
   }
 
   /// How far a place of a tube's end is from the surface along the front.
   [[nodiscard]] std::optional<double> to_surface(const Vec3& p, const Vec3& t, double most) const {
-    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
     const Vec3 d = frame_.axes * t;
     const Vec3 x = frame_.global(p) - most * frame_.a * d;
     std::optional<double> best;
-    for (const SurfaceHit& hit : hits(surface, x, d, 2.0 * most * frame_.a)) {
+    for (const SurfaceHit& hit : find_hits(surface, x, d, 2.0 * most * frame_.a)) {
       const double along = hit.along / frame_.a - most;
       best = !best || std::abs(along) < std::abs(*best) ? along : *best;
     }
     return best;
   }
 
-  bool stands(const SolidFront& front, const FrontSurroundings& round) {
+  bool stands(const SolidFront& front, const TubeClearance& round) {
     const double most = mesh_.tube ? most_lean : most_lean_free;
     for (const std::size_t end : {0U, 1U}) {
-      if (!front.curve->closed() && round.lean(end) > most) {
+      if (!front.curve->closed() && round.end_inclination(end) > most) {
         diagnostics_.error(
             request_.span, "E423",
             fmt::format("{}: its front meets the body's surface at {} at {:.0f} degrees only",
-                        request_.crack->title(), text_of(front.end[end].x),
-                        90.0 - std::atan(round.lean(end)) * 180.0 / std::numbers::pi),
+                        request_.crack->display_name(), coordinate_text(front.end[end].x),
+                        90.0 - std::atan(round.end_inclination(end)) * 180.0 / std::numbers::pi),
             mesh_.tube
                 ? "a tube of elements fits round fronts that leave the body at 25 degrees or more"
                 : "tetrahedra fit round fronts that leave the body at 10 degrees or more");
@@ -148,7 +150,7 @@ private:
         request_.span, "E423",
         fmt::format(
             "{}: the end of the tube round its front does not find the body's surface at {}",
-            request_.crack->title(), text_of(at)),
+            request_.crack->display_name(), coordinate_text(at)),
         "the front meets the surface at too flat an angle, or at an edge; give a smaller RADIUS on "
         "$TIPNET");
     return std::nullopt;
@@ -156,11 +158,11 @@ private:
 
   /// What leaves so little room at a place.
   [[nodiscard]] const char* what_is_near(const Vec3& x) const {
-    const std::size_t part = host_.part(request_.seed);
+    const std::size_t part = host_.part_index(request_.seed);
     const Vec3 at = frame_.global(x);
     // The skin has the border, too.
-    const bool is_border = host_.border(part).nearest(at).distance <=
-                           (1.0 + same_place) * host_.skin(part).nearest(at).distance;
+    const bool is_border = host_.interface_tree(part).nearest(at).distance <=
+                           (1.0 + same_place) * host_.skin_tree(part).nearest(at).distance;
     return is_border ? "the border to elements of another $PROPERTY"
                      : "the body's surface or another crack";
   }
@@ -170,8 +172,9 @@ private:
       const FrontFrame at = curve.at(sizes.s[i]);
       if (sizes.room[i] < same_place) {
         diagnostics_.error(request_.span, "E423",
-                           fmt::format("{}: its front touches {} at {}", request_.crack->title(),
-                                       what_is_near(at.x), text_of(frame_.global(at.x))),
+                           fmt::format("{}: its front touches {} at {}",
+                                       request_.crack->display_name(), what_is_near(at.x),
+                                       coordinate_text(frame_.global(at.x))),
                            "a crack keeps off the surface of the body or ends on it");
         return false;
       }
@@ -183,9 +186,10 @@ private:
             request_.span, "E423",
             fmt::format("{}: {} of radius {:.6g} does not fit round its front at {}: there is room "
                         "for {:.6g}, {} is {:.6g} away",
-                        request_.crack->title(), mesh_.tube ? "a tube" : "a zone of even elements",
-                        sizes.radius[i] * frame_.a, text_of(frame_.global(at.x)), free * frame_.a,
-                        what_is_near(at.x), sizes.room[i] * frame_.a),
+                        request_.crack->display_name(),
+                        mesh_.tube ? "a tube" : "a zone of even elements",
+                        sizes.radius[i] * frame_.a, coordinate_text(frame_.global(at.x)),
+                        free * frame_.a, what_is_near(at.x), sizes.room[i] * frame_.a),
             "give a smaller RADIUS on $TIPNET, or a crack that keeps off the surface or ends on "
             "it");
         return false;
@@ -197,9 +201,9 @@ private:
       diagnostics_.error(request_.span, "E423",
                          fmt::format("{}: its front would take {:.0f} elements, as there is room "
                                      "for {} of radius {:.3g} only at {}, beside {}",
-                                     request_.crack->title(), sizes.count(),
+                                     request_.crack->display_name(), sizes.count(),
                                      mesh_.tube ? "a tube" : "elements", sizes.radius[i] * frame_.a,
-                                     text_of(frame_.global(curve.at(sizes.s[i]).x)),
+                                     coordinate_text(frame_.global(curve.at(sizes.s[i]).x)),
                                      what_is_near(curve.at(sizes.s[i]).x)),
                          "a crack keeps off the surface of the body or ends on it");
       return false;
@@ -208,18 +212,18 @@ private:
   }
 
   const SolidHost& host_;
-  const SolidFrame& frame_;
-  const SolidRequest& request_;
+  const SolidCrackFrame& frame_;
+  const LocatedSolidCrack& request_;
   base::Diagnostics& diagnostics_;
-  TubeMesh mesh_; ///< in the lengths of the frame
+  TubeMeshParameters mesh_; ///< in the lengths of the frame
 };
 
 } // namespace
 
-std::optional<PatchSolidCrack> lay_tubes(const SolidHost& host, const SolidFrame& frame,
-                                         const SolidRequest& request,
-                                         std::span<const SolidRequest> all,
-                                         base::Diagnostics& diagnostics) {
+std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const SolidCrackFrame& frame,
+                                           const LocatedSolidCrack& request,
+                                           std::span<const LocatedSolidCrack> all,
+                                           base::Diagnostics& diagnostics) {
   return TubeLayer(host, frame, request, diagnostics).lay(all);
 }
 

@@ -9,9 +9,9 @@
 namespace spricka::mesh {
 
 /// The crack with its tubes in a frame; empty, with an error, where a tube does not fit.
-std::optional<PatchSolidCrack> lay_tubes(const SolidHost& host, const SolidFrame& frame,
-                                         const SolidRequest& request,
-                                         std::span<const SolidRequest> all,
-                                         base::Diagnostics& diagnostics);
+std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const SolidCrackFrame& frame,
+                                           const LocatedSolidCrack& request,
+                                           std::span<const LocatedSolidCrack> all,
+                                           base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

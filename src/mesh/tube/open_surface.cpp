@@ -17,15 +17,15 @@ using base::Vec3;
 
 class SurfaceOpener {
 public:
-  SurfaceOpener(const OpenRequest& request, SolidNet& net, std::unordered_map<int, int>& lower,
-                std::vector<FacePieces>& pieces)
+  SurfaceOpener(const MouthSurfaceRequest& request, SolidPatchNet& net,
+                std::unordered_map<int, int>& lower, std::vector<FacePieces>& pieces)
       : body_(request.body), borders_(request.borders), geometry_(body_.geometry(request.borders)),
         frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes), net_(net),
         lower_(lower), pieces_(pieces) {}
 
-  OpenSurface open(const std::vector<CavityFace>& faces) {
+  MouthSurface open(const std::vector<CavityFace>& faces) {
     for (const CavityFace& face : faces) {
-      region_.faces.push_back(body_.index(face.face));
+      region_.faces.push_back(body_.face_index(face.face));
       // Also those that no triangle will lie on are replaced.
       pieces_.emplace_back(face.face, std::vector<std::vector<int>>());
     }
@@ -34,13 +34,13 @@ public:
     region_.size = [&](const Vec3& x) {
       double least = std::numeric_limits<double>::max();
       for (const PatchSolidCrack& crack : cracks_) {
-        least = std::min(least, size_at(crack.reach.distance(frame_.local(x)),
-                                        CrackReach::usual_growth / crack.finer) /
+        least = std::min(least, graded_size(crack.reach.distance(frame_.rounded_local(x)),
+                                            CrackDistanceField::usual_growth / crack.finer) /
                                     crack.finer);
       }
       return frame_.a * least;
     };
-    region_.growth = CrackReach::usual_growth;
+    region_.growth = CrackDistanceField::usual_growth;
     describe();
     surface_ = remesh_surface(geometry_, region_);
     if (surface_.trouble) {
@@ -75,7 +75,7 @@ private:
           caps_.push_back({c, t, e});
           std::vector<Vec3>& cap = region_.caps.emplace_back();
           for (const int n : tube.ends[e].corner) {
-            cap.push_back(net_.x(node_of(c, t, n)));
+            cap.push_back(net_.position(node_of(c, t, n)));
           }
         }
       }
@@ -83,7 +83,7 @@ private:
         region_.mouths.push_back(
             {mouth.line, {MouthEnd{cap_of[mouth.from][1], 0}, MouthEnd{cap_of[mouth.to][0], 0}}});
       }
-      for (const SurfaceLine& hole : cracks_[c].holes) {
+      for (const DividedTrace& hole : cracks_[c].holes) {
         region_.mouths.push_back({hole, {}, true});
       }
     }
@@ -120,7 +120,7 @@ private:
       }
     }
     for (std::size_t i = 0; i < surface_.points.size(); ++i) {
-      const NewPoint& point = surface_.points[i];
+      const RemeshedPoint& point = surface_.points[i];
       if (node_[i] < 0) {
         node_[i] = point.host.valid() ? net_.host_node(point.host) : net_.new_node(point.place.x);
       }
@@ -145,7 +145,7 @@ private:
     for (std::size_t i = first; i + 1 < points.size(); ++i) {
       const int n = net_.new_node(place_of(points[i]));
       node_[static_cast<std::size_t>(points[i])] = n;
-      lower_[n] = net_.copy(n);
+      lower_[n] = net_.duplicate_node(n);
       nodes.push_back(n);
     }
     return nodes;
@@ -161,21 +161,21 @@ private:
   }
 
   void take_edges() {
-    for (const NewEdge& edge : surface_.edges) {
+    for (const RemeshedEdge& edge : surface_.edges) {
       const int a = node(edge.points[0]);
       const int b = node(edge.points[1]);
-      if (edge.kind == NewEdgeKind::outline || net_.known_mid(a, b)) {
+      if (edge.kind == RemeshedEdgeKind::outline || net_.known_mid_node(a, b)) {
         continue; // the tube's, the host's
       }
       const int mid =
           edge.host_mid.valid() ? net_.host_node(edge.host_mid) : net_.new_node(edge.mid.x);
-      net_.set_mid(a, b, mid);
-      if (edge.kind == NewEdgeKind::mouth) {
-        net_.set_mid(below(a), below(b), net_.copy(mid));
+      net_.set_mid_node(a, b, mid);
+      if (edge.kind == RemeshedEdgeKind::mouth) {
+        net_.set_mid_node(below(a), below(b), net_.duplicate_node(mid));
       } else if (below(a) != a || below(b) != b) { // on one side of the crack, whichever
-        net_.set_mid(below(a), below(b), mid);
+        net_.set_mid_node(below(a), below(b), mid);
       }
-      if (edge.kind == NewEdgeKind::feature && !geometry_.lines(edge.host_edge).empty()) {
+      if (edge.kind == RemeshedEdgeKind::feature && !geometry_.node_sets(edge.host_edge).empty()) {
         made_.edges.push_back({host_nodes(edge.host_edge), {a, b, below(a), below(b)}, mid});
       }
     }
@@ -191,8 +191,8 @@ private:
     std::set<std::size_t> lost;
     for (const std::size_t face : region_.faces) {
       for (int s = 0; s < geometry_.face(face).corners(); ++s) {
-        const std::size_t e = geometry_.edge(face, s);
-        if (geometry_.edges()[e].feature && !geometry_.lines(e).empty()) {
+        const std::size_t e = geometry_.face_edge(face, s);
+        if (geometry_.edges()[e].feature && !geometry_.node_sets(e).empty()) {
           lost.insert(e);
         }
       }
@@ -203,7 +203,7 @@ private:
   }
 
   void take_triangles() {
-    for (const NewTriangle& t : surface_.triangles) {
+    for (const RemeshedTriangle& t : surface_.triangles) {
       PatchTriangle triangle{};
       std::ranges::transform(t.points, triangle.begin(), [&](int p) { return node(p); });
       made_.triangles.push_back(triangle);
@@ -222,18 +222,18 @@ private:
   void take_ends() {
     for (const auto& [c, t, e] : caps_) {
       const Tube& tube = cracks_[c].tubes[t];
-      for (const Tube::Side& side : tube.ends[e].sides) {
+      for (const Tube::TubeSide& side : tube.ends[e].sides) {
         const SolidPatchElement& element = net_.elements[tubes_[c][t].element + side.element];
         std::vector<int> corners;
         Vec3 middle = Vec3::Zero();
         const std::size_t count = shape::side_corners(element.type, side.side);
         for (const int i : shape::side_nodes(element.type, side.side).first(count)) {
           corners.push_back(element.nodes[static_cast<std::size_t>(i)]);
-          middle += net_.x(corners.back()) / static_cast<double>(count);
+          middle += net_.position(corners.back()) / static_cast<double>(count);
         }
-        const SurfacePlace place = geometry_.nearest(middle, region_.faces);
+        const SurfacePlace place = geometry_.nearest_place(middle, region_.faces);
         for (const int n : corners) {
-          look_at(net_.x(n), place.face);
+          look_at(net_.position(n), place.face);
         }
         pieces_.emplace_back(body_.face(place.face),
                              std::vector<std::vector<int>>{std::move(corners)});
@@ -245,7 +245,7 @@ private:
   [[nodiscard]] bool has_borders() const {
     return std::ranges::any_of(region_.faces, [&](std::size_t face) {
       for (int s = 0; s < geometry_.face(face).corners(); ++s) {
-        if (geometry_.edges()[geometry_.edge(face, s)].border) {
+        if (geometry_.edges()[geometry_.face_edge(face, s)].border) {
           return true;
         }
       }
@@ -254,11 +254,11 @@ private:
   }
 
   void find_shifts() {
-    if (borders_ != Borders::none) {
+    if (borders_ != KeptBorders::none) {
       return; // kept by their lines
     }
     std::set<std::size_t> left(region_.faces.begin(), region_.faces.end());
-    for (const NewTriangle& t : surface_.triangles) {
+    for (const RemeshedTriangle& t : surface_.triangles) {
       left.erase(t.face);
       for (const int p : t.points) {
         look_at(place_of(p), t.face);
@@ -271,29 +271,29 @@ private:
 
   /// What is in the sets of a face lies on faces of the same sets, or borders are moved as far.
   void look_at(const Vec3& x, std::size_t face) {
-    const std::vector<std::size_t>& sets = geometry_.sets(face);
-    const SurfacePlace here = geometry_.nearest(x, region_.faces);
-    if (borders_ != Borders::none || geometry_.sets(here.face) == sets) {
+    const std::vector<std::size_t>& sets = geometry_.face_sets(face);
+    const SurfacePlace here = geometry_.nearest_place(x, region_.faces);
+    if (borders_ != KeptBorders::none || geometry_.face_sets(here.face) == sets) {
       return;
     }
     std::vector<std::size_t> alike;
     std::ranges::copy_if(region_.faces, std::back_inserter(alike),
-                         [&](std::size_t f) { return geometry_.sets(f) == sets; });
-    const double by = (geometry_.nearest(x, alike).x - here.x).norm();
+                         [&](std::size_t f) { return geometry_.face_sets(f) == sets; });
+    const double by = (geometry_.nearest_place(x, alike).x - here.x).norm();
     if (by > 1e-6 * frame_.a) {
-      add_shifts(sets, geometry_.sets(here.face), by, x);
+      add_shifts(sets, geometry_.face_sets(here.face), by, x);
     }
   }
 
   /// A face at a border that no triangle stands for: the border may have passed over it.
   void look_at_lost(std::size_t face) {
-    const SurfaceFace& own = geometry_.face(face);
+    const CurvedFace& own = geometry_.face(face);
     const double edge = (own.X.col(1) - own.X.col(0)).norm();
     for (int s = 0; s < own.corners(); ++s) {
-      const SurfaceEdge& side = geometry_.edges()[geometry_.edge(face, s)];
+      const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge(face, s)];
       const std::size_t other = side.faces[0] == face ? side.faces[1] : side.faces[0];
       if (!side.feature && other != nowhere) {
-        add_shifts(geometry_.sets(face), geometry_.sets(other), edge, own.X.col(0));
+        add_shifts(geometry_.face_sets(face), geometry_.face_sets(other), edge, own.X.col(0));
       }
     }
   }
@@ -304,11 +304,11 @@ private:
     std::vector<std::size_t> moved;
     std::ranges::set_symmetric_difference(one, two, std::back_inserter(moved));
     for (const std::size_t set : moved) {
-      if (!body_.set_used(set)) {
+      if (!body_.is_face_set_used(set)) {
         continue;
       }
-      const std::string& name = body_.set_name(set);
-      const auto known = std::ranges::find(made_.shifts, name, &SetShift::set);
+      const std::string& name = body_.face_set_name(set);
+      const auto known = std::ranges::find(made_.shifts, name, &SetBorderShift::set);
       if (known == made_.shifts.end()) {
         made_.shifts.push_back({name, by, at});
       } else if (by > known->by) {
@@ -318,26 +318,26 @@ private:
   }
 
   const BodySurface& body_;
-  Borders borders_;
+  KeptBorders borders_;
   const SurfaceGeometry& geometry_;
-  const SolidFrame& frame_;
+  const SolidCrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
-  const std::vector<std::vector<LaidTube>>& tubes_;
-  SolidNet& net_;
+  const std::vector<std::vector<PlacedTube>>& tubes_;
+  SolidPatchNet& net_;
   std::unordered_map<int, int>& lower_;
   std::vector<FacePieces>& pieces_;
   SurfaceRegion region_{};
   std::vector<CapPlace> caps_; ///< of the region's
-  NewSurface surface_;
+  RemeshedSurface surface_;
   std::vector<int> node_; ///< [point of the surface]
-  OpenSurface made_;
+  MouthSurface made_;
 };
 
 } // namespace
 
-OpenSurface mesh_open_surface(const OpenRequest& request, SolidNet& net,
-                              std::unordered_map<int, int>& lower,
-                              std::vector<FacePieces>& pieces) {
+MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, SolidPatchNet& net,
+                                std::unordered_map<int, int>& lower,
+                                std::vector<FacePieces>& pieces) {
   return SurfaceOpener(request, net, lower, pieces).open(request.faces);
 }
 

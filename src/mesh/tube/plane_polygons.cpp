@@ -15,7 +15,7 @@ using base::Vec3;
 namespace {
 
 PlaneBasis basis_of(const SolidCrack& crack) {
-  const SolidFrame own = frame_of(crack);
+  const SolidCrackFrame own = make_crack_frame(crack);
   return {own.origin, own.axes.col(0), own.axes.col(1), own.axes.col(2), crack.relief};
 }
 
@@ -35,7 +35,7 @@ PlanePolygons::PlanePolygons(const PlaneBasis& plane,
   for (const std::vector<Vec3>& outline : outlines) {
     std::vector<Vec2>& flat = outlines_.emplace_back();
     for (const Vec3& x : outline) {
-      flat.push_back(plane_.flat(x));
+      flat.push_back(plane_.project(x));
     }
   }
 }
@@ -44,9 +44,9 @@ PlanePolygons::PlanePolygons(const SolidCrack& crack,
                              const std::vector<std::vector<Vec3>>& outlines)
     : PlanePolygons(basis_of(crack), outlines) {}
 
-bool PlanePolygons::within(const Vec2& q) const {
+bool PlanePolygons::contains(const Vec2& q) const {
   return std::ranges::count_if(
-             outlines_, [&](const std::vector<Vec2>& outline) { return inside(q, outline); }) %
+             outlines_, [&](const std::vector<Vec2>& outline) { return is_inside(q, outline); }) %
              2 ==
          1;
 }
@@ -59,14 +59,14 @@ double PlanePolygons::area() const {
       own += 0.5 * cross(a - outline.front(), b - outline.front());
     });
     const auto round = std::ranges::count_if(outlines_, [&](const std::vector<Vec2>& other) {
-      return &other != &outline && inside(outline.front(), other);
+      return &other != &outline && is_inside(outline.front(), other);
     });
     sum += round % 2 == 0 ? std::abs(own) : -std::abs(own);
   }
   return sum;
 }
 
-double PlanePolygons::from_outline(const Vec2& q) const {
+double PlanePolygons::outline_distance(const Vec2& q) const {
   double least = std::numeric_limits<double>::max();
   for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {
     least = std::min(least, mesh::distance(q, a, b));
@@ -75,11 +75,11 @@ double PlanePolygons::from_outline(const Vec2& q) const {
 }
 
 double PlanePolygons::distance(const Vec3& x) const {
-  const Vec2 q = plane_.flat(x);
-  return std::hypot(plane_.height(x), within(q) ? 0.0 : from_outline(q));
+  const Vec2 q = plane_.project(x);
+  return std::hypot(plane_.height(x), contains(q) ? 0.0 : outline_distance(q));
 }
 
-std::vector<Vec3> PlanePolygons::cut(const CornerPlaces& triangle) const {
+std::vector<Vec3> PlanePolygons::intersect_triangle(const CornerPlaces& triangle) const {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = triangle[i];
@@ -87,18 +87,19 @@ std::vector<Vec3> PlanePolygons::cut(const CornerPlaces& triangle) const {
     const double ha = plane_.height(a);
     const double hb = plane_.height(b);
     if ((ha < 0.0) != (hb < 0.0)) {
-      ends.push_back(plane_.flat(a + ha / (ha - hb) * (b - a)));
+      ends.push_back(plane_.project(a + ha / (ha - hb) * (b - a)));
     }
   }
   std::vector<Vec3> places;
   constexpr int steps = 8; // a triangle may be larger than the crack
   for (int i = 0; i <= steps && ends.size() == 2; ++i) {
-    places.push_back(plane_.place(ends[0] + i / static_cast<double>(steps) * (ends[1] - ends[0])));
+    places.push_back(
+        plane_.lift_to_crack(ends[0] + i / static_cast<double>(steps) * (ends[1] - ends[0])));
   }
   return places;
 }
 
-std::optional<double> PlanePolygons::across(const Vec2& q, const Vec2& d) const {
+std::optional<double> PlanePolygons::exit_distance(const Vec2& q, const Vec2& d) const {
   std::optional<double> least;
   for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {
     const Vec2 side = b - a;

@@ -17,20 +17,20 @@ public:
 
   [[nodiscard]] const PlaneBasis& plane() const { return plane_; }
   [[nodiscard]] const std::vector<std::vector<base::Vec2>>& outlines() const { return outlines_; }
-  [[nodiscard]] bool within(const base::Vec2& q) const;
+  [[nodiscard]] bool contains(const base::Vec2& q) const;
   [[nodiscard]] double area() const; ///< without holes
   /// Of a place in space from the areas; of a place in the plane from their outlines.
   [[nodiscard]] double distance(const base::Vec3& x) const;
-  [[nodiscard]] double from_outline(const base::Vec2& q) const;
+  [[nodiscard]] double outline_distance(const base::Vec2& q) const;
   /// Whether a place of the plane lies within the areas, farther than `rim` from their outlines.
   [[nodiscard]] bool well_within(const base::Vec2& q, double rim) const {
-    return within(q) && from_outline(q) > rim;
+    return contains(q) && outline_distance(q) > rim;
   }
   /// Places along the line in which a triangle cuts the plane; empty: it does not.
-  [[nodiscard]] std::vector<base::Vec3> cut(const CornerPlaces& triangle) const;
+  [[nodiscard]] std::vector<base::Vec3> intersect_triangle(const CornerPlaces& triangle) const;
   /// Where the line from q along d leaves the areas, as a multiple of d; of the first that is not
   /// at q. Empty: it does not.
-  [[nodiscard]] std::optional<double> across(const base::Vec2& q, const base::Vec2& d) const;
+  [[nodiscard]] std::optional<double> exit_distance(const base::Vec2& q, const base::Vec2& d) const;
 
 private:
   PlaneBasis plane_;

@@ -14,7 +14,7 @@ using base::Vec3;
 
 class QuarterMover {
 public:
-  QuarterMover(SolidNet& net, const std::set<int>& front,
+  QuarterMover(SolidPatchNet& net, const std::set<int>& front,
                const std::vector<std::pair<int, int>>& twins)
       : net_(net) {
     for (const auto& [upper, lower] : twins) {
@@ -25,8 +25,8 @@ public:
     }
   }
 
-  QuarterPoints move() {
-    QuarterPoints count;
+  QuarterPointCounts move() {
+    QuarterPointCounts count;
     count.moved = edges_.size();
     for (auto& [mid, edge] : edges_) {
       put(edge, true);
@@ -46,7 +46,7 @@ private:
     Vec3 half, quarter;
   };
   /// An edge, on the faces of a crack both of them.
-  struct Edge {
+  struct QuarterPointEdge {
     std::map<int, Mid> mids;
     std::set<std::size_t> elements;
     bool quarter = false;
@@ -67,16 +67,17 @@ private:
       const auto corners = static_cast<std::size_t>(base::element_info(element.type).corners);
       const int mid = element.nodes[corners + static_cast<std::size_t>(m)];
       const auto twin = upper_of_.find(mid);
-      Edge& edge = edges_[twin == upper_of_.end() ? mid : twin->second];
+      QuarterPointEdge& edge = edges_[twin == upper_of_.end() ? mid : twin->second];
       // The parabola through the edge's nodes, at a quarter (mesh.14).
-      const Vec3& half = net_.x(mid);
+      const Vec3& half = net_.position(mid);
       edge.mids.try_emplace(
-          mid, Mid{mid, half, 0.375 * net_.x(from) + 0.75 * half - 0.125 * net_.x(to)});
+          mid,
+          Mid{mid, half, 0.375 * net_.position(from) + 0.75 * half - 0.125 * net_.position(to)});
       edge.elements.insert(e);
     }
   }
 
-  void put(Edge& edge, bool quarter) {
+  void put(QuarterPointEdge& edge, bool quarter) {
     edge.quarter = quarter;
     for (const auto& [node, mid] : edge.mids) {
       net_.nodes[static_cast<std::size_t>(node)].x = quarter ? mid.quarter : mid.half;
@@ -92,7 +93,7 @@ private:
       }
     }
     std::set<std::size_t> bad;
-    for (const BadElement& element : folded_elements(net_, {touched.begin(), touched.end()})) {
+    for (const InvalidElement& element : folded_elements(net_, {touched.begin(), touched.end()})) {
       bad.insert(element.element.index());
     }
     for (auto& [mid, edge] : edges_) {
@@ -104,15 +105,15 @@ private:
     return !bad.empty();
   }
 
-  SolidNet& net_;
-  std::map<int, int> upper_of_; ///< of two nodes at one place
-  std::map<int, Edge> edges_;   ///< [mid node, the upper one of two]
+  SolidPatchNet& net_;
+  std::map<int, int> upper_of_;           ///< of two nodes at one place
+  std::map<int, QuarterPointEdge> edges_; ///< [mid node, the upper one of two]
 };
 
 } // namespace
 
-QuarterPoints move_to_quarters(SolidNet& net, const std::set<int>& front,
-                               const std::vector<std::pair<int, int>>& twins) {
+QuarterPointCounts move_to_quarters(SolidPatchNet& net, const std::set<int>& front,
+                                    const std::vector<std::pair<int, int>>& twins) {
   return QuarterMover(net, front, twins).move();
 }
 

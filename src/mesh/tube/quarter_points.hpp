@@ -8,7 +8,7 @@
 
 namespace spricka::mesh {
 
-struct QuarterPoints {
+struct QuarterPointCounts {
   std::size_t moved = 0; ///< edges that leave a front, those of both faces of the crack as one
   std::size_t left = 0;  ///< of them, whose mid nodes would fold an element: these stay
 };
@@ -16,7 +16,7 @@ struct QuarterPoints {
 /// Moves the mid nodes of the edges of tetrahedra that leave free fronts to a quarter of their way,
 /// on edges that are curved along these. Nodes that lie on one another on the two faces of a crack
 /// (`twins`) stay so.
-QuarterPoints move_to_quarters(SolidNet& net, const std::set<int>& front,
-                               const std::vector<std::pair<int, int>>& twins);
+QuarterPointCounts move_to_quarters(SolidPatchNet& net, const std::set<int>& front,
+                                    const std::vector<std::pair<int, int>>& twins);
 
 } // namespace spricka::mesh

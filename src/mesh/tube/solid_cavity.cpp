@@ -23,12 +23,13 @@ constexpr double clear_of_faces = 0.5;
 
 class Digger {
 public:
-  Digger(const SolidHost& host, const SolidFrame& frame, std::span<const CrackReach> cracks)
+  Digger(const SolidHost& host, const SolidCrackFrame& frame,
+         std::span<const CrackDistanceField> cracks)
       : host_(host), mesh_(host.mesh()), frame_(frame), cracks_(cracks),
         in_(mesh_.element_count(), false) {}
 
   SolidCavity dig(std::span<const ElementId> seeds) {
-    part_ = host_.part(seeds.front());
+    part_ = host_.part_index(seeds.front());
     take_wanted(seeds);
     constexpr int passes = 60;
     for (int pass = 0; pass < passes; ++pass) {
@@ -51,24 +52,24 @@ private:
   using EdgeKey = std::pair<NodeId, NodeId>;
 
   [[nodiscard]] bool wanted(ElementId e) const {
-    const SolidHost::Extent& extent = host_.extent(e);
-    const Vec3 middle = frame_.local(extent.middle);
+    const SolidHost::ElementExtent& extent = host_.extent(e);
+    const Vec3 middle = frame_.rounded_local(extent.middle);
     const double radius = extent.radius / frame_.a;
     const double edge = extent.edge / frame_.a;
-    return std::ranges::any_of(cracks_, [&](const CrackReach& crack) {
-      const double away = (middle - crack.middle()).norm() - crack.radius() - radius;
+    return std::ranges::any_of(cracks_, [&](const CrackDistanceField& crack) {
+      const double away = (middle - crack.centre()).norm() - crack.radius() - radius;
       // Nothing about the crack is larger than itself.
       if (away > std::max(edge, crack.radius())) {
         return false;
       }
-      const CrackReach::Distance d = crack.distance(middle);
+      const CrackDistanceField::CrackDistances d = crack.distance(middle);
       if (d.front < radius + clear_of_tube * d.radius + same ||
-          d.surface < radius + clear_of_faces * size_at(d) + same) {
+          d.surface < radius + clear_of_faces * graded_size(d) + same) {
         return true;
       }
       double nearest = d.front;
       for (const NodeId n : mesh_.element_nodes(e)) {
-        nearest = std::min(nearest, crack.distance(frame_.local(mesh_.x[n.index()])).front);
+        nearest = std::min(nearest, crack.distance(frame_.rounded_local(mesh_.x[n.index()])).front);
       }
       return edge > nearest + d.radius + same;
     });
@@ -84,7 +85,7 @@ private:
     while (!open.empty()) {
       const ElementId e = open.back();
       open.pop_back();
-      if (met[e.index()] || host_.part(e) != part_) {
+      if (met[e.index()] || host_.part_index(e) != part_) {
         continue;
       }
       met[e.index()] = true;
@@ -93,7 +94,7 @@ private:
       }
       in_[e.index()] = true;
       for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        if (const auto other = host_.beyond({e, s})) {
+        if (const auto other = host_.neighbour({e, s})) {
           open.push_back(*other);
         }
       }
@@ -102,7 +103,7 @@ private:
 
   [[nodiscard]] std::vector<ElementId> taken() const {
     std::vector<ElementId> result;
-    for (const ElementId e : host_.members(part_)) {
+    for (const ElementId e : host_.part_elements(part_)) {
       if (in_[e.index()]) {
         result.push_back(e);
       }
@@ -114,7 +115,7 @@ private:
     outline_.clear();
     for (const ElementId e : taken()) {
       for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        const auto other = host_.beyond({e, s});
+        const auto other = host_.neighbour({e, s});
         if (!other || !in_[other->index()]) {
           outline_.push_back({{e, s}, !other});
         }
@@ -143,7 +144,7 @@ private:
         continue;
       }
       bad_ = true;
-      for (const ElementId e : host_.around(edge.first)) {
+      for (const ElementId e : host_.elements_around(edge.first)) {
         const auto nodes = mesh_.element_nodes(e);
         if (std::find(nodes.begin(), nodes.end(), edge.second) != nodes.end()) {
           more = take(e) || more;
@@ -158,7 +159,7 @@ private:
         continue;
       }
       bad_ = true;
-      for (const ElementId e : host_.around(node)) {
+      for (const ElementId e : host_.elements_around(node)) {
         more = take(e) || more;
       }
     }
@@ -166,7 +167,7 @@ private:
   }
 
   bool take(ElementId e) {
-    const bool fresh = !in_[e.index()] && host_.part(e) == part_;
+    const bool fresh = !in_[e.index()] && host_.part_index(e) == part_;
     in_[e.index()] = in_[e.index()] || fresh;
     return fresh;
   }
@@ -210,7 +211,7 @@ private:
       Vec3 high = -low;
       for (const CavityFace& face : faces) {
         const FaceNodes nodes = face_nodes(mesh_, face.face);
-        for (const NodeId n : nodes.corner()) {
+        for (const NodeId n : nodes.corner_nodes()) {
           low = low.cwiseMin(mesh_.x[n.index()]);
           high = high.cwiseMax(mesh_.x[n.index()]);
         }
@@ -227,8 +228,8 @@ private:
 
   const SolidHost& host_;
   const model::Mesh& mesh_;
-  const SolidFrame& frame_;
-  std::span<const CrackReach> cracks_;
+  const SolidCrackFrame& frame_;
+  std::span<const CrackDistanceField> cracks_;
   std::vector<bool> in_;
   std::size_t part_ = 0;
   std::vector<CavityFace> outline_;
@@ -239,8 +240,8 @@ private:
 
 } // namespace
 
-SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
-                              std::span<const CrackReach> cracks,
+SolidCavity find_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
+                              std::span<const CrackDistanceField> cracks,
                               std::span<const ElementId> seeds) {
   return Digger(host, frame, cracks).dig(seeds);
 }

@@ -26,8 +26,8 @@ struct SolidCavity {
 /// would have them: an edge longer than the tube's radius and the distance from it. What hangs
 /// together by faces with the elements at `seeds`, and as many more that every edge and node of the
 /// cavity's surface has one sheet of it.
-SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
-                              std::span<const CrackReach> cracks,
+SolidCavity find_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
+                              std::span<const CrackDistanceField> cracks,
                               std::span<const base::ElementId> seeds);
 
 /// An element set whose border runs through a cavity.

@@ -16,7 +16,7 @@ std::vector<base::Vec3> SolidCrack::normals_at(const std::vector<base::Vec3>& po
   return normals;
 }
 
-std::string SolidCrack::title() const {
+std::string SolidCrack::display_name() const {
   return "crack " + (name.empty() ? std::to_string(crack.index() + 1) : name);
 }
 

@@ -11,7 +11,7 @@
 /// Cracks cut into finished meshes of solids.
 namespace spricka::mesh {
 
-class CrackRelief;
+class NonPlanarCrackSurface;
 
 /// A crack in space of one size, before it is cut: what its front encloses of a plane, inside the
 /// body, or of what it has made of that plane as it turned. Where the front leaves the body the
@@ -25,8 +25,8 @@ struct SolidCrack {
   /// open one starts and ends outside or on the surface.
   std::vector<base::Vec3> front;
   bool closed = true;
-  std::string name;                               ///< for messages
-  std::shared_ptr<const CrackRelief> relief = {}; ///< of one that has turned
+  std::string name;                                         ///< for messages
+  std::shared_ptr<const NonPlanarCrackSurface> relief = {}; ///< of one that has turned
   /// The middle of an ellipse. Parts of the body that it lies in or at have the crack; with none of
   /// them all that the ellipse reaches.
   std::optional<base::Vec3> middle = {};
@@ -34,11 +34,11 @@ struct SolidCrack {
   /// The crack's normals b at points of its front.
   [[nodiscard]] std::vector<base::Vec3> normals_at(const std::vector<base::Vec3>& points) const;
 
-  [[nodiscard]] std::string title() const;
+  [[nodiscard]] std::string display_name() const;
 };
 
 /// How to mesh round a front; what is 0 follows the front (lengths in deck units).
-struct TubeMesh {
+struct TubeMeshParameters {
   double radius = 0.0; ///< of the tube
   double size = 0.0;   ///< radial length of the elements at the front
   double length = 0.0; ///< of elements along the front

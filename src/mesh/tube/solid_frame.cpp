@@ -12,24 +12,25 @@ namespace spricka::mesh {
 
 using base::Vec3;
 
-base::Vec3 SolidFrame::local(const Vec3& x) const {
-  return rounded(exact(x));
+base::Vec3 SolidCrackFrame::rounded_local(const Vec3& x) const {
+  return rounded(exact_local(x));
 }
 
 Vec3 rounded(const Vec3& p) {
   return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
-std::shared_ptr<const CrackRelief> relief_in(const SolidFrame& frame, const SolidCrack& crack) {
+std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const SolidCrackFrame& frame,
+                                                              const SolidCrack& crack) {
   if (!crack.relief) {
     return nullptr;
   }
-  return std::make_shared<const CrackRelief>(
-      crack.relief->moved([&](const Vec3& x) { return frame.exact(x); },
-                          [&](const Vec3& d) -> Vec3 { return frame.axes.transpose() * d; }));
+  return std::make_shared<const NonPlanarCrackSurface>(
+      crack.relief->transformed([&](const Vec3& x) { return frame.exact_local(x); },
+                                [&](const Vec3& d) -> Vec3 { return frame.axes.transpose() * d; }));
 }
 
-SolidFrame frame_of(const SolidCrack& crack) {
+SolidCrackFrame make_crack_frame(const SolidCrack& crack) {
   const std::vector<Vec3>& x = crack.front;
   double length = 0.0;
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -43,7 +44,7 @@ SolidFrame frame_of(const SolidCrack& crack) {
     area += part;
     moment += part / 3.0 * (x[i] + x[i + 1] - 2.0 * x[0]);
   }
-  SolidFrame frame;
+  SolidCrackFrame frame;
   const double radius = std::sqrt(std::abs(area) / std::numbers::pi);
   const bool thin = radius < 0.02 * length; // of a straight front
   frame.a = thin ? 0.25 * length : radius;

@@ -44,7 +44,7 @@ std::vector<double> steps_along(const FrontCurve& curve, const std::array<double
 
 class Placer {
 public:
-  Placer(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics)
+  Placer(const SolidHost& host, LocatedSolidCrack& request, base::Diagnostics& diagnostics)
       : host_(host), request_(request), crack_(*request.crack), diagnostics_(diagnostics),
         whole_(crack_.front, crack_.normals_at(crack_.front), crack_.closed) {}
 
@@ -52,11 +52,11 @@ public:
     if (!find_seed()) {
       return fail("no part of its front lies in the body", crack_.front.front());
     }
-    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
     if (const std::optional<Vec3> other = place_in_other_body(surface)) {
       return fail(
           fmt::format("its front begins in the body round {} and lies in another one of its net",
-                      text_of(host_.extent(request_.seed).middle)),
+                      coordinate_text(host_.extent(request_.seed).middle)),
           *other, "give each body a net of its own and name the cracked one with NET=");
     }
     if (const std::optional<Vec3> at = place_along_face(surface)) {
@@ -64,11 +64,11 @@ public:
                   "NORMAL, or the way from X0 to X1, is the normal of the crack's plane: a crack "
                   "that opens at a face stands across it");
     }
-    const FrontArcs arcs = arcs_inside(surface, whole_);
+    const InteriorFrontArcs arcs = arcs_inside(surface, whole_);
     if (arcs.trouble) {
       return fail(arcs.trouble.why, arcs.trouble.at);
     }
-    for (const FrontArc& arc : arcs.arcs) {
+    for (const InteriorFrontArc& arc : arcs.arcs) {
       request_.fronts.push_back(front_of(arc));
     }
     for (SolidFront& front : request_.fronts) {
@@ -89,8 +89,9 @@ private:
   static constexpr int samples = 64;
 
   bool fail(const std::string& why, const Vec3& at, const std::string& hint = {}) {
-    diagnostics_.error(request_.span, "E425",
-                       fmt::format("{}: {}, at {}", crack_.title(), why, text_of(at)), hint);
+    diagnostics_.error(
+        request_.span, "E425",
+        fmt::format("{}: {}, at {}", crack_.display_name(), why, coordinate_text(at)), hint);
     return false;
   }
 
@@ -112,8 +113,8 @@ private:
     for (int i = 0; i < samples; ++i) {
       const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
       const auto e = host_.element_at(x, crack_.net);
-      if (e && &host_.surface(*e) != &host_.surface(request_.seed) &&
-          (surface.nearest(x).x - x).norm() > at_surface * whole_.length()) {
+      if (e && &host_.body_surface(*e) != &host_.body_surface(request_.seed) &&
+          (surface.nearest_place(x).x - x).norm() > at_surface * whole_.length()) {
         return x;
       }
     }
@@ -130,7 +131,7 @@ private:
     std::optional<Vec3> first;
     for (int i = 0; i < samples && !crack_.relief; ++i) {
       const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
-      const SurfacePlace near = surface.nearest(x);
+      const SurfacePlace near = surface.nearest_place(x);
       if ((near.x - x).norm() < on_it * whole_.length() &&
           std::abs(near.normal.dot(crack_.normal)) > same_normal) {
         first = first ? first : std::optional(x);
@@ -141,7 +142,7 @@ private:
   }
 
   /// The curve of an arc on its own, through the same points.
-  [[nodiscard]] SolidFront front_of(const FrontArc& arc) const {
+  [[nodiscard]] SolidFront front_of(const InteriorFrontArc& arc) const {
     if (arc.whole) {
       return {std::make_shared<const FrontCurve>(whole_), arc.place};
     }
@@ -161,10 +162,10 @@ private:
   bool find_mouth(const SurfaceGeometry& surface, SolidFront& front) {
     const FrontFrame end = front.curve->at(front.curve->length());
     double least = std::numeric_limits<double>::max();
-    SurfaceTrouble trouble;
+    SurfaceFailure trouble;
     for (std::size_t k = 0; k < request_.fronts.size(); ++k) {
-      const Traced traced =
-          trace(surface, plane_of(crack_), front.end[1], request_.fronts[k].end[0], -end.m);
+      const TraceResult traced = trace_plane(surface, reference_plane(crack_), front.end[1],
+                                             request_.fronts[k].end[0], -end.m);
       trouble = traced.trouble ? traced.trouble : trouble;
       // The first front that it comes to.
       if (!traced.trouble && traced.trace.front().length() < least) {
@@ -172,7 +173,7 @@ private:
         front.next = k;
         front.mouth.clear();
         front.edges = 0;
-        for (const LinePoint& point : traced.trace.front().points()) {
+        for (const TracePoint& point : traced.trace.front().points()) {
           front.mouth.push_back(point.place.x);
           const bool edge = point.edge != nowhere && !surface.edges()[point.edge].border;
           front.edges += edge ? 1 : 0;
@@ -233,9 +234,9 @@ private:
       kept.push_back(PlanePolygons(crack_, {outline}).distance(middle) < near);
     }
     if (std::ranges::find(kept, true) == kept.end()) {
-      const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+      const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
       return !host_.element_at(middle, crack_.net) &&
-             (surface.nearest(middle).x - middle).norm() > near;
+             (surface.nearest_place(middle).x - middle).norm() > near;
     }
     if (std::ranges::find(kept, false) == kept.end()) {
       return true;
@@ -272,12 +273,12 @@ private:
       for (int i = 0; i < samples; ++i) {
         const Vec3 x = front.curve->at((i + 0.5) / samples * front.curve->length()).x;
         const auto e = host_.element_at(x, crack_.net);
-        if (e && host_.part(*e) != host_.part(request_.seed)) {
+        if (e && host_.part_index(*e) != host_.part_index(request_.seed)) {
           diagnostics_.error(
               request_.span, "E424",
               fmt::format("{}: its front goes from elements of one $PROPERTY to those "
                           "of another at {}",
-                          crack_.title(), text_of(x)),
+                          crack_.display_name(), coordinate_text(x)),
               "a crack lies in elements of one $PROPERTY: where material and state "
               "are the same give them one; move the crack off the border of two "
               "materials");
@@ -290,13 +291,15 @@ private:
 
   /// Where the surface of the body, or another material, crosses the crack.
   [[nodiscard]] std::optional<Vec3> crossing(const PlanePolygons& area) const {
-    const std::size_t part = host_.part(request_.seed);
-    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
-    const double rim = 1e-2 * frame_of(crack_).a; // a mouth lies on the surface
-    const auto in_area = [&](const Vec3& x) { return area.well_within(area.plane().flat(x), rim); };
+    const std::size_t part = host_.part_index(request_.seed);
+    const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
+    const double rim = 1e-2 * make_crack_frame(crack_).a; // a mouth lies on the surface
+    const auto in_area = [&](const Vec3& x) {
+      return area.well_within(area.plane().project(x), rim);
+    };
     // Flat triangles lie inside of a round surface, by more than the rim of a small crack.
     const auto truly_in_area = [&](const Vec3& x) {
-      return in_area(x) && in_area(surface.nearest(x).x);
+      return in_area(x) && in_area(surface.nearest_place(x).x);
     };
     std::optional<Vec3> found;
     const auto look = [&](const TriangleTree& tree, const auto& counts) {
@@ -304,13 +307,13 @@ private:
         if (found) {
           return;
         }
-        const std::vector<Vec3> places = area.cut(triangle);
+        const std::vector<Vec3> places = area.intersect_triangle(triangle);
         const auto at = std::ranges::find_if(places, counts);
         found = at != places.end() ? std::optional(*at) : std::nullopt;
       }
     };
-    look(host_.border(part), in_area);
-    look(host_.skin(part), truly_in_area);
+    look(host_.interface_tree(part), in_area);
+    look(host_.skin_tree(part), truly_in_area);
     return found;
   }
 
@@ -332,27 +335,27 @@ private:
 
   /// The hole whose surface passes near a point of the crack's plane, if all of it lies within.
   bool add_hole(const PlanePolygons& area, const Vec3& at) {
-    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
-    const CrackPlane plane = plane_of(crack_);
-    SurfacePlace near = surface.nearest(at);
+    const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
+    const CrackReferencePlane plane = reference_plane(crack_);
+    SurfacePlace near = surface.nearest_place(at);
     const Vec3 towards = near.normal.cross(plane.normal);
-    const Traced first = trace(surface, plane, near, near, towards);
+    const TraceResult first = trace_plane(surface, plane, near, near, towards);
     if (first.trouble) {
       return false;
     }
     // Begun anew half way between two of its points, which lies on the plane and on no edge.
-    SolidHole hole{first.trace.front().at(0.5 * first.trace.front().arc()[1]), {}, {}};
+    CrackHole hole{first.trace.front().at(0.5 * first.trace.front().arc_lengths()[1]), {}, {}};
     hole.towards = hole.from.normal.cross(plane.normal);
-    const Traced all = trace(surface, plane, hole.from, hole.from, hole.towards);
+    const TraceResult all = trace_plane(surface, plane, hole.from, hole.from, hole.towards);
     if (all.trouble) {
       return false;
     }
-    for (const LinePoint& point : all.trace.front().points()) {
+    for (const TracePoint& point : all.trace.front().points()) {
       hole.mouth.push_back(point.place.x);
     }
     hole.mouth.pop_back();
     const bool within = std::ranges::all_of(
-        hole.mouth, [&](const Vec3& x) { return area.within(area.plane().flat(x)); });
+        hole.mouth, [&](const Vec3& x) { return area.contains(area.plane().project(x)); });
     if (!within || hole.mouth.size() < 3) {
       return false;
     }
@@ -362,7 +365,7 @@ private:
   }
 
   const SolidHost& host_;
-  SolidRequest& request_;
+  LocatedSolidCrack& request_;
   const SolidCrack& crack_;
   base::Diagnostics& diagnostics_;
   FrontCurve whole_;
@@ -371,16 +374,17 @@ private:
 
 } // namespace
 
-std::string text_of(const Vec3& x) {
+std::string coordinate_text(const Vec3& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
 }
 
-CrackPlane plane_of(const SolidCrack& crack) {
-  const SolidFrame frame = frame_of(crack);
+CrackReferencePlane reference_plane(const SolidCrack& crack) {
+  const SolidCrackFrame frame = make_crack_frame(crack);
   return {frame.origin, crack.normal, frame.a, frame.axes.col(0), crack.relief};
 }
 
-bool place_in_host(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics) {
+bool locate_crack(const SolidHost& host, LocatedSolidCrack& request,
+                  base::Diagnostics& diagnostics) {
   return Placer(host, request, diagnostics).place();
 }
 

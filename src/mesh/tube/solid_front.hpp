@@ -14,7 +14,7 @@
 
 namespace spricka::mesh {
 
-std::string text_of(const base::Vec3& x);
+std::string coordinate_text(const base::Vec3& x);
 
 /// A part of a crack's front that lies in the body, from surface to surface, or all of a closed
 /// one.
@@ -29,29 +29,30 @@ struct SolidFront {
 };
 
 /// A hole of the body within a crack: a mouth that runs all round.
-struct SolidHole {
+struct CrackHole {
   SurfacePlace from; ///< on the crack's plane
   base::Vec3 towards = base::Vec3::Zero();
   std::vector<base::Vec3> mouth; ///< closed, the first point not repeated
 };
 
 /// A crack before it is cut: where it lies in the host.
-struct SolidRequest {
+struct LocatedSolidCrack {
   const SolidCrack* crack = nullptr;
-  const TubeMesh* mesh = nullptr;
+  const TubeMeshParameters* mesh = nullptr;
   base::SourceSpan span;
   base::ElementId seed{}; ///< the host's element that its front begins in
   std::vector<SolidFront> fronts = {};
-  std::vector<SolidHole> holes = {};
+  std::vector<CrackHole> holes = {};
   /// What fronts and mouths enclose, as closed polygons; those of holes lie within others.
   std::vector<std::vector<base::Vec3>> outlines = {};
   /// A place of what a closed front encloses elsewhere, beyond a hole or a slot: not of the crack.
   std::optional<base::Vec3> left_out = {};
 };
 
-CrackPlane plane_of(const SolidCrack& crack);
+CrackReferencePlane reference_plane(const SolidCrack& crack);
 
 /// Finds where a crack lies; false, with an error, where that is not in one part of the host.
-bool place_in_host(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics);
+bool locate_crack(const SolidHost& host, LocatedSolidCrack& request,
+                  base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

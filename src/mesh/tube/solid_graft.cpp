@@ -41,11 +41,11 @@ public:
     ElementId best = elements_.front();
     double least = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < elements_.size() && !uniform_ && least > 0.0; ++i) {
-      const SolidHost::Extent& extent = host_.extent(elements_[i]);
+      const SolidHost::ElementExtent& extent = host_.extent(elements_[i]);
       if ((x - extent.middle).norm() > 1.1 * extent.radius) {
         continue;
       }
-      const double outside = outside_of(host_.mesh(), elements_[i], x);
+      const double outside = distance_outside(host_.mesh(), elements_[i], x);
       if (outside < least) {
         least = outside;
         best = elements_[i];
@@ -234,14 +234,14 @@ private:
     constexpr double off_chord = 0.1; // of an edge: where the surface is curved
     const TriangleTree tree(std::move(triangles));
     std::erase_if(lost, [&](NodeId n) {
-      const TriangleTree::Nearest at = tree.nearest(host_.x[n.index()]);
+      const TriangleTree::NearestTriangle at = tree.nearest(host_.x[n.index()]);
       const CornerPlaces& t = tree.triangles()[at.triangle];
       return at.distance <= off_chord * (t[1] - t[0]).norm();
     });
   }
 
   template <class PatchCoupling>
-  static void join_edge(const SolidGraft& g, const EdgePieces& edge, PatchCoupling&& join,
+  static void join_edge(const SolidGraft& g, const HeldEdgePieces& edge, PatchCoupling&& join,
                         std::vector<bool>& replaced) {
     for (const int n : edge.ends) {
       join(g.node[static_cast<std::size_t>(n)]);
@@ -290,7 +290,7 @@ private:
         }
       }
       for (const SolidGraft& g : grafts_) {
-        for (const EdgePieces& edge : g.patch.edges) {
+        for (const HeldEdgePieces& edge : g.patch.edges) {
           if (std::ranges::all_of(edge.host,
                                   [&](NodeId n) { return !n.valid() || old_member[n.index()]; })) {
             join_edge(g, edge, join, replaced);
@@ -306,7 +306,7 @@ private:
           }
         }
       }
-      std::vector<NodeId>& lost = result_.lost.emplace_back();
+      std::vector<NodeId>& lost = result_.removed_nodes.emplace_back();
       std::ranges::copy_if(old.nodes, std::back_inserter(lost), [&](NodeId n) {
         return had[n.index()] && !used_[n.index()] && !replaced[n.index()];
       });

@@ -36,8 +36,8 @@ void add_triangles(const model::Mesh& mesh, const model::Face& face,
   Vec3 middle = Vec3::Zero();
   for (std::size_t i = 0; i < nodes.corners; ++i) {
     rim.push_back(mesh.x[nodes.all[i].index()]);
-    if (nodes.mid(i).valid()) {
-      rim.push_back(mesh.x[nodes.mid(i).index()]);
+    if (nodes.mid_node(i).valid()) {
+      rim.push_back(mesh.x[nodes.mid_node(i).index()]);
     }
   }
   if (rim.size() == 3) {
@@ -51,8 +51,8 @@ void add_triangles(const model::Mesh& mesh, const model::Face& face,
     triangles.push_back({rim[1], rim[3], rim[5]});
     return;
   }
-  if (nodes.centre().valid()) {
-    middle = mesh.x[nodes.centre().index()];
+  if (nodes.centre_node().valid()) {
+    middle = mesh.x[nodes.centre_node().index()];
   } else if (rim.size() == 4) {
     middle = 0.25 * (rim[0] + rim[1] + rim[2] + rim[3]);
   } else { // serendipity: -1/4 of the corners, 1/2 of the middles
@@ -65,7 +65,7 @@ void add_triangles(const model::Mesh& mesh, const model::Face& face,
   }
 }
 
-SolidHost::SolidHost(const model::Mesh& mesh, SetUse use)
+SolidHost::SolidHost(const model::Mesh& mesh, SetUsage use)
     : mesh_(mesh), use_(std::move(use)), elements_(mesh) {
   assert(mesh.dim == 3);
   find_neighbours();
@@ -81,7 +81,7 @@ void SolidHost::find_neighbours() {
     for (int s = 0; s < base::element_info(mesh_.type[e]).sides; ++s) {
       const model::Face face{ElementId(e), s};
       const FaceNodes nodes = face_nodes(mesh_, face);
-      for (const model::Face& other : sides.find(nodes.corner())) {
+      for (const model::Face& other : sides.find(nodes.corner_nodes())) {
         if (other.element != face.element) {
           beyond_[place(face)] = static_cast<std::int32_t>(other.element.index());
         }
@@ -102,7 +102,7 @@ void SolidHost::find_parts() {
     for (std::size_t k = 0; k < members.size(); ++k) {
       const ElementId e = members[k];
       for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        const auto other = beyond({e, s});
+        const auto other = neighbour({e, s});
         if (other && part_[other->index()] == none &&
             mesh_.property[other->index()] == mesh_.property[first] &&
             mesh_.element_net[other->index()] == mesh_.element_net[first]) {
@@ -123,11 +123,11 @@ void SolidHost::find_skins() {
     std::vector<CornerPlaces> between;
     for (const ElementId e : members_[p]) {
       for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        const auto other = beyond({e, s});
-        if (!other || part(*other) != p) {
+        const auto other = neighbour({e, s});
+        if (!other || part_index(*other) != p) {
           add_triangles(mesh_, {e, s}, triangles);
         }
-        if (other && part(*other) != p) {
+        if (other && part_index(*other) != p) {
           add_triangles(mesh_, {e, s}, between);
         }
       }
@@ -137,21 +137,21 @@ void SolidHost::find_skins() {
   }
 }
 
-const BodySurface& SolidHost::surface(ElementId e) const {
-  if (!surface_[part(e)]) {
+const BodySurface& SolidHost::body_surface(ElementId e) const {
+  if (!surface_[part_index(e)]) {
     // All parts of the body.
     std::vector<bool> has(members_.size(), false);
-    std::vector<std::size_t> parts{part(e)};
-    has[part(e)] = true;
+    std::vector<std::size_t> parts{part_index(e)};
+    has[part_index(e)] = true;
     std::vector<ElementId> elements;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       for (const ElementId member : members_[parts[k]]) {
         elements.push_back(member);
         for (int s = 0; s < base::element_info(mesh_.type[member.index()]).sides; ++s) {
-          const auto other = beyond({member, s});
-          if (other && !has[part(*other)]) {
-            has[part(*other)] = true;
-            parts.push_back(part(*other));
+          const auto other = neighbour({member, s});
+          if (other && !has[part_index(*other)]) {
+            has[part_index(*other)] = true;
+            parts.push_back(part_index(*other));
           }
         }
       }
@@ -162,14 +162,14 @@ const BodySurface& SolidHost::surface(ElementId e) const {
       surface_[p] = made;
     }
   }
-  return *surface_[part(e)];
+  return *surface_[part_index(e)];
 }
 
 void SolidHost::find_extents() {
   extent_.resize(mesh_.element_count());
   for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
     const auto nodes = mesh_.element_nodes(ElementId(e));
-    Extent& extent = extent_[e];
+    ElementExtent& extent = extent_[e];
     const auto corners = static_cast<std::size_t>(base::element_info(mesh_.type[e]).corners);
     for (const NodeId n : nodes.first(corners)) {
       extent.middle += mesh_.x[n.index()] / static_cast<double>(corners);
@@ -186,7 +186,7 @@ void SolidHost::find_extents() {
   }
 }
 
-double outside_of(const model::Mesh& mesh, ElementId e, const Vec3& x) {
+double distance_outside(const model::Mesh& mesh, ElementId e, const Vec3& x) {
   const base::ElementType type = mesh.type[e.index()];
   if (base::element_info(type).dim != 3) {
     return std::numeric_limits<double>::max();
@@ -222,7 +222,7 @@ std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) c
         (x - extent_[e].middle).norm() > (1.0 + rim) * extent_[e].radius) {
       continue;
     }
-    if (const double outside = outside_of(mesh_, ElementId(e), x); outside < least) {
+    if (const double outside = distance_outside(mesh_, ElementId(e), x); outside < least) {
       least = outside;
       best = ElementId(e);
     }

@@ -18,15 +18,15 @@ struct FaceNodes {
   std::vector<base::NodeId> all;
   std::size_t corners = 3;
 
-  [[nodiscard]] std::span<const base::NodeId> corner() const {
+  [[nodiscard]] std::span<const base::NodeId> corner_nodes() const {
     return std::span(all).first(corners);
   }
   /// The middle of the edge from corner i to the next; invalid in linear elements.
-  [[nodiscard]] base::NodeId mid(std::size_t i) const {
+  [[nodiscard]] base::NodeId mid_node(std::size_t i) const {
     return all.size() > corners ? all[corners + i] : base::NodeId();
   }
   /// The node in the middle of the face; invalid if it has none.
-  [[nodiscard]] base::NodeId centre() const {
+  [[nodiscard]] base::NodeId centre_node() const {
     return all.size() > 2 * corners ? all.back() : base::NodeId();
   }
 };
@@ -37,38 +37,38 @@ FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face);
 /// (surface of the body, other properties) is its skin.
 class SolidHost {
 public:
-  explicit SolidHost(const model::Mesh& mesh, SetUse use = {});
+  explicit SolidHost(const model::Mesh& mesh, SetUsage use = {});
 
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
-  [[nodiscard]] const SetUse& use() const { return use_; }
+  [[nodiscard]] const SetUsage& set_usage() const { return use_; }
   /// Elements that have this node, ascending.
-  [[nodiscard]] std::span<const base::ElementId> around(base::NodeId node) const {
-    return elements_.around(node);
+  [[nodiscard]] std::span<const base::ElementId> elements_around(base::NodeId node) const {
+    return elements_.elements_around(node);
   }
   /// The element on the other side of a face; empty on the boundary.
-  [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const {
+  [[nodiscard]] std::optional<base::ElementId> neighbour(const model::Face& face) const {
     const std::int32_t e = beyond_[place(face)];
     return e < 0 ? std::nullopt : std::optional(base::ElementId(static_cast<std::size_t>(e)));
   }
-  [[nodiscard]] std::size_t part(base::ElementId e) const { return part_[e.index()]; }
+  [[nodiscard]] std::size_t part_index(base::ElementId e) const { return part_[e.index()]; }
   /// Elements of a part, ascending.
-  [[nodiscard]] const std::vector<base::ElementId>& members(std::size_t part) const {
+  [[nodiscard]] const std::vector<base::ElementId>& part_elements(std::size_t part) const {
     return members_[part];
   }
-  [[nodiscard]] const TriangleTree& skin(std::size_t part) const { return skin_[part]; }
+  [[nodiscard]] const TriangleTree& skin_tree(std::size_t part) const { return skin_[part]; }
   /// Where a part meets others.
-  [[nodiscard]] const TriangleTree& border(std::size_t part) const { return border_[part]; }
+  [[nodiscard]] const TriangleTree& interface_tree(std::size_t part) const { return border_[part]; }
   /// The surface of the body, of whatever parts, that an element belongs to. Made when first asked
   /// for, by one thread at a time.
-  [[nodiscard]] const BodySurface& surface(base::ElementId e) const;
+  [[nodiscard]] const BodySurface& body_surface(base::ElementId e) const;
 
   /// A ball that holds the nodes of an element, and its longest edge.
-  struct Extent {
+  struct ElementExtent {
     base::Vec3 middle = base::Vec3::Zero();
     double radius = 0.0;
     double edge = 0.0;
   };
-  [[nodiscard]] const Extent& extent(base::ElementId e) const { return extent_[e.index()]; }
+  [[nodiscard]] const ElementExtent& extent(base::ElementId e) const { return extent_[e.index()]; }
 
   /// The element of a net (any: invalid) that a place lies in; empty outside of all.
   [[nodiscard]] std::optional<base::ElementId> element_at(const base::Vec3& x,
@@ -85,7 +85,7 @@ private:
   void find_extents();
 
   const model::Mesh& mesh_;
-  SetUse use_;
+  SetUsage use_;
   NodeElements elements_;
   std::vector<std::int32_t> beyond_; ///< [most_sides * element + side] element there or -1
   std::vector<std::size_t> part_;    ///< [element]
@@ -94,11 +94,11 @@ private:
   std::vector<TriangleTree> border_; ///< [part]
   /// [part] that of its body
   mutable std::vector<std::shared_ptr<const BodySurface>> surface_;
-  std::vector<Extent> extent_; ///< [element]
+  std::vector<ElementExtent> extent_; ///< [element]
 };
 
 /// How far a place lies outside of an element, in its own coordinates; at most 0 inside.
-double outside_of(const model::Mesh& mesh, base::ElementId e, const base::Vec3& x);
+double distance_outside(const model::Mesh& mesh, base::ElementId e, const base::Vec3& x);
 
 /// Triangles between all nodes of a face: its shape, for distances.
 void add_triangles(const model::Mesh& mesh, const model::Face& face,

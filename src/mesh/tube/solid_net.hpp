@@ -35,24 +35,27 @@ struct SolidTie {
 using PatchTriangle = std::array<int, 3>;
 
 /// Collects nodes, elements and ties of a patch; an edge has one node in its middle.
-class SolidNet {
+class SolidPatchNet {
 public:
-  SolidNet(const model::Mesh& host, const SolidFrame& frame) : host_(host), frame_(frame) {}
+  SolidPatchNet(const model::Mesh& host, const SolidCrackFrame& frame)
+      : host_(host), frame_(frame) {}
 
   int host_node(base::NodeId n);
   int new_node(const base::Vec3& x);
   /// At a place in the crack's frame, which is not rounded.
   int new_node_at(const base::Vec3& place);
   /// A second node in the place of another.
-  int copy(int n);
+  int duplicate_node(int n);
 
   /// The node in the middle of an edge, made half way if the edge has none.
-  int mid(int a, int b);
-  [[nodiscard]] std::optional<int> known_mid(int a, int b) const;
-  void set_mid(int a, int b, int node) { mid_.insert_or_assign(key(a, b), node); }
+  int mid_node(int a, int b);
+  [[nodiscard]] std::optional<int> known_mid_node(int a, int b) const;
+  void set_mid_node(int a, int b, int node) { mid_.insert_or_assign(key(a, b), node); }
 
-  [[nodiscard]] const base::Vec3& x(int n) const { return nodes[static_cast<std::size_t>(n)].x; }
-  [[nodiscard]] const base::Vec3& local(int n) const {
+  [[nodiscard]] const base::Vec3& position(int n) const {
+    return nodes[static_cast<std::size_t>(n)].x;
+  }
+  [[nodiscard]] const base::Vec3& local_position(int n) const {
     return nodes[static_cast<std::size_t>(n)].local;
   }
   /// Six times the volume of a tetrahedron, by rounded coordinates.
@@ -69,7 +72,7 @@ private:
   }
 
   const model::Mesh& host_;
-  const SolidFrame& frame_;
+  const SolidCrackFrame& frame_;
   std::unordered_map<std::int32_t, int> of_host_;
   std::unordered_map<std::uint64_t, int> mid_;
 };

@@ -8,16 +8,17 @@
 namespace spricka::mesh {
 namespace {
 
-std::string what_and_where(const SolidCrack& crack, const Front& front) {
-  return fmt::format("{}: as large as a circle of radius {:.4g}, {}, front of length {:.6g}",
-                     crack.title(), front.a,
-                     front.kind == CrackKind::embedded
-                         ? "embedded, inside the body"
-                         : fmt::format("a {} crack, from surface to surface", name_of(front.kind)),
-                     front.curve->length());
+std::string what_and_where(const SolidCrack& crack, const CrackFront& front) {
+  return fmt::format(
+      "{}: as large as a circle of radius {:.4g}, {}, front of length {:.6g}", crack.display_name(),
+      front.a,
+      front.kind == CrackConfiguration::embedded
+          ? "embedded, inside the body"
+          : fmt::format("a {} crack, from surface to surface", configuration_name(front.kind)),
+      front.curve->length());
 }
 
-std::string patch_of(const SolidGroup& group) {
+std::string patch_of(const CavityCrackGroup& group) {
   return fmt::format("patch of {} elements for {} of the net{}", group.graft.patch.elements.size(),
                      group.graft.cavity.elements.size(),
                      group.members.size() > 1 ? ", shared with others" : "");
@@ -29,9 +30,9 @@ std::string range_text(double least, double most, const char* number) {
   return most > 1.001 * least ? text(least) + " to " + text(most) : text(least);
 }
 
-std::string free_text(const SolidGroup& group, const Tube& tube) {
+std::string free_text(const CavityCrackGroup& group, const Tube& tube) {
   const auto [finest, coarsest] = std::ranges::minmax(tube.size);
-  const QuarterPoints& quarters = group.graft.patch.quarters;
+  const QuarterPointCounts& quarters = group.graft.patch.quarters;
   std::string mids = "mid nodes in the middle";
   if (tube.quarter_point) {
     mids = fmt::format("mid nodes at a quarter of {} edges from it", quarters.moved);
@@ -45,37 +46,39 @@ std::string free_text(const SolidGroup& group, const Tube& tube) {
 
 } // namespace
 
-void tell_of_sets(const SolidHost& host, std::span<const SolidRequest> requests,
-                  const SolidGroup& group, base::Diagnostics& diagnostics) {
-  const SolidRequest& first = requests[group.members.front()];
+void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack> requests,
+                       const CavityCrackGroup& group, base::Diagnostics& diagnostics) {
+  const LocatedSolidCrack& first = requests[group.members.front()];
   const auto name = [](const std::string& set) {
     return set.empty() ? std::string("a set") : "the set " + set;
   };
-  for (const SetShift& shift : group.graft.patch.shifts) {
+  for (const SetBorderShift& shift : group.graft.patch.shifts) {
     diagnostics.warning(
         first.span, "W425",
         fmt::format("{}: its elements cover the border of {} at {} and move it by up to {:.3g}: "
                     "what is loaded or held there is a little another part of the surface",
-                    first.crack->title(), name(shift.set), text_of(shift.at), shift.by),
+                    first.crack->display_name(), name(shift.set), coordinate_text(shift.at),
+                    shift.by),
         "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
   }
   for (const SplitSet& set : split_sets(host, group.graft.cavity)) {
-    if (!SetUse::uses(host.use().elements, set.index)) {
+    if (!SetUsage::is_used(host.set_usage().elements, set.index)) {
       continue;
     }
     diagnostics.warning(
         first.span, "W425",
         fmt::format("{}: the border of {}, elements, runs through its patch near {}: there it "
                     "goes along new elements, up to one of them beside where it was",
-                    first.crack->title(), name(set.name), text_of(set.at)),
+                    first.crack->display_name(), name(set.name), coordinate_text(set.at)),
         "loads per volume and results of the set are off by as much");
   }
 }
 
-std::string titles_of(std::span<const SolidRequest> requests, const SolidGroup& group) {
+std::string group_title(std::span<const LocatedSolidCrack> requests,
+                        const CavityCrackGroup& group) {
   std::string names;
   for (const std::size_t i : group.members) {
-    names += (names.empty() ? "" : ", ") + requests[i].crack->title();
+    names += (names.empty() ? "" : ", ") + requests[i].crack->display_name();
   }
   for (const PatchSolidCrack& crack : group.cracks) {
     for (const Tube& tube : crack.tubes) {
@@ -92,8 +95,8 @@ std::string titles_of(std::span<const SolidRequest> requests, const SolidGroup& 
   return names;
 }
 
-std::string note_of(const SolidRequest& request, const SolidGroup& group,
-                    std::pair<std::size_t, std::size_t> at, const Front& front) {
+std::string front_note(const LocatedSolidCrack& request, const CavityCrackGroup& group,
+                       std::pair<std::size_t, std::size_t> at, const CrackFront& front) {
   const Tube& tube = group.cracks[at.first].tubes[at.second];
   const double widest = group.frame.a * *std::ranges::max_element(tube.radius);
   const std::string elements =
@@ -105,7 +108,7 @@ std::string note_of(const SolidRequest& request, const SolidGroup& group,
   const std::string left_out =
       request.left_out
           ? fmt::format("; what its ellipse encloses elsewhere, as at {}, is no part of it",
-                        text_of(*request.left_out))
+                        coordinate_text(*request.left_out))
           : std::string();
   return fmt::format("{} with {}, {}{}", what_and_where(*request.crack, front), elements,
                      patch_of(group), left_out);

@@ -12,22 +12,22 @@
 namespace spricka::mesh {
 
 /// Cracks that share a cavity, in the frame of the first.
-struct SolidGroup {
+struct CavityCrackGroup {
   std::vector<std::size_t> members; ///< their numbers
-  SolidFrame frame{};
+  SolidCrackFrame frame{};
   std::vector<PatchSolidCrack> cracks{};
   SolidGraft graft{};
 };
 
 /// Warns (W425) of sets whose borders a patch moves.
-void tell_of_sets(const SolidHost& host, std::span<const SolidRequest> requests,
-                  const SolidGroup& group, base::Diagnostics& diagnostics);
+void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack> requests,
+                       const CavityCrackGroup& group, base::Diagnostics& diagnostics);
 
 /// The cracks of a group by their names, with their tubes.
-std::string titles_of(std::span<const SolidRequest> requests, const SolidGroup& group);
+std::string group_title(std::span<const LocatedSolidCrack> requests, const CavityCrackGroup& group);
 
 /// What was chosen for a front; `at`: its crack in the group and its tube.
-std::string note_of(const SolidRequest& request, const SolidGroup& group,
-                    std::pair<std::size_t, std::size_t> at, const Front& front);
+std::string front_note(const LocatedSolidCrack& request, const CavityCrackGroup& group,
+                       std::pair<std::size_t, std::size_t> at, const CrackFront& front);
 
 } // namespace spricka::mesh

@@ -24,8 +24,9 @@ using base::Vec3;
 
 class PatchBuilder {
 public:
-  PatchBuilder(const SolidHost& host, const SolidFrame& frame,
-               std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity, PatchWish wish)
+  PatchBuilder(const SolidHost& host, const SolidCrackFrame& frame,
+               std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
+               SurfaceTreatment wish)
       : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), wish_(wish),
         net_(host.mesh(), frame) {}
 
@@ -71,7 +72,7 @@ private:
         std::ranges::copy_if(faces, std::back_inserter(free), &CavityFace::free);
         std::erase_if(faces, [](const CavityFace& face) { return face.free; });
       }
-      std::vector<PatchTriangle> shell = shell_of(host_, removed, faces, net_, patch_.faces);
+      std::vector<PatchTriangle> shell = cavity_shell(host_, removed, faces, net_, patch_.faces);
       if (open[s]) {
         joined.insert(joined.end(), shell.begin(), shell.end());
       } else {
@@ -86,9 +87,10 @@ private:
     mouths_.resize(cracks_.size());
     holes_.resize(cracks_.size());
     if (!free.empty()) {
-      OpenSurface surface = mesh_open_surface({host_.surface(cavity_.elements.front()), frame_,
-                                               cracks_, tubes_, std::move(free), wish_.borders},
-                                              net_, lower_, patch_.faces);
+      MouthSurface surface =
+          mesh_mouth_surface({host_.body_surface(cavity_.elements.front()), frame_, cracks_, tubes_,
+                              std::move(free), wish_.borders},
+                             net_, lower_, patch_.faces);
       patch_.trouble = surface.trouble;
       patch_.at_border = surface.at_border;
       patch_.shifts = std::move(surface.shifts);
@@ -108,18 +110,18 @@ private:
     std::vector<bool> open(cavity_.shells.size(), false);
     std::set<model::Face> ends;
     for (const PatchSolidCrack& crack : cracks_) {
-      for (const SurfaceLine& hole : crack.holes) {
-        const BodySurface& body = host_.surface(cavity_.elements.front());
+      for (const DividedTrace& hole : crack.holes) {
+        const BodySurface& body = host_.body_surface(cavity_.elements.front());
         for (const SurfacePlace& place : hole.mids) {
           ends.insert(body.face(place.face));
         }
       }
       for (const Tube& tube : crack.tubes) {
-        for (const Tube::End& end : tube.ends) {
+        for (const Tube::TubeEnd& end : tube.ends) {
           for (const int n : end.corner) {
-            const BodySurface& body = host_.surface(cavity_.elements.front());
+            const BodySurface& body = host_.body_surface(cavity_.elements.front());
             const Vec3 x = frame_.global(tube.x[static_cast<std::size_t>(n)]);
-            ends.insert(body.face(body.geometry().nearest(x).face));
+            ends.insert(body.face(body.geometry().nearest_place(x).face));
           }
         }
       }
@@ -134,8 +136,8 @@ private:
 
   /// Open tubes are part of the shell that they join, closed ones have shells of their own.
   void lay_tubes_of(std::size_t c, std::vector<PatchTriangle>& joined) {
-    SolidPatch::Crack& made = patch_.cracks[c];
-    std::vector<LaidTube>& laid = tubes_.emplace_back();
+    SolidPatch::OpenedPatchCrack& made = patch_.cracks[c];
+    std::vector<PlacedTube>& laid = tubes_.emplace_back();
     for (const Tube& tube : cracks_[c].tubes) {
       const std::size_t first = net_.elements.size();
       std::vector<PatchTriangle> shell;
@@ -149,10 +151,10 @@ private:
       for (const auto& [upper, lower] : tube.twins) {
         made.twins.emplace_back(at(upper), at(lower));
       }
-      for (const Tube::Side& side : tube.upper_sides) {
+      for (const Tube::TubeSide& side : tube.upper_sides) {
         made.upper.push_back({first + side.element, side.side});
       }
-      for (const Tube::Side& side : tube.lower_sides) {
+      for (const Tube::TubeSide& side : tube.lower_sides) {
         made.lower.push_back({first + side.element, side.side});
       }
       std::vector<int>& front = made.fronts.emplace_back();
@@ -172,7 +174,7 @@ private:
   /// The faces of a crack between its tubes and mouths.
   void make_crack(std::size_t c) {
     const PatchSolidCrack& crack = cracks_[c];
-    SolidPatch::Crack& made = patch_.cracks[c];
+    SolidPatch::OpenedPatchCrack& made = patch_.cracks[c];
     for (std::size_t m = 0; m < mouths_[c].size(); ++m) {
       const CrackMouth& mouth = crack.mouths[m];
       if (mouths_[c][m].empty() && (crack.tubes[mouth.from].free || crack.tubes[mouth.to].free)) {
@@ -189,7 +191,7 @@ private:
     }
     std::vector<PatchTriangle>& faces = faces_.emplace_back();
     for (const std::vector<int>& loop : loops_of(c)) {
-      CrackSurface surface = mesh_crack(crack.reach, with_holes(c, loop), crack.finer, net_);
+      CrackTriangulation surface = mesh_crack(crack.reach, with_holes(c, loop), crack.finer, net_);
       if (!surface.trouble.empty()) {
         patch_.trouble = "its faces: " + surface.trouble;
         return;
@@ -197,7 +199,7 @@ private:
       divide_chords(crack.reach.plane(), free_, net_, surface);
       for (const int n : surface.nodes) {
         if (!lower_.contains(n) && !free_.contains(n)) {
-          lower_[n] = net_.copy(n);
+          lower_[n] = net_.duplicate_node(n);
           made.twins.emplace_back(n, lower_[n]);
         }
       }
@@ -212,11 +214,11 @@ private:
     std::vector<base::Vec2> polygon;
     polygon.reserve(loop.size());
     for (const int n : loop) {
-      polygon.push_back(plane.flat(net_.local(n)));
+      polygon.push_back(plane.project(net_.local_position(n)));
     }
     std::vector<std::vector<int>> loops{loop};
     std::ranges::copy_if(holes_[c], std::back_inserter(loops), [&](const std::vector<int>& hole) {
-      return inside(plane.flat(net_.local(hole.front())), polygon);
+      return is_inside(plane.project(net_.local_position(hole.front())), polygon);
     });
     return loops;
   }
@@ -260,7 +262,7 @@ private:
           if (p < 0) {
             p = static_cast<int>(node.size());
             node.push_back(t[i]);
-            region.points.push_back(net_.local(t[i]));
+            region.points.push_back(net_.local_position(t[i]));
           }
           made[i] = p;
         }
@@ -274,7 +276,7 @@ private:
       const auto triangles = points(faces);
       region.embedded.insert(region.embedded.end(), triangles.begin(), triangles.end());
     }
-    const SolidFilling filling = fill_solid(region, solid_sizes(cracks_, rims_, net_));
+    const TetrahedronFill filling = fill_tetrahedra(region, solid_sizes(cracks_, rims_, net_));
     patch_.trouble = filling.trouble;
     for (const Vec3& p : filling.added) {
       node.push_back(net_.new_node_at(p));
@@ -292,7 +294,7 @@ private:
     for (const auto& faces : faces_) {
       all.insert(all.end(), faces.begin(), faces.end());
     }
-    const SplitFill split = split_fill(net_, all, lower_, tetrahedra_);
+    const OpenedFill split = split_fill(net_, all, lower_, tetrahedra_);
     patch_.trouble = split.trouble;
     const std::size_t first = net_.elements.size();
     std::size_t k = 0;
@@ -310,7 +312,8 @@ private:
           net_.elements.emplace_back(SolidPatchElement{base::ElementType::tet10, {}});
       e.nodes.assign(t.begin(), t.end());
       for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}) {
-        e.nodes.push_back(net_.mid(t[static_cast<std::size_t>(a)], t[static_cast<std::size_t>(b)]));
+        e.nodes.push_back(
+            net_.mid_node(t[static_cast<std::size_t>(a)], t[static_cast<std::size_t>(b)]));
       }
     }
     for (std::size_t c = 0; c < faces_.size(); ++c) {
@@ -323,9 +326,9 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
           const int a = t[i];
           const int b = t[(i + 1) % 3];
-          const int upper = net_.mid(a, b);
+          const int upper = net_.mid_node(a, b);
           if (known.insert(upper).second) {
-            patch_.cracks[c].twins.emplace_back(upper, net_.mid(below(a), below(b)));
+            patch_.cracks[c].twins.emplace_back(upper, net_.mid_node(below(a), below(b)));
           }
         }
       }
@@ -337,7 +340,7 @@ private:
       return;
     }
     std::vector<std::pair<int, int>> twins;
-    for (const SolidPatch::Crack& crack : patch_.cracks) {
+    for (const SolidPatch::OpenedPatchCrack& crack : patch_.cracks) {
       twins.insert(twins.end(), crack.twins.begin(), crack.twins.end());
     }
     patch_.quarters = move_to_quarters(net_, quarter_, twins);
@@ -346,7 +349,7 @@ private:
   /// Of two nodes at a mouth an edge has that of its side.
   void settle_edges() {
     std::unordered_map<int, std::set<int>> beside; // nodes of the elements at the middle of an edge
-    for (const EdgePieces& edge : patch_.edges) {
+    for (const HeldEdgePieces& edge : patch_.edges) {
       if (edge.mid >= 0) {
         beside[edge.mid];
       }
@@ -359,7 +362,7 @@ private:
         }
       }
     }
-    for (EdgePieces& edge : patch_.edges) {
+    for (HeldEdgePieces& edge : patch_.edges) {
       std::erase_if(edge.ends, [&](int n) { return !beside.at(edge.mid).contains(n); });
     }
   }
@@ -367,18 +370,19 @@ private:
   void look_at_elements() {
     std::vector<std::size_t> all(net_.elements.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const std::vector<BadElement> folded = folded_elements(net_, all);
+    const std::vector<InvalidElement> folded = folded_elements(net_, all);
     if (!folded.empty()) {
       patch_.folded = true;
       std::set<NodeId> of_host;
-      for (const BadElement& bad : folded) {
+      for (const InvalidElement& bad : folded) {
         for (const int n : net_.elements[bad.element.index()].nodes) {
           of_host.insert(net_.nodes[static_cast<std::size_t>(n)].host);
         }
       }
       of_host.erase(NodeId());
       patch_.folded_at.assign(of_host.begin(), of_host.end());
-      const BadElement& worst = *std::ranges::min_element(folded, {}, &BadElement::jacobian);
+      const InvalidElement& worst =
+          *std::ranges::min_element(folded, {}, &InvalidElement::jacobian);
       patch_.trouble =
           fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", folded.size(),
                       base::element_info(net_.elements[worst.element.index()].type).name,
@@ -387,15 +391,15 @@ private:
   }
 
   const SolidHost& host_;
-  const SolidFrame& frame_;
+  const SolidCrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const SolidCavity& cavity_;
-  PatchWish wish_;
-  SolidNet net_;
+  SurfaceTreatment wish_;
+  SolidPatchNet net_;
   SolidPatch patch_;
   std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
   std::vector<std::vector<PatchTriangle>> rims_;      ///< of them, what the host gives
-  std::vector<std::vector<LaidTube>> tubes_;          ///< [crack]
+  std::vector<std::vector<PlacedTube>> tubes_;        ///< [crack]
   std::vector<std::vector<std::vector<int>>> mouths_; ///< [crack][mouth] nodes between tubes
   std::vector<std::vector<std::vector<int>>> holes_;  ///< [crack][hole] nodes all round
   std::vector<std::vector<PatchTriangle>> faces_;     ///< [crack] between its tubes
@@ -407,9 +411,9 @@ private:
 
 } // namespace
 
-SolidPatch build_solid_patch(const SolidHost& host, const SolidFrame& frame,
+SolidPatch mesh_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-                             PatchWish wish) {
+                             SurfaceTreatment wish) {
   return PatchBuilder(host, frame, cracks, cavity, wish).build();
 }
 

@@ -16,40 +16,40 @@ namespace spricka::mesh {
 
 /// What fills a cavity, its cracks open.
 struct SolidPatch {
-  struct Side {
+  struct SolidPatchSide {
     std::size_t element = 0;
     int side = 0;
   };
-  struct Crack {
-    std::vector<std::pair<int, int>> twins; ///< nodes of the upper and the lower face
-    std::vector<Side> upper, lower;         ///< sides of elements that make them
-    std::vector<std::vector<int>> fronts;   ///< [tube][station] node
+  struct OpenedPatchCrack {
+    std::vector<std::pair<int, int>> twins;   ///< nodes of the upper and the lower face
+    std::vector<SolidPatchSide> upper, lower; ///< sides of elements that make them
+    std::vector<std::vector<int>> fronts;     ///< [tube][station] node
   };
   std::vector<SolidPatchNode> nodes;
   std::vector<SolidPatchElement> elements;
   std::vector<SolidTie> ties;
-  std::vector<Crack> cracks;
-  QuarterPoints quarters;        ///< of free fronts
+  std::vector<OpenedPatchCrack> cracks;
+  QuarterPointCounts quarters;   ///< of free fronts
   std::vector<FacePieces> faces; ///< of the cavity
   std::string trouble;           ///< why there is no patch
   bool folded = false;           ///< because elements are
   /// The host's nodes of such elements, ascending.
   std::vector<base::NodeId> folded_at;
-  bool old_surface = false;      ///< of the body has a part in it that is not meshed anew
-  bool at_border = false;        ///< borders of sets may be the trouble
-  std::vector<SetShift> shifts;  ///< of used sets' borders, where they are not kept
-  std::vector<EdgePieces> edges; ///< of the cavity that held sets have
+  bool old_surface = false;           ///< of the body has a part in it that is not meshed anew
+  bool at_border = false;             ///< borders of sets may be the trouble
+  std::vector<SetBorderShift> shifts; ///< of used sets' borders, where they are not kept
+  std::vector<HeldEdgePieces> edges;  ///< of the cavity that held sets have
 };
 
 /// How the surface of the body is treated.
-struct PatchWish {
-  Borders borders = Borders::all; ///< of which sets are kept; others go where triangles end
+struct SurfaceTreatment {
+  KeptBorders borders = KeptBorders::all; ///< of which sets are kept; others go where triangles end
   bool renew = false; ///< the cavity's part of it is meshed anew where no tube ends, too
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.
-SolidPatch build_solid_patch(const SolidHost& host, const SolidFrame& frame,
+SolidPatch mesh_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-                             PatchWish wish);
+                             SurfaceTreatment wish);
 
 } // namespace spricka::mesh

@@ -17,7 +17,7 @@ using Corners = std::array<int, 4>;
 
 /// Whether of a quadrilateral, anticlockwise seen from the fill, the diagonal from corner 0 to 2
 /// bulges towards the fill (or the four lie in a plane), not that from 1 to 3.
-bool first_bulges(const SolidNet& net, const Corners& q) {
+bool first_bulges(const SolidPatchNet& net, const Corners& q) {
   return net.six_volumes(q[0], q[1], q[2], q[3]) <= 0.0;
 }
 
@@ -44,10 +44,10 @@ SolidTie middle_of(const Corners& corner, const std::array<int, 4>& mid) {
 }
 
 /// Makes the slave of a tie in its place; the tie stays if it is to hold.
-int slave_of(SolidNet& net, SolidTie tie, bool holds) {
+int slave_of(SolidPatchNet& net, SolidTie tie, bool holds) {
   Vec3 x = Vec3::Zero();
   for (std::size_t i = 0; i < tie.master.size(); ++i) {
-    x += tie.weight[i] * net.x(tie.master[i]);
+    x += tie.weight[i] * net.position(tie.master[i]);
   }
   tie.slave = net.new_node(x);
   const int node = tie.slave;
@@ -59,10 +59,10 @@ int slave_of(SolidNet& net, SolidTie tie, bool holds) {
 
 /// Makes the nodes inside a quadrilateral (corners, middles, and the middle where it has one) that
 /// four triangles round it share with it, tied so that linear stresses pass. Returns its middle.
-int tie_inside(SolidNet& net, const std::vector<int>& nodes) {
+int tie_inside(SolidPatchNet& net, const std::vector<int>& nodes) {
   std::vector<Vec3> places;
-  std::ranges::transform(nodes, std::back_inserter(places), [&](int n) { return net.x(n); });
-  const base::Matrix weights = join_weights(places);
+  std::ranges::transform(nodes, std::back_inserter(places), [&](int n) { return net.position(n); });
+  const base::Matrix weights = tie_weights(places);
   Eigen::Index row = 0;
   const auto next = [&] {
     const base::Vector w = weights.row(row++).transpose();
@@ -70,7 +70,7 @@ int tie_inside(SolidNet& net, const std::vector<int>& nodes) {
   };
   const int middle = nodes.size() > 8 ? nodes[8] : next();
   for (std::size_t corner = 0; corner < 4; ++corner) {
-    net.set_mid(nodes[corner], middle, next());
+    net.set_mid_node(nodes[corner], middle, next());
   }
   return middle;
 }
@@ -81,7 +81,7 @@ std::vector<PatchTriangle> fan(const Corners& q, int middle) {
 
 class Sheller {
 public:
-  Sheller(const SolidHost& host, const std::vector<bool>& removed, SolidNet& net)
+  Sheller(const SolidHost& host, const std::vector<bool>& removed, SolidPatchNet& net)
       : host_(host), mesh_(host.mesh()), removed_(removed), net_(net) {}
 
   std::vector<PatchTriangle> triangles_of(const CavityFace& face) {
@@ -98,18 +98,18 @@ public:
       return {{corner[0], corner[2], corner[1]}};
     }
     const Corners q{corner[0], corner[3], corner[2], corner[1]};
-    if (!face.free && nodes.mid(0).valid()) { // a quadratic element stays behind it
+    if (!face.free && nodes.mid_node(0).valid()) { // a quadratic element stays behind it
       std::vector<int> all = corner;
       all.insert(all.end(), mid.begin(), mid.end());
-      if (nodes.centre().valid()) {
-        all.push_back(net_.host_node(nodes.centre()));
+      if (nodes.centre_node().valid()) {
+        all.push_back(net_.host_node(nodes.centre_node()));
       }
       return fan(q, tie_inside(net_, all));
     }
     const bool first = first_bulges(net_, q);
     const int a = first ? q[0] : q[1];
     const int b = first ? q[2] : q[3];
-    net_.set_mid(a, b, centre(nodes, face.free, q, mid));
+    net_.set_mid_node(a, b, centre(nodes, face.free, q, mid));
     const auto two = halves(q, first);
     return {two[0], two[1]};
   }
@@ -121,21 +121,22 @@ private:
     const NodeId b = nodes.all[(i + 1) % nodes.corners];
     const int na = net_.host_node(a);
     const int nb = net_.host_node(b);
-    if (const auto known = net_.known_mid(na, nb)) {
+    if (const auto known = net_.known_mid_node(na, nb)) {
       return *known;
     }
-    const int node = nodes.mid(i).valid() ? net_.host_node(nodes.mid(i))
-                                          : slave_of(net_, {0, {na, nb}, {0.5, 0.5}}, stays(a, b));
-    net_.set_mid(na, nb, node);
+    const int node = nodes.mid_node(i).valid()
+                         ? net_.host_node(nodes.mid_node(i))
+                         : slave_of(net_, {0, {na, nb}, {0.5, 0.5}}, stays(a, b));
+    net_.set_mid_node(na, nb, node);
     return node;
   }
 
   int centre(const FaceNodes& nodes, bool free, const Corners& corner,
              const std::vector<int>& mid) {
-    if (nodes.centre().valid()) {
-      return net_.host_node(nodes.centre());
+    if (nodes.centre_node().valid()) {
+      return net_.host_node(nodes.centre_node());
     }
-    if (nodes.mid(0).valid()) {
+    if (nodes.mid_node(0).valid()) {
       return slave_of(net_, middle_of(corner, {mid[0], mid[1], mid[2], mid[3]}), false);
     }
     return slave_of(net_, {0, {corner.begin(), corner.end()}, {0.25, 0.25, 0.25, 0.25}}, !free);
@@ -143,7 +144,7 @@ private:
 
   /// Whether an element that stays has both nodes.
   [[nodiscard]] bool stays(NodeId a, NodeId b) const {
-    return std::ranges::any_of(host_.around(a), [&](ElementId e) {
+    return std::ranges::any_of(host_.elements_around(a), [&](ElementId e) {
       const auto nodes = mesh_.element_nodes(e);
       return !removed_[e.index()] && std::find(nodes.begin(), nodes.end(), b) != nodes.end();
     });
@@ -152,14 +153,14 @@ private:
   const SolidHost& host_;
   const model::Mesh& mesh_;
   const std::vector<bool>& removed_;
-  SolidNet& net_;
+  SolidPatchNet& net_;
 };
 
 } // namespace
 
-std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<bool>& removed,
-                                    const std::vector<CavityFace>& faces, SolidNet& net,
-                                    std::vector<FacePieces>& pieces) {
+std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector<bool>& removed,
+                                        const std::vector<CavityFace>& faces, SolidPatchNet& net,
+                                        std::vector<FacePieces>& pieces) {
   Sheller sheller(host, removed, net);
   std::vector<PatchTriangle> shell;
   for (const CavityFace& face : faces) {
@@ -173,19 +174,19 @@ std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<boo
   return shell;
 }
 
-std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTriangle>& shell) {
+std::vector<int> add_tube(const Tube& tube, SolidPatchNet& net, std::vector<PatchTriangle>& shell) {
   std::vector<int> node;
   for (const Vec3& place : tube.x) {
     node.push_back(net.new_node_at(place));
   }
   const auto at = [&](int n) { return node[static_cast<std::size_t>(n)]; };
-  for (const Tube::Element& element : tube.elements) {
+  for (const Tube::TubeElement& element : tube.elements) {
     SolidPatchElement& e = net.elements.emplace_back(SolidPatchElement{element.type, {}});
     std::ranges::transform(element.nodes, std::back_inserter(e.nodes), at);
   }
   for (std::size_t i = 0; i < tube.front_mid.size(); ++i) {
-    net.set_mid(at(tube.front[i]), at(tube.front[(i + 1) % tube.front.size()]),
-                at(tube.front_mid[i]));
+    net.set_mid_node(at(tube.front[i]), at(tube.front[(i + 1) % tube.front.size()]),
+                     at(tube.front_mid[i]));
   }
   // The fill meets the upper of the two lines of the crack until it is split.
   std::vector<int> single = node;
@@ -202,11 +203,11 @@ std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTria
       mid[i] = at(quad.mid[i]);
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      net.set_mid(own[i], own[(i + 1) % 4], mid[i]);
+      net.set_mid_node(own[i], own[(i + 1) % 4], mid[i]);
     }
     const bool first = first_bulges(net, own);
     const int diagonal = slave_of(net, middle_of(own, mid), true);
-    net.set_mid(first ? own[0] : own[1], first ? own[2] : own[3], diagonal);
+    net.set_mid_node(first ? own[0] : own[1], first ? own[2] : own[3], diagonal);
     const auto two = halves(fill, first);
     shell.insert(shell.end(), two.begin(), two.end());
   }

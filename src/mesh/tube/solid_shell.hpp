@@ -19,12 +19,12 @@ using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
 /// (else a flat tetrahedron might lie on it); the node in the middle of the diagonal is that of the
 /// face, or has its place: tied to the face where a linear element stays behind it. Middles of the
 /// edges of linear elements that stay are tied to these.
-std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<bool>& removed,
-                                    const std::vector<CavityFace>& faces, SolidNet& net,
-                                    std::vector<FacePieces>& pieces);
+std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector<bool>& removed,
+                                        const std::vector<CavityFace>& faces, SolidPatchNet& net,
+                                        std::vector<FacePieces>& pieces);
 
 /// Puts a tube into a patch: returns its nodes there; its outside is added to `shell`, two
 /// triangles for each quadrilateral, the middle of the diagonal tied. A free front has none.
-std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTriangle>& shell);
+std::vector<int> add_tube(const Tube& tube, SolidPatchNet& net, std::vector<PatchTriangle>& shell);
 
 } // namespace spricka::mesh

@@ -15,27 +15,29 @@ constexpr double growth_at_rim = 0.5;
 } // namespace
 
 SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
-                         const std::vector<std::vector<PatchTriangle>>& rims, const SolidNet& net) {
+                         const std::vector<std::vector<PatchTriangle>>& rims,
+                         const SolidPatchNet& net) {
   SolidGrading size;
   for (const PatchSolidCrack& crack : cracks) {
     for (const Tube& tube : crack.tubes) {
       for (std::size_t i = 0; i < tube.stations.size(); ++i) {
         size.sources.push_back({rounded(tube.stations[i].x), rounded(tube.radius[i]),
                                 rounded(tube.size_beside(i)) / crack.finer,
-                                CrackReach::usual_growth / crack.finer});
+                                CrackDistanceField::usual_growth / crack.finer});
       }
     }
   }
   // Faces of a finer host.
-  const std::vector<SolidGrading::Source> tubes = size.sources;
+  const std::vector<SolidGrading::SolidSizeSource> tubes = size.sources;
   const SolidGrading own{tubes};
   for (const std::vector<PatchTriangle>& rim : rims) {
     for (const PatchTriangle& t : rim) {
-      const Vec3 middle = (net.local(t[0]) + net.local(t[1]) + net.local(t[2])) / 3.0;
-      const double edge =
-          ((net.local(t[1]) - net.local(t[0])).norm() + (net.local(t[2]) - net.local(t[1])).norm() +
-           (net.local(t[0]) - net.local(t[2])).norm()) /
-          3.0;
+      const Vec3 middle =
+          (net.local_position(t[0]) + net.local_position(t[1]) + net.local_position(t[2])) / 3.0;
+      const double edge = ((net.local_position(t[1]) - net.local_position(t[0])).norm() +
+                           (net.local_position(t[2]) - net.local_position(t[1])).norm() +
+                           (net.local_position(t[0]) - net.local_position(t[2])).norm()) /
+                          3.0;
       if (edge < 0.7 * own(middle)) {
         size.sources.push_back({middle, 0.0, edge, growth_at_rim});
       }

@@ -12,6 +12,7 @@ namespace spricka::mesh {
 /// Sizes of the tetrahedra of a patch: those of the fronts, growing with the distance, and of the
 /// faces of a finer host at its rim.
 SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
-                         const std::vector<std::vector<PatchTriangle>>& rims, const SolidNet& net);
+                         const std::vector<std::vector<PatchTriangle>>& rims,
+                         const SolidPatchNet& net);
 
 } // namespace spricka::mesh

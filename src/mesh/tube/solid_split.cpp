@@ -28,11 +28,11 @@ enum class Level { unknown, upper, lower };
 
 class Splitter {
 public:
-  Splitter(const SolidNet& net, const std::vector<PatchTriangle>& crack,
+  Splitter(const SolidPatchNet& net, const std::vector<PatchTriangle>& crack,
            const std::unordered_map<int, int>& lower, std::vector<Tetrahedron>& tetrahedra)
       : net_(net), crack_(crack), lower_(lower), tetrahedra_(tetrahedra) {}
 
-  SplitFill split() {
+  OpenedFill split() {
     find_sides();
     find_faces();
     // All nodes are told before any is replaced: sides are known by the nodes they have.
@@ -136,21 +136,21 @@ private:
     }
   }
 
-  const SolidNet& net_;
+  const SolidPatchNet& net_;
   const std::vector<PatchTriangle>& crack_;
   const std::unordered_map<int, int>& lower_;
   std::vector<Tetrahedron>& tetrahedra_;
   std::map<int, std::vector<std::size_t>> around_; ///< [crack node] tetrahedra
   std::map<PatchTriangle, Sheet> sheets_;          ///< sides that have a crack node
   std::map<std::pair<int, std::size_t>, Level> level_;
-  SplitFill result_;
+  OpenedFill result_;
 };
 
 } // namespace
 
-SplitFill split_fill(const SolidNet& net, const std::vector<PatchTriangle>& crack,
-                     const std::unordered_map<int, int>& lower,
-                     std::vector<Tetrahedron>& tetrahedra) {
+OpenedFill split_fill(const SolidPatchNet& net, const std::vector<PatchTriangle>& crack,
+                      const std::unordered_map<int, int>& lower,
+                      std::vector<Tetrahedron>& tetrahedra) {
   return Splitter(net, crack, lower, tetrahedra).split();
 }
 

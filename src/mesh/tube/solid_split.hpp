@@ -15,7 +15,7 @@ struct FillSide {
   int side = 0;
 };
 
-struct SplitFill {
+struct OpenedFill {
   std::vector<FillSide> upper, lower; ///< [triangle of the crack]
   std::string trouble;
 };
@@ -23,8 +23,8 @@ struct SplitFill {
 /// Opens a crack in a fill: tetrahedra below its triangles (which run round its normal) get the
 /// second nodes, `lower`, of those on it. What is below is told round each node by following the
 /// tetrahedra through sides that are not the crack.
-SplitFill split_fill(const SolidNet& net, const std::vector<PatchTriangle>& crack,
-                     const std::unordered_map<int, int>& lower,
-                     std::vector<std::array<int, 4>>& tetrahedra);
+OpenedFill split_fill(const SolidPatchNet& net, const std::vector<PatchTriangle>& crack,
+                      const std::unordered_map<int, int>& lower,
+                      std::vector<std::array<int, 4>>& tetrahedra);
 
 } // namespace spricka::mesh

@@ -15,7 +15,7 @@ using base::Vec3;
 
 /// Radii of the rings, 1 outside: the first as wide as given, the others linearly wider or
 /// narrower.
-std::vector<double> rings_of(const TubeMesh& given, double radius) {
+std::vector<double> rings_of(const TubeMeshParameters& given, double radius) {
   const double n = given.rings;
   // All of one width if nothing is given; a ring keeps some width.
   const double first =
@@ -33,10 +33,10 @@ std::vector<double> rings_of(const TubeMesh& given, double radius) {
 constexpr double in_one_plane = 1.0 - 1e-12;
 
 /// Nodes stand on a lattice: station, angle and ring, the odd ones between elements' corners.
-class Builder {
+class TubeBuilder {
 public:
-  Builder(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
-          const AlongToSurface& to_surface)
+  TubeBuilder(const FrontCurve& curve, const TubeSizes& sizes, const TubeMeshParameters& given,
+              const AlongToSurface& to_surface)
       : curve_(curve), given_(given), to_surface_(to_surface) {
     tube_.closed = curve.closed();
     const std::vector<double> at = sizes.stations(curve.closed());
@@ -141,7 +141,7 @@ private:
     double sum = 0.0;
     for (const std::size_t end : {0U, 1U}) {
       const std::size_t at = end == 0 ? 0 : tube_.stations.size() - 1;
-      const double reach = shear_reach(tube_.radius[at], most_sheared(end), curve_.length());
+      const double reach = shear_length(tube_.radius[at], most_sheared(end), curve_.length());
       const double u = std::abs(s - tube_.stations[at].s) / reach;
       if (u < 1.0) {
         sum += (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) * end_shift(end, j, l);
@@ -244,7 +244,7 @@ private:
   }
 
   const FrontCurve& curve_;
-  const TubeMesh& given_;
+  const TubeMeshParameters& given_;
   const AlongToSurface& to_surface_;
   Tube tube_;
   int segments_ = 0;
@@ -258,10 +258,10 @@ private:
 
 } // namespace
 
-Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
+Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMeshParameters& given,
                const AlongToSurface& to_surface) {
   assert(given.rings >= 1 && given.sectors >= 4);
-  return Builder(curve, sizes, given, to_surface).build();
+  return TubeBuilder(curve, sizes, given, to_surface).build();
 }
 
 } // namespace spricka::mesh

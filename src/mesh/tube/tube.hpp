@@ -23,16 +23,16 @@ struct TubeQuad {
 /// Angles run from the lower face of the crack through what lies ahead to the upper one, and nodes
 /// of the two are distinct, but for those of the front.
 struct Tube {
-  struct Element {
+  struct TubeElement {
     base::ElementType type = base::ElementType::pentac15;
     std::vector<int> nodes;
   };
-  struct Side {
+  struct TubeSide {
     std::size_t element = 0;
     int side = 0;
   };
   /// A line of the crack along the outside of the tube: corner nodes [station], nodes between them.
-  struct Line {
+  struct TubeCrackLine {
     std::vector<int> corner;
     std::vector<int> mid;
   };
@@ -43,23 +43,23 @@ struct Tube {
   bool free = false;
   bool quarter_point = true; ///< of a free one
   std::vector<base::Vec3> x; ///< [node]
-  std::vector<Element> elements;
+  std::vector<TubeElement> elements;
   std::vector<FrontFrame> stations; ///< where elements begin and end
   std::vector<double> radius;       ///< [station]
   std::vector<double> size;         ///< [station] radial length of the elements at the front
   std::vector<int> front;           ///< [station] corner nodes
   std::vector<int> front_mid;       ///< of a free one: nodes behind these
   std::vector<TubeQuad> outer;      ///< seen from outside in anticlockwise order
-  Line upper, lower;
+  TubeCrackLine upper, lower;
   std::vector<std::pair<int, int>> twins; ///< nodes of the faces, upper and lower; of the front one
-  std::vector<Side> upper_sides, lower_sides;
+  std::vector<TubeSide> upper_sides, lower_sides;
   /// Of an open front, for each end: sides on the surface, the outline with the nodes in the middle
   /// of its edges, from the crack on (lower nodes).
-  struct End {
-    std::vector<Side> sides;
+  struct TubeEnd {
+    std::vector<TubeSide> sides;
     std::vector<int> corner, mid;
   };
-  std::array<End, 2> ends;
+  std::array<TubeEnd, 2> ends;
   std::optional<base::Vec3> off_surface; ///< a place of an end that finds no surface: no tube
 
   /// Of the fill's elements beside it.
@@ -74,7 +74,7 @@ using AlongToSurface =
 
 /// The ends of an open tube are sheared along the front onto the surface; over three radii, or
 /// three times the shear if that is more, it fades (shear_reach).
-Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
+Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMeshParameters& given,
                const AlongToSurface& to_surface);
 
 } // namespace spricka::mesh

@@ -30,10 +30,10 @@ constexpr double end_part = 0.05;
 
 } // namespace
 
-FrontSurroundings::FrontSurroundings(const SolidHost& host, const SolidRequest& request,
-                                     const SolidFront& front, std::span<const SolidRequest> all)
+TubeClearance::TubeClearance(const SolidHost& host, const LocatedSolidCrack& request,
+                             const SolidFront& front, std::span<const LocatedSolidCrack> all)
     : host_(host), request_(request), front_(front), area_(*request.crack, request.outlines) {
-  for (const SolidRequest& other : all) {
+  for (const LocatedSolidCrack& other : all) {
     if (other.crack != request.crack) {
       others_.emplace_back(*other.crack, other.outlines);
     }
@@ -43,41 +43,42 @@ FrontSurroundings::FrontSurroundings(const SolidHost& host, const SolidRequest& 
   }
 }
 
-double FrontSurroundings::free(double s) const {
+double TubeClearance::clearance(double s) const {
   const double place = std::clamp(s / front_.curve->length(), 0.0, 1.0) * steps;
   const auto i = std::min(static_cast<std::size_t>(place), free_.size() - 2);
   return std::min(free_[i], free_[i + 1]);
 }
 
-double FrontSurroundings::free_at(const FrontFrame& at) const {
-  const std::size_t part = host_.part(request_.seed);
-  double least = front_.curve->closed()
-                     ? host_.skin(part).nearest(at.x).distance
-                     : std::min(host_.border(part).nearest(at.x).distance, across_section(at));
+double TubeClearance::free_at(const FrontFrame& at) const {
+  const std::size_t part = host_.part_index(request_.seed);
+  double least =
+      front_.curve->closed()
+          ? host_.skin_tree(part).nearest(at.x).distance
+          : std::min(host_.interface_tree(part).nearest(at.x).distance, across_section(at));
   for (const PlanePolygons& other : others_) {
     least = std::min(least, other.distance(at.x));
   }
   return least;
 }
 
-double FrontSurroundings::lean(std::size_t end) const {
+double TubeClearance::end_inclination(std::size_t end) const {
   const double cosine = std::abs(
       front_.end[end].normal.dot(front_.curve->at(end == 0 ? 0.0 : front_.curve->length()).t));
   return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) / std::max(cosine, 1e-9);
 }
 
-double FrontSurroundings::across_section(const FrontFrame& at) const {
-  const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+double TubeClearance::across_section(const FrontFrame& at) const {
+  const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
   const bool first = at.s < 0.5 * front_.curve->length();
   const double to_end = first ? at.s : front_.curve->length() - at.s;
-  const double beside_end = std::max(least_lean, 1.5 * lean(first ? 0 : 1) + 0.5);
-  double least = surface.extent();
+  const double beside_end = std::max(least_lean, 1.5 * end_inclination(first ? 0 : 1) + 0.5);
+  double least = surface.diagonal();
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / directions;
     const Vec3 d = std::cos(angle) * at.m + std::sin(angle) * at.b;
-    for (const SurfaceHit& hit : hits(surface, at.x, d, least)) {
+    for (const SurfaceHit& hit : find_hits(surface, at.x, d, least)) {
       // What the front's end lies far beside of is another surface, however near the end is.
-      const bool other = !front_.curve->closed() && hit.along > same * surface.extent() &&
+      const bool other = !front_.curve->closed() && hit.along > same * surface.diagonal() &&
                          std::abs(hit.place.normal.dot(front_.end[first ? 0 : 1].x - hit.place.x)) >
                              other_surface * hit.along;
       // At the end itself lines along the surface pass it at once, a little before or behind.
@@ -89,22 +90,22 @@ double FrontSurroundings::across_section(const FrontFrame& at) const {
   return least;
 }
 
-double FrontSurroundings::width(double s) const {
+double TubeClearance::crack_width(double s) const {
   const FrontCurve& curve = *front_.curve;
   const double inside =
       curve.closed() ? s
                      : std::clamp(s, end_part * curve.length(), (1.0 - end_part) * curve.length());
   const FrontFrame at = curve.at(inside);
   const PlaneBasis& plane = area_.plane();
-  const Vec2 q = plane.flat(at.x);
-  const Vec2 back = plane.flat(at.x - at.m) - q;
-  const auto along = area_.across(q, back);
+  const Vec2 q = plane.project(at.x);
+  const Vec2 back = plane.project(at.x - at.m) - q;
+  const auto along = area_.exit_distance(q, back);
   if (!along) {
     return std::numeric_limits<double>::max();
   }
   const Vec2 end = q + *along * back;
   const auto passes = [&](const Vec3& from, const Vec3& to) {
-    return mesh::distance(end, plane.flat(from), plane.flat(to)) < same * *along;
+    return mesh::distance(end, plane.project(from), plane.project(to)) < same * *along;
   };
   bool at_mouth = false;
   for (const SolidFront& front : request_.fronts) {
@@ -112,7 +113,7 @@ double FrontSurroundings::width(double s) const {
       at_mouth = at_mouth || passes(front.mouth[i - 1], front.mouth[i]);
     }
   }
-  for (const SolidHole& hole : request_.holes) {
+  for (const CrackHole& hole : request_.holes) {
     for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
       at_mouth = at_mouth || passes(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
     }
@@ -120,9 +121,9 @@ double FrontSurroundings::width(double s) const {
   return at_mouth ? 2.0 * *along : *along;
 }
 
-double FrontSurroundings::straight(double s) const {
-  const CrackRelief* relief = request_.crack->relief.get();
-  return relief != nullptr ? relief->from_bend(front_.curve->at(s).x, bent)
+double TubeClearance::kink_distance(double s) const {
+  const NonPlanarCrackSurface* relief = request_.crack->relief.get();
+  return relief != nullptr ? relief->distance_to_kink(front_.curve->at(s).x, bent)
                            : std::numeric_limits<double>::max();
 }
 

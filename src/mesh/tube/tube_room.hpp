@@ -11,26 +11,26 @@ namespace spricka::mesh {
 
 /// What is round a front of a crack: surfaces, other materials, other cracks, and how far the crack
 /// reaches behind it. Lengths are those of the deck.
-class FrontSurroundings {
+class TubeClearance {
 public:
-  FrontSurroundings(const SolidHost& host, const SolidRequest& request, const SolidFront& front,
-                    std::span<const SolidRequest> all);
+  TubeClearance(const SolidHost& host, const LocatedSolidCrack& request, const SolidFront& front,
+                std::span<const LocatedSolidCrack> all);
 
-  [[nodiscard]] double free(double s) const;
+  [[nodiscard]] double clearance(double s) const;
   /// Twice the distance to a mouth, where the crack ends there: a surface crack is as half of one
   /// inside.
-  [[nodiscard]] double width(double s) const;
+  [[nodiscard]] double crack_width(double s) const;
   /// Distance to where the crack is bent.
-  [[nodiscard]] double straight(double s) const;
+  [[nodiscard]] double kink_distance(double s) const;
   /// Tangent of the angle between the front and the surface's normal at an end of an open front.
-  [[nodiscard]] double lean(std::size_t end) const;
+  [[nodiscard]] double end_inclination(std::size_t end) const;
 
 private:
   [[nodiscard]] double free_at(const FrontFrame& at) const;
   [[nodiscard]] double across_section(const FrontFrame& at) const;
 
   const SolidHost& host_;
-  const SolidRequest& request_;
+  const LocatedSolidCrack& request_;
   const SolidFront& front_;
   PlanePolygons area_;
   std::vector<PlanePolygons> others_;

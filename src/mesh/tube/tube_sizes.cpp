@@ -65,13 +65,14 @@ double radius_by_shear(double lean, double from_end, double bend, double length)
   const double most = most_run_together - steepest_shear / fewest_radii * std::min(1.0, lean);
   const double radius = std::min(bend > 0.0 ? most / bend : std::numeric_limits<double>::max(),
                                  most_run_together / (bend + 2.0 * steepest_shear * lean / length));
-  return from_end < shear_reach(radius, lean * radius, length) ? radius
-                                                               : std::numeric_limits<double>::max();
+  return from_end < shear_length(radius, lean * radius, length)
+             ? radius
+             : std::numeric_limits<double>::max();
 }
 
 } // namespace
 
-double shear_reach(double radius, double sheared, double front_length) {
+double shear_length(double radius, double sheared, double front_length) {
   return std::min(fewest_radii * std::max(radius, sheared), 0.5 * front_length);
 }
 
@@ -115,7 +116,8 @@ std::vector<double> TubeSizes::stations(bool closed) const {
   return result;
 }
 
-TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMesh& given) {
+TubeSizes tube_sizes(const FrontCurve& curve, const TubeSizeLimits& room,
+                     const TubeMeshParameters& given) {
   TubeSizes sizes;
   const double step = curve.length() / static_cast<double>(samples);
   for (std::size_t i = 0; i <= samples; ++i) {

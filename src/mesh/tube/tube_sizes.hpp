@@ -27,7 +27,7 @@ struct TubeSizes {
 /// What limits a tube at a length along the front: distance from the surface of the body and from
 /// other cracks, and how far the crack reaches backwards. And how far the ends of an open front
 /// lean from the surface's normal (tangent of the angle).
-struct TubeRoom {
+struct TubeSizeLimits {
   std::function<double(double)> free;
   std::function<double(double)> width;
   std::array<double, 2> lean{};
@@ -37,13 +37,14 @@ struct TubeRoom {
 
 /// Length along the front over which the shear of an end fades, `sheared` at most; its steepest
 /// slope is 3/2 of the shear over it.
-double shear_reach(double radius, double sheared, double front_length);
+double shear_length(double radius, double sheared, double front_length);
 
 /// The sizes of section lengths: a tenth of the crack's width, half of the radius of curvature, 0.4
 /// of the room and half of what is straight for the radius; elements as long as 0.15 and 0.25 of
 /// the first two, and 0.5 to 3 radii, shorter towards the ends of an open front. Near leaning ends
 /// the radius leaves room for the shear onto the surface where the front turns. Given sizes
 /// (`given`, in the lengths of the curve) stand as they are, all divided by `finer`.
-TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMesh& given);
+TubeSizes tube_sizes(const FrontCurve& curve, const TubeSizeLimits& room,
+                     const TubeMeshParameters& given);
 
 } // namespace spricka::mesh

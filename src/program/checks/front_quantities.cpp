@@ -147,9 +147,9 @@ Nearest nearest_of(const Fronts& fronts, const base::Vec3& x) {
     if (front->closed) {
       line.push_back(line.front());
     }
-    const mesh::OnLine on = mesh::nearest_on(line, x);
+    const mesh::PolylinePosition on = mesh::nearest_on(line, x);
     if (on.distance < nearest.away) {
-      nearest = {front, on.of(line), on.distance, length_of(line)};
+      nearest = {front, on.interpolate(line), on.distance, length_of(line)};
     }
   }
   return nearest;

@@ -105,7 +105,7 @@ base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sour
                     const model::Model& model, const Log& log) {
   const std::string kind = extension(options.out);
   if (kind == ".msh") {
-    report::write_file(options.out, mesh::msh_text(model.mesh));
+    report::write_file(options.out, mesh::write_msh(model.mesh));
   } else if (kind == ".vtu") {
     report::write_mesh_vtu(options.out, with_face_nodes(model.mesh));
   } else {

@@ -14,7 +14,7 @@ std::vector<results::ScriptConstant> script_constants(const ReadyDeck& deck) {
     if (!script.net.empty()) {
       file += fmt::format(" ({})", script.net);
     }
-    for (const mesh::ScriptConstant& c : script.constants) {
+    for (const mesh::GeometryScriptConstant& c : script.constants) {
       if (c.defined) {
         result.push_back({.file = file,
                           .name = c.name,

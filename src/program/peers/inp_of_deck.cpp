@@ -49,10 +49,10 @@ public:
       refuse({}, fmt::format("the element {}", type));
     }
     if (model_.steps.empty() || refusals_.has_errors()) {
-      return refusals_.has_errors() ? "" : mesh::inp_text(model_, nullptr);
+      return refusals_.has_errors() ? "" : mesh::write_inp(model_, nullptr);
     }
     const mesh::InpStep step = first_step();
-    return refusals_.has_errors() ? "" : mesh::inp_text(model_, &step);
+    return refusals_.has_errors() ? "" : mesh::write_inp(model_, &step);
   }
 
 private:

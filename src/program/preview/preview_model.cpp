@@ -172,15 +172,15 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
   length.replaced = model.mesh.element_count() - (length.elements - length.fresh);
   length.rows = scene.table.size();
   length.notes = scene.notes;
-  for (const mesh::Front& front : cracked.fronts) {
+  for (const mesh::CrackFront& front : cracked.fronts) {
     results::TipPreview preview;
     preview.name = analysis::tip_name(model, cracked, front);
     const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
-    const std::vector<base::NodeId>& crack_face = crack_faces.own();
+    const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face();
     if (!crack_face.empty()) {
       preview.mouth = cracked.mesh.x[crack_face.front().index()];
     }
-    preview.tip = front.tip().x;
+    preview.tip = front.tip_point().x;
     preview.a = front.a;
     preview.radius = front.radius;
     preview.size = front.size;
@@ -188,10 +188,10 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
     length.tips.push_back(std::move(preview));
   }
   for (const analysis::FrontScene& at : scene.fronts) {
-    const mesh::Front& front = at.front;
+    const mesh::CrackFront& front = at.front;
     results::FrontPreview preview;
     preview.name = analysis::front_name(model, scene, front);
-    preview.kind = mesh::name_of(front.kind);
+    preview.kind = mesh::configuration_name(front.kind);
     preview.a = front.a;
     preview.at = front.curve->at(0.5 * front.curve->length()).x;
     preview.length = front.curve->length();

@@ -15,7 +15,7 @@ namespace spricka::program {
 namespace {
 
 void listen_to_mesher(const std::shared_ptr<analysis::Recorder>& recorder) {
-  mesh::mesher_listener() = [recorder](const mesh::MesherUse& use) {
+  mesh::mesher_listener() = [recorder](const mesh::MesherUsage& use) {
     recorder->add(
         results::MesherWork{.begin = use.begin, .end = use.end, .cpu = use.cpu, .peak = use.peak});
   };

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 std::set<std::string> names_of_scripts(const ReadyDeck& ready, bool from_deck) {
   std::set<std::string> names;
   for (const deck::ScriptTable& script : ready.scripts) {
-    for (const mesh::ScriptConstant& constant : script.constants) {
+    for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.from_deck || !from_deck) {
         names.insert(grammar::to_upper(constant.name));
       }
@@ -94,7 +94,7 @@ std::string name_of_file(const std::string& file) {
 std::set<std::string> reached_scripts(const MeshKnob& knob, const ReadyDeck& ready) {
   std::set<std::string> reached;
   for (const deck::ScriptTable& script : ready.scripts) {
-    for (const mesh::ScriptConstant& constant : script.constants) {
+    for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.from_deck ? is_among(knob.parameters, constant.name)
                              : constant.defined && is_among(knob.constants, constant.name)) {
         reached.insert(name_of_file(script.file));
@@ -148,7 +148,7 @@ std::vector<MeshParameter> find_constants(const StudiedDeck& deck, const MeshKno
   const std::set<std::string> reached = reached_scripts(knob, *deck.ready);
   std::vector<MeshParameter> found;
   for (const deck::ScriptTable& script : deck.ready->scripts) {
-    for (const mesh::ScriptConstant& constant : script.constants) {
+    for (const mesh::GeometryScriptConstant& constant : script.constants) {
       const bool free =
           constant.defined && !constant.from_deck && constant.value.value_or(0.0) > 0.0;
       if (!free || reached.contains(name_of_file(script.file)) || is_among(found, constant.name)) {

@@ -51,8 +51,8 @@ mesh::CrackedMesh cut(const model::Mesh& whole) {
   line.crack = base::CrackId(0);
   line.net = base::NetId(0);
   line.points = {{0.0, H / 2, 0.0}, {a, H / 2, 0.0}};
-  const mesh::Host host(whole);
-  const mesh::TipMesh sizes = mesh::choose_tip_mesh(host, line, nullptr);
+  const mesh::HostMesh host(whole);
+  const mesh::TipMeshParameters sizes = mesh::choose_tip_mesh(host, line, nullptr);
   const base::SourceSpan no_card;
   base::Diagnostics diagnostics;
   auto cracked = mesh::insert_cracks(host, {&line, 1}, {&sizes, 1}, {&no_card, 1}, diagnostics);
@@ -104,7 +104,7 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
   u(free.freedom) = w.col(0);
 
   // K1 and K2 by virtual extension of the crack, the mean over rings 2 to 5 (crack.11)
-  const mesh::Front& front = cracked.fronts.front();
+  const mesh::CrackFront& front = cracked.fronts.front();
   std::vector<int> left_out;
   const std::vector<crack::ExtensionField> q =
       crack::TipNeighbourhood(mesh).extension_fields(cracked, front, {2, 3, 4, 5}, left_out);

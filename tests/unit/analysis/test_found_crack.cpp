@@ -89,7 +89,7 @@ $END
 }
 
 // F01: 2.824579 sqrt(pi a) of the strip in plane strain (Bowie's, to 1e-6), on a regular mesh.
-TEST(FoundCrack, HasTheKOfItsStrip) {
+TEST(ExistingCrack, HasTheKOfItsStrip) {
   const auto solved = test::solve_text(strip(true, ""));
   ASSERT_TRUE(solved);
   ASSERT_EQ(solved->step().fronts.size(), 1U);
@@ -106,7 +106,7 @@ TEST(FoundCrack, HasTheKOfItsStrip) {
 }
 
 // Pressed, its faces bear on each other, and nothing is left of it.
-TEST(FoundCrack, ClosesUnderPressure) {
+TEST(ExistingCrack, ClosesUnderPressure) {
   std::string text = strip(true, "");
   text.replace(text.find("LOAD PULL 1"), 11, "LOAD PULL -1");
   const auto solved = test::solve_text(text);
@@ -121,14 +121,14 @@ TEST(FoundCrack, ClosesUnderPressure) {
 }
 
 // Its faces touch on purpose: that nothing joins them is no news.
-TEST(FoundCrack, IsNoSeamToBeWarnedOf) {
+TEST(ExistingCrack, IsNoSeamToBeWarnedOf) {
   const test::Folder folder;
   const std::string messages = test::check_text(folder, strip(true, "")).outcome.messages;
   EXPECT_EQ(messages.find("W341"), std::string::npos) << messages;
 }
 
 // Nodes that are there once make no crack: told, not solved without one.
-TEST(FoundCrack, IsNotWhereNodesAreNotDoubled) {
+TEST(ExistingCrack, IsNotWhereNodesAreNotDoubled) {
   const test::Folder folder;
   const test::Outcome outcome = test::run_text(folder, strip(false, ""));
   EXPECT_NE(outcome.exit_code, 0);

@@ -101,8 +101,8 @@ void add_brick(model::Mesh& mesh, Lattice& at, const Key& cell) {
   model::add_element(mesh, ElementType::hexec20, nodes, base::Label(), base::NetId(std::size_t{0}));
 }
 
-mesh::Front make_front(const mesh::FrontCurve& curve, const TubeSpec& spec, Lattice& at) {
-  mesh::Front front;
+mesh::CrackFront make_front(const mesh::FrontCurve& curve, const TubeSpec& spec, Lattice& at) {
+  mesh::CrackFront front;
   front.crack = base::CrackId(std::size_t{0});
   front.a = 1.0;
   front.size = spec.radii.front();

@@ -26,7 +26,7 @@ struct Tube {
   mesh::CrackedMesh cracked;
 
   Tube(const mesh::FrontCurve& curve, const TubeSpec& spec);
-  [[nodiscard]] const mesh::Front& front() const { return cracked.fronts.front(); }
+  [[nodiscard]] const mesh::CrackFront& front() const { return cracked.fronts.front(); }
   [[nodiscard]] const model::Mesh& mesh() const { return cracked.mesh; }
 
   /// Nodal values [3 * node] of a displacement; `upper` and `lower` say which face of the crack a

@@ -43,7 +43,7 @@ struct Plate {
     line.crack = base::CrackId(std::size_t{0});
     line.embedded = true;
     line.points = {base::Vec3(-3.0 * e1.x(), -3.0 * e1.y(), 0.0), base::Vec3::Zero()};
-    mesh::TipMesh tip = mesh::choose_tip_mesh(model.mesh, line, nullptr);
+    mesh::TipMeshParameters tip = mesh::choose_tip_mesh(model.mesh, line, nullptr);
     tip.quarter_point = quarter;
     base::Diagnostics diagnostics;
     const std::vector<base::SourceSpan> spans(1);

@@ -36,10 +36,10 @@ struct Block {
     for (int i = 0; i <= count; ++i) {
       path.push_back(node_at(from + i * along));
     }
-    mesh::Front front;
+    mesh::CrackFront front;
     front.crack = base::CrackId(cracked.faces.size());
     front.a = count;
-    front.tip() = {.node = path.back(), .x = from + count * along, .growth = along};
+    front.tip_point() = {.node = path.back(), .x = from + count * along, .growth = along};
     const std::optional<mesh::CrackFaces> faces = mesh::split_along(cracked.mesh, path, false);
     ASSERT_TRUE(faces);
     cracked.faces.push_back(*faces);

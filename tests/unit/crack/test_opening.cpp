@@ -20,7 +20,7 @@ constexpr double linear = 0.02;
 struct Faces {
   model::Model model;
   mesh::CrackedMesh cracked;
-  mesh::Front front;
+  mesh::CrackFront front;
   base::Vector u = base::Vector::Zero(10);
 
   explicit Faces(model::StressState state, bool tip_first) {
@@ -43,8 +43,8 @@ struct Faces {
     }
     cracked.faces = {faces};
     front.crack = base::CrackId(std::size_t{0});
-    front.tip().node = node(0);
-    front.tip().growth = base::Vec3::UnitX();
+    front.tip_point().node = node(0);
+    front.tip_point().growth = base::Vec3::UnitX();
     for (const std::size_t n : {1U, 2U, 3U, 4U}) {
       const bool upper = n < 3;
       const crack::Polar at{-cracked.mesh.x[n].x(), upper ? std::numbers::pi : -std::numbers::pi};
@@ -62,7 +62,7 @@ struct Faces {
                                 .material = model.materials[0],
                                 .property = model.properties[0],
                                 .tip = {},
-                                .tip_node = front.tip().node,
+                                .tip_node = front.tip_point().node,
                                 .crack_faces = cracked.faces.data(),
                                 .loads = loads};
     return crack::opening_intensity(set, cracked, front, u);

@@ -90,8 +90,8 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
   model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
   mesh::CrackedMesh cracked;
   cracked.mesh = model.mesh;
-  mesh::Front front;
-  front.tip().growth = base::Vec3::UnitX();
+  mesh::CrackFront front;
+  front.tip_point().growth = base::Vec3::UnitX();
   front.a = 1.0;
   crack::ExtensionField field;
   const double K1 = 3.0;

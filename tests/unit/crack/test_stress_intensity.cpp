@@ -20,7 +20,7 @@ constexpr double K2 = -1.25;
 struct Annulus {
   model::Model model;
   mesh::CrackedMesh cracked;
-  mesh::Front front;
+  mesh::CrackFront front;
   std::vector<crack::ExtensionField> fields;
   base::Vector u;
 
@@ -41,7 +41,7 @@ struct Annulus {
         {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 1.0, {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
     cracked.mesh = model.mesh;
-    front.tip().growth = base::Vec3::UnitX();
+    front.tip_point().growth = base::Vec3::UnitX();
     front.a = 1.0;
     front.size = 0.5;
     crack::ExtensionField field;

@@ -36,7 +36,7 @@ base::CompiledExpression field(double a, double b, double c) {
 struct Plate {
   model::Model model;
   mesh::CrackedMesh cracked;
-  mesh::CrackSides crack_faces;
+  mesh::CrackFaceSides crack_faces;
   std::vector<crack::ExtensionField> fields;
   base::Vector u;
 
@@ -58,11 +58,12 @@ struct Plate {
     line.net = net;
     line.points = {{0.0, 2.0, 0.0}, {1.5, 2.4, 0.0}};
     base::Diagnostics diagnostics;
-    const std::vector<mesh::TipMesh> tips{mesh::choose_tip_mesh(model.mesh, line, nullptr)};
+    const std::vector<mesh::TipMeshParameters> tips{
+        mesh::choose_tip_mesh(model.mesh, line, nullptr)};
     cracked = mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::SourceSpan>(1),
                                   diagnostics)
                   .value();
-    crack_faces = mesh::crack_sides(cracked.mesh, cracked.faces.front());
+    crack_faces = mesh::crack_face_sides(cracked.mesh, cracked.faces.front());
     std::vector<int> left_out;
     fields =
         crack::TipNeighbourhood(cracked.mesh).extension_fields(cracked, front(), {2, 4}, left_out);
@@ -71,7 +72,7 @@ struct Plate {
       u[i] = std::sin(1.7 * static_cast<double>(i * i % 97));
     }
   }
-  [[nodiscard]] const mesh::Front& front() const { return cracked.fronts.front(); }
+  [[nodiscard]] const mesh::CrackFront& front() const { return cracked.fronts.front(); }
   [[nodiscard]] std::vector<base::ElementId> all() const {
     std::vector<base::ElementId> elements;
     for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
@@ -206,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Loads, TipTerm,
                          name_of);
 
 // Crack faces of the plate: as many sides on each, opposite each other, ending at the tip.
-TEST(CrackSides, LieOppositeEachOther) {
+TEST(CrackFaceSides, LieOppositeEachOther) {
   const Plate plate(model::StressState::plane_stress);
   ASSERT_EQ(plate.crack_faces.left.size(), plate.crack_faces.right.size());
   EXPECT_EQ(2 * plate.crack_faces.left.size() + 1, plate.cracked.faces.front().left.size());
@@ -218,7 +219,8 @@ TEST(CrackSides, LieOppositeEachOther) {
     const auto i = static_cast<std::size_t>(face.side);
     const base::Vec3 d = plate.cracked.mesh.x[nodes[(i + 1) % corners].index()] -
                          plate.cracked.mesh.x[nodes[i].index()];
-    EXPECT_GT(d.dot(plate.front().tip().growth), 0.0); // the body on its left, towards the tip
+    EXPECT_GT(d.dot(plate.front().tip_point().growth),
+              0.0); // the body on its left, towards the tip
     length += d.norm();
   }
   EXPECT_NEAR(length, std::hypot(1.5, 0.4), 1e-12);

@@ -23,7 +23,7 @@ const base::NetId net0 = base::NetId(std::size_t{0});
 
 /// A strip with an edge crack, its lower side held, pulled at the upper one; solved by dense
 /// matrices, also with all cubic modes at once.
-struct Strip {
+struct StripTriangle {
   model::Model model;
   mesh::CrackedMesh cracked;
   std::vector<crack::ExtensionField> fields;
@@ -32,8 +32,8 @@ struct Strip {
   fe::ConstraintTransformation ties{{}, {}};
   base::Matrix K;
 
-  explicit Strip(base::ElementType type, double turn = 0.0, double unit = 1.0,
-                 bool quarter_point = true) {
+  explicit StripTriangle(base::ElementType type, double turn = 0.0, double unit = 1.0,
+                         bool quarter_point = true) {
     mesh::BlockSpec spec;
     spec.type = type;
     spec.size = {1.0, 2.0, 1.0};
@@ -54,7 +54,7 @@ struct Strip {
     line.points = {{0.0, 1.0, 0.0}, {0.4, 1.1, 0.0}};
     base::Diagnostics diagnostics;
     const std::vector<mesh::CrackLine> lines{line};
-    mesh::TipMesh tip{0.12, 0.05, 3, 8, quarter_point, true};
+    mesh::TipMeshParameters tip{0.12, 0.05, 3, 8, quarter_point, true};
     auto found = mesh::insert_cracks(model.mesh, lines, std::vector{tip},
                                      std::vector<base::SourceSpan>(1), diagnostics);
     if (!found) {
@@ -103,9 +103,9 @@ struct Strip {
     for (base::Vec3& x : cracked.mesh.x) {
       x = unit * (R * x);
     }
-    for (mesh::Front& front : cracked.fronts) {
-      front.tip().x = unit * (R * front.tip().x);
-      front.tip().growth = R * front.tip().growth;
+    for (mesh::CrackFront& front : cracked.fronts) {
+      front.tip_point().x = unit * (R * front.tip_point().x);
+      front.tip_point().growth = R * front.tip_point().growth;
       front.a *= unit;
       front.size *= unit;
       front.radius *= unit;
@@ -145,14 +145,14 @@ struct Found {
   base::Vec2 eta_schur;    ///< r_z^T S^-1 r_u with the exact Schur complement of the modes
 };
 
-Found estimate_of(const Strip& s, const model::LoadCase& load) {
+Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   estimate::EdgeTable edges = estimate::find_edges(s.cracked.mesh);
   const std::size_t count = edges.edges.size();
   const estimate::CubicEnrichment modes(s.model, s.cracked.mesh, std::move(edges),
                                         std::vector<bool>(count, false));
   const estimate::ModeMap map =
       estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
-  const mesh::Front& front = s.cracked.fronts[0];
+  const mesh::CrackFront& front = s.cracked.fronts[0];
   const base::Matrix g =
       crack::intensity_rows(s.model, s.cracked, front, s.fields, model::TipConstraint::automatic);
   const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
@@ -197,7 +197,7 @@ class GoalError : public testing::TestWithParam<base::ElementType> {};
 // The residuals carry the whole difference between the mesh and the mesh with all modes; with K_ee
 // instead of the Schur complement most of it is left, and the iteration finds that.
 TEST_P(GoalError, IsMostOfWhatCubicElementsWouldChange) {
-  const Strip strip(GetParam());
+  const StripTriangle strip(GetParam());
   const Found found = estimate_of(strip, strip.pull(0.3, 1.0));
   const base::Vec2 change = found.K_cubic - found.K;
   EXPECT_GT(change.norm(), 1e-4 * found.K.norm());
@@ -255,7 +255,7 @@ std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
 // Bent along the crack, which stays free of stress, the strip moves quadratically, as the mesh can:
 // nothing is left to correct.
 TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
-  Strip strip(GetParam(), 0.0, 1.0, false);
+  StripTriangle strip(GetParam(), 0.0, 1.0, false);
   estimate::EdgeTable edges = estimate::find_edges(strip.cracked.mesh);
   const std::size_t count = edges.edges.size();
   const estimate::CubicEnrichment modes(strip.model, strip.cracked.mesh, std::move(edges),
@@ -264,9 +264,9 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   const double s = 5.0;
   const double E = 1000.0;
   const double nu = 0.3;
-  const base::Vec2 e1 = strip.cracked.fronts[0].tip().growth.head<2>();
+  const base::Vec2 e1 = strip.cracked.fronts[0].tip_point().growth.head<2>();
   const base::Vec2 e2(-e1.y(), e1.x());
-  const base::Vec2 tip = strip.cracked.fronts[0].tip().x.head<2>();
+  const base::Vec2 tip = strip.cracked.fronts[0].tip_point().x.head<2>();
   base::Vector u(2 * static_cast<Eigen::Index>(strip.cracked.mesh.node_count()));
   for (std::size_t n = 0; n < strip.cracked.mesh.node_count(); ++n) {
     const base::Vec2 d = strip.cracked.mesh.x[n].head<2>() - tip;
@@ -310,11 +310,11 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
 
 // Turned, in other units and with nodes numbered the other way round, the parts of K are the same.
 TEST_P(GoalError, DoesNotDependOnAxesAndUnits) {
-  const Strip strip(GetParam());
+  const StripTriangle strip(GetParam());
   const Found found = estimate_of(strip, strip.pull(0.3, 1.0));
   const double turn = 0.7;
   const double unit = 25.4;
-  const Strip other(GetParam(), turn, unit);
+  const StripTriangle other(GetParam(), turn, unit);
   const base::Vec2 t = Eigen::Rotation2Dd(turn) * base::Vec2(0.3, 1.0);
   const Found moved = estimate_of(other, other.pull(t.x(), t.y()));
   const double size = std::abs(found.errors[0].eta);
@@ -325,9 +325,9 @@ TEST_P(GoalError, DoesNotDependOnAxesAndUnits) {
 }
 
 TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
-  const Strip strip(GetParam());
+  const StripTriangle strip(GetParam());
   const Found found = estimate_of(strip, strip.pull(0.3, 1.0));
-  Strip other(GetParam());
+  StripTriangle other(GetParam());
   model::Mesh& mesh = other.cracked.mesh;
   const std::size_t n = mesh.node_count();
   const auto turned = [n](base::NodeId id) { return base::NodeId(n - 1 - id.index()); };
@@ -335,8 +335,8 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
   for (base::NodeId& id : mesh.nodes) {
     id = turned(id);
   }
-  for (mesh::Front& front : other.cracked.fronts) {
-    front.tip().node = turned(front.tip().node);
+  for (mesh::CrackFront& front : other.cracked.fronts) {
+    front.tip_point().node = turned(front.tip_point().node);
   }
   for (mesh::CrackFaces& crack_faces : other.cracked.faces) {
     for (auto* crack_face : {&crack_faces.left, &crack_faces.right}) {
@@ -351,7 +351,7 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
     }
   }
   other.suppress();
-  Strip fresh = std::move(other);
+  StripTriangle fresh = std::move(other);
   std::vector<base::NodeId> nodes;
   const std::vector<bool> used = model::nodes_in_use(fresh.cracked.mesh);
   for (std::size_t i = 0; i < used.size(); ++i) {

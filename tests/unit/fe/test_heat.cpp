@@ -59,7 +59,8 @@ struct Plate {
     line.net = net;
     line.points = {{0.0, 2.0, 0.0}, {1.5, 2.4, 0.0}};
     base::Diagnostics diagnostics;
-    const std::vector<mesh::TipMesh> tips{mesh::choose_tip_mesh(model.mesh, line, nullptr)};
+    const std::vector<mesh::TipMeshParameters> tips{
+        mesh::choose_tip_mesh(model.mesh, line, nullptr)};
     cracked = mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::SourceSpan>(1),
                                   diagnostics)
                   .value();
@@ -71,7 +72,7 @@ struct Plate {
     load.elements = base::ElementSetId(set);
     load.value = {std::move(T)};
     return fe::make_case_temperature(
-        model, {cracked.mesh, model.mesh, &cracked.host, {cracked.fronts.front().tip().node}},
+        model, {cracked.mesh, model.mesh, &cracked.host, {cracked.fronts.front().tip_point().node}},
         {"", {load}});
   }
   [[nodiscard]] std::size_t left() const { return model.mesh.element_sets.size() - 1; }
@@ -118,11 +119,14 @@ TEST(Heat, AJumpInsideElementsIsIntegrated) {
 // 0.4 R(t)^2.5 by angle, R the distance of the opposite side.
 TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
   const Plate plate;
-  const mesh::Front& front = plate.cracked.fronts.front();
-  std::vector<base::ExpressionInstruction> code{
-      x, number(front.tip().x.x()), {OpCode::subtract, 0.0}, number(2.0), {OpCode::power, 0.0}};
+  const mesh::CrackFront& front = plate.cracked.fronts.front();
+  std::vector<base::ExpressionInstruction> code{x,
+                                                number(front.tip_point().x.x()),
+                                                {OpCode::subtract, 0.0},
+                                                number(2.0),
+                                                {OpCode::power, 0.0}};
   for (const base::ExpressionInstruction& i :
-       {y, number(front.tip().x.y()), base::ExpressionInstruction{OpCode::subtract, 0.0},
+       {y, number(front.tip_point().x.y()), base::ExpressionInstruction{OpCode::subtract, 0.0},
         number(2.0), base::ExpressionInstruction{OpCode::power, 0.0},
         base::ExpressionInstruction{OpCode::add, 0.0}, number(0.25),
         base::ExpressionInstruction{OpCode::power, 0.0}}) {
@@ -134,13 +138,13 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     const auto nodes = mesh.element_nodes(e);
-    const auto at = std::ranges::find(nodes, front.tip().node);
+    const auto at = std::ranges::find(nodes, front.tip_point().node);
     if (at == nodes.end() || mesh.type[i] != base::ElementType::trimc6) {
       continue;
     }
     const auto c = static_cast<std::size_t>(at - nodes.begin());
-    const base::Vec3 a = mesh.x[nodes[(c + 1) % 3].index()] - front.tip().x;
-    const base::Vec3 b = mesh.x[nodes[(c + 2) % 3].index()] - front.tip().x;
+    const base::Vec3 a = mesh.x[nodes[(c + 1) % 3].index()] - front.tip_point().x;
+    const base::Vec3 b = mesh.x[nodes[(c + 2) % 3].index()] - front.tip_point().x;
     const double height = a.cross(b).norm() / (b - a).norm();
     double exact = 0.0;
     constexpr int steps = 400;

@@ -64,7 +64,7 @@ Cracked cracked_block(ElementType type, const Map& map) {
     crack.front.emplace_back(Vec3(0.1, -0.2, 0.1) + 0.3 * Vec3(std::cos(t), std::sin(t), 0.0));
   }
   base::Diagnostics diagnostics;
-  const std::vector<mesh::TubeMesh> tubes(1);
+  const std::vector<mesh::TubeMeshParameters> tubes(1);
   const std::vector<base::SourceSpan> spans(1);
   auto result = mesh::insert_solid_cracks(host, std::span(&crack, 1), tubes, spans, diagnostics);
   if (!result) {
@@ -76,7 +76,7 @@ Cracked cracked_block(ElementType type, const Map& map) {
       made.kept.emplace_back(e);
     }
   }
-  for (const mesh::RimTie& rim : result->ties) {
+  for (const mesh::HangingNodeTie& rim : result->ties) {
     for (std::size_t c = 0; c < 3; ++c) {
       const auto freedom = [&](NodeId n) { return static_cast<std::int32_t>(3 * n.index() + c); };
       Tie& tie = made.ties.emplace_back();

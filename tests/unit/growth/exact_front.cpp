@@ -111,7 +111,7 @@ void ExactFront::move_to(const mesh::FrontCurve& curve) {
   Places way(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const base::Vec3 x(now_.z[i].real(), now_.z[i].imag(), 0.0);
-    const base::Vec3 to = curve.at(curve.nearest(x)).x;
+    const base::Vec3 to = curve.at(curve.nearest_length(x)).x;
     way[i] = Complex(to.x(), to.y()) - now_.z[i];
   }
   // A spline's third derivative jumps: without the waves that the points hardly show.

@@ -69,7 +69,7 @@ inline std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
                                                const std::vector<mesh::CrackLine>& lines,
                                                base::Diagnostics& diagnostics,
                                                const model::TipMeshSettings* wishes = nullptr) {
-  std::vector<mesh::TipMesh> tips;
+  std::vector<mesh::TipMeshParameters> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(host, line, wishes, lines));
@@ -182,7 +182,7 @@ inline void expect_crack_faces(const mesh::CrackedMesh& cracked, std::size_t i, 
   const auto& x = cracked.mesh.x;
   ASSERT_EQ(crack_faces.left.size(), crack_faces.right.size());
   EXPECT_EQ(crack_faces.left.back(), crack_faces.right.back());
-  EXPECT_EQ(crack_faces.left.back(), cracked.fronts[i].tip().node);
+  EXPECT_EQ(crack_faces.left.back(), cracked.fronts[i].tip_point().node);
   double length = 0.0;
   for (std::size_t k = 0; k < crack_faces.left.size(); ++k) {
     EXPECT_EQ(x[crack_faces.left[k].index()], x[crack_faces.right[k].index()]);

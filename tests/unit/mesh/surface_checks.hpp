@@ -21,11 +21,11 @@ struct Areas {
   std::map<std::size_t, double> host, made, caps;
 };
 
-inline double area_of(const SurfaceFace& face) {
+inline double area_of(const CurvedFace& face) {
   double area = 0.0;
   for (const auto& [r, weight] :
        shape::quadrature<2>(shape::reference_element<2>(face.shape).domain, 9)) {
-    const SurfacePoint p = point_on(face, r);
+    const SurfaceQuadraturePoint p = point_on(face, r);
     area += weight * p.slope.col(0).cross(p.slope.col(1)).norm();
   }
   return area;
@@ -34,11 +34,11 @@ inline double area_of(const SurfaceFace& face) {
 inline Areas areas_of(const SurfaceGeometry& surface, const SurfaceCut& cut) {
   Areas areas;
   for (const std::size_t f : cut.region.faces) {
-    areas.host[surface.piece(f)] += area_of(surface.face(f));
+    areas.host[surface.smooth_piece(f)] += area_of(surface.face(f));
   }
-  for (const NewTriangle& t : cut.made.triangles) {
+  for (const RemeshedTriangle& t : cut.made.triangles) {
     for (const auto& [r, weight] : shape::triangle_rule(6)) {
-      areas.made[surface.piece(t.face)] += weight * normal_of(cut.made, t, r).norm();
+      areas.made[surface.smooth_piece(t.face)] += weight * triangle_normal(cut.made, t, r).norm();
     }
   }
   for (const std::vector<int>& cap : cut.made.caps) {
@@ -49,15 +49,16 @@ inline Areas areas_of(const SurfaceGeometry& surface, const SurfaceCut& cut) {
     for (std::size_t i = 1; i + 1 < cap.size(); ++i) {
       sum += 0.5 * (x(i) - x(0)).cross(x(i + 1) - x(0));
     }
-    areas.caps[surface.piece(cut.made.points[static_cast<std::size_t>(cap[0])].place.face)] +=
+    areas
+        .caps[surface.smooth_piece(cut.made.points[static_cast<std::size_t>(cap[0])].place.face)] +=
         sum.norm();
   }
   return areas;
 }
 
-inline double least_angle(const NewSurface& made) {
+inline double least_angle(const RemeshedSurface& made) {
   double least = 10.0;
-  for (const NewTriangle& t : made.triangles) {
+  for (const RemeshedTriangle& t : made.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto x = [&](std::size_t i) -> const Vec3& {
         return made.points[static_cast<std::size_t>(t.points[i % 3])].place.x;
@@ -74,46 +75,47 @@ inline double least_angle(const NewSurface& made) {
 inline void expect_sound(const SurfaceGeometry& surface, const SurfaceCut& cut) {
   ASSERT_EQ(cut.trouble, "");
   ASSERT_EQ(cut.made.trouble.why, "") << cut.made.trouble.at.transpose();
-  const NewSurface& made = cut.made;
+  const RemeshedSurface& made = cut.made;
   // The rim is that of the host, with its middles.
   std::map<std::set<base::NodeId>, base::NodeId> rim;
-  for (const NewEdge& e : made.edges) {
+  for (const RemeshedEdge& e : made.edges) {
     const auto& a = made.points[static_cast<std::size_t>(e.points[0])];
     const auto& b = made.points[static_cast<std::size_t>(e.points[1])];
-    if (e.kind == NewEdgeKind::rim) {
+    if (e.kind == RemeshedEdgeKind::rim) {
       EXPECT_TRUE(rim.insert({{a.host, b.host}, e.host_mid}).second);
     }
-    EXPECT_LT((surface.nearest(e.mid.x).x - e.mid.x).norm(), 1e-9);
-    EXPECT_LT((surface.place(e.mid.face, e.mid.r).x - e.mid.x).norm(), 1e-12);
-    if (e.kind == NewEdgeKind::mouth) {
+    EXPECT_LT((surface.nearest_place(e.mid.x).x - e.mid.x).norm(), 1e-9);
+    EXPECT_LT((surface.place_on_face(e.mid.face, e.mid.r).x - e.mid.x).norm(), 1e-12);
+    if (e.kind == RemeshedEdgeKind::mouth) {
       EXPECT_LT(std::abs(cut.region.plane.height(e.mid.x)), 1e-9);
       EXPECT_LT(std::abs(cut.region.plane.height(a.place.x)), 1e-9);
     }
   }
   const RegionPatches patches(surface, cut.region.faces);
-  EXPECT_EQ(rim.size(), patches.rim().size());
-  for (const std::size_t e : patches.rim()) {
+  EXPECT_EQ(rim.size(), patches.rim_edges().size());
+  for (const std::size_t e : patches.rim_edges()) {
     const SurfaceEdge& edge = surface.edges()[e];
     const auto at = rim.find({edge.ends[0], edge.ends[1]});
     ASSERT_NE(at, rim.end());
     EXPECT_EQ(at->second, edge.mid);
   }
-  for (const NewPoint& point : made.points) {
-    EXPECT_LT((surface.nearest(point.place.x).x - point.place.x).norm(), 1e-9);
+  for (const RemeshedPoint& point : made.points) {
+    EXPECT_LT((surface.nearest_place(point.place.x).x - point.place.x).norm(), 1e-9);
   }
   // Every edge of a mouth, and nothing folded.
   for (std::size_t m = 0; m < made.mouths.size(); ++m) {
     EXPECT_EQ(made.mouths[m].size(), cut.region.mouths[m].line.corners.size());
   }
-  for (const NewTriangle& t : made.triangles) {
-    const Vec3 out = surface
-                         .nearest((made.points[static_cast<std::size_t>(t.points[0])].place.x +
-                                   made.points[static_cast<std::size_t>(t.points[1])].place.x +
-                                   made.points[static_cast<std::size_t>(t.points[2])].place.x) /
-                                  3.0)
-                         .normal;
+  for (const RemeshedTriangle& t : made.triangles) {
+    const Vec3 out =
+        surface
+            .nearest_place((made.points[static_cast<std::size_t>(t.points[0])].place.x +
+                            made.points[static_cast<std::size_t>(t.points[1])].place.x +
+                            made.points[static_cast<std::size_t>(t.points[2])].place.x) /
+                           3.0)
+            .normal;
     for (const auto& [r, weight] : shape::triangle_rule(5)) {
-      EXPECT_GT(normal_of(made, t, r).normalized().dot(out), 0.5);
+      EXPECT_GT(triangle_normal(made, t, r).normalized().dot(out), 0.5);
     }
   }
 }

@@ -36,7 +36,7 @@ inline mesh::FrontCurve front_of(const Ellipse& e, int count = 96) {
 
 struct SurfaceCut {
   mesh::SurfaceRegion region;
-  mesh::NewSurface made;
+  mesh::RemeshedSurface made;
   std::string trouble;    ///< before the surface was meshed anew
   std::vector<Vec3> ends; ///< of the fronts, on the surface
 };
@@ -50,7 +50,7 @@ inline std::vector<Vec3> cap_round(const mesh::SurfaceGeometry& surface,
   std::vector<Vec3> cap{on_mouth};
   for (int i = 1; i < 8; ++i) {
     const double angle = 0.25 * std::numbers::pi * i;
-    cap.push_back(surface.nearest(end.x + std::cos(angle) * d + std::sin(angle) * across).x);
+    cap.push_back(surface.nearest_place(end.x + std::cos(angle) * d + std::sin(angle) * across).x);
   }
   return cap;
 }
@@ -61,13 +61,13 @@ inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface
                                             const mesh::SizeAt& size) {
   std::vector<std::size_t> faces;
   for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-    const std::array<Vec3, 2> box = mesh::box_of(surface.face(f));
+    const std::array<Vec3, 2> box = mesh::bounding_box(surface.face(f));
     double edge = 0.0;
     const auto& X = surface.face(f).X;
     for (int i = 0; i < surface.face(f).corners(); ++i) {
       edge = std::max(edge, (X.col(i) - X.col((i + 1) % surface.face(f).corners())).norm());
     }
-    const bool coarse = edge > size(surface.place(f, {1.0 / 3.0, 1.0 / 3.0}).x);
+    const bool coarse = edge > size(surface.place_on_face(f, {1.0 / 3.0, 1.0 / 3.0}).x);
     const bool near = std::ranges::any_of(line, [&](const Vec3& x) {
       const double away = (box[0] - x).cwiseMax(x - box[1]).cwiseMax(0.0).norm();
       return away < size(x);
@@ -83,7 +83,7 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
                               double radius, double growth = 0.5) {
   SurfaceCut cut;
   const mesh::FrontCurve front = front_of(crack);
-  const mesh::FrontArcs arcs = arcs_inside(surface, front);
+  const mesh::InteriorFrontArcs arcs = arcs_inside(surface, front);
   if (arcs.trouble) {
     cut.trouble = arcs.trouble.why;
     return cut;
@@ -107,8 +107,8 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
   const mesh::FrontMouths mouths = find_mouths(surface, region.plane, front, arcs.arcs);
   cut.trouble = mouths.trouble.why;
   for (const mesh::FrontMouth& mouth : mouths.mouths) {
-    const mesh::FrontArc& arc = arcs.arcs[mouth.from];
-    const mesh::FrontArc& next = arcs.arcs[mouth.to];
+    const mesh::InteriorFrontArc& arc = arcs.arcs[mouth.from];
+    const mesh::InteriorFrontArc& next = arcs.arcs[mouth.to];
     const int cap = static_cast<int>(region.caps.size());
     cut.ends.insert(cut.ends.end(), {arc.place[1].x, next.place[0].x});
     const double L = mouth.trace.length();
@@ -117,8 +117,8 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
     region.caps.push_back(cap_round(surface, arc.place[1], a, crack.normal()));
     region.caps.push_back(cap_round(surface, next.place[0], b, crack.normal()));
     const Vec3 on = mouth.trace.at(0.31 * L).x - a;
-    const mesh::Traced traced =
-        trace(surface, region.plane, surface.nearest(a), surface.nearest(b), on);
+    const mesh::TraceResult traced =
+        trace_plane(surface, region.plane, surface.nearest_place(a), surface.nearest_place(b), on);
     if (traced.trouble) {
       cut.trouble = traced.trouble.why;
       return cut;

@@ -23,7 +23,7 @@ model::Mesh block(int nx, int ny) {
 
 TEST(Boundary, BodyLiesOnTheLeft) {
   const model::Mesh mesh = block(3, 2);
-  const auto chains = mesh::chains(mesh, mesh::boundary_faces(mesh));
+  const auto chains = mesh::build_chains(mesh, mesh::boundary_faces(mesh));
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_TRUE(chains[0].closed);
   double twice_area = 0.0;
@@ -40,7 +40,7 @@ TEST(Boundary, ConsecutiveFacesOfAChainShareANode) {
   const model::Mesh mesh = block(4, 3);
   const auto& set = test::faces(mesh, "XMAX").faces;
   const std::vector<model::Face> shuffled{set[2], set[0], set[1]};
-  const auto chains = mesh::chains(mesh, shuffled);
+  const auto chains = mesh::build_chains(mesh, shuffled);
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_FALSE(chains[0].closed);
   ASSERT_EQ(chains[0].faces.size(), 3U);
@@ -53,7 +53,7 @@ TEST(Boundary, ConsecutiveFacesOfAChainShareANode) {
 TEST(Boundary, TwoPiecesAreTwoChains) {
   const model::Mesh mesh = block(4, 1);
   const auto& set = test::faces(mesh, "YMIN").faces;
-  EXPECT_EQ(mesh::chains(mesh, {set[0], set[1], set[3]}).size(), 2U);
+  EXPECT_EQ(mesh::build_chains(mesh, {set[0], set[1], set[3]}).size(), 2U);
 }
 
 TEST(Boundary, FacesWithinNeedAllTheirNodes) {

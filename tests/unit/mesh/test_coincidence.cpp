@@ -50,7 +50,7 @@ TEST(Coincidence, TwoBlocksSideBySideHaveASeamOfTheirCommonSides) {
     model::Mesh mesh = empty_mesh();
     add_block(mesh, 0.0, 3, 5, angle);
     add_block(mesh, 3.0, 2, 5, angle);
-    EXPECT_EQ(seams(mesh, boundary_faces(mesh)).size(), 5U) << angle;
+    EXPECT_EQ(find_coincident_faces(mesh, boundary_faces(mesh)).size(), 5U) << angle;
     EXPECT_TRUE(doubled_elements(mesh).empty());
   }
 }
@@ -59,7 +59,7 @@ TEST(Coincidence, OneBlockAndBlocksApartHaveNone) {
   model::Mesh mesh = empty_mesh();
   add_block(mesh, 0.0, 4, 4);
   add_block(mesh, 4.01, 4, 4);
-  EXPECT_TRUE(seams(mesh, boundary_faces(mesh)).empty());
+  EXPECT_TRUE(find_coincident_faces(mesh, boundary_faces(mesh)).empty());
   EXPECT_TRUE(doubled_elements(mesh).empty());
 }
 
@@ -71,7 +71,7 @@ TEST(Coincidence, BlocksThatMeetInACornerAreNoSeam) {
   for (std::size_t n = before; n < mesh.node_count(); ++n) {
     mesh.x[n].y() += 2.0;
   }
-  EXPECT_TRUE(seams(mesh, boundary_faces(mesh)).empty());
+  EXPECT_TRUE(find_coincident_faces(mesh, boundary_faces(mesh)).empty());
 }
 
 TEST(Coincidence, AMeshReadTwiceIsFoundElementByElement) {

@@ -57,8 +57,8 @@ void expect_sides(const mesh::CrackedMesh& cracked) {
   const mesh::CrackFaceMembership membership(cracked.mesh, cracked.faces);
   for (const model::NodeSet& set : cracked.mesh.node_sets) {
     const bool line = set.name == "LINE"; // a patch has taken the rest of it
-    for (const auto& choice :
-         line ? std::vector<mesh::CrackFaceMembership::Choice>() : membership.choices(set.nodes)) {
+    for (const auto& choice : line ? std::vector<mesh::CrackFaceMembership::CrackFaceChoice>()
+                                   : membership.choose_face_nodes(set.nodes)) {
       EXPECT_EQ(choice.alone, set.name == "POINT") << set.name;
     }
   }
@@ -75,8 +75,8 @@ TEST(CrackFaceSets, NodesOfTheNetsOwnMeshAlike) {
   const model::Mesh host = with_sets();
   mesh::CrackLine line = test::crack({{mouth, 0, 0}, {mouth, 3.0, 0}});
   line.path = host.node_sets[4].nodes;
-  const mesh::Host around(host);
-  mesh::TipMesh tip = mesh::choose_tip_mesh(around, line, nullptr);
+  const mesh::HostMesh around(host);
+  mesh::TipMeshParameters tip = mesh::choose_tip_mesh(around, line, nullptr);
   tip.patch = false;
   base::Diagnostics diagnostics;
   const base::SourceSpan span;

@@ -48,8 +48,8 @@ mesh::SolidCrack disc(const Vec3& centre, double c, double a) {
   return crack;
 }
 
-mesh::TubeMesh no_tube() {
-  mesh::TubeMesh wish;
+mesh::TubeMeshParameters no_tube() {
+  mesh::TubeMeshParameters wish;
   wish.tube = false;
   return wish;
 }
@@ -59,7 +59,8 @@ struct Attempt {
   base::Diagnostics diagnostics;
 };
 
-Attempt cut(const model::Mesh& host, const mesh::SolidCrack& crack, const mesh::TubeMesh& wish) {
+Attempt cut(const model::Mesh& host, const mesh::SolidCrack& crack,
+            const mesh::TubeMeshParameters& wish) {
   Attempt made;
   made.cracked = mesh::insert_solid_cracks(host, std::vector{crack}, std::vector{wish},
                                            std::vector<base::SourceSpan>(1), made.diagnostics);
@@ -155,7 +156,7 @@ TEST(FreeFronts, AreMeshedByWish) {
 
 TEST(FreeFronts, MayHaveStraightEdges) {
   const model::Mesh host = block(ElementType::tet10, 4);
-  mesh::TubeMesh wish = no_tube();
+  mesh::TubeMeshParameters wish = no_tube();
   wish.quarter_point = false;
   const Attempt made = cut(host, disc({0.1, 0.2, 0.3}, 1.0, 1.0), wish);
   ASSERT_TRUE(made.cracked);
@@ -178,7 +179,7 @@ TEST(FreeFronts, StandInForATube) {
 
 // The deck's own radius does not fit: that is a mistake, not a case for another mesh.
 TEST(FreeFronts, DoNotTakeThePlaceOfATubeThatIsAskedFor) {
-  mesh::TubeMesh wide;
+  mesh::TubeMeshParameters wide;
   wide.radius = 0.6; // the front curves by 0.5
   const Attempt made = cut(block(ElementType::tet10, 4), disc({0, 0, 0.1}, 0.5, 0.5), wide);
   EXPECT_FALSE(made.cracked);

@@ -40,7 +40,7 @@ TEST(FrontCurve, CircleHasItsLengthAxesAndCurvature) {
     EXPECT_LT((frame.m.cross(frame.b) - frame.t).norm(), 1e-14);
     EXPECT_NEAR(frame.curvature(), 0.5, 1e-3);
     EXPECT_LT((frame.dm - 0.5 * frame.t).norm(), 1e-3);
-    EXPECT_NEAR(curve.nearest(2.7 * out + 0.4 * Vec3::UnitZ()), 2.0 * angle, 1e-4);
+    EXPECT_NEAR(curve.nearest_length(2.7 * out + 0.4 * Vec3::UnitZ()), 2.0 * angle, 1e-4);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(FrontCurve, OpenFrontHasNoKinkAtItsEndsAndGoesOnStraight) {
   EXPECT_NEAR(curve.at(0.0).curvature(), 1.0, 5e-3);
   const Vec3 beyond = curve.at(-0.2).x;
   EXPECT_LT((beyond - Vec3(1.0, 0.2, 0.0)).norm(), 1e-4);
-  EXPECT_NEAR(curve.nearest({1.1, 0.2, 0.3}), -0.2, 1e-4);
+  EXPECT_NEAR(curve.nearest_length({1.1, 0.2, 0.3}), -0.2, 1e-4);
 }
 
 TEST(FrontCurve, DerivativesOfTheAxesAreTheirDifferences) {
@@ -95,7 +95,7 @@ TEST(FrontCurve, StraightFrontOfTwoPoints) {
   const FrontCurve curve({{0.0, 0.0, 0.0}, {0.0, 0.0, 3.0}}, {Vec3::UnitY(), Vec3::UnitY()}, false);
   EXPECT_DOUBLE_EQ(curve.length(), 3.0);
   EXPECT_LT((curve.at(1.0).m - Vec3::UnitX()).norm(), 1e-15);
-  EXPECT_NEAR(curve.nearest({0.4, 0.2, 1.7}), 1.7, 1e-14);
+  EXPECT_NEAR(curve.nearest_length({0.4, 0.2, 1.7}), 1.7, 1e-14);
 }
 
 } // namespace

@@ -112,7 +112,7 @@ Physical Curve("FLAT") = {2};
 )");
   const base::Vec2 top(0.0, 8.0);
   const auto wish = [&](double x, double y) { return 0.2 + 0.5 * (base::Vec2(x, y) - top).norm(); };
-  std::vector<mesh::SizeMap::Wish> wishes; // the map has the size of the nearest
+  std::vector<mesh::SizeMap::SizeRequest> wishes; // the map has the size of the nearest
   for (int i = -80; i <= 80; ++i) {
     for (int k = 0; k <= 80; ++k) {
       wishes.push_back({{0.1 * i, 0.1 * k}, wish(0.1 * i, 0.1 * k), true});

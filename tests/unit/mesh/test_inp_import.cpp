@@ -83,7 +83,7 @@ TEST_F(Inp, EveryTypeComesBackBitForBit) {
       continue;
     }
     SCOPED_TRACE(base::element_info(type).name);
-    ASSERT_TRUE(import(mesh::inp_text(wanted, nullptr))) << messages();
+    ASSERT_TRUE(import(mesh::write_inp(wanted, nullptr))) << messages();
     EXPECT_EQ(messages(), "");
     const model::Mesh& found = model_.mesh;
     EXPECT_EQ(found.dim, base::element_info(type).dim);
@@ -283,7 +283,7 @@ TEST_F(Inp, MistakesNameTheirLine) {
 TEST_F(Inp, ElementsWithManyNodesGoOnOverLines) {
   model::Model block;
   block.mesh = test::distorted_block(base::ElementType::hexec20);
-  const std::string text = mesh::inp_text(block, nullptr);
+  const std::string text = mesh::write_inp(block, nullptr);
   EXPECT_NE(text.find(",\n"), std::string::npos);
   ASSERT_TRUE(import(text)) << messages();
   EXPECT_TRUE(mesh::bad_elements(model_.mesh).empty());

@@ -44,10 +44,10 @@ mesh::MesherAnswer unseen(const std::string& text) {
 }
 
 mesh::GmshModel model_of(const mesh::MesherAnswer& answer) {
-  EXPECT_EQ(answer.end, mesh::MesherEnd::answered) << answer.trouble;
+  EXPECT_EQ(answer.end, mesh::MesherOutcome::answered) << answer.trouble;
   mesh::ByteReader in(answer.frame);
   mesh::GmshModel model;
-  EXPECT_EQ(in.one<mesh::MesherFrame>(), mesh::MesherFrame::model);
+  EXPECT_EQ(in.read_value<mesh::MesherFrameKind>(), mesh::MesherFrameKind::model);
   EXPECT_TRUE(mesh::read_model_answer(in, model));
   return model;
 }
@@ -73,11 +73,11 @@ protected:
 TEST_F(Mesher, StartsNoProgram) {
   for (const char* call : {"SystemCall", "NonBlockingSystemCall"}) {
     const mesh::MesherAnswer answer = unseen(std::string(call) + " \"touch " + made() + "\";\n");
-    EXPECT_EQ(answer.end, mesh::MesherEnd::forbidden) << call;
+    EXPECT_EQ(answer.end, mesh::MesherOutcome::forbidden) << call;
     EXPECT_NE(answer.trouble.find("start a program"), std::string::npos) << answer.trouble;
   }
   EXPECT_EQ(unseen("OnelabRun(\"foo\", \"/bin/touch " + made() + " \");\n").end,
-            mesh::MesherEnd::forbidden);
+            mesh::MesherOutcome::forbidden);
   EXPECT_FALSE(fs::exists(made()));
 }
 
@@ -99,7 +99,7 @@ TEST_F(Mesher, WritesAndReadsNoFile) {
 }
 
 TEST_F(Mesher, ItsEndIsNotOurs) {
-  EXPECT_EQ(unseen("Exit;\n").end, mesh::MesherEnd::left);
+  EXPECT_EQ(unseen("Exit;\n").end, mesh::MesherOutcome::left);
   const mesh::GmshModel model = model_of(unseen("Point(1) = {0, 0, 0};\n"));
   EXPECT_TRUE(model.errors.empty());
   EXPECT_EQ(model.dim, 0);
@@ -108,7 +108,7 @@ TEST_F(Mesher, ItsEndIsNotOurs) {
 TEST_F(Mesher, TimeIsLimited) {
   mesh::mesher_limits().seconds = 0.8;
   const mesh::MesherAnswer answer = unseen("For i In {0:1e12}\n a = i;\nEndFor\n");
-  EXPECT_EQ(answer.end, mesh::MesherEnd::no_time);
+  EXPECT_EQ(answer.end, mesh::MesherOutcome::no_time);
   EXPECT_NE(answer.trouble.find("reading took more than"), std::string::npos) << answer.trouble;
 }
 
@@ -148,9 +148,9 @@ TEST_F(Mesher, TimeWithoutAProcessorIsNotItsOwn) {
 TEST_F(Mesher, ItIsSeenToWait) {
   mesh::dismiss_mesher();
   const auto process = mesh::MesherProcess::start(std::size_t{2} << 30U);
-  EXPECT_TRUE(becomes([&] { return process->waits(); })); // for its first request
+  EXPECT_TRUE(becomes([&] { return process->is_waiting(); })); // for its first request
   kill(child(), SIGSTOP);
-  EXPECT_TRUE(becomes([&] { return !process->waits(); }));
+  EXPECT_TRUE(becomes([&] { return !process->is_waiting(); }));
 }
 
 TEST_F(Mesher, MemoryIsLimited) {
@@ -159,12 +159,13 @@ TEST_F(Mesher, MemoryIsLimited) {
 #endif
   mesh::dismiss_mesher();
   mesh::mesher_limits().memory = std::size_t{300} << 20U;
-  EXPECT_EQ(unseen("Physical Curve(\"B\") = {10:4294967297};\n").end, mesh::MesherEnd::no_memory);
+  EXPECT_EQ(unseen("Physical Curve(\"B\") = {10:4294967297};\n").end,
+            mesh::MesherOutcome::no_memory);
 }
 
 /// A quarter of a ring, divided finely along its rim.
-mesh::Region quarter() {
-  mesh::Region region;
+mesh::PlaneRegion quarter() {
+  mesh::PlaneRegion region;
   std::vector<int> loop;
   constexpr int count = 24;
   for (int i = 0; i <= count; ++i) {
@@ -183,12 +184,12 @@ mesh::Region quarter() {
 
 mesh::Grading sizes() {
   mesh::Grading size;
-  size.add({0.4, 0.0}, 0.03);
-  size.add({0.0, 1.0}, 0.1);
+  size.add_source({0.4, 0.0}, 0.03);
+  size.add_source({0.0, 1.0}, 0.1);
   return size;
 }
 
-double area(const mesh::Region& region, const mesh::Filling& filling) {
+double area(const mesh::PlaneRegion& region, const mesh::TriangleFill& filling) {
   const auto at = [&](int n) {
     const auto i = static_cast<std::size_t>(n);
     return i < region.points.size() ? region.points[i] : filling.added[i - region.points.size()];
@@ -202,7 +203,7 @@ double area(const mesh::Region& region, const mesh::Filling& filling) {
   return sum;
 }
 
-bool same(const mesh::Filling& a, const mesh::Filling& b) {
+bool same(const mesh::TriangleFill& a, const mesh::TriangleFill& b) {
   return a.triangles == b.triangles && a.added.size() == b.added.size() &&
          std::equal(a.added.begin(), a.added.end(), b.added.begin(),
                     [](const base::Vec2& p, const base::Vec2& q) {
@@ -211,8 +212,8 @@ bool same(const mesh::Filling& a, const mesh::Filling& b) {
 }
 
 TEST_F(Mesher, FillsTheSameAfterTroubleOfAnyKind) {
-  const mesh::Region region = quarter();
-  const mesh::Filling first = mesh::fill(region, sizes());
+  const mesh::PlaneRegion region = quarter();
+  const mesh::TriangleFill first = mesh::fill_triangles(region, sizes());
   ASSERT_TRUE(first.trouble.empty()) << first.trouble;
   double polygon = 0.0;
   const std::vector<int>& loop = region.loops.front();
@@ -222,27 +223,27 @@ TEST_F(Mesher, FillsTheSameAfterTroubleOfAnyKind) {
     polygon += 0.5 * (p.x() * q.y() - p.y() * q.x());
   }
   EXPECT_NEAR(area(region, first), polygon, 1e-12);
-  EXPECT_TRUE(same(first, mesh::fill(region, sizes())));
+  EXPECT_TRUE(same(first, mesh::fill_triangles(region, sizes())));
   unseen("Exit;\n");
-  EXPECT_TRUE(same(first, mesh::fill(region, sizes())));
+  EXPECT_TRUE(same(first, mesh::fill_triangles(region, sizes())));
   model_of(unseen("Mesh.Algorithm = 6; Point(1) = {zz, 0, 0};\nMesh.MeshSizeFactor = 3;\n"));
-  EXPECT_TRUE(same(first, mesh::fill(region, sizes())));
+  EXPECT_TRUE(same(first, mesh::fill_triangles(region, sizes())));
 }
 
 // Whoever forks has another one, and the first goes on as if nothing were.
 TEST_F(Mesher, BelongsToOneProcess) {
-  const mesh::Region region = quarter();
-  const mesh::Filling first = mesh::fill(region, sizes());
+  const mesh::PlaneRegion region = quarter();
+  const mesh::TriangleFill first = mesh::fill_triangles(region, sizes());
   const pid_t child = fork();
   if (child == 0) {
-    const bool good = same(first, mesh::fill(region, sizes()));
+    const bool good = same(first, mesh::fill_triangles(region, sizes()));
     mesh::dismiss_mesher();
     _exit(good ? 0 : 1);
   }
   int status = 1;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
-  EXPECT_TRUE(same(first, mesh::fill(region, sizes())));
+  EXPECT_TRUE(same(first, mesh::fill_triangles(region, sizes())));
   mesh::dismiss_mesher();
   EXPECT_EQ(waitpid(-1, &status, WNOHANG), -1); // no zombie, no process
   EXPECT_EQ(errno, ECHILD);
@@ -270,9 +271,10 @@ TEST_F(Mesher, WithoutASandboxNoScriptIsRun) {
   if (child == 0) {
     take_seccomp_away();
     const mesh::MesherAnswer answer = unseen("SystemCall \"touch " + made() + "\";\n");
-    const bool refused = answer.end == mesh::MesherEnd::answered &&
-                         answer.frame.front() == static_cast<char>(mesh::MesherFrame::no_sandbox);
-    const bool filled = mesh::fill(quarter(), sizes()).trouble.empty();
+    const bool refused =
+        answer.end == mesh::MesherOutcome::answered &&
+        answer.frame.front() == static_cast<char>(mesh::MesherFrameKind::no_sandbox);
+    const bool filled = mesh::fill_triangles(quarter(), sizes()).trouble.empty();
     mesh::dismiss_mesher();
     _exit(refused && filled ? 0 : 1);
   }

@@ -50,7 +50,7 @@ protected:
                                            std::string(base::element_info(GetParam()).name));
     fs::create_directories(folder_);
     mesh_ = test::distorted_block(GetParam());
-    std::ofstream(folder_ / "own.msh") << mesh::msh_text(mesh_);
+    std::ofstream(folder_ / "own.msh") << mesh::write_msh(mesh_);
   }
   void TearDown() override { fs::remove_all(folder_); }
 

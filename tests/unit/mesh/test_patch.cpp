@@ -16,12 +16,12 @@ TEST(Patch, EdgeCrackInABlock) {
   test::expect_sound(host, cracked);
   test::expect_crack_faces(cracked, 0, 3.3);
   ASSERT_EQ(cracked.fronts.size(), 1U);
-  const mesh::Front& front = cracked.fronts[0];
-  EXPECT_NEAR((front.tip().x - Vec3(3.3, 4, 0)).norm(), 0.0, 1e-15 * 8);
-  EXPECT_NEAR((front.tip().growth - Vec3(1, 0, 0)).norm(), 0.0, 1e-15);
+  const mesh::CrackFront& front = cracked.fronts[0];
+  EXPECT_NEAR((front.tip_point().x - Vec3(3.3, 4, 0)).norm(), 0.0, 1e-15 * 8);
+  EXPECT_NEAR((front.tip_point().growth - Vec3(1, 0, 0)).norm(), 0.0, 1e-15);
   EXPECT_DOUBLE_EQ(front.a, 3.3);
-  EXPECT_EQ(test::expect_quarter_points(cracked, front.tip().node),
-            2 * mesh::TipMesh{}.sectors); // two edges each
+  EXPECT_EQ(test::expect_quarter_points(cracked, front.tip_point().node),
+            2 * mesh::TipMeshParameters{}.sectors); // two edges each
   for (const char* name : {"XMIN", "XMAX", "YMIN", "YMAX"}) {
     EXPECT_NEAR(test::chord_length(cracked.mesh, test::faces(cracked.mesh, name).faces),
                 test::chord_length(host, test::faces(host, name).faces), 1e-13);
@@ -82,7 +82,7 @@ TEST(Patch, LengthsFromAHundredthToTheLigament) {
     const auto cracked = test::insert(host, {test::crack({{0, 36, 0}, {0, 36 + a, 0}})});
     test::expect_sound(host, cracked);
     test::expect_crack_faces(cracked, 0, a);
-    test::expect_quarter_points(cracked, cracked.fronts[0].tip().node);
+    test::expect_quarter_points(cracked, cracked.fronts[0].tip_point().node);
     EXPECT_LT(cracked.fronts[0].radius, 0.5 * (50.5 - a));
   }
 }
@@ -96,7 +96,7 @@ TEST(Patch, BoreKeepsItsCurve) {
   EXPECT_NEAR(test::curve_length(cracked.mesh, after), test::curve_length(host, before),
               1e-12 * 226.0);
   // still in order round the bore, with a gap at the mouth only
-  const auto chains = mesh::chains(cracked.mesh, after);
+  const auto chains = mesh::build_chains(cracked.mesh, after);
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_FALSE(chains[0].closed);
   const auto first = test::nodes_of(cracked.mesh, chains[0].faces.front())[0];
@@ -114,7 +114,7 @@ TEST(Patch, MouthAwayFromNodesOnACoarseArc) {
     test::expect_sound(host, cracked);
     test::expect_crack_faces(cracked, 0, 3.0);
     // the arc's chords leave the circle by some thousandths: the crack starts on the mesh
-    EXPECT_NEAR((cracked.fronts[0].tip().x - 39.0 * ray).norm(), 0.0, 0.01);
+    EXPECT_NEAR((cracked.fronts[0].tip_point().x - 39.0 * ray).norm(), 0.0, 0.01);
   }
 }
 
@@ -156,7 +156,7 @@ TEST(Patch, ObliqueCracks) {
     const auto cracked = test::insert(host, {test::crack({start, start + 2.0 * d})});
     test::expect_sound(host, cracked);
     test::expect_crack_faces(cracked, 0, 2.0);
-    EXPECT_NEAR((cracked.fronts[0].tip().growth - d).norm(), 0.0, 1e-14);
+    EXPECT_NEAR((cracked.fronts[0].tip_point().growth - d).norm(), 0.0, 1e-14);
   }
 }
 
@@ -166,7 +166,8 @@ TEST(Patch, KinkedCrack) {
       test::insert(host, {test::crack({{0, 4, 0}, {2, 4, 0}, {3, 4.5, 0}, {3.5, 5.2, 0}})});
   test::expect_sound(host, cracked);
   test::expect_crack_faces(cracked, 0, 2.0 + std::sqrt(1.25) + std::sqrt(0.74));
-  EXPECT_NEAR((cracked.fronts[0].tip().growth - Vec3(0.5, 0.7, 0).normalized()).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((cracked.fronts[0].tip_point().growth - Vec3(0.5, 0.7, 0).normalized()).norm(), 0.0,
+              1e-12);
   bool kink = false;
   for (const base::NodeId n : cracked.faces[0].left) {
     kink = kink || (cracked.mesh.x[n.index()] - Vec3(2, 4, 0)).norm() < 1e-12;
@@ -182,7 +183,7 @@ TEST(Patch, DoubleSidedLug) {
   ASSERT_EQ(cracked.fronts.size(), 2U);
   test::expect_crack_faces(cracked, 0, 10.8);
   test::expect_crack_faces(cracked, 1, 10.8);
-  EXPECT_EQ(mesh::chains(cracked.mesh, test::faces(cracked.mesh, "BORE").faces).size(), 2U);
+  EXPECT_EQ(mesh::build_chains(cracked.mesh, test::faces(cracked.mesh, "BORE").faces).size(), 2U);
 }
 
 TEST(Patch, UnitsAndPlaceDoNotChangeTheMesh) {
@@ -247,7 +248,7 @@ TEST(Patch, WishesAreObeyed) {
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
     const auto nodes = cracked.mesh.element_nodes(base::ElementId(e));
     tip_elements +=
-        std::count(nodes.begin(), nodes.end(), cracked.fronts[0].tip().node) > 0 ? 1 : 0;
+        std::count(nodes.begin(), nodes.end(), cracked.fronts[0].tip_point().node) > 0 ? 1 : 0;
     if (cracked.mesh.type[e] == base::ElementType::quamc8 && !cracked.host[e].valid()) {
       radii.insert(std::lround(1e9 * (cracked.mesh.x[nodes[0].index()] - tip).norm()));
       radii.insert(std::lround(1e9 * (cracked.mesh.x[nodes[1].index()] - tip).norm()));
@@ -272,7 +273,7 @@ TEST(Patch, TipMeshFollowsTheRoomThereIs) {
 TEST(Patch, RegionHoldsEveryCavityAndALayer) {
   const model::Mesh host = test::lug();
   std::vector<mesh::CrackLine> lines;
-  std::vector<mesh::TipMesh> tips;
+  std::vector<mesh::TipMeshParameters> tips;
   for (const double a : {1.8, 10.8}) {
     lines.push_back(test::crack({{0, 36, 0}, {0, 36 + a, 0}}));
     tips.push_back(mesh::choose_tip_mesh(host, lines.back(), nullptr));

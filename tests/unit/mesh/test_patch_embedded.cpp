@@ -19,10 +19,10 @@ void expect_two_tips(const mesh::CrackedMesh& cracked, double length) {
   const auto& crack_faces = cracked.faces[0];
   const auto& x = cracked.mesh.x;
   ASSERT_EQ(crack_faces.left.size(), crack_faces.right.size());
-  EXPECT_EQ(crack_faces.left.front(), cracked.fronts[0].tip().node);
-  EXPECT_EQ(crack_faces.right.front(), cracked.fronts[0].tip().node);
-  EXPECT_EQ(crack_faces.left.back(), cracked.fronts[1].tip().node);
-  EXPECT_EQ(crack_faces.right.back(), cracked.fronts[1].tip().node);
+  EXPECT_EQ(crack_faces.left.front(), cracked.fronts[0].tip_point().node);
+  EXPECT_EQ(crack_faces.right.front(), cracked.fronts[0].tip_point().node);
+  EXPECT_EQ(crack_faces.left.back(), cracked.fronts[1].tip_point().node);
+  EXPECT_EQ(crack_faces.right.back(), cracked.fronts[1].tip_point().node);
   double along = 0.0;
   for (std::size_t k = 1; k < crack_faces.left.size(); ++k) {
     EXPECT_EQ(x[crack_faces.left[k].index()], x[crack_faces.right[k].index()]);
@@ -30,9 +30,10 @@ void expect_two_tips(const mesh::CrackedMesh& cracked, double length) {
     along += (x[crack_faces.left[k].index()] - x[crack_faces.left[k - 1].index()]).norm();
   }
   EXPECT_NEAR(along, length, 1e-12 * length);
-  for (const mesh::Front& front : cracked.fronts) {
+  for (const mesh::CrackFront& front : cracked.fronts) {
     EXPECT_NEAR(front.a, 0.5 * length, 1e-12 * length);
-    EXPECT_EQ(test::expect_quarter_points(cracked, front.tip().node), 2 * mesh::TipMesh{}.sectors);
+    EXPECT_EQ(test::expect_quarter_points(cracked, front.tip_point().node),
+              2 * mesh::TipMeshParameters{}.sectors);
   }
   EXPECT_EQ(cracked.fronts[0].number, 1);
   EXPECT_EQ(cracked.fronts[1].number, 2);
@@ -46,10 +47,10 @@ TEST(PatchEmbedded, SlantCrackHasTwoTipsThatLookAway) {
   test::expect_sound(host, cracked);
   expect_two_tips(cracked, 3.0);
   const Vec3 along = (to - from).normalized();
-  EXPECT_NEAR((cracked.fronts[0].tip().growth + along).norm(), 0.0, 1e-14);
-  EXPECT_NEAR((cracked.fronts[1].tip().growth - along).norm(), 0.0, 1e-14);
-  EXPECT_NEAR((cracked.fronts[0].tip().x - from).norm(), 0.0, 1e-14 * 8);
-  EXPECT_NEAR((cracked.fronts[1].tip().x - to).norm(), 0.0, 1e-14 * 8);
+  EXPECT_NEAR((cracked.fronts[0].tip_point().growth + along).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((cracked.fronts[1].tip_point().growth - along).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((cracked.fronts[0].tip_point().x - from).norm(), 0.0, 1e-14 * 8);
+  EXPECT_NEAR((cracked.fronts[1].tip_point().x - to).norm(), 0.0, 1e-14 * 8);
 }
 
 TEST(PatchEmbedded, KinkedCrack) {
@@ -71,10 +72,10 @@ TEST(PatchEmbedded, CrackMuchShorterThanAnElement) {
 TEST(PatchEmbedded, WhereAStartLies) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
   using mesh::CrackStart;
-  EXPECT_EQ(mesh::crack_start(host, {0, 4, 0}, test::net0), CrackStart::boundary);
-  EXPECT_EQ(mesh::crack_start(host, {5, 4, 0}, test::net0), CrackStart::inside); // on a node
-  EXPECT_EQ(mesh::crack_start(host, {5.2, 4.1, 0}, test::net0), CrackStart::inside);
-  EXPECT_EQ(mesh::crack_start(host, {-0.5, 4, 0}, test::net0), CrackStart::outside);
+  EXPECT_EQ(mesh::locate_crack_start(host, {0, 4, 0}, test::net0), CrackStart::boundary);
+  EXPECT_EQ(mesh::locate_crack_start(host, {5, 4, 0}, test::net0), CrackStart::inside); // on a node
+  EXPECT_EQ(mesh::locate_crack_start(host, {5.2, 4.1, 0}, test::net0), CrackStart::inside);
+  EXPECT_EQ(mesh::locate_crack_start(host, {-0.5, 4, 0}, test::net0), CrackStart::outside);
 }
 
 TEST(PatchEmbedded, RefusesWhatIsNoEmbeddedCrack) {

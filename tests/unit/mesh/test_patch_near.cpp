@@ -155,7 +155,7 @@ void expect_tied_rim(const model::Mesh& host, const mesh::CrackedMesh& cracked) 
   EXPECT_NEAR(test::area(mesh), test::area(host), 1e-12 * test::area(host));
   ASSERT_FALSE(cracked.ties.empty());
   std::set<base::NodeId> slaves;
-  for (const mesh::RimTie& tie : cracked.ties) {
+  for (const mesh::HangingNodeTie& tie : cracked.ties) {
     EXPECT_TRUE(slaves.insert(tie.slave).second);
     Vec3 x = Vec3::Zero();
     double sum = 0.0;

@@ -37,7 +37,7 @@ TEST(PathCrack, WithoutPatchNodesAreDoubled) {
   EXPECT_EQ(cracked.mesh.element_count(), host.element_count());
   EXPECT_NEAR(test::area(cracked.mesh), 80.0, 1e-11);
   EXPECT_TRUE(mesh::bad_elements(cracked.mesh).empty());
-  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node), 8);
+  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip_point().node), 8);
   EXPECT_NEAR(cracked.fronts[0].size, 1.0, 1e-15);
   EXPECT_EQ(cracked.host[17], base::ElementId(std::size_t{17}));
 }
@@ -58,7 +58,7 @@ TEST(PathCrack, WithoutPatchOnASymmetryLineNothingIsDoubled) {
   EXPECT_EQ(cracked.faces[0].left.size(), 7U);
   EXPECT_TRUE(cracked.faces[0].right.empty());
   EXPECT_TRUE(cracked.fronts[0].symmetric_half);
-  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node), 4);
+  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip_point().node), 4);
   const auto above = test::insert(host, {path_crack(host, 8.0, 3.0, true)}, &wishes);
   EXPECT_TRUE(above.faces[0].left.empty());
   EXPECT_EQ(above.faces[0].right.size(), 7U);
@@ -110,8 +110,8 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     }
     EXPECT_EQ(cracked.mesh.x[crack_face[0].index()], Vec3(0, y, 0));
     EXPECT_NEAR(cracked.mesh.x[crack_face.back().index()].x(), a, 1e-14);
-    EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node),
-              mesh::TipMesh{}.sectors); // half of them, two edges each
+    EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip_point().node),
+              mesh::TipMeshParameters{}.sectors); // half of them, two edges each
     // the set of the line has the nodes of the line, none more, none less
     std::set<NodeId> expected;
     for (const NodeId n : std::set<NodeId>(cracked.mesh.nodes.begin(), cracked.mesh.nodes.end())) {
@@ -122,7 +122,7 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     const auto& set = cracked.mesh.node_sets[0].nodes;
     EXPECT_EQ(std::set<NodeId>(set.begin(), set.end()), expected);
     const char* name = y == 0.0 ? "YMIN" : "YMAX";
-    const auto chains = mesh::chains(cracked.mesh, test::faces(cracked.mesh, name).faces);
+    const auto chains = mesh::build_chains(cracked.mesh, test::faces(cracked.mesh, name).faces);
     ASSERT_EQ(chains.size(), 1U);
     EXPECT_NEAR(test::chord_length(cracked.mesh, chains[0].faces), 10.0, 1e-13);
   }

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> refused(const std::string& text) {
   std::vector<std::string> words;
-  for (const mesh::Outreach& o : mesh::scan_script(text).outreach) {
+  for (const mesh::ForbiddenStatement& o : mesh::scan_script(text).outreach) {
     words.push_back(std::to_string(o.line) + " " + o.word);
   }
   return words;
@@ -61,12 +61,12 @@ TEST(ScriptScan, FindsConstantsAndAssignments) {
       "DefineConstant[ a = 3, Bc = {4, Min 1, Name \"c, d\"},\n l[] = {1, 2}, e, f = Max(1, 2) ];\n"
       "g = 2; For i In {1:2}\n h = i; EndFor k[] = {1}; If (g == 1) m = 1; EndIf x~{1} = 2;");
   std::vector<std::string> names;
-  for (const mesh::ScriptName& n : scan.constants) {
+  for (const mesh::ScriptAssignment& n : scan.constants) {
     names.push_back(n.name + ":" + n.text);
   }
   EXPECT_EQ(names, (Words{"a:3", "Bc:{4, Min 1, Name \"c, d\"}", "e:", "f:Max(1, 2)"}));
   names.clear();
-  for (const mesh::ScriptName& n : scan.assigned) {
+  for (const mesh::ScriptAssignment& n : scan.assigned) {
     names.push_back(n.name);
   }
   EXPECT_EQ(names, (Words{"g", "h", "m"}));
@@ -89,7 +89,7 @@ TEST(ScriptScan, IsLinear) {
 
 class Parameters : public testing::Test {
 protected:
-  mesh::ScriptText with(std::vector<std::pair<std::string, double>> parameters) {
+  mesh::PreparedScript with(std::vector<std::pair<std::string, double>> parameters) {
     request_.file = "x.geo";
     request_.parameters = std::move(parameters);
     const std::string text = "DefineConstant[ Ro = 45, r = 1, R = 2 ]; own = 3; y = free;";
@@ -102,7 +102,7 @@ protected:
 
 TEST_F(Parameters, ArriveWhateverTheCase) {
   for (const char* name : {"Ro", "RO", "ro", "rO"}) {
-    const mesh::ScriptText script = with({{name, 60.0}});
+    const mesh::PreparedScript script = with({{name, 60.0}});
     EXPECT_NE(script.text.find("Ro = 60;"), std::string::npos) << script.text;
     EXPECT_TRUE(script.constants.at(0).from_deck);
     EXPECT_FALSE(script.constants.at(1).from_deck);
@@ -111,7 +111,7 @@ TEST_F(Parameters, ArriveWhateverTheCase) {
 }
 
 TEST_F(Parameters, OfTwoNamesTakeTheirOwn) {
-  const mesh::ScriptText script = with({{"R", 7.0}});
+  const mesh::PreparedScript script = with({{"R", 7.0}});
   EXPECT_FALSE(diagnostics_.has_errors());
   EXPECT_FALSE(script.constants.at(1).from_deck);
   EXPECT_TRUE(script.constants.at(2).from_deck);
@@ -120,7 +120,7 @@ TEST_F(Parameters, OfTwoNamesTakeTheirOwn) {
 }
 
 TEST_F(Parameters, TellWhatTheScriptSetsItself) {
-  const mesh::ScriptText script = with({{"own", 4.0}, {"FREE", 5.0}});
+  const mesh::PreparedScript script = with({{"own", 4.0}, {"FREE", 5.0}});
   ASSERT_EQ(script.constants.size(), 5U);
   EXPECT_EQ(script.constants[3].name, "free");
   EXPECT_TRUE(script.constants[3].from_deck);

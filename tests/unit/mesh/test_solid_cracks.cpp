@@ -63,9 +63,9 @@ mesh::SolidCrack ellipse(const Vec3& centre, const Eigen::Matrix3d& turn, double
 
 std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
                                         const std::vector<mesh::SolidCrack>& cracks,
-                                        const mesh::TubeMesh& tube = {}) {
+                                        const mesh::TubeMeshParameters& tube = {}) {
   base::Diagnostics diagnostics;
-  const std::vector<mesh::TubeMesh> tubes(cracks.size(), tube);
+  const std::vector<mesh::TubeMeshParameters> tubes(cracks.size(), tube);
   const std::vector<base::SourceSpan> spans(cracks.size());
   auto result = mesh::insert_solid_cracks(host, cracks, tubes, spans, diagnostics);
   for (const auto& d : diagnostics.messages()) {
@@ -140,7 +140,7 @@ double area_of(const model::Mesh& mesh, const std::vector<model::Face>& sides, c
     std::vector<Vec3> rim;
     for (std::size_t i = 0; i < nodes.corners; ++i) {
       rim.push_back(mesh.x[nodes.all[i].index()]);
-      rim.push_back(mesh.x[nodes.mid(i).index()]);
+      rim.push_back(mesh.x[nodes.mid_node(i).index()]);
     }
     for (std::size_t i = 2; i < rim.size(); ++i) {
       sum += 0.5 * (rim[i - 1] - rim[0]).cross(rim[i] - rim[0]).dot(normal);
@@ -191,10 +191,10 @@ void expect_crack(const mesh::SolidCrack& crack, const mesh::CrackedMesh& cracke
                 1e-13 * scale);
     single += faces.left[i] == faces.right[i] ? 1 : 0;
   }
-  const auto front = std::ranges::find(cracked.fronts, crack.crack, &mesh::Front::crack);
+  const auto front = std::ranges::find(cracked.fronts, crack.crack, &mesh::CrackFront::crack);
   ASSERT_NE(front, cracked.fronts.end());
   std::size_t on_fronts = 0; // corners and middles, one less of a front that is not closed
-  for (const mesh::Front& one : cracked.fronts) {
+  for (const mesh::CrackFront& one : cracked.fronts) {
     on_fronts += one.crack == crack.crack
                      ? 2 * one.points.size() - (one.points.front().at_surface ? 1 : 0)
                      : 0;
@@ -217,7 +217,7 @@ void expect_crack(const mesh::SolidCrack& crack, const mesh::CrackedMesh& cracke
 void expect_ties(const mesh::CrackedMesh& cracked) {
   std::set<NodeId> slaves;
   std::set<NodeId> masters;
-  for (const mesh::RimTie& tie : cracked.ties) {
+  for (const mesh::HangingNodeTie& tie : cracked.ties) {
     Vec3 x = Vec3::Zero();
     double sum = 0.0;
     for (std::size_t i = 0; i < tie.master.size(); ++i) {
@@ -492,7 +492,7 @@ TEST(SolidCracks, SetsAndNeighbours) {
     }
     EXPECT_GT(middle.x(), -1e-9);
   }
-  EXPECT_TRUE(cracked->lost[0].empty());
+  EXPECT_TRUE(cracked->removed_nodes[0].empty());
   std::set<NodeId> used(mesh.nodes.begin(), mesh.nodes.end());
   std::set<NodeId> members(mesh.node_sets[0].nodes.begin(), mesh.node_sets[0].nodes.end());
   for (const NodeId n : used) {
@@ -503,7 +503,7 @@ TEST(SolidCracks, SetsAndNeighbours) {
 TEST(SolidCracks, RefusalsNameThePlace) {
   const model::Mesh host = box(ElementType::tet10, 4);
   std::string text;
-  const auto told = [&](const mesh::SolidCrack& crack, const mesh::TubeMesh& tube) {
+  const auto told = [&](const mesh::SolidCrack& crack, const mesh::TubeMeshParameters& tube) {
     base::Diagnostics diagnostics;
     EXPECT_FALSE(mesh::insert_solid_cracks(host, std::vector{crack}, std::vector{tube},
                                            std::vector<base::SourceSpan>(1), diagnostics));
@@ -513,7 +513,7 @@ TEST(SolidCracks, RefusalsNameThePlace) {
   };
   const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity();
   EXPECT_EQ(told(ellipse({9, 0, 0}, flat, 0.5, 0.5), {}), "E425");
-  mesh::TubeMesh wide;
+  mesh::TubeMeshParameters wide;
   wide.radius = 0.6; // the front curves by 0.5
   EXPECT_EQ(told(ellipse({0, 0, 0}, flat, 0.5, 0.5), wide), "E423");
   // Its front meets the surface at acos(0.99), 8 degrees: too flat for tetrahedra, too.
@@ -538,7 +538,7 @@ TEST(SolidCracks, OfTwoBodiesThatTouchNeitherIsChosen) {
     base::Diagnostics diagnostics;
     const auto cracked = mesh::insert_solid_cracks(
         host, std::vector{ellipse(centre, Eigen::Matrix3d::Identity(), 1.0, 1.0)},
-        std::vector<mesh::TubeMesh>(1), std::vector<base::SourceSpan>(1), diagnostics);
+        std::vector<mesh::TubeMeshParameters>(1), std::vector<base::SourceSpan>(1), diagnostics);
     EXPECT_NE(cracked.has_value(), diagnostics.has_errors());
     return diagnostics.messages().empty() ? std::string() : diagnostics.messages()[0].text;
   };
@@ -560,10 +560,11 @@ TEST(SolidCracks, WithAHoleInside) {
     const double segment = 4.0 * d + 5.9 * 5.9 * std::asin(4.0 / 5.9); // right of x = -4
     for (const auto& [crack, area, kind] :
          {std::tuple(ellipse({0.05, 0.02, 2.9}, flat, 1.8, 1.8), pi * (1.8 * 1.8 - 1.0),
-                     mesh::CrackKind::surface),
-          {ellipse({-4, 0, 2.9}, flat, 5.9, 5.9), segment - pi, mesh::CrackKind::through}}) {
-      SCOPED_TRACE(std::string(base::element_info(type).name) + mesh::name_of(kind));
-      if (type == ElementType::tet10 && kind == mesh::CrackKind::through) {
+                     mesh::CrackConfiguration::surface),
+          {ellipse({-4, 0, 2.9}, flat, 5.9, 5.9), segment - pi,
+           mesh::CrackConfiguration::through}}) {
+      SCOPED_TRACE(std::string(base::element_info(type).name) + mesh::configuration_name(kind));
+      if (type == ElementType::tet10 && kind == mesh::CrackConfiguration::through) {
         continue; // a curved tetrahedron of the coarse rim folds: refused with its place (E429)
       }
       const auto cracked = insert(host, {crack});
@@ -676,9 +677,9 @@ TEST(SolidCracks, EllipsesThatComeOutAnywhere) {
     const model::Mesh& host = hosts[static_cast<std::size_t>(i) % hosts.size()];
     SCOPED_TRACE(std::to_string(i) + ": c = " + std::to_string(c) + " a = " + std::to_string(a));
     base::Diagnostics diagnostics;
-    const auto cracked =
-        mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
-                                  std::vector<base::SourceSpan>(1), diagnostics);
+    const auto cracked = mesh::insert_solid_cracks(host, std::vector{crack},
+                                                   std::vector<mesh::TubeMeshParameters>(1),
+                                                   std::vector<base::SourceSpan>(1), diagnostics);
     if (!cracked) { // fronts that meet the surface too flat, of which a few are told by folded
                     // tubes
       for (const auto& d : diagnostics.messages()) {

@@ -31,7 +31,7 @@ using base::Vec3;
 constexpr double pi = std::numbers::pi;
 
 /// A body and what cracks are measured by.
-struct Host {
+struct HostMesh {
   std::string name;
   model::Mesh mesh;
   double scale = 1.0;   ///< of its smallest ligament
@@ -68,22 +68,22 @@ void add_sets(model::Mesh& mesh) {
 }
 
 /// x and y from -4 to 4, z from 0 to 8.
-Host box(ElementType type, int n) {
-  Host host{"box", test::box_host(type, Vec3::Constant(8.0), n), 4.0};
+HostMesh box(ElementType type, int n) {
+  HostMesh host{"box", test::box_host(type, Vec3::Constant(8.0), n), 4.0};
   for (Vec3& x : host.mesh.x) {
     x -= Vec3(4, 4, 0);
   }
   return host;
 }
 
-Host plate(ElementType type, int around) {
+HostMesh plate(ElementType type, int around) {
   const test::HolePlate plate{1.0, 4.0, 2.0, around, around / 4, 2};
   return {"bore", test::hole_plate(type, plate), 2.0, true, 1.0, 2.0};
 }
 
 /// A box without the quarter x, y > 0.
-Host corner(ElementType type, int n) {
-  Host host = box(type, n);
+HostMesh corner(ElementType type, int n) {
+  HostMesh host = box(type, n);
   host.name = "L";
   host.reentrant = 1;
   model::Mesh kept;
@@ -105,8 +105,8 @@ Host corner(ElementType type, int n) {
   return host;
 }
 
-std::vector<Host> hosts() {
-  std::vector<Host> all;
+std::vector<HostMesh> hosts() {
+  std::vector<HostMesh> all;
   all.push_back(box(ElementType::tet10, 4));
   all.push_back(box(ElementType::hexec20, 8));
   all.push_back(plate(ElementType::hexec20, 16));
@@ -116,7 +116,7 @@ std::vector<Host> hosts() {
   all.push_back(box(ElementType::tet4, 9));
   all.push_back(corner(ElementType::hexec20, 8));
   all.push_back(plate(ElementType::hexec20, 32));
-  for (Host& host : all) {
+  for (HostMesh& host : all) {
     add_sets(host.mesh);
   }
   return all;
@@ -176,16 +176,16 @@ struct Case {
   std::vector<mesh::SolidCrack> cracks;
 };
 
-using Maker = Case (*)(const Host&, Dice&);
+using Maker = Case (*)(const HostMesh&, Dice&);
 
 /// Half axes: of the ligament at the crack, and as slender as a fifth.
-std::pair<double, double> half_axes(const Host& host, Dice& dice) {
+std::pair<double, double> half_axes(const HostMesh& host, Dice& dice) {
   const double large = host.scale * dice.logarithmic(0.01, 0.9);
   const double small = large * dice.uniform(0.2, 1.0);
   return {large, small};
 }
 
-Case embedded(const Host& host, Dice& dice) {
+Case embedded(const HostMesh& host, Dice& dice) {
   const Eigen::Matrix3d turn = dice.turn(3.0);
   const double c = 0.5 * host.scale * dice.logarithmic(0.01, 0.9);
   const double a = c * dice.uniform(0.2, 1.0);
@@ -195,7 +195,7 @@ Case embedded(const Host& host, Dice& dice) {
 }
 
 /// On the face y = -4.
-Case surface(const Host& host, Dice& dice) {
+Case surface(const HostMesh& host, Dice& dice) {
   const auto [c, a] = half_axes(host, dice);
   const double z = 0.5 * host.height;
   const bool along = host.height < 4.0 || dice.uniform(0, 1) < 0.5;
@@ -208,7 +208,7 @@ Case surface(const Host& host, Dice& dice) {
 }
 
 /// At the edge x = y = -4.
-Case at_edge(const Host& host, Dice& dice) {
+Case at_edge(const HostMesh& host, Dice& dice) {
   const auto [c, a] = half_axes(host, dice);
   const bool swap = dice.uniform(0, 1) < 0.5;
   const Eigen::Matrix3d flat = axes(Vec3::UnitX(), Vec3::UnitY());
@@ -218,7 +218,7 @@ Case at_edge(const Host& host, Dice& dice) {
 }
 
 /// Straight through, from the face y = -4 to the next face or to the bore's side.
-Case through(const Host& host, Dice& dice) {
+Case through(const HostMesh& host, Dice& dice) {
   const double depth = host.scale * dice.logarithmic(0.02, 0.9);
   const double lean = dice.uniform(-0.4, 0.4);
   const double skew = dice.uniform(-0.3, 0.3) * depth;
@@ -236,7 +236,7 @@ Case through(const Host& host, Dice& dice) {
 }
 
 /// At the bore or at the inner edge of the L, between faces; else a second surface crack.
-Case special(const Host& host, Dice& dice) {
+Case special(const HostMesh& host, Dice& dice) {
   auto [c, a] = half_axes(host, dice);
   if (host.bore > 0.0) {
     const double angle = dice.uniform(-pi, pi);
@@ -266,7 +266,7 @@ Case special(const Host& host, Dice& dice) {
 }
 
 /// Across the edge x = y = -4 with its centre beside it: both faces, one front.
-Case across_edge(const Host& host, Dice& dice) {
+Case across_edge(const HostMesh& host, Dice& dice) {
   const auto [c, a] = half_axes(host, dice);
   const double off = 0.6 * std::min(c, a);
   return {"off corner",
@@ -297,7 +297,7 @@ double crack_area(const model::Mesh& mesh, const std::vector<model::Face>& sides
     std::vector<Vec3> rim;
     for (std::size_t i = 0; i < nodes.corners; ++i) {
       rim.push_back(mesh.x[nodes.all[i].index()]);
-      rim.push_back(mesh.x[nodes.mid(i).index()]);
+      rim.push_back(mesh.x[nodes.mid_node(i).index()]);
     }
     Vec3 twice = Vec3::Zero();
     for (std::size_t i = 2; i < rim.size(); ++i) {
@@ -317,7 +317,7 @@ std::vector<model::Face> on_skin(const model::Mesh& mesh, const std::vector<Node
   return faces;
 }
 
-void expect_sound(const Host& host, const mesh::CrackedMesh& cracked, bool shifted) {
+void expect_sound(const HostMesh& host, const mesh::CrackedMesh& cracked, bool shifted) {
   const model::Mesh& mesh = cracked.mesh;
   EXPECT_TRUE(mesh::mesh_faults(mesh).bad.empty());
   const double v = test::area(host.mesh);
@@ -332,7 +332,7 @@ void expect_sound(const Host& host, const mesh::CrackedMesh& cracked, bool shift
         << host.mesh.face_sets[s].name;
   }
   // The same by nodes.
-  EXPECT_TRUE(cracked.lost[0].empty());
+  EXPECT_TRUE(cracked.removed_nodes[0].empty());
   const double held = flat_area(host.mesh, on_skin(host.mesh, host.mesh.node_sets[0].nodes));
   EXPECT_NEAR(flat_area(mesh, on_skin(mesh, mesh.node_sets[0].nodes)), held,
               (shifted       ? 0.1
@@ -347,7 +347,7 @@ void expect_sound(const Host& host, const mesh::CrackedMesh& cracked, bool shift
       EXPECT_EQ(mesh.x[faces.left[i].index()], mesh.x[faces.right[i].index()]);
     }
   }
-  for (const mesh::RimTie& tie : cracked.ties) {
+  for (const mesh::HangingNodeTie& tie : cracked.ties) {
     Vec3 x = Vec3::Zero();
     for (std::size_t i = 0; i < tie.master.size(); ++i) {
       x += tie.weight[i] * mesh.x[tie.master[i].index()];
@@ -363,20 +363,20 @@ struct Count {
 TEST(SolidRandom, CracksAreCutSoundlyOrRefusedWithThePlace) {
   const bool full = test::full_size();
   const int tries = full ? 300 : 12;
-  const std::vector<Host> all = hosts();
+  const std::vector<HostMesh> all = hosts();
   const std::vector<Maker> makers{embedded, surface, at_edge, through, special, across_edge};
   std::map<std::string, Count> counts;
   int free = 0;
   for (int i = 0; i < tries; ++i) {
     Dice dice(static_cast<unsigned>(1000 + i));
-    const Host& host = all[static_cast<std::size_t>(i * 7 + i / 9) % all.size()];
+    const HostMesh& host = all[static_cast<std::size_t>(i * 7 + i / 9) % all.size()];
     const Case made = makers[static_cast<std::size_t>(i) % makers.size()](host, dice);
     const std::string name = std::to_string(i) + " " + made.kind + " in " + host.name + " of " +
                              std::string(base::element_info(host.mesh.type[0]).name);
     SCOPED_TRACE(name);
     base::Diagnostics diagnostics;
     const auto cracked = mesh::insert_solid_cracks(
-        host.mesh, made.cracks, std::vector<mesh::TubeMesh>(made.cracks.size()),
+        host.mesh, made.cracks, std::vector<mesh::TubeMeshParameters>(made.cracks.size()),
         std::vector<base::SourceSpan>(made.cracks.size()), diagnostics);
     Count& count = counts[made.kind];
     ++count.tried;
@@ -431,9 +431,9 @@ TEST(SolidSets, NodeSetsOfAPartOfAFaceKeepTheirBorders) {
   for (const double border : {5.0, 4.0, 3.0}) {
     const model::Mesh host = with_upper_part(border);
     base::Diagnostics diagnostics;
-    const auto cracked =
-        mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
-                                  std::vector<base::SourceSpan>(1), diagnostics);
+    const auto cracked = mesh::insert_solid_cracks(host, std::vector{crack},
+                                                   std::vector<mesh::TubeMeshParameters>(1),
+                                                   std::vector<base::SourceSpan>(1), diagnostics);
     ASSERT_TRUE(cracked);
     EXPECT_TRUE(diagnostics.messages().empty());
     const model::Mesh& mesh = cracked->mesh;
@@ -484,19 +484,19 @@ TEST(SolidSets, NodesHeldAlongEdgesAreHeldAlongNewOnes) {
       host.node_sets.clear();
       const std::set<NodeId> before = on_line(host, line.from, line.to);
       host.node_sets.push_back({"LINE", {before.begin(), before.end()}, {}});
-      mesh::SetUse use;
+      mesh::SetUsage use;
       use.held.emplace_back(std::size_t{0});
       base::Diagnostics diagnostics;
       const auto cracked = mesh::insert_solid_cracks(
-          mesh::SolidHost(host, use), std::vector{*line.crack}, std::vector<mesh::TubeMesh>(1),
-          std::vector<base::SourceSpan>(1), diagnostics);
+          mesh::SolidHost(host, use), std::vector{*line.crack},
+          std::vector<mesh::TubeMeshParameters>(1), std::vector<base::SourceSpan>(1), diagnostics);
       ASSERT_TRUE(cracked);
       EXPECT_TRUE(diagnostics.messages().empty());
-      EXPECT_TRUE(cracked->lost[0].empty())
+      EXPECT_TRUE(cracked->removed_nodes[0].empty())
           << base::element_info(type).name << line.from.transpose();
       const std::vector<NodeId>& now = cracked->mesh.node_sets[0].nodes;
       std::set<NodeId> there = on_line(cracked->mesh, line.from, line.to);
-      for (const mesh::RimTie& tie : cracked->ties) { // between linear elements' nodes
+      for (const mesh::HangingNodeTie& tie : cracked->ties) { // between linear elements' nodes
         there.erase(tie.slave);
       }
       EXPECT_EQ(std::set<NodeId>(now.begin(), now.end()), there)
@@ -509,7 +509,7 @@ TEST(SolidSets, NodesHeldAlongEdgesAreHeldAlongNewOnes) {
 TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
   model::Mesh host = box(ElementType::tet10, 4).mesh;
   host.node_sets.clear();
-  mesh::SetUse use;
+  mesh::SetUsage use;
   for (const Vec3& x : {Vec3(-4, -4, 0), Vec3(-4, -4, 2), Vec3(-2, -4, 0)}) {
     const std::set<NodeId> found = on_line(host, x, x + 1e-3 * Vec3::UnitX());
     ASSERT_EQ(found.size(), 1U);
@@ -520,12 +520,12 @@ TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
       ellipse({-4, -4, 1.1}, axes(Vec3::UnitX(), Vec3::UnitY()), 0.9, 0.8);
   base::Diagnostics diagnostics;
   const auto cracked = mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
-                                                 std::vector<mesh::TubeMesh>(1),
+                                                 std::vector<mesh::TubeMeshParameters>(1),
                                                  std::vector<base::SourceSpan>(1), diagnostics);
   ASSERT_TRUE(cracked);
   const std::vector<bool> used = model::nodes_in_use(cracked->mesh);
   for (std::size_t s = 0; s < 3; ++s) {
-    EXPECT_TRUE(cracked->lost[s].empty()) << s;
+    EXPECT_TRUE(cracked->removed_nodes[s].empty()) << s;
     EXPECT_EQ(cracked->mesh.node_sets[s].nodes, host.node_sets[s].nodes) << s;
     EXPECT_TRUE(used[host.node_sets[s].nodes.front().index()]) << s;
   }
@@ -537,7 +537,7 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
   const model::Mesh host = with_upper_part(4.0);
   base::Diagnostics diagnostics;
   const auto cracked =
-      mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
+      mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMeshParameters>(1),
                                 std::vector<base::SourceSpan>(1), diagnostics);
   ASSERT_TRUE(cracked);
   ASSERT_EQ(diagnostics.messages().size(), 1U);
@@ -548,12 +548,12 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
       flat_area(cracked->mesh, on_skin(cracked->mesh, cracked->mesh.node_sets[0].nodes));
   EXPECT_NEAR(area, 32.0, 0.5);
   // A group that nothing uses may move unsaid; the skin goes all round and has no border.
-  mesh::SetUse use;
+  mesh::SetUsage use;
   use.nodes = {false};
   use.faces = {true};
   base::Diagnostics quiet;
   EXPECT_TRUE(mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
-                                        std::vector<mesh::TubeMesh>(1),
+                                        std::vector<mesh::TubeMeshParameters>(1),
                                         std::vector<base::SourceSpan>(1), quiet));
   EXPECT_TRUE(quiet.messages().empty());
 }

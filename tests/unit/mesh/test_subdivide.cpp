@@ -57,7 +57,7 @@ TEST_P(Subdivide, KeepsAreaBoundaryAndSets) {
   for (const char* side : {"XMIN", "XMAX", "YMIN", "YMAX"}) {
     const std::vector<model::Face>& now = test::faces(mesh, side).faces;
     all.insert(all.end(), now.begin(), now.end());
-    EXPECT_EQ(mesh::chains(mesh, now).size(), 1U);
+    EXPECT_EQ(mesh::build_chains(mesh, now).size(), 1U);
   }
   std::sort(all.begin(), all.end());
   EXPECT_EQ(all, mesh::boundary_faces(mesh));

@@ -80,7 +80,7 @@ TEST(SurfaceGeometry, NearestPlaceOfABox) {
     const SurfaceGeometry surface(test::box_host(type, size, 3));
     for (int i = 0; i < 100; ++i) {
       const Vec3 x(in(random), in(random), in(random));
-      const SurfacePlace place = surface.nearest(x);
+      const SurfacePlace place = surface.nearest_place(x);
       Vec3 nearest = x.cwiseMax(0.0).cwiseMin(size);
       if (nearest == x) { // inside: to the nearest side
         double least = 1e9;
@@ -94,7 +94,7 @@ TEST(SurfaceGeometry, NearestPlaceOfABox) {
         }
       }
       EXPECT_LT((place.x - nearest).norm(), 1e-12);
-      EXPECT_LT((surface.place(place.face, place.r).x - nearest).norm(), 1e-12);
+      EXPECT_LT((surface.place_on_face(place.face, place.r).x - nearest).norm(), 1e-12);
     }
   }
 }
@@ -103,7 +103,7 @@ TEST(SurfaceGeometry, NearestPlaceOnABoreIsWhereItsNormalMeetsThePoint) {
   const SurfaceGeometry surface(test::hole_plate(ElementType::hexec20, {}));
   for (double angle = 0.03; angle < 6.2; angle += 0.1) {
     const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
-    const SurfacePlace place = surface.nearest(0.9 * out + Vec3(0.0, 0.0, 0.37));
+    const SurfacePlace place = surface.nearest_place(0.9 * out + Vec3(0.0, 0.0, 0.37));
     // Quadratic arcs of 22.5 degrees lie within 1e-4 of the circle, their normals within 1e-2.
     EXPECT_NEAR(place.x.head<2>().norm(), 1.0, 1e-4);
     EXPECT_LT((place.normal + out).norm(), 1e-2);
@@ -116,7 +116,7 @@ TEST(SurfaceHits, LinesThroughAPlateWithAHole) {
   for (const ElementType type : {ElementType::tet10, ElementType::hexec20, ElementType::hexe8}) {
     const SurfaceGeometry surface(test::hole_plate(type, {}));
     const Vec3 d = Vec3(1.0, 0.05, 0.02).normalized();
-    const std::vector<SurfaceHit> found = hits(surface, Vec3(-6.0, 0.1, 0.4), d, 12.0);
+    const std::vector<SurfaceHit> found = find_hits(surface, Vec3(-6.0, 0.1, 0.4), d, 12.0);
     ASSERT_EQ(found.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(found[i].leaves(d), i % 2 == 1);
@@ -133,7 +133,7 @@ TEST(SurfaceHits, AnEdgeOrACornerCountsOnce) {
   const SurfaceGeometry surface(test::box_host(ElementType::tet10, Vec3::Ones(), 2));
   // through nodes and edges of the mesh, straight and along diagonals
   for (const Vec2& at : {Vec2(0.5, 0.5), Vec2(0.25, 0.5), Vec2(0.3, 0.3), Vec2(0.25, 0.25)}) {
-    const auto found = hits(surface, {at.x(), at.y(), -1.0}, Vec3::UnitZ(), 3.0);
+    const auto found = find_hits(surface, {at.x(), at.y(), -1.0}, Vec3::UnitZ(), 3.0);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_FALSE(found[0].leaves(Vec3::UnitZ()));
     EXPECT_NEAR(found[1].along, 2.0, 1e-12);
@@ -150,7 +150,7 @@ TEST(SurfaceHits, InsideIsWhereTheBodyIs) {
     const Vec3 x(wide(random), wide(random), deep(random));
     const bool body = x.head<2>().norm() > 1.0 && x.head<2>().cwiseAbs().maxCoeff() < 4.0 &&
                       x.z() > 0.0 && x.z() < 1.0;
-    EXPECT_EQ(inside(surface, x), body) << x.transpose();
+    EXPECT_EQ(is_inside(surface, x), body) << x.transpose();
     in += body ? 1 : 0;
   }
   EXPECT_GT(in, 50);
@@ -160,11 +160,11 @@ TEST(SurfaceGeometry, NearestMayBeAskedAmongSomeFacesOnly) {
   const SurfaceGeometry surface(test::box_host(ElementType::tet10, Vec3::Ones(), 2));
   std::vector<std::size_t> top;
   for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-    if (surface.place(f, {1.0 / 3.0, 1.0 / 3.0}).normal.z() > 0.9) {
+    if (surface.place_on_face(f, {1.0 / 3.0, 1.0 / 3.0}).normal.z() > 0.9) {
       top.push_back(f);
     }
   }
-  EXPECT_LT((surface.nearest({0.3, 0.4, 0.1}, top).x - Vec3(0.3, 0.4, 1.0)).norm(), 1e-12);
+  EXPECT_LT((surface.nearest_place({0.3, 0.4, 0.1}, top).x - Vec3(0.3, 0.4, 1.0)).norm(), 1e-12);
 }
 
 } // namespace

@@ -60,13 +60,13 @@ void try_random(const model::Mesh& mesh, unsigned seed, int count, double most) 
   for (int i = 0; i < count; ++i) {
     const auto nodes = static_cast<double>(mesh.node_count());
     const auto at = static_cast<std::size_t>(0.4999 * (1.0 + in(random)) * nodes);
-    const Vec3 centre = surface.nearest(mesh.x[at] + 0.1 * most * any()).x;
+    const Vec3 centre = surface.nearest_place(mesh.x[at] + 0.1 * most * any()).x;
     const Vec3 u = any().normalized();
     const Vec3 v = u.cross(any()).normalized();
     const double a = most * std::pow(10.0, 0.5 * (in(random)-1.0));
     const Ellipse crack{centre, a * u, a * (0.65 + 0.35 * in(random)) * v};
     const double radius = 0.15 * crack.length();
-    if (std::abs(surface.nearest(centre).normal.dot(crack.normal())) > 0.94) {
+    if (std::abs(surface.nearest_place(centre).normal.dot(crack.normal())) > 0.94) {
       continue; // less than 20 degrees between the crack and the surface
     }
     const SurfaceCut cut = test::cut_surface(surface, crack, radius);

@@ -15,8 +15,8 @@ using base::Vec3;
 struct Penny {
   static constexpr double radius = 2.0;
   mesh::FrontCurve front = circle();
-  mesh::TubeRoom room{.free = [](double) { return 100.0 * radius; },
-                      .width = [](double) { return 2.0 * radius; }};
+  mesh::TubeSizeLimits room{.free = [](double) { return 100.0 * radius; },
+                            .width = [](double) { return 2.0 * radius; }};
 
   static mesh::FrontCurve circle() {
     constexpr int count = 64;
@@ -46,7 +46,7 @@ TEST(TubeSizes, ElementsAlongAPennyAreAQuarterOfItsRadiusLong) {
 TEST(TubeSizes, GivenLengthIsNotExceededAndFinerDividesIt) {
   const Penny penny;
   for (const double finer : {1.0, 2.0}) {
-    mesh::TubeMesh given;
+    mesh::TubeMeshParameters given;
     given.length = 0.3;
     given.finer = finer;
     const mesh::TubeSizes sizes = mesh::tube_sizes(penny.front, penny.room, given);

@@ -37,7 +37,7 @@ mesh::SolidCrack bent_edge_crack(double step, const std::vector<double>& turns) 
   crack.net = base::NetId(0);
   crack.crack = base::CrackId(std::size_t{0});
   crack.closed = false;
-  mesh::CrackRelief::Fronts fronts;
+  mesh::NonPlanarCrackSurface::SuccessiveFronts fronts;
   double angle = 0.0;
   Vec3 tip = Vec3::Zero();
   const auto line = [&] {
@@ -55,7 +55,7 @@ mesh::SolidCrack bent_edge_crack(double step, const std::vector<double>& turns) 
   }
   crack.front = fronts.points.back();
   fronts.normals.assign(crack.front.size(), Vec3(-std::sin(angle), 0.0, std::cos(angle)));
-  crack.relief = std::make_shared<const mesh::CrackRelief>(std::move(fronts));
+  crack.relief = std::make_shared<const mesh::NonPlanarCrackSurface>(std::move(fronts));
   return crack;
 }
 
@@ -66,7 +66,7 @@ mesh::SolidCrack bent_penny(double step, double angle, double slow = 1.0) {
   mesh::SolidCrack crack;
   crack.net = base::NetId(0);
   crack.crack = base::CrackId(std::size_t{0});
-  mesh::CrackRelief::Fronts fronts;
+  mesh::NonPlanarCrackSurface::SuccessiveFronts fronts;
   fronts.points.resize(2);
   for (int i = 0; i < pieces; ++i) {
     const double phi = -2.0 * pi * i / pieces;
@@ -82,14 +82,14 @@ mesh::SolidCrack bent_penny(double step, double angle, double slow = 1.0) {
     line.push_back(line.front());
   }
   fronts.normals.push_back(fronts.normals.front());
-  crack.relief = std::make_shared<const mesh::CrackRelief>(std::move(fronts));
+  crack.relief = std::make_shared<const mesh::NonPlanarCrackSurface>(std::move(fronts));
   return crack;
 }
 
 std::optional<mesh::CrackedMesh> insert(const model::Mesh& host, const mesh::SolidCrack& crack) {
   base::Diagnostics diagnostics;
   const std::vector<mesh::SolidCrack> cracks{crack};
-  const std::vector<mesh::TubeMesh> tubes(1);
+  const std::vector<mesh::TubeMeshParameters> tubes(1);
   const std::vector<base::SourceSpan> spans(1);
   auto result = mesh::insert_solid_cracks(host, cracks, tubes, spans, diagnostics);
   for (const auto& d : diagnostics.messages()) {
@@ -118,30 +118,31 @@ void expect_crack(const model::Mesh& host, const mesh::SolidCrack& crack, double
   EXPECT_NEAR(area_of(cracked.mesh, faces.left_sides), area, 0.01 * area);
   EXPECT_NEAR(area_of(cracked.mesh, faces.right_sides), area, 0.01 * area);
   for (const base::NodeId n : faces.left) {
-    EXPECT_NEAR(crack.relief->above(cracked.mesh.x[n.index()]), 0.0, 0.06)
+    EXPECT_NEAR(crack.relief->height_above(cracked.mesh.x[n.index()]), 0.0, 0.06)
         << cracked.mesh.x[n.index()].transpose();
   }
 }
 
 TEST(TurnedCracks, HeightsOfStrips) {
   const mesh::SolidCrack crack = bent_edge_crack(0.5, {0.5, -0.2});
-  const mesh::CrackRelief& relief = *crack.relief;
-  EXPECT_NEAR(relief.above({-2.0, 1.0, 0.3}), -0.3, 1e-12);
-  EXPECT_NEAR(relief.above({0.2, 1.0, 0.0}), 0.2 * std::tan(0.5), 1e-12);
+  const mesh::NonPlanarCrackSurface& relief = *crack.relief;
+  EXPECT_NEAR(relief.height_above({-2.0, 1.0, 0.3}), -0.3, 1e-12);
+  EXPECT_NEAR(relief.height_above({0.2, 1.0, 0.0}), 0.2 * std::tan(0.5), 1e-12);
   const double x1 = 0.5 * std::cos(0.5);
   const double z1 = 0.5 * std::sin(0.5);
-  EXPECT_NEAR(relief.above({x1 + 2.0, -1.0, 0.0}), z1 + 2.0 * std::tan(0.3), 1e-12);
-  EXPECT_NEAR((relief.slope({x1 + 0.1, 0.7, 0.0}) - Vec3(std::tan(0.3), 0, 0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR(relief.from_bend({0.0, 0.3, 0.1}, 0.4), 0.1, 0.02);
+  EXPECT_NEAR(relief.height_above({x1 + 2.0, -1.0, 0.0}), z1 + 2.0 * std::tan(0.3), 1e-12);
+  EXPECT_NEAR((relief.height_slope({x1 + 0.1, 0.7, 0.0}) - Vec3(std::tan(0.3), 0, 0)).norm(), 0.0,
+              1e-12);
+  EXPECT_NEAR(relief.distance_to_kink({0.0, 0.3, 0.1}, 0.4), 0.1, 0.02);
   EXPECT_NEAR(relief.narrowest_strip(), 0.5, 1e-9);
   // elsewhere it is the same
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   const auto place = [&](const Vec3& x) { return Vec3(2.0 * (turn * x) + Vec3(1, 2, 3)); };
-  const mesh::CrackRelief there =
-      relief.moved(place, [&](const Vec3& d) { return Vec3(turn * d); });
+  const mesh::NonPlanarCrackSurface there =
+      relief.transformed(place, [&](const Vec3& d) { return Vec3(turn * d); });
   for (const Vec3& x : {Vec3(0.2, 1.0, 0.4), Vec3(1.3, -2.0, 0.1), Vec3(-1.0, 0.0, 0.0)}) {
-    EXPECT_NEAR(there.above(place(x)), 2.0 * relief.above(x), 1e-9);
+    EXPECT_NEAR(there.height_above(place(x)), 2.0 * relief.height_above(x), 1e-9);
   }
 }
 
@@ -179,13 +180,13 @@ TEST(TurnedCracks, TubesKeepAheadOfTheBend) {
   const mesh::SolidCrack crack = bent_penny(0.1, 0.92, 0.19);
   const auto cracked = insert(host, crack);
   ASSERT_TRUE(cracked);
-  const mesh::Front& front = cracked->fronts.front();
+  const mesh::CrackFront& front = cracked->fronts.front();
   for (const mesh::FrontPoint& point : front.points) {
-    const double bend = crack.relief->from_bend(point.x, 0.04);
+    const double bend = crack.relief->distance_to_kink(point.x, 0.04);
     EXPECT_LT(point.radius, 0.5 * bend + 1e-3);
     // m is straight on from the strip behind
     const Vec3 behind = point.x - 0.5 * point.radius * point.growth;
-    EXPECT_NEAR(crack.relief->above(behind), 0.0, 0.02 * point.radius);
+    EXPECT_NEAR(crack.relief->height_above(behind), 0.0, 0.02 * point.radius);
   }
 }
 
@@ -196,7 +197,7 @@ TEST(TurnedCracks, AtAFace) {
   crack.net = base::NetId(0);
   crack.crack = base::CrackId(std::size_t{0});
   crack.closed = false;
-  mesh::CrackRelief::Fronts fronts;
+  mesh::NonPlanarCrackSurface::SuccessiveFronts fronts;
   fronts.points.resize(2);
   for (int i = -12; i <= pieces + 12; ++i) {
     const double phi = pi - pi * i / pieces; // t = m x b runs clockwise
@@ -212,10 +213,10 @@ TEST(TurnedCracks, AtAFace) {
     fronts.normals.emplace_back(std::cos(turn) * Vec3::UnitZ() - std::sin(turn) * m);
   }
   crack.front = fronts.points[1];
-  crack.relief = std::make_shared<const mesh::CrackRelief>(std::move(fronts));
+  crack.relief = std::make_shared<const mesh::NonPlanarCrackSurface>(std::move(fronts));
   const auto cracked = insert(host, crack);
   ASSERT_TRUE(cracked);
-  EXPECT_EQ(cracked->fronts.front().kind, mesh::CrackKind::surface);
+  EXPECT_EQ(cracked->fronts.front().kind, mesh::CrackConfiguration::surface);
   // half of the ellipse and the strip before it
   double area = pi;
   for (int i = 0; i < 1000; ++i) {
