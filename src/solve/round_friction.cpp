@@ -23,7 +23,7 @@ constexpr int local_steps = 20;   // at one contact point
 constexpr double arrived = 1e-12; // a residual that no step makes smaller
 constexpr double near_enough = 1e-9;
 
-using Shear = Eigen::Vector2d; // zero where there is no second tangent
+using NeglectedShearK = Eigen::Vector2d; // zero where there is no second tangent
 
 class RoundSolver {
 public:
@@ -77,18 +77,18 @@ private:
     return best;
   }
 
-  [[nodiscard]] Shear tangential(const RoundFriction::RoundFrictionUnit& u,
-                                 const base::Vector& v) const {
-    Shear t = Shear::Zero();
+  [[nodiscard]] NeglectedShearK tangential(const RoundFriction::RoundFrictionUnit& u,
+                                           const base::Vector& v) const {
+    NeglectedShearK t = NeglectedShearK::Zero();
     for (int k = 0; k < u.tangents; ++k) {
       t[k] = v[u.tangent[at(k)]];
     }
     return t;
   }
 
-  static Shear on_disk(const Shear& z, double radius) {
+  static NeglectedShearK on_disk(const NeglectedShearK& z, double radius) {
     const double size = z.norm();
-    return size <= radius ? z : Shear(radius / size * z);
+    return size <= radius ? z : NeglectedShearK(radius / size * z);
   }
 
   // Gaps from forces and motions, states from both (solve.35), and how far they are off.
@@ -110,8 +110,8 @@ private:
     for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
       const double pressed = s_.lambda[u.normal] - s_.gap[u.normal];
       const double limit = u.mu * std::max(pressed, 0.0);
-      const Shear q = tangential(u, s_.lambda);
-      const Shear z = q - tangential(u, s_.gap);
+      const NeglectedShearK q = tangential(u, s_.lambda);
+      const NeglectedShearK z = q - tangential(u, s_.gap);
       worst = std::max(worst, std::abs(s_.lambda[u.normal] - std::max(pressed, 0.0)));
       worst = std::max(worst, (q - on_disk(z, limit)).norm());
       s_.touch.push_back(pressed <= 0.0      ? SlipState::open
@@ -227,8 +227,8 @@ private:
   // slip and P = I - z z^T across it (solve.35). Along z that is q . z = mu p, which leaves the
   // pressure and what is across.
   void add_slip(const RoundFriction::RoundFrictionUnit& u, std::vector<Unknown>& list) const {
-    const Shear z = tangential(u, s_.lambda) - tangential(u, s_.gap);
-    const Shear along = z.normalized();
+    const NeglectedShearK z = tangential(u, s_.lambda) - tangential(u, s_.gap);
+    const NeglectedShearK along = z.normalized();
     Mix follows;
     for (int t = 0; t < u.tangents; ++t) {
       follows.add(u.tangent[at(t)], u.mu * along[t]);
@@ -236,7 +236,7 @@ private:
     add_closed(u.normal, follows, list);
     if (u.tangents == 2) {
       const double rho = std::min(1.0, u.mu * std::max(s_.lambda[u.normal], 0.0) / z.norm());
-      const Shear across(-along[1], along[0]);
+      const NeglectedShearK across(-along[1], along[0]);
       Unknown& x = list.emplace_back();
       for (int t = 0; t < 2; ++t) {
         x.force.add(u.tangent[at(t)], across[t]);

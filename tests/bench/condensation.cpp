@@ -22,9 +22,10 @@ namespace {
 
 using namespace spricka;
 
-analysis::CondenseLog condense(const model::Model& model, const analysis::Scene& scene) {
+analysis::CondensationFigures condense(const model::Model& model,
+                                       const analysis::Discretisation& scene) {
   analysis::CondensationCache cache;
-  analysis::CondenseLog log;
+  analysis::CondensationFigures log;
   analysis::condense_bodies(
       {model, scene.cracked.mesh, scene.cls, scene.ties, scene.rest_element, scene.case_load, 1},
       cache, log);
@@ -49,18 +50,18 @@ int main(int argc, char** argv) {
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
   const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
-  const auto scene = analysis::make_scene(*model, lengths.front(), plan, diagnostics);
+  const auto scene = analysis::discretise(*model, lengths.front(), plan, diagnostics);
   if (!scene) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
-  analysis::CondenseLog nets;
+  analysis::CondensationFigures nets;
   solve::FactorReport plain;
   const auto total = [](const auto& r) { return r.analysis_cpu + r.numeric_cpu; };
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
-    const analysis::CondenseLog log = condense(*model, *scene);
+    const analysis::CondensationFigures log = condense(*model, *scene);
     const solve::FactorReport report =
-        solve::Condensation(analysis::whole_stiffness(*model, *scene), 0).report();
+        solve::Condensation(analysis::global_stiffness(*model, *scene), 0).report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;
     plain = i == 0 || total(report) < total(plain) ? report : plain;
   }

@@ -112,15 +112,15 @@ int main(int argc, char** argv) {
   const std::vector<double> lengths = growth::crack_lengths(*model);
   const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
-  const auto length =
-      analysis::Length::make({.model = *model, .cache = cache}, lengths.front(), plan, diagnostics);
+  const auto length = analysis::CrackLengthAnalysis::create({.model = *model, .cache = cache},
+                                                            lengths.front(), plan, diagnostics);
   if (!length) {
     fmt::print(stderr, "the deck has mistakes\n");
     return 2;
   }
   double all = 0.0;
-  for (std::size_t c = 0; c < length->scene().pairs.size(); ++c) {
-    const contact::PairConstraints& pair = length->scene().pairs[c];
+  for (std::size_t c = 0; c < length->discretisation().pairs.size(); ++c) {
+    const contact::PairConstraints& pair = length->discretisation().pairs[c];
     if (pair.functions.empty() || pair.rigid_shape) {
       continue;
     }
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
                1e6 * time / static_cast<double>(points));
     all += time;
   }
-  analysis::CondenseLog log;
+  analysis::CondensationFigures log;
   const base::Stopwatch watch;
   if (!length->condense(log)) {
     fmt::print(stderr, "a net is singular\n");

@@ -47,7 +47,7 @@ Costs solve_all(const model::Model& model) {
   Costs costs;
   base::Stopwatch watch;
   const analysis::RegionPlan plan = analysis::plan_region(model, lengths, diagnostics);
-  analysis::LengthSolver solver(model, options, lines, diagnostics, trouble);
+  analysis::CrackStateSolver solver(model, options, lines, diagnostics, trouble);
   for (const double a : lengths) {
     lines.clear();
     auto cracks = growth::crack_lines(model, a, diagnostics);

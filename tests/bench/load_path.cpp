@@ -84,16 +84,17 @@ int main(int argc, char** argv) {
   const std::vector<double> lengths = growth::crack_lengths(*model);
   const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
-  analysis::CondenseLog log;
-  const std::unique_ptr<analysis::Length> length =
-      analysis::Length::make({.model = *model, .cache = cache}, lengths.front(), plan, diagnostics);
+  analysis::CondensationFigures log;
+  const std::unique_ptr<analysis::CrackLengthAnalysis> length =
+      analysis::CrackLengthAnalysis::create({.model = *model, .cache = cache}, lengths.front(),
+                                            plan, diagnostics);
   if (!length || !length->condense(log)) {
     fmt::print(stderr, "the deck has mistakes\n");
     return 2;
   }
-  const std::unique_ptr<analysis::StepSolver> first = length->start();
+  const std::unique_ptr<analysis::StepSolver> first = length->make_solver();
   analysis::StepSolver& solver = *first;
-  analysis::LoadPaths& paths = length->paths();
+  analysis::LoadPathSolver& paths = length->load_paths();
   for (std::size_t s = 0; s < model->steps.size(); ++s) {
     base::Trouble trouble;
     const auto state = solver.solve(model->steps[s], trouble);
@@ -101,15 +102,15 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "{}\n", trouble->why);
       return 4;
     }
-    paths.keep(s, solver, length->recover(model->steps[s], *state));
+    paths.record_step(s, solver, length->recover_step(model->steps[s], *state));
   }
   const model::LoadPathDefinition& card = model->load_paths.front();
   const base::Stopwatch posing;
-  const solve::ParametricProblem problem = paths.pose(card, solver);
+  const solve::ParametricProblem problem = paths.path_problem(card, solver);
   fmt::print("functionals of K and the problem {:.1f} ms\n", 1e3 * posing.cpu_time());
   measure_path(problem, card.beyond, {}, repeats);
   std::vector<results::LoadPath> found;
-  const double all = best_of(repeats, [&] { found = paths.follow(solver); });
+  const double all = best_of(repeats, [&] { found = paths.solve_paths(solver); });
   fmt::print("all of it, K of its ends and contact arcs included: {:.1f} ms\n", 1e3 * all);
   measure_values(found.front(), repeats);
   return 0;

@@ -49,9 +49,9 @@ double by_cholmod(base::SymmetricCsc K, bool metis) {
   return first;
 }
 
-double once(const model::Model& model, const analysis::Scene& scene, Way& way) {
+double once(const model::Model& model, const analysis::Discretisation& scene, Way& way) {
   const base::Stopwatch watch;
-  base::SymmetricCsc K = analysis::whole_stiffness(model, scene);
+  base::SymmetricCsc K = analysis::global_stiffness(model, scene);
   const auto n = static_cast<Eigen::Index>(K.n);
   double first = 0.0;
   if (way.own) {
@@ -80,12 +80,12 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
-  const auto scene = analysis::make_scene(*model, lengths[lengths.size() / 2], {}, diagnostics);
+  const auto scene = analysis::discretise(*model, lengths[lengths.size() / 2], {}, diagnostics);
   if (!scene) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
-  const std::int64_t equations = analysis::whole_stiffness(*model, *scene).n;
+  const std::int64_t equations = analysis::global_stiffness(*model, *scene).n;
   std::array<Way, 4> ways{{{false, true}, {false, false}, {true, true}, {true, false}}};
   double sum = 0.0;
   for (int i = 0; i < std::atoi(argv[3]); ++i) {

@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
   const analysis::RegionPlan plan =
       analysis::plan_region(*model, growth::crack_lengths(*model), diagnostics);
   const double before = base::cpu_seconds();
-  const auto length = analysis::Length::make(
+  const auto length = analysis::CrackLengthAnalysis::create(
       {.model = *model, .cache = cache}, growth::crack_lengths(*model).front(), plan, diagnostics);
   if (!length) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
@@ -79,21 +79,22 @@ int main(int argc, char** argv) {
   fmt::print("rows made {:.2f} s\n", base::cpu_seconds() - before);
   const solve::FlopRate rate = solve::measure_flop_rate(0.5);
   const double first = dgemm_rate(1000);
-  length->prepare();
+  length->number_freedoms();
   results::LengthPreview told;
   program::Forecast(*model, 1, rate)
-      .add(length->request(), length->bodies(), length->scene(), 0.0, told);
+      .add(length->request(), length->bodies(), length->discretisation(), 0.0, told);
   fmt::print("{} equations, {} rows, {:.0f} MB foretold\n", told.unknowns,
-             length->scene().table.size(), 1e-6 * told.memory);
-  analysis::CondenseLog log;
+             length->discretisation().table.size(), 1e-6 * told.memory);
+  analysis::CondensationFigures log;
   if (!length->condense(log)) {
     fmt::print(stderr, "{}\n", log.trouble->why);
     return 4;
   }
   const double condensed = base::cpu_seconds();
-  const auto solver = length->start();
+  const auto solver = length->make_solver();
   const double rows = base::cpu_seconds() - condensed;
-  const double flops = solver->system() == nullptr ? 0.0 : solver->system()->row_flops();
+  const double flops =
+      solver->contact_system() == nullptr ? 0.0 : solver->contact_system()->row_flops();
   // Others use the machine: what dgemm does now counts as well.
   const double dgemm = 0.5 * (first + dgemm_rate(1000));
   fmt::print("dgemm {:.1f} Gflop/s; stiffness {:.2f} s, analysis {:.2f} s\n", 1e-9 * dgemm,

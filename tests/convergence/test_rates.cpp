@@ -25,10 +25,10 @@ Result run(ElementType type, StressState state, int n) {
   return {error_norms(m.model, m.u, m.exact), error_norms(m.model, interpolant, m.exact)};
 }
 
-class Rates : public testing::TestWithParam<std::tuple<ElementType, StressState>> {};
+class LoadAndGapRates : public testing::TestWithParam<std::tuple<ElementType, StressState>> {};
 
 INSTANTIATE_TEST_SUITE_P(
-    convergence, Rates,
+    convergence, LoadAndGapRates,
     testing::Combine(testing::Values(ElementType::trim3, ElementType::trimc6, ElementType::quam4,
                                      ElementType::quamc8, ElementType::quamc9),
                      testing::Values(StressState::plane_stress, StressState::plane_strain)),
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
              (std::get<1>(c.param) == StressState::plane_stress ? "_stress" : "_strain");
     });
 
-TEST_P(Rates, are_those_of_the_theory) {
+TEST_P(LoadAndGapRates, are_those_of_the_theory) {
   const auto [type, state] = GetParam();
   const double p = base::element_info(type).quadratic ? 2.0 : 1.0;
   std::vector<double> L2;

@@ -16,13 +16,13 @@ namespace {
 constexpr double felt_motion = 1e-4;
 
 // Zero loads in the shape that condense_load() gives: a body that no K feels needs no half solve.
-BodyLoad no_load(const BodyNet& body, Eigen::Index columns) {
-  BodyLoad load;
+CondensedLoad no_load(const SubstructuredBody& body, Eigen::Index columns) {
+  CondensedLoad load;
   load.region = base::Matrix::Zero(body.region.map.size(), columns);
-  for (const std::unique_ptr<Net>& part : body.parts) {
+  for (const std::unique_ptr<Substructure>& part : body.parts) {
     load.part.emplace_back(base::Matrix::Zero(part->map.size(), columns));
   }
-  load.external = base::Matrix::Zero(body.contact_size(), columns);
+  load.external = base::Matrix::Zero(body.contact_unknowns(), columns);
   return load;
 }
 
@@ -34,11 +34,11 @@ bool touches(const fe::Body& body, int dim, const base::Matrix& nodal) {
 
 } // namespace
 
-Adjoints::Adjoints(const model::Model& model, const Scene& scene,
-                   const std::vector<BodyNet>& bodies)
+KAdjoints::KAdjoints(const model::Model& model, const Discretisation& scene,
+                     const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), bodies_(bodies) {}
 
-void Adjoints::condense_rows() {
+void KAdjoints::condense_rows() {
   const mesh::CrackedMesh& cracked = scene_.cracked;
   const crack::KLayout layout = scene_.k_layout();
   base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
@@ -49,18 +49,18 @@ void Adjoints::condense_rows() {
                                           model_.cracks[front.crack.index()].state));
     layout.columns(nodal, t) = rows_.back();
   }
-  by_force_ = intensity_of_forces(model_, scene_).transpose();
+  by_force_ = K_from_face_forces(model_, scene_).transpose();
   scene_.ties->transfer_to_masters(nodal);
-  for (const BodyNet& body : bodies_) {
+  for (const SubstructuredBody& body : bodies_) {
     condensed_.push_back(touches(body.body, cracked.mesh.dim, nodal)
                              ? condense_load(body, *scene_.ties, nodal)
                              : no_load(body, nodal.cols()));
   }
 }
 
-std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solver,
-                                                         const std::vector<bool>& closed,
-                                                         const contact::FixedActiveSet* held) {
+std::vector<estimate::IntensityAdjoint>
+KAdjoints::solve_closed_set(const StepSolver& solver, const std::vector<bool>& closed,
+                            const contact::FixedActiveSet* held) {
   if (rows_.empty()) {
     condense_rows();
   }
@@ -73,10 +73,10 @@ std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solve
     why_not = "the closed contacts contradict each other";
   } else if (held != nullptr) {
     if (free_.u.empty()) {
-      for (const std::size_t b : solver.condensed()) {
+      for (const std::size_t b : solver.condensed_bodies()) {
         external_.push_back(condensed_[b].external);
       }
-      free_ = contact::unconstrained_response(*solver.system(), external_);
+      free_ = contact::unconstrained_response(*solver.contact_system(), external_);
     }
     // K has a term of the forces between faces, for which z leaves a gap there (sensitivity.13).
     const contact::FixedActiveSet::ActiveSetResponse found =
@@ -92,7 +92,7 @@ std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solve
     w = found.force;
     std::vector<base::Matrix> u = held->displacement(external_, found);
     for (std::size_t i = 0; i < u.size(); ++i) {
-      external[solver.condensed()[i]] = std::move(u[i]);
+      external[solver.condensed_bodies()[i]] = std::move(u[i]);
     }
   }
   base::Matrix z = base::Matrix::Zero(rows_.front().rows(), columns);
@@ -115,9 +115,9 @@ std::vector<estimate::IntensityAdjoint> Adjoints::of_set(const StepSolver& solve
   return out;
 }
 
-std::unique_ptr<contact::FixedActiveSet> hold(const StepSolver& solver,
-                                              const std::vector<bool>& closed) {
-  if (solver.system() == nullptr) {
+std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver,
+                                                        const std::vector<bool>& closed) {
+  if (solver.contact_system() == nullptr) {
     return nullptr;
   }
   std::vector<std::size_t> rows;
@@ -126,15 +126,16 @@ std::unique_ptr<contact::FixedActiveSet> hold(const StepSolver& solver,
       rows.push_back(r);
     }
   }
-  return std::make_unique<contact::FixedActiveSet>(*solver.system(), std::move(rows));
+  return std::make_unique<contact::FixedActiveSet>(*solver.contact_system(), std::move(rows));
 }
 
-const std::vector<estimate::IntensityAdjoint>& Adjoints::of_last_step(const StepSolver& solver) {
+const std::vector<estimate::IntensityAdjoint>&
+KAdjoints::solve_last_step(const StepSolver& solver) {
   const std::size_t tips = scene_.cracked.fronts.size();
   std::vector<bool> closed(scene_.table.size(), false);
   bool rubs = false;
-  if (solver.system() != nullptr) {
-    const contact::ContactSystem::IncrementProblem problem = solver.problem();
+  if (solver.contact_system() != nullptr) {
+    const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
     rubs = !problem.friction.empty();
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       // A next problem would begin with the rows that the last one ended with.
@@ -149,8 +150,8 @@ const std::vector<estimate::IntensityAdjoint>& Adjoints::of_last_step(const Step
     }
   } else if (tips > 0 &&
              (last_.empty() || !last_.front().is_available() || last_.front().closed != closed)) {
-    held_ = hold(solver, closed);
-    last_ = of_set(solver, closed, held_.get());
+    held_ = constrain_rows(solver, closed);
+    last_ = solve_closed_set(solver, closed, held_.get());
   }
   return last_;
 }

@@ -13,33 +13,35 @@
 namespace spricka::analysis {
 
 /// The closed rows of the table [row] held; null where no body has externals.
-std::unique_ptr<contact::FixedActiveSet> hold(const StepSolver& solver,
-                                              const std::vector<bool>& closed);
+std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver,
+                                                        const std::vector<bool>& closed);
 
-class Adjoints {
+class KAdjoints {
 public:
   /// All must outlive it; nothing is computed yet.
-  Adjoints(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+  KAdjoints(const model::Model& model, const Discretisation& scene,
+            const std::vector<SubstructuredBody>& bodies);
 
   /// [tip] of the step that was solved last, its contact frozen as it ended; steps that end with
   /// the same rows closed share the answer. The rows are those of the tips' fields.
-  const std::vector<estimate::IntensityAdjoint>& of_last_step(const StepSolver& solver);
+  const std::vector<estimate::IntensityAdjoint>& solve_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
-  [[nodiscard]] const contact::FixedActiveSet* held() const { return held_.get(); }
+  [[nodiscard]] const contact::FixedActiveSet* held_contact() const { return held_.get(); }
 
   /// [tip] with these rows of the table closed, which `held` holds.
-  std::vector<estimate::IntensityAdjoint> of_set(const StepSolver& solver,
-                                                 const std::vector<bool>& closed,
-                                                 const contact::FixedActiveSet* held);
+  std::vector<estimate::IntensityAdjoint> solve_closed_set(const StepSolver& solver,
+                                                           const std::vector<bool>& closed,
+                                                           const contact::FixedActiveSet* held);
 
 private:
   void condense_rows();
 
   const model::Model& model_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
-  std::vector<base::Matrix> rows_;  ///< [tip][dim * node, 2]
-  std::vector<BodyLoad> condensed_; ///< [body] columns: K1 and K2 of the first tip, of the next ..
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
+  std::vector<base::Matrix> rows_; ///< [tip][dim * node, 2]
+  std::vector<CondensedLoad>
+      condensed_; ///< [body] columns: K1 and K2 of the first tip, of the next ..
   std::vector<base::Matrix> external_;  ///< [body of the contact system] the same at externals
   contact::UnconstrainedResponse free_; ///< to those, where there is a contact system
   base::Matrix by_force_; ///< [table row, crack::KLayout] of forces between crack faces

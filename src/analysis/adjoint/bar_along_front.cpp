@@ -48,9 +48,9 @@ void fill_surface(results::FrontResult& front) {
 
 } // namespace
 
-void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
-                    const EdgeChanges& edges, Eigen::Index first, double coarse_contact,
-                    results::FrontResult& front) {
+void add_front_error_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
+                          const ContactEdgeKChange& edges, Eigen::Index first,
+                          double coarse_contact, results::FrontResult& front) {
   double size = 0.0;
   std::array<double, 3> squares{};
   std::array<double, 3> counts{};

@@ -13,8 +13,8 @@ namespace spricka::analysis {
 /// K2, K3, those of the front from `first` on, and the smooth values of K with that [point].
 /// `coarse_contact`: part of the largest K that coarse surfaces of other bodies may make it off by.
 /// `edges`: what the edges of contacts do to K.
-void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
-                    const EdgeChanges& edges, Eigen::Index first, double coarse_contact,
-                    results::FrontResult& front);
+void add_front_error_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
+                          const ContactEdgeKChange& edges, Eigen::Index first,
+                          double coarse_contact, results::FrontResult& front);
 
 } // namespace spricka::analysis

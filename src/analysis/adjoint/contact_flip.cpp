@@ -13,7 +13,7 @@ namespace {
 // Pivots below this share of the largest belong to redundant rows.
 constexpr double no_pivot = 1e-10;
 
-struct Candidate {
+struct ActiveSetCandidate {
   std::size_t pair = 0;
   std::size_t local = 0; ///< normal row of the pair
   std::size_t row = 0;   ///< of the table
@@ -75,8 +75,8 @@ std::vector<bool> beside_sharp_ends(const contact::PairConstraints& pair,
 
 // Normal rows on both sides of each change between closed and open along the surfaces, and those
 // at edges of one surface.
-void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
-                    std::vector<Candidate>& found) {
+void add_candidates(const Discretisation& scene, const StepState& state, std::size_t c,
+                    std::vector<ActiveSetCandidate>& found) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::vector<bool> ends(pair.normal.size(), false);
@@ -117,11 +117,12 @@ double opening(const contact::ConstraintRow& row, int dim, const base::Matrix& z
 
 } // namespace
 
-std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
-                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
-                                        const contact::FixedActiveSet* held) {
-  std::vector<ContactFlips> flips(adjoints.size());
-  std::vector<Candidate> candidates;
+std::vector<ActiveSetKChange>
+active_set_K_changes(const Discretisation& scene, const StepState& state,
+                     const std::vector<estimate::IntensityAdjoint>& adjoints,
+                     const contact::FixedActiveSet* held) {
+  std::vector<ActiveSetKChange> flips(adjoints.size());
+  std::vector<ActiveSetCandidate> candidates;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     // Bonded rows have no other state, and with friction there is no adjoint.
     if (state.mounted[c] && scene.pairs[c].tangent.empty()) {
@@ -133,7 +134,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
   }
   std::vector<std::size_t> rows;
   rows.reserve(candidates.size());
-  for (const Candidate& c : candidates) {
+  for (const ActiveSetCandidate& c : candidates) {
     rows.push_back(c.row);
   }
   const base::Vector pivot = held->pivots(rows);
@@ -143,12 +144,12 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
     most = std::max(most, pivot[static_cast<Eigen::Index>(i)]);
   }
   // What a unit of force on an open row does to K (sensitivity.13).
-  const auto by_force = [&](const Candidate& c, std::size_t t, Eigen::Index k) {
-    return opening(scene.row(c.row), scene.cracked.mesh.dim, adjoints[t].z, k) +
+  const auto by_force = [&](const ActiveSetCandidate& c, std::size_t t, Eigen::Index k) {
+    return opening(scene.contact_row(c.row), scene.cracked.mesh.dim, adjoints[t].z, k) +
            adjoints[t].by_force(static_cast<Eigen::Index>(c.row), k);
   };
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate& c = candidates[i];
+    const ActiveSetCandidate& c = candidates[i];
     const double p = pivot[static_cast<Eigen::Index>(i)];
     if (!(p > no_pivot * largest[c.closed ? 1 : 0])) {
       continue;

@@ -11,13 +11,14 @@ namespace spricka::analysis {
 
 /// How K1 and K2 of a tip change when one pair is opened or closed at the end of a step (manual,
 /// estimate.13): exact, one pivot each.
-struct ContactFlips {
+struct ActiveSetKChange {
   base::Vec2 ends = base::Vec2::Zero(); ///< the largest, of pairs beside an end of a closed stretch
   base::Vec2 sharp = base::Vec2::Zero(); ///< sum over closed pairs at edges of one surface (mouths)
 };
 /// [tip]. `held`: the rows closed at the end of the step, or null where there is no contact.
-std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
-                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
-                                        const contact::FixedActiveSet* held);
+std::vector<ActiveSetKChange>
+active_set_K_changes(const Discretisation& scene, const StepState& state,
+                     const std::vector<estimate::IntensityAdjoint>& adjoints,
+                     const contact::FixedActiveSet* held);
 
 } // namespace spricka::analysis

@@ -13,28 +13,30 @@ constexpr double small = 1e-8; ///< of the largest force or gap: may change eith
 
 } // namespace
 
-FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const StepState& state)
-    : system_(*solver.system()) {
-  const contact::ContactSystem::IncrementProblem problem = solver.problem();
+FrozenContact::FrozenContact(const StepSolver& solver, const Discretisation& scene,
+                             const StepState& state)
+    : system_(*solver.contact_system()) {
+  const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
   double force_size = 0.0;
   double gap_size = 0.0;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-    Row row{.row = problem.rows[i], .equality = problem.equality[i], .closed = problem.start[i]};
-    const std::size_t c = scene.table.contact_of(row.row);
+    FrozenContactRow row{
+        .row = problem.rows[i], .equality = problem.equality[i], .closed = problem.start[i]};
+    const std::size_t c = scene.table.contact_index(row.row);
     const std::size_t local = row.row - scene.table.first[c];
     row.force = state.pair_lambda[c][static_cast<Eigen::Index>(local)];
     if (!row.equality) {
       row.gap = state.pair_gap[c][static_cast<Eigen::Index>(local)];
     }
-    const double area = scene.row(row.row).area;
+    const double area = scene.contact_row(row.row).area;
     const double given = std::abs(problem.gap[static_cast<Eigen::Index>(i)]);
     force_size = std::max(force_size, std::abs(row.force));
     // A fit that is just closed has no gap left: what was given tells the size, too.
     gap_size = std::max(gap_size, (given + std::abs(row.gap)) / area);
     rows_.push_back(row);
   }
-  for (Row& row : rows_) {
-    const double area = scene.row(row.row).area;
+  for (FrozenContactRow& row : rows_) {
+    const double area = scene.contact_row(row.row).area;
     // Gaps are weighted: over their areas those of large and small rows compare.
     row.weak = !row.equality &&
                (row.closed ? row.force <= small * force_size : row.gap / area <= small * gap_size);
@@ -42,11 +44,11 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
   }
 }
 
-std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates, Eigen::Index k,
-                                                              double sign) const {
+std::optional<std::vector<bool>>
+FrozenContact::closed_rows_after(const LoadAndGapRates& rates, Eigen::Index k, double sign) const {
   contact::ContactSystem::IncrementProblem problem;
   std::vector<double> gap;
-  for (const Row& row : rows_) {
+  for (const FrozenContactRow& row : rows_) {
     if (row.closed || row.weak) {
       problem.rows.push_back(row.row);
       // Rows that press well stay closed, whatever the sign of their rate; open ones with a gap are
@@ -71,14 +73,15 @@ std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates
   return closed;
 }
 
-std::vector<std::array<double, 2>> FrozenContact::reach(const contact::FixedActiveSet& held,
-                                                        const Rates& rates) const {
+std::vector<std::array<double, 2>>
+FrozenContact::linear_ranges(const contact::FixedActiveSet& held,
+                             const LoadAndGapRates& rates) const {
   const contact::FixedActiveSet::ActiveSetResponse rate =
       held.solve_response(rates.gap + rates.free.opening, rates.free.on_mode);
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> out(static_cast<std::size_t>(rates.gap.cols()),
                                          {-never, never});
-  for (const Row& row : rows_) {
+  for (const FrozenContactRow& row : rows_) {
     if (row.equality || row.weak) {
       continue;
     }

@@ -6,7 +6,7 @@ namespace spricka::analysis {
 
 /// By how much K along fronts changes where contact ends a row of nodes further on or back (manual,
 /// estimate.25). [K]
-struct EdgeChanges {
+struct ContactEdgeKChange {
   /// The largest, of the edges of what is closed.
   base::Vector ends;
   /// Sum over edges of bodies on the faces of cracks, where contact is closed up to them.

@@ -27,7 +27,7 @@ constexpr double counts = 10.0;
 // has no K.
 constexpr double halvings = 4.0;
 
-std::vector<base::NodeId> tip_nodes(const Scene& scene) {
+std::vector<base::NodeId> tip_nodes(const Discretisation& scene) {
   std::vector<base::NodeId> tips;
   for (const mesh::CrackFront& front : scene.cracked.fronts) {
     tips.push_back(front.tip_point().node);
@@ -36,7 +36,7 @@ std::vector<base::NodeId> tip_nodes(const Scene& scene) {
 }
 
 // Freedoms of nodes that supports, ties or closed contacts hold.
-std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
+std::vector<bool> fixed_freedoms(const Discretisation& scene, const StepState& state) {
   std::vector<bool> fixed(scene.cls.size(), false);
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     fixed[i] =
@@ -62,7 +62,7 @@ std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
 }
 
 // What singular corners add to the errors; what supports of single nodes do to K.
-estimate::PointSupportChange add_corners(const model::Model& model, const Scene& scene,
+estimate::PointSupportChange add_corners(const model::Model& model, const Discretisation& scene,
                                          const StepState& state,
                                          const estimate::CornerRequest& request,
                                          std::vector<estimate::GoalError>& errors) {
@@ -105,7 +105,7 @@ void clear_exact(std::size_t elements, results::TipResult& tip) {
 }
 
 // What bodies beside the tip do that are too coarse for it.
-void add_partners(const CoarsePartner& partner, results::TipResult& tip) {
+void add_partners(const CoarseSurfaceEffect& partner, results::TipResult& tip) {
   tip.no_bar = partner.why_not;
   for (results::KBar& bar : tip.bar) {
     bar.mesh += bar.size() > 0.0 ? partner.part * std::hypot(tip.K1, tip.K2) : 0.0;
@@ -113,7 +113,7 @@ void add_partners(const CoarsePartner& partner, results::TipResult& tip) {
 }
 
 // Why an endlessly fine mesh has no K of tip t; empty: it has.
-std::string why_no_limit(const Scene& scene, const estimate::PointSupportChange& giving,
+std::string why_no_limit(const Discretisation& scene, const estimate::PointSupportChange& giving,
                          std::size_t t, const results::TipResult& tip) {
   for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
     const double bar = tip.bar[k].size();
@@ -130,16 +130,16 @@ std::string why_no_limit(const Scene& scene, const estimate::PointSupportChange&
 
 } // namespace
 
-ErrorBars::ErrorBars(const model::Model& model, const Scene& scene,
-                     estimate::ModeMatrixCache* memory)
+TipErrorBars::TipErrorBars(const model::Model& model, const Discretisation& scene,
+                           estimate::ModeMatrixCache* memory)
     : model_(model), scene_(scene), memory_(memory) {}
 
-bool ErrorBars::is_bonded(std::size_t contact) const {
+bool TipErrorBars::is_bonded(std::size_t contact) const {
   return contact < model_.contacts.size() &&
          model_.contacts[contact].type == model::ContactType::bonded;
 }
 
-void ErrorBars::prepare() {
+void TipErrorBars::prepare() {
   prepared_ = true;
   const model::Mesh& mesh = scene_.cracked.mesh;
   why_not_ = estimate::enrichment_obstacle(model_, mesh);
@@ -175,7 +175,7 @@ void ErrorBars::prepare() {
   }
 }
 
-base::Vector ErrorBars::load(const base::Vector& case_factor) {
+base::Vector TipErrorBars::load(const base::Vector& case_factor) {
   base::Vector f = base::Vector::Zero(enrichment_->freedoms());
   for (std::size_t c = 0; c < case_load_.size(); ++c) {
     const double factor = case_factor[static_cast<Eigen::Index>(c)];
@@ -191,7 +191,7 @@ base::Vector ErrorBars::load(const base::Vector& case_factor) {
   return f;
 }
 
-estimate::ModeMap ErrorBars::modes(const StepState& state) const {
+estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
   std::vector<estimate::ClosedEdge> closed;
   for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
     if (state.mounted[c]) {
@@ -205,9 +205,9 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
 
 // What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
 // of the adjoints.
-void ErrorBars::add_pressures(const StepState& state,
-                              const std::vector<estimate::IntensityAdjoint>& adjoints,
-                              base::Vector& f, base::Matrix& g) const {
+void TipErrorBars::add_pressures(const StepState& state,
+                                 const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                 base::Vector& f, base::Matrix& g) const {
   for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
     for (const estimate::ModeWeight& m : mode_weights_[c]) {
       if (!state.mounted[c]) {
@@ -224,7 +224,7 @@ void ErrorBars::add_pressures(const StepState& state,
 }
 
 // Nodes of a contact that the crack feels stand further apart than half its length.
-bool ErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront& front) const {
+bool TipErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront& front) const {
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     if (!state.mounted[c]) {
       continue;
@@ -244,16 +244,16 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront& f
   return false;
 }
 
-void ErrorBars::tell_once(results::Note note, results::StepResult& step) {
-  if (std::ranges::find(told_, note) == told_.end()) {
-    told_.push_back(note);
+void TipErrorBars::tell_once(results::Note note, results::StepResult& step) {
+  if (std::ranges::find(reported_, note) == reported_.end()) {
+    reported_.push_back(note);
     step.notes.push_back(std::move(note));
   }
 }
 
 // Where many edges have none opposite (a crack's mouth makes a few) what the mesh misses of the
 // normal displacement is not seen.
-void ErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step) {
+void TipErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step) {
   for (std::size_t c = 0; c < contact_edges_.size() && c < model_.contacts.size(); ++c) {
     std::size_t paired = 0;
     std::size_t apart = 0;
@@ -270,7 +270,7 @@ void ErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step
   }
 }
 
-void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
+void TipErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   if (!tip.no_bar.empty()) {
     tell_once(results::note(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar)),
               step);
@@ -286,8 +286,9 @@ void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   }
 }
 
-void ErrorBars::add(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
-                    const contact::FixedActiveSet* held, results::StepResult& step) {
+void TipErrorBars::add_to_tips(const StepState& state,
+                               const std::vector<estimate::IntensityAdjoint>& adjoints,
+                               const contact::FixedActiveSet* held, results::StepResult& step) {
   if (!prepared_) {
     prepare();
   }
@@ -297,7 +298,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Intensit
   }
   const crack::KLayout layout = scene_.k_layout();
   std::vector<estimate::GoalError> errors; // by the layout
-  std::vector<ContactFlips> flips;
+  std::vector<ActiveSetKChange> flips;
   estimate::PointSupportChange giving;
   if (why_not.empty()) {
     base::Matrix z(state.u.size(), goals_.cols());
@@ -312,7 +313,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Intensit
     errors = estimate::goal_errors(*enrichment_, map, request);
     giving = add_corners(model_, scene_, state,
                          {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors);
-    flips = contact_flips(scene_, state, adjoints, held);
+    flips = active_set_K_changes(scene_, state, adjoints, held);
     tell_of_meshes(state, step);
   }
   for (std::size_t t = 0; t < step.tips.size(); ++t) {
@@ -334,7 +335,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Intensit
           &errors[static_cast<std::size_t>(layout.at(t, 1))],
           &errors[static_cast<std::size_t>(layout.at(t, 2))]};
       const std::array<double, 2> K{tip.K1, tip.K2};
-      const ContactFlips& flip = flips[t];
+      const ActiveSetKChange& flip = flips[t];
       const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
           scene_.cracked.mesh, K, own,
           {estimate::ActiveSetChange{.end = flip.ends[0], .sharp = flip.sharp[0]},
@@ -347,9 +348,9 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Intensit
       tip.no_bar = why_no_limit(scene_, giving, t, tip);
       const bool has_limit = tip.no_bar.empty();
       if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
-        add_partners(
-            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.fronts[t]),
-            tip);
+        add_partners(coarse_surface_effect({model_, scene_, state, enrichment_->edges()},
+                                           scene_.cracked.fronts[t]),
+                     tip);
       }
       if (!tip.no_bar.empty()) {
         const std::string text = fmt::format("K of {}: {}", tip.name, tip.no_bar);

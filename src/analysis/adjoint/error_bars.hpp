@@ -16,17 +16,17 @@
 /// Processor ESTIMATE: error bars of K at the ends of the steps of one crack length.
 namespace spricka::analysis {
 
-class ErrorBars {
+class TipErrorBars {
 public:
   /// All must outlive it; nothing is computed before the first step that needs it. `memory`: what
   /// one length leaves for the next, or null.
-  ErrorBars(const model::Model& model, const Scene& scene,
-            estimate::ModeMatrixCache* memory = nullptr);
+  TipErrorBars(const model::Model& model, const Discretisation& scene,
+               estimate::ModeMatrixCache* memory = nullptr);
 
   /// Gives the tips of a step, which was solved last, their bars, or says why they have none.
   /// `held`: the contact that the adjoints keep, null where there is none.
-  void add(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
-           const contact::FixedActiveSet* held, results::StepResult& step);
+  void add_to_tips(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
+                   const contact::FixedActiveSet* held, results::StepResult& step);
 
 private:
   void prepare();
@@ -42,7 +42,7 @@ private:
   void tell_of_meshes(const StepState& state, results::StepResult& step);
 
   const model::Model& model_;
-  const Scene& scene_;
+  const Discretisation& scene_;
   estimate::ModeMatrixCache* memory_;
   bool prepared_ = false;
   std::string why_not_; ///< of the whole mesh
@@ -52,7 +52,7 @@ private:
   std::vector<std::vector<estimate::ModeWeight>> mode_weights_;   ///< [contact]
   std::vector<std::optional<base::Vector>> case_load_;            ///< [case] on the modes
   base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
-  std::vector<results::Note> told_;
+  std::vector<results::Note> reported_;
 };
 
 } // namespace spricka::analysis

@@ -99,27 +99,27 @@ bool acts_by_place(const model::Model& model) {
 
 } // namespace
 
-FrontAdvance::FrontAdvance(const model::Model& model, const Scene& scene, base::CrackId crack,
-                           Axis axis)
+VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Discretisation& scene,
+                                           base::CrackId crack, EllipseAxis axis)
     : model_(model), scene_(scene), crack_(crack), axis_(axis) {
   if (acts_by_place(model)) {
     why_never_ = "there are temperatures";
     return;
   }
-  stretch();
+  shift_mesh();
   if (!why_never_.empty()) {
     return;
   }
   move();
   move_pairs();
   if (why_never_.empty()) {
-    rows_ = front_rows(model_, moved_);
-    of_force_ = pairs_.empty() ? base::Matrix() : front_rows_of_forces(model_, moved_);
+    rows_ = front_K_rows(model_, moved_);
+    of_force_ = pairs_.empty() ? base::Matrix() : front_K_by_forces(model_, moved_);
   }
 }
 
 // [node] of the surface but for the crack's own faces, where materials meet, or kept from domains.
-std::vector<bool> FrontAdvance::resting() const {
+std::vector<bool> VirtualAxisExtension::resting() const {
   const model::Mesh& mesh = scene_.cracked.mesh;
   std::vector<bool> rests = front_limits(model_, scene_).node;
   std::vector<std::int32_t> property(mesh.node_count(), -1);
@@ -145,10 +145,10 @@ std::vector<bool> FrontAdvance::resting() const {
 
 // An ellipse whose axis grows is an affine picture of itself; sections of the tube go along with
 // the front as they are, on the surface as domains do (sensitivity.15).
-std::vector<Vec3> FrontAdvance::motion_of(const FrontScene& at) const {
+std::vector<Vec3> VirtualAxisExtension::motion_of(const FrontWithDomains& at) const {
   const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
-  const Vec3 direction = axis_ == Axis::a ? plane.transverse_axis() : plane.along;
-  const double size = axis_ == Axis::a ? plane.a : plane.c;
+  const Vec3 direction = axis_ == EllipseAxis::a ? plane.transverse_axis() : plane.along;
+  const double size = axis_ == EllipseAxis::a ? plane.a : plane.c;
   const model::Mesh& mesh = scene_.cracked.mesh;
   std::vector<Vec3> velocity(mesh.node_count(), Vec3::Zero());
   const std::set<base::NodeId> skin = skin_of(mesh, at.fields);
@@ -184,10 +184,10 @@ std::vector<Vec3> FrontAdvance::motion_of(const FrontScene& at) const {
   return velocity;
 }
 
-void FrontAdvance::stretch() {
+void VirtualAxisExtension::shift_mesh() {
   velocity_.assign(scene_.cracked.mesh.node_count(), Vec3::Zero());
   double size = std::numeric_limits<double>::infinity();
-  for (const FrontScene& at : scene_.fronts) {
+  for (const FrontWithDomains& at : scene_.fronts) {
     if (at.front.crack != crack_) {
       continue;
     }
@@ -211,17 +211,17 @@ void FrontAdvance::stretch() {
   }
 }
 
-void FrontAdvance::move() {
+void VirtualAxisExtension::move() {
   const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
-  const Vec3 direction = axis_ == Axis::a ? plane.transverse_axis() : plane.along;
-  const double rate = step_ / (axis_ == Axis::a ? plane.a : plane.c);
+  const Vec3 direction = axis_ == EllipseAxis::a ? plane.transverse_axis() : plane.along;
+  const double rate = step_ / (axis_ == EllipseAxis::a ? plane.a : plane.c);
   moved_.cracked = scene_.cracked;
   for (std::size_t n = 0; n < velocity_.size(); ++n) {
     moved_.cracked.mesh.x[n] += step_ * velocity_[n];
   }
   const crack::DomainLimits limits = front_limits(model_, scene_);
-  for (const FrontScene& at : scene_.fronts) {
-    FrontScene& moved = moved_.fronts.emplace_back(at);
+  for (const FrontWithDomains& at : scene_.fronts) {
+    FrontWithDomains& moved = moved_.fronts.emplace_back(at);
     if (at.front.crack != crack_) {
       continue;
     }
@@ -239,7 +239,7 @@ void FrontAdvance::move() {
   }
 }
 
-void FrontAdvance::move_pairs() {
+void VirtualAxisExtension::move_pairs() {
   const auto moves = [&](const contact::ConstraintRow& row) {
     return std::ranges::any_of(row.entries, [&](const contact::RowEntry& entry) {
       return !velocity_[entry.node.index()].isZero(0.0);
@@ -259,7 +259,7 @@ void FrontAdvance::move_pairs() {
     }
     contact::PairConstraints& pair = moved_.pairs[c];
     pair = contact::pair_rows(model_, moved_.cracked.mesh, model_.contacts[c]);
-    take_in_supports(pair, scene_.cls);
+    apply_supports(pair, scene_.cls);
     const auto same_row = [](const auto& own, const auto& other) { return own.node == other.node; };
     if (!std::ranges::equal(pair.normal, scene_.pairs[c].normal, same_row) ||
         !std::ranges::equal(pair.tangent, scene_.pairs[c].tangent, same_row)) {
@@ -268,11 +268,11 @@ void FrontAdvance::move_pairs() {
   }
 }
 
-const std::string& FrontAdvance::name() const {
+const std::string& VirtualAxisExtension::crack_name() const {
   return model_.cracks[crack_.index()].name;
 }
 
-std::string FrontAdvance::why_not(const FrozenStep& step) const {
+std::string VirtualAxisExtension::missing_reason(const FrozenContactStep& step) const {
   if (!why_never_.empty()) {
     return why_never_;
   }
@@ -282,11 +282,12 @@ std::string FrontAdvance::why_not(const FrozenStep& step) const {
       return "faces of the crack touch";
     }
   }
-  return (step.solver.offset().array() != 0.0).any() ? "parts were mounted on deformed ones" : "";
+  return (step.solver.mount_offset().array() != 0.0).any() ? "parts were mounted on deformed ones"
+                                                           : "";
 }
 
 // Forces on nodes with u kept: applied loads and contact forces less internal ones.
-base::Vector FrontAdvance::loads(const Scene& side, const StepState& state) const {
+base::Vector VirtualAxisExtension::loads(const Discretisation& side, const StepState& state) const {
   base::Vector internal = base::Vector::Zero(state.u.size());
   fe::add_internal_force(model_, side.cracked.mesh, strained_, state.u, internal);
   base::Vector out = -internal;
@@ -312,7 +313,8 @@ base::Vector FrontAdvance::loads(const Scene& side, const StepState& state) cons
 }
 
 // Weighted gaps of the rows that move, u kept. [row of the table]
-base::Vector FrontAdvance::openings(const Scene& side, const FrozenStep& step) const {
+base::Vector VirtualAxisExtension::openings(const Discretisation& side,
+                                            const FrozenContactStep& step) const {
   base::Vector out = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
   const base::Vector& u = step.state.u;
   for (const std::size_t c : pairs_) {
@@ -328,13 +330,14 @@ base::Vector FrontAdvance::openings(const Scene& side, const FrozenStep& step) c
 }
 
 // K with u and contact forces kept, less what it is now.
-base::Vector FrontAdvance::change(const FrozenStep& step, const FrontFunctionals& K) const {
+base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
+                                          const FrontKFunctionals& K) const {
   const StepState& state = step.state;
   base::Vector out = rows_.transpose() * state.u - K.rows.transpose() * state.u;
   if (acts_on_fronts(model_, scene_, state.case_factor)) {
     const base::Vector still = base::Vector::Zero(state.u.size());
-    out += front_values(model_, moved_, still, state.case_factor) -
-           front_values(model_, scene_, still, state.case_factor);
+    out += front_K_values(model_, moved_, still, state.case_factor) -
+           front_K_values(model_, scene_, still, state.case_factor);
   }
   if (!pairs_.empty()) {
     base::Vector lambda(static_cast<Eigen::Index>(scene_.table.size()));
@@ -347,12 +350,13 @@ base::Vector FrontAdvance::change(const FrozenStep& step, const FrontFunctionals
   return out;
 }
 
-FrontCause FrontAdvance::cause(const FrozenStep& step, const FrontFunctionals& K) const {
+FrontParameterDerivative VirtualAxisExtension::axis_derivative(const FrozenContactStep& step,
+                                                               const FrontKFunctionals& K) const {
   const model::CrackDefinition& crack = model_.cracks[crack_.index()];
-  FrontCause out;
-  out.is.cause = axis_ == Axis::a ? results::Cause::length : results::Cause::axis;
+  FrontParameterDerivative out;
+  out.is.cause = axis_ == EllipseAxis::a ? results::Cause::length : results::Cause::axis;
   out.is.name = crack.name;
-  out.is.value = axis_ == Axis::a ? crack.plane.a : crack.plane.c;
+  out.is.value = axis_ == EllipseAxis::a ? crack.plane.a : crack.plane.c;
   out.load = (loads(moved_, step.state) - loads(scene_, step.state)) / step_;
   if (!pairs_.empty()) {
     out.gap = (openings(moved_, step) - openings(scene_, step)) / step_;

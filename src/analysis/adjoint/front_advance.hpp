@@ -12,41 +12,45 @@
 /// contact kept as it is.
 namespace spricka::analysis {
 
-enum class Axis : char { a, c };
+enum class EllipseAxis : char { a, c };
 
 /// A scene with the mesh round the fronts of one crack stretched along an axis by a small step: its
 /// mesh, its fronts and the pairs that have nodes there.
-class FrontAdvance {
+class VirtualAxisExtension {
 public:
-  FrontAdvance(const model::Model& model, const Scene& scene, base::CrackId crack, Axis axis);
+  VirtualAxisExtension(const model::Model& model, const Discretisation& scene, base::CrackId crack,
+                       EllipseAxis axis);
 
-  [[nodiscard]] const std::string& name() const; ///< of the crack
+  [[nodiscard]] const std::string& crack_name() const; ///< of the crack
   /// The scene that is moved, and by how much its axis is longer.
-  [[nodiscard]] const Scene& moved() const { return moved_; }
-  [[nodiscard]] double step() const { return step_; }
+  [[nodiscard]] const Discretisation& extended_model() const { return moved_; }
+  [[nodiscard]] double axis_increment() const { return step_; }
   /// Why there is no derivative in this step; empty: there is one.
-  [[nodiscard]] std::string why_not(const FrozenStep& step) const;
+  [[nodiscard]] std::string missing_reason(const FrozenContactStep& step) const;
   /// d/da of loads, gaps and K, u and contact forces kept; K at an angle phi (sensitivity.15).
-  [[nodiscard]] FrontCause cause(const FrozenStep& step, const FrontFunctionals& K) const;
+  [[nodiscard]] FrontParameterDerivative axis_derivative(const FrozenContactStep& step,
+                                                         const FrontKFunctionals& K) const;
 
 private:
-  void stretch();
+  void shift_mesh();
   [[nodiscard]] std::vector<bool> resting() const;
-  [[nodiscard]] std::vector<base::Vec3> motion_of(const FrontScene& at) const;
+  [[nodiscard]] std::vector<base::Vec3> motion_of(const FrontWithDomains& at) const;
   void move();
   void move_pairs();
-  [[nodiscard]] base::Vector loads(const Scene& side, const StepState& state) const;
-  [[nodiscard]] base::Vector openings(const Scene& side, const FrozenStep& step) const;
-  [[nodiscard]] base::Vector change(const FrozenStep& step, const FrontFunctionals& K) const;
+  [[nodiscard]] base::Vector loads(const Discretisation& side, const StepState& state) const;
+  [[nodiscard]] base::Vector openings(const Discretisation& side,
+                                      const FrozenContactStep& step) const;
+  [[nodiscard]] base::Vector change(const FrozenContactStep& step,
+                                    const FrontKFunctionals& K) const;
 
   const model::Model& model_;
-  const Scene& scene_;
+  const Discretisation& scene_;
   base::CrackId crack_;
-  Axis axis_;
+  EllipseAxis axis_;
   std::vector<base::Vec3> velocity_;      ///< [node] of the mesh, by the length of the axis
   std::vector<base::ElementId> strained_; ///< elements with a node that moves
   double step_ = 0.0;                     ///< [length] of the axis
-  Scene moved_;
+  Discretisation moved_;
   crack::SparseRows rows_;         ///< K of the moved scene by displacements
   base::Matrix of_force_;          ///< the same by contact forces; empty: no pair moves
   std::vector<std::size_t> pairs_; ///< that have nodes which move

@@ -8,21 +8,22 @@
 namespace spricka::analysis {
 
 /// Bars and derivatives of K along fronts in space at the ends of the steps of one crack length.
-class FrontAnalysis {
+class FrontErrorsAndSensitivities {
 public:
   /// All must outlive it; nothing is computed before the first step.
-  FrontAnalysis(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+  FrontErrorsAndSensitivities(const model::Model& model, const Discretisation& scene,
+                              const std::vector<SubstructuredBody>& bodies);
 
   /// Of a step that `solver` solved last.
-  void add(const StepSolver& solver, const StepState& state, results::StepResult& result);
+  void add_to_fronts(const StepSolver& solver, const StepState& state, results::StepResult& result);
 
 private:
   const model::Model& model_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
-  std::optional<FrontFunctionals> functionals_;
-  FrontBars bars_;
-  FrontSensitivities sensitivities_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
+  std::optional<FrontKFunctionals> functionals_;
+  FrontErrorBars bars_;
+  FrontSensitivityAnalysis sensitivities_;
 };
 
 } // namespace spricka::analysis

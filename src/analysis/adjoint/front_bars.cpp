@@ -25,11 +25,11 @@ constexpr double alike = 1e-9;
 constexpr std::size_t remembered = 8;
 
 // Whether a step changed no K within the body by much.
-bool settled(const Scene& scene, const base::Vector& more, const base::Vector& all) {
+bool settled(const Discretisation& scene, const base::Vector& more, const base::Vector& all) {
   double change = 0.0;
   double size = 0.0;
   Eigen::Index first = 0;
-  for (const FrontScene& at : scene.fronts) {
+  for (const FrontWithDomains& at : scene.fronts) {
     for (const mesh::FrontPoint& point : at.front.points) {
       if (!point.at_surface) {
         change = std::max(change, more.segment<3>(first).cwiseAbs().maxCoeff());
@@ -41,7 +41,7 @@ bool settled(const Scene& scene, const base::Vector& more, const base::Vector& a
   return change <= small_change * size;
 }
 
-crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
+crack::SparseRows goal_rows(const model::Model& model, const Discretisation& scene,
                             const estimate::SolidEnrichment& enrichment) {
   crack::SupplementaryFunctions others;
   others.count = enrichment.freedoms() / 3;
@@ -53,7 +53,7 @@ crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
   const crack::KLayout layout = scene.k_layout();
   std::vector<Eigen::Triplet<double>> entries;
   std::size_t first = 0;
-  for (const FrontScene& at : scene.fronts) {
+  for (const FrontWithDomains& at : scene.fronts) {
     const crack::SparseRows own =
         crack::supplementary_front_rows(model, scene.cracked, at.front, at.fields, others);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
@@ -71,7 +71,7 @@ crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
 
 // Whether rows at a sharp edge of a contact do so much to K of a front that no mesh tells what the
 // singular pressure there does (manual, error_bar.md).
-bool hangs_on_an_edge(const EdgeChanges& edges, Eigen::Index first,
+bool hangs_on_an_edge(const ContactEdgeKChange& edges, Eigen::Index first,
                       const results::FrontResult& front) {
   constexpr double too_much = 0.2; // of the largest K
   double size = 0.0;
@@ -89,10 +89,10 @@ bool hangs_on_an_edge(const EdgeChanges& edges, Eigen::Index first,
 
 } // namespace
 
-FrontBars::FrontBars(const model::Model& model, const Scene& scene)
+FrontErrorBars::FrontErrorBars(const model::Model& model, const Discretisation& scene)
     : model_(model), scene_(scene) {}
 
-void FrontBars::prepare() {
+void FrontErrorBars::prepare() {
   prepared_ = true;
   why_not_ = estimate::solid_enrichment_obstacle(model_, scene_.cracked.mesh);
   for (const contact::PairConstraints& pair : scene_.pairs) {
@@ -108,14 +108,14 @@ void FrontBars::prepare() {
   case_load_.resize(model_.cases.size());
 }
 
-std::string FrontBars::why_not(const FrozenStep& step) const {
+std::string FrontErrorBars::why_not(const FrozenContactStep& step) const {
   if (!why_not_.empty()) {
     return why_not_;
   }
   return step.contact.rubs ? "contacts rub: the change of K depends on the load history" : "";
 }
 
-base::Vector FrontBars::load(const StepState& state) {
+base::Vector FrontErrorBars::load(const StepState& state) {
   base::Vector f = base::Vector::Zero(enrichment_->freedoms());
   for (std::size_t c = 0; c < case_load_.size(); ++c) {
     const double factor = state.case_factor[static_cast<Eigen::Index>(c)];
@@ -137,9 +137,10 @@ base::Vector FrontBars::load(const StepState& state) {
   return f;
 }
 
-std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const FrontFunctionals& K) {
+std::optional<base::Vector> FrontErrorBars::changes(const FrozenContactStep& step,
+                                                    const FrontKFunctionals& K) {
   const base::Vector r = load(step.state) - enrichment_->forces_on_modes(&step.state.u, nullptr);
-  for (const Known& one : known_) {
+  for (const ReusableFrontEstimate& one : known_) {
     const double factor = r.dot(one.residual) / one.residual.squaredNorm();
     if (one.mounted == step.state.mounted && one.closed == step.contact.closed &&
         (r - factor * one.residual).norm() <= alike * r.norm()) {
@@ -158,8 +159,9 @@ std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const Fro
 
 // Conjugate gradients on the modes with the nodes eliminated (estimate.23): each step is one
 // back-substitution.
-std::optional<base::Vector> FrontBars::solve(const FrozenStep& step, const FrontFunctionals& K,
-                                             base::Vector r) const {
+std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
+                                                  const FrontKFunctionals& K,
+                                                  base::Vector r) const {
   const estimate::SolidEnrichment& modes = *enrichment_;
   base::Vector eta = base::Vector::Zero(K.rows.cols());
   base::Vector s = modes.precondition(r);
@@ -169,7 +171,7 @@ std::optional<base::Vector> FrontBars::solve(const FrozenStep& step, const Front
     base::Vector on_nodes;
     base::Vector Sp;
     modes.stiffness_product(p, on_nodes, Sp);
-    const FrozenChange change = step.system.change(-on_nodes, {});
+    const FrozenContactResponse change = step.system.solve_response(-on_nodes, {});
     if (!change.why_not.empty()) {
       return std::nullopt;
     }
@@ -191,20 +193,20 @@ std::optional<base::Vector> FrontBars::solve(const FrozenStep& step, const Front
   return eta;
 }
 
-void FrontBars::tell(const results::FrontResult& front, results::StepResult& result) {
+void FrontErrorBars::tell(const results::FrontResult& front, results::StepResult& result) {
   if (front.no_bar.empty()) {
     return;
   }
   results::Note note =
       results::note(fmt::format("K of {} has no error bar: {}", front.name, front.no_bar));
-  if (std::ranges::find(told_, note) == told_.end()) {
-    told_.push_back(note);
+  if (std::ranges::find(reported_, note) == reported_.end()) {
+    reported_.push_back(note);
     result.notes.push_back(std::move(note));
   }
 }
 
-void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
-                    results::StepResult& result) {
+void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
+                                   results::StepResult& result) {
   if (!prepared_) {
     prepare();
   }
@@ -214,9 +216,9 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
     eta = changes(step, K);
     reason = eta ? "" : "what closed contacts hold gives way";
   }
-  EdgeChanges edges;
+  ContactEdgeKChange edges;
   if (reason.empty()) {
-    edges = edge_changes(scene_, step, K);
+    edges = edge_K_changes(scene_, step, K);
   }
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
@@ -234,9 +236,11 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
         better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
         better[at] = place.closed ? 0.0 : better[at];
       }
-      const CoarsePartner coarse = coarse_partner(scene_, step.state, scene_.fronts[f]);
-      add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first_index(first)), edges,
-                     layout.first_index(first), coarse.part, front);
+      const CoarseSurfaceEffect coarse =
+          coarse_surface_effect(scene_, step.state, scene_.fronts[f]);
+      add_front_error_bars(*eta,
+                           smooth_front_K(scene_.fronts[f], better, layout.first_index(first)),
+                           edges, layout.first_index(first), coarse.part, front);
       if (!coarse.why_not.empty()) {
         result.notes.push_back(
             results::less_exact(fmt::format("K of {}: {}", front.name, coarse.why_not)));

@@ -6,7 +6,7 @@
 namespace spricka::analysis {
 
 /// One thing that K along fronts depends on: loads, gaps and a part of K that it changes by itself.
-struct FrontCause {
+struct FrontParameterDerivative {
   results::FrontSensitivity is; ///< without its derivatives
   base::Vector load;            ///< [dim * node] by its value; empty: none
   base::Vector gap;             ///< [table row] by its value; empty: none

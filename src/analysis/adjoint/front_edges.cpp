@@ -86,7 +86,7 @@ std::vector<bool> at_sharp_edges(const contact::PairConstraints& pair,
 // Whether a contact presses on the faces of a crack, as a body between them does. Elsewhere a sharp
 // edge is far from K, or beside the mouth (partner_surfaces.hpp), where taking a row of coarse
 // elements away says nothing of an error.
-bool presses_on_a_crack(const Scene& scene, const model::Contact& contact) {
+bool presses_on_a_crack(const Discretisation& scene, const model::Contact& contact) {
   std::set<std::pair<base::ElementId, int>> sides;
   for (const mesh::CrackFaces& faces : scene.cracked.faces) {
     for (const auto* some : {&faces.left_sides, &faces.right_sides}) {
@@ -103,7 +103,7 @@ bool presses_on_a_crack(const Scene& scene, const model::Contact& contact) {
   });
 }
 
-void add_lines_of(const Scene& scene, const StepState& state, std::size_t c,
+void add_lines_of(const Discretisation& scene, const StepState& state, std::size_t c,
                   std::vector<RowLine>& lines) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const std::vector<bool>& closed = state.pair_closed[c];
@@ -124,7 +124,7 @@ void add_lines_of(const Scene& scene, const StepState& state, std::size_t c,
   }
 }
 
-std::vector<RowLine> lines_of(const Scene& scene, const StepState& state) {
+std::vector<RowLine> lines_of(const Discretisation& scene, const StepState& state) {
   std::vector<RowLine> lines;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     // Bonded rows have no other state, and with friction K has no bar at all.
@@ -136,8 +136,8 @@ std::vector<RowLine> lines_of(const Scene& scene, const StepState& state) {
 }
 
 // Pressure of a closed row, or gap of an open one: what its line takes away.
-double to_go(const Scene& scene, const StepState& state, std::size_t row) {
-  const RowTable::Place at = scene.table.places[row];
+double to_go(const Discretisation& scene, const StepState& state, std::size_t row) {
+  const ContactRowTable::ContactRowLocation at = scene.table.places[row];
   return state.pair_closed[at.pair][at.index] ? state.pair_lambda[at.pair][index(at.index)]
                                               : state.pair_gap[at.pair][index(at.index)];
 }
@@ -150,12 +150,13 @@ struct Trials {
   base::Matrix loads; ///< [dim * node, line] of lines that close
 };
 
-Trials trials_of(const Scene& scene, const FrozenStep& step, const std::vector<RowLine>& lines) {
+Trials trials_of(const Discretisation& scene, const FrozenContactStep& step,
+                 const std::vector<RowLine>& lines) {
   std::vector<std::size_t> rows;
   for (const RowLine& line : lines) {
     rows.insert(rows.end(), line.rows.begin(), line.rows.end());
   }
-  const base::Vector pivot = step.system.held()->pivots(rows);
+  const base::Vector pivot = step.system.held_contact()->pivots(rows);
   const Eigen::Index count = index(lines.size());
   Trials trials{.alone = base::Matrix::Zero(index(scene.table.size()), count),
                 .gaps = base::Matrix::Zero(index(scene.table.size()), count),
@@ -175,7 +176,7 @@ Trials trials_of(const Scene& scene, const FrozenStep& step, const std::vector<R
         trials.gaps(index(row), l) = alone;
         continue;
       }
-      for (const contact::RowEntry& entry : scene.row(row).entries) {
+      for (const contact::RowEntry& entry : scene.contact_row(row).entries) {
         trials.loads.col(l).segment<3>(3 * index(entry.node.index())) -= alone * entry.weight;
       }
     }
@@ -185,13 +186,15 @@ Trials trials_of(const Scene& scene, const FrozenStep& step, const std::vector<R
 
 // The rows of a line feel each other: of what each would take alone the part that takes away most
 // of all their pressures or gaps together (estimate.25).
-double share_together(const Scene& scene, const FrozenStep& step, const RowLine& line,
-                      const base::Vector& alone, const base::Vector& u, const base::Vector& force) {
+double share_together(const Discretisation& scene, const FrozenContactStep& step,
+                      const RowLine& line, const base::Vector& alone, const base::Vector& u,
+                      const base::Vector& force) {
   double wanted = 0.0;
   double done = 0.0;
   for (const std::size_t row : line.rows) {
     const double x = alone[index(row)];
-    const double answer = line.closed ? force[index(row)] : row_opening(scene.row(row), 3, u);
+    const double answer =
+        line.closed ? force[index(row)] : row_opening(scene.contact_row(row), 3, u);
     wanted -= x * to_go(scene, step.state, row);
     done += x * answer;
   }
@@ -200,14 +203,16 @@ double share_together(const Scene& scene, const FrozenStep& step, const RowLine&
 
 } // namespace
 
-EdgeChanges edge_changes(const Scene& scene, const FrozenStep& step, const FrontFunctionals& K) {
-  EdgeChanges changes{base::Vector::Zero(K.rows.cols()), base::Vector::Zero(K.rows.cols())};
+ContactEdgeKChange edge_K_changes(const Discretisation& scene, const FrozenContactStep& step,
+                                  const FrontKFunctionals& K) {
+  ContactEdgeKChange changes{base::Vector::Zero(K.rows.cols()), base::Vector::Zero(K.rows.cols())};
   const std::vector<RowLine> lines = lines_of(scene, step.state);
-  if (lines.empty() || step.system.held() == nullptr || !step.system.held()->is_consistent()) {
+  if (lines.empty() || step.system.held_contact() == nullptr ||
+      !step.system.held_contact()->is_consistent()) {
     return changes;
   }
   const Trials trials = trials_of(scene, step, lines);
-  const FrozenChange answer = step.system.change(trials.loads, trials.gaps);
+  const FrozenContactResponse answer = step.system.solve_response(trials.loads, trials.gaps);
   if (!answer.why_not.empty()) {
     return changes;
   }

@@ -6,6 +6,7 @@
 namespace spricka::analysis {
 
 /// Of the step that was solved last; rows of bonded contacts and of those of single nodes stay.
-EdgeChanges edge_changes(const Scene& scene, const FrozenStep& step, const FrontFunctionals& K);
+ContactEdgeKChange edge_K_changes(const Discretisation& scene, const FrozenContactStep& step,
+                                  const FrontKFunctionals& K);
 
 } // namespace spricka::analysis

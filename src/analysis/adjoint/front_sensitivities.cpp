@@ -20,8 +20,9 @@ namespace spricka::analysis {
 
 namespace {
 
-FrontCause cause_of(results::Cause kind, std::string name, double value, Eigen::Index K) {
-  FrontCause out;
+FrontParameterDerivative cause_of(results::Cause kind, std::string name, double value,
+                                  Eigen::Index K) {
+  FrontParameterDerivative out;
   out.is.cause = kind;
   out.is.name = std::move(name);
   out.is.value = value;
@@ -29,7 +30,8 @@ FrontCause cause_of(results::Cause kind, std::string name, double value, Eigen::
   return out;
 }
 
-std::size_t front_material(const model::Model& model, const Scene& scene, const FrontScene& at) {
+std::size_t front_material(const model::Model& model, const Discretisation& scene,
+                           const FrontWithDomains& at) {
   const std::vector<base::ElementId> elements = at.fields.elements();
   return elements.empty()
              ? model.materials.size()
@@ -44,12 +46,13 @@ void note_all(results::StepResult& result, const std::string& text) {
 
 } // namespace
 
-FrontSensitivities::FrontSensitivities(const model::Model& model, const Scene& scene)
+FrontSensitivityAnalysis::FrontSensitivityAnalysis(const model::Model& model,
+                                                   const Discretisation& scene)
     : model_(model), scene_(scene) {}
 
-FrontSensitivities::~FrontSensitivities() = default;
+FrontSensitivityAnalysis::~FrontSensitivityAnalysis() = default;
 
-void FrontSensitivities::prepare() {
+void FrontSensitivityAnalysis::prepare() {
   if (prepared_) {
     return;
   }
@@ -63,24 +66,25 @@ void FrontSensitivities::prepare() {
   for (Eigen::Index c = 0; c < cases; ++c) {
     const base::Vector one = base::Vector::Unit(columns, c);
     if (acts_on_fronts(model_, scene_, one)) {
-      of_loads_.col(c) = front_values(model_, scene_, still, one);
+      of_loads_.col(c) = front_K_values(model_, scene_, still, one);
     }
   }
   for (std::size_t c = 0; c < model_.cracks.size(); ++c) {
     if (model_.cracks[c].kind == model::CrackDefinitionKind::ellipse) {
-      for (const Axis axis : {Axis::a, Axis::c}) {
-        advances_.push_back(std::make_unique<FrontAdvance>(model_, scene_, base::CrackId(c), axis));
+      for (const EllipseAxis axis : {EllipseAxis::a, EllipseAxis::c}) {
+        advances_.push_back(
+            std::make_unique<VirtualAxisExtension>(model_, scene_, base::CrackId(c), axis));
       }
     }
   }
 }
 
-void FrontSensitivities::add_loads(const FrozenStep& step, const FrontFunctionals& K,
-                                   std::vector<FrontCause>& causes) const {
+void FrontSensitivityAnalysis::add_loads(const FrozenContactStep& step, const FrontKFunctionals& K,
+                                         std::vector<FrontParameterDerivative>& causes) const {
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
     const auto k = static_cast<Eigen::Index>(c);
-    FrontCause one = cause_of(results::Cause::load, model_.cases[c].name,
-                              step.solver.factors().case_factor[k], of_loads_.rows());
+    FrontParameterDerivative one = cause_of(results::Cause::load, model_.cases[c].name,
+                                            step.solver.factors().case_factor[k], of_loads_.rows());
     one.load = case_load_.col(k);
     one.direct = of_loads_.col(k);
     const base::Vector given = scene_.case_displacement.col(k);
@@ -89,7 +93,7 @@ void FrontSensitivities::add_loads(const FrozenStep& step, const FrontFunctional
     if ((given.array() != 0.0).any()) {
       one.gap.resize(static_cast<Eigen::Index>(scene_.table.size()));
       for (std::size_t r = 0; r < scene_.table.size(); ++r) {
-        one.gap[static_cast<Eigen::Index>(r)] = row_opening(scene_.row(r), 3, given);
+        one.gap[static_cast<Eigen::Index>(r)] = row_opening(scene_.contact_row(r), 3, given);
       }
       one.direct += K.rows.transpose() * given;
     }
@@ -97,7 +101,8 @@ void FrontSensitivities::add_loads(const FrozenStep& step, const FrontFunctional
   }
 }
 
-void FrontSensitivities::add_fits(const FrozenStep& step, std::vector<FrontCause>& causes) const {
+void FrontSensitivityAnalysis::add_fits(const FrozenContactStep& step,
+                                        std::vector<FrontParameterDerivative>& causes) const {
   for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
     const model::Contact& contact = model_.contacts[c];
     if (!contact.gap || !step.solver.factors().mounted[c]) {
@@ -105,8 +110,9 @@ void FrontSensitivities::add_fits(const FrozenStep& step, std::vector<FrontCause
     }
     // An interference is a negative gap (sensitivity.7).
     const double interference = -*contact.gap * step.solver.factors().fit[c];
-    FrontCause one = cause_of(results::Cause::fit, contact.name,
-                              interference == 0.0 ? 0.0 : interference, of_loads_.rows());
+    FrontParameterDerivative one =
+        cause_of(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference,
+                 of_loads_.rows());
     one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t i = 0; i < scene_.pairs[c].normal.size(); ++i) {
       one.gap[static_cast<Eigen::Index>(scene_.table.first[c] + i)] =
@@ -116,8 +122,8 @@ void FrontSensitivities::add_fits(const FrozenStep& step, std::vector<FrontCause
   }
 }
 
-void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctionals& K,
-                                    std::vector<FrontCause>& causes) const {
+void FrontSensitivityAnalysis::add_moduli(const FrozenContactStep& step, const FrontKFunctionals& K,
+                                          std::vector<FrontParameterDerivative>& causes) const {
   // [dim * node, material] thermal loads less internal forces, f^T - K_m u (sensitivity.8).
   base::Matrix loads = -step.state.internal;
   if (step.state.temperature.size() > 0) {
@@ -136,7 +142,7 @@ void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctiona
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     const double E = model_.materials[m].E;
-    FrontCause one =
+    FrontParameterDerivative one =
         cause_of(results::Cause::modulus, model_.materials[m].name, E, of_loads_.rows());
     one.load = loads.col(static_cast<Eigen::Index>(m)) / E;
     base::Vector constant = base::Vector::Zero(of_loads_.rows());
@@ -144,11 +150,11 @@ void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctiona
       model::Model stiffer = model_;
       stiffer.materials[m].E *= 2.0;
       const base::Vector still = base::Vector::Zero(step.state.u.size());
-      constant = front_values(stiffer, scene_, still, step.state.case_factor) -
-                 front_values(model_, scene_, still, step.state.case_factor);
+      constant = front_K_values(stiffer, scene_, still, step.state.case_factor) -
+                 front_K_values(model_, scene_, still, step.state.case_factor);
     }
     std::size_t first = 0;
-    for (const FrontScene& at : scene_.fronts) {
+    for (const FrontWithDomains& at : scene_.fronts) {
       const auto count = static_cast<Eigen::Index>(3 * at.front.points.size());
       if (front_material(model_, scene_, at) == m) {
         const Eigen::Index begin = layout.first_index(first);
@@ -161,16 +167,17 @@ void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctiona
   }
 }
 
-void FrontSensitivities::add_lengths(const FrozenStep& step, const FrontFunctionals& K,
-                                     std::vector<FrontCause>& causes,
-                                     results::StepResult& result) const {
-  for (const std::unique_ptr<FrontAdvance>& advance : advances_) {
-    const std::string why = advance->why_not(step);
+void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
+                                           const FrontKFunctionals& K,
+                                           std::vector<FrontParameterDerivative>& causes,
+                                           results::StepResult& result) const {
+  for (const std::unique_ptr<VirtualAxisExtension>& advance : advances_) {
+    const std::string why = advance->missing_reason(step);
     if (why.empty()) {
-      causes.push_back(advance->cause(step, K));
+      causes.push_back(advance->axis_derivative(step, K));
       continue;
     }
-    const std::string text = "no derivative by the axes of " + advance->name() + ": " + why;
+    const std::string text = "no derivative by the axes of " + advance->crack_name() + ": " + why;
     for (results::FrontResult& front : result.fronts) {
       if (std::ranges::find(front.sensitivities.notes, text) == front.sensitivities.notes.end()) {
         front.sensitivities.notes.push_back(text);
@@ -179,13 +186,13 @@ void FrontSensitivities::add_lengths(const FrozenStep& step, const FrontFunction
   }
 }
 
-void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K,
-                               const std::vector<FrontCause>& causes,
-                               results::StepResult& result) const {
+void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontKFunctionals& K,
+                                     const std::vector<FrontParameterDerivative>& causes,
+                                     results::StepResult& result) const {
   const auto k = static_cast<Eigen::Index>(causes.size());
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   base::Matrix loads = base::Matrix::Zero(step.state.u.size(), k);
-  Rates rates;
+  LoadAndGapRates rates;
   rates.gap = base::Matrix::Zero(rows, k);
   for (std::size_t i = 0; i < causes.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -196,16 +203,17 @@ void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K
       rates.gap.col(at) = causes[i].gap;
     }
   }
-  const FrozenChange change = step.system.change(std::move(loads), rates.gap);
+  const FrozenContactResponse change = step.system.solve_response(std::move(loads), rates.gap);
   if (!change.why_not.empty()) {
     note_all(result, change.why_not);
     return;
   }
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> reach(causes.size(), {-never, never});
-  if (step.system.held() != nullptr) {
+  if (step.system.held_contact() != nullptr) {
     rates.free = change.free;
-    reach = FrozenContact(step.solver, scene_, step.state).reach(*step.system.held(), rates);
+    reach = FrozenContact(step.solver, scene_, step.state)
+                .linear_ranges(*step.system.held_contact(), rates);
   }
   const base::Matrix dK = K.rows.transpose() * change.u + K.of_force * change.force;
   std::size_t point = 0;
@@ -221,7 +229,7 @@ void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K
       }
       one.above = one.below;
       // Ranges of moduli are not computed; without contact there is nothing to end any.
-      if (one.cause != results::Cause::modulus || step.system.held() == nullptr) {
+      if (one.cause != results::Cause::modulus || step.system.held_contact() == nullptr) {
         one.range = {one.value + reach[i][0], one.value + reach[i][1]};
       }
       front.sensitivities.of.push_back(std::move(one));
@@ -230,23 +238,24 @@ void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K
   }
 }
 
-void FrontSensitivities::add(const FrozenStep& step, const FrontFunctionals& K,
-                             results::StepResult& result) {
+void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
+                                             const FrontKFunctionals& K,
+                                             results::StepResult& result) {
   if (step.contact.rubs) {
     note_all(result, "contacts rub: the change of K depends on the load history");
     return;
   }
-  if (step.solver.system() != nullptr &&
-      FrozenContact(step.solver, scene_, step.state).at_a_change()) {
+  if (step.solver.contact_system() != nullptr &&
+      FrozenContact(step.solver, scene_, step.state).is_degenerate()) {
     note_all(result, "a pair is about to open or to close at this very state, where K has two "
                      "derivatives");
     return;
   }
   prepare();
-  std::vector<FrontCause> causes;
+  std::vector<FrontParameterDerivative> causes;
   add_loads(step, K, causes);
   add_fits(step, causes);
-  if ((step.solver.offset().array() != 0.0).any()) {
+  if ((step.solver.mount_offset().array() != 0.0).any()) {
     note_all(result, "no derivatives by moduli: parts were mounted on deformed ones");
   } else {
     add_moduli(step, K, causes);

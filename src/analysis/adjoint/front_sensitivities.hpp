@@ -8,38 +8,41 @@
 
 namespace spricka::analysis {
 
-class FrontAdvance;
+class VirtualAxisExtension;
 
 /// Processor SENSITIVITY in space: derivatives of K along fronts by loads, fits, moduli and the
 /// axes of ellipses. There are fewer causes than K: each is solved for, where the plane has an
 /// adjoint for each K; the numbers are the same (manual, sensitivity.14).
-class FrontSensitivities {
+class FrontSensitivityAnalysis {
 public:
   /// All must outlive it; nothing is computed yet.
-  FrontSensitivities(const model::Model& model, const Scene& scene);
-  ~FrontSensitivities();
+  FrontSensitivityAnalysis(const model::Model& model, const Discretisation& scene);
+  ~FrontSensitivityAnalysis();
 
   /// Adds to the fronts of `result` what the end of a step, which was solved last, gives.
-  void add(const FrozenStep& step, const FrontFunctionals& K, results::StepResult& result);
+  void add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
+                     results::StepResult& result);
 
 private:
   void prepare();
-  void add_loads(const FrozenStep& step, const FrontFunctionals& K,
-                 std::vector<FrontCause>& causes) const;
-  void add_fits(const FrozenStep& step, std::vector<FrontCause>& causes) const;
-  void add_moduli(const FrozenStep& step, const FrontFunctionals& K,
-                  std::vector<FrontCause>& causes) const;
-  void add_lengths(const FrozenStep& step, const FrontFunctionals& K,
-                   std::vector<FrontCause>& causes, results::StepResult& result) const;
-  void solve(const FrozenStep& step, const FrontFunctionals& K,
-             const std::vector<FrontCause>& causes, results::StepResult& result) const;
+  void add_loads(const FrozenContactStep& step, const FrontKFunctionals& K,
+                 std::vector<FrontParameterDerivative>& causes) const;
+  void add_fits(const FrozenContactStep& step, std::vector<FrontParameterDerivative>& causes) const;
+  void add_moduli(const FrozenContactStep& step, const FrontKFunctionals& K,
+                  std::vector<FrontParameterDerivative>& causes) const;
+  void add_lengths(const FrozenContactStep& step, const FrontKFunctionals& K,
+                   std::vector<FrontParameterDerivative>& causes,
+                   results::StepResult& result) const;
+  void solve(const FrozenContactStep& step, const FrontKFunctionals& K,
+             const std::vector<FrontParameterDerivative>& causes,
+             results::StepResult& result) const;
 
   const model::Model& model_;
-  const Scene& scene_;
+  const Discretisation& scene_;
   bool prepared_ = false;
   base::Matrix case_load_; ///< [dim * node, case] with the pull of supports
   base::Matrix of_loads_;  ///< [K, case] what loads add to K themselves
-  std::vector<std::unique_ptr<FrontAdvance>> advances_; ///< of the axes of ellipses
+  std::vector<std::unique_ptr<VirtualAxisExtension>> advances_; ///< of the axes of ellipses
 };
 
 } // namespace spricka::analysis

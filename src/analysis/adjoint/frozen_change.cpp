@@ -13,11 +13,11 @@ constexpr double unheld_load = 1e-6;
 
 } // namespace
 
-ClosedRows closed_rows(const StepSolver& solver, const Scene& scene) {
-  ClosedRows rows;
+ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene) {
+  ClosedContactRows rows;
   rows.closed.assign(scene.table.size(), false);
-  if (solver.system() != nullptr) {
-    const contact::ContactSystem::IncrementProblem problem = solver.problem();
+  if (solver.contact_system() != nullptr) {
+    const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
     rows.rubs = !problem.friction.empty();
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       // A next problem would begin with the rows that the last one ended with.
@@ -27,20 +27,22 @@ ClosedRows closed_rows(const StepSolver& solver, const Scene& scene) {
   return rows;
 }
 
-FrozenSystem::FrozenSystem(const StepSolver& solver, const Scene& scene,
-                           const std::vector<BodyNet>& bodies, const std::vector<bool>& closed)
-    : solver_(solver), scene_(scene), bodies_(bodies), held_(hold(solver, closed)) {}
+FrozenContactSystem::FrozenContactSystem(const StepSolver& solver, const Discretisation& scene,
+                                         const std::vector<SubstructuredBody>& bodies,
+                                         const std::vector<bool>& closed)
+    : solver_(solver), scene_(scene), bodies_(bodies), held_(constrain_rows(solver, closed)) {}
 
-FrozenChange FrozenSystem::change(base::Matrix loads, const base::Matrix& gaps) const {
-  FrozenChange out;
+FrozenContactResponse FrozenContactSystem::solve_response(base::Matrix loads,
+                                                          const base::Matrix& gaps) const {
+  FrozenContactResponse out;
   if (held_ && !held_->is_consistent()) {
     out.why_not = "the closed contacts contradict each other";
     return out;
   }
   const Eigen::Index columns = loads.cols();
   scene_.ties->transfer_to_masters(loads);
-  std::vector<BodyLoad> condensed;
-  for (const BodyNet& body : bodies_) {
+  std::vector<CondensedLoad> condensed;
+  for (const SubstructuredBody& body : bodies_) {
     condensed.push_back(condense_load(body, *scene_.ties, loads));
   }
   std::vector<base::Matrix> external(bodies_.size());
@@ -48,11 +50,11 @@ FrozenChange FrozenSystem::change(base::Matrix loads, const base::Matrix& gaps) 
   if (held_) {
     std::vector<base::Matrix> load;
     double size = 0.0;
-    for (const std::size_t b : solver_.condensed()) {
+    for (const std::size_t b : solver_.condensed_bodies()) {
       load.push_back(condensed[b].external);
       size = std::max(size, load.back().size() > 0 ? load.back().cwiseAbs().maxCoeff() : 0.0);
     }
-    out.free = contact::unconstrained_response(*solver_.system(), load);
+    out.free = contact::unconstrained_response(*solver_.contact_system(), load);
     const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
         gaps.cols() > 0 ? base::Matrix(out.free.opening + gaps) : out.free.opening,
         out.free.on_mode);
@@ -63,7 +65,7 @@ FrozenChange FrozenSystem::change(base::Matrix loads, const base::Matrix& gaps) 
     out.force = found.force;
     std::vector<base::Matrix> u = held_->displacement(load, found);
     for (std::size_t i = 0; i < u.size(); ++i) {
-      external[solver_.condensed()[i]] = std::move(u[i]);
+      external[solver_.condensed_bodies()[i]] = std::move(u[i]);
     }
   }
   out.u = base::Matrix::Zero(loads.rows(), columns);

@@ -8,15 +8,15 @@
 namespace spricka::analysis {
 
 /// Which rows of the table the step that was solved last ended with closed, and whether some rub.
-struct ClosedRows {
+struct ClosedContactRows {
   std::vector<bool> closed; ///< [row of the table]
   bool rubs = false;
 };
-ClosedRows closed_rows(const StepSolver& solver, const Scene& scene);
+ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene);
 
 /// What displacements and contact forces change by as loads and gaps do, rows that are closed
 /// staying so and open ones open: one back-substitution for each column.
-struct FrozenChange {
+struct FrozenContactResponse {
   base::Matrix u;                      ///< [dim * node, k]
   base::Matrix force;                  ///< [row of the table, k]
   contact::UnconstrainedResponse free; ///< without contact forces, where there are contacts
@@ -24,20 +24,22 @@ struct FrozenChange {
 };
 
 /// All must outlive it.
-class FrozenSystem {
+class FrozenContactSystem {
 public:
-  FrozenSystem(const StepSolver& solver, const Scene& scene, const std::vector<BodyNet>& bodies,
-               const std::vector<bool>& closed);
+  FrozenContactSystem(const StepSolver& solver, const Discretisation& scene,
+                      const std::vector<SubstructuredBody>& bodies,
+                      const std::vector<bool>& closed);
 
   /// Loads [dim * node, k], of which only those on independent freedoms count once ties are
   /// reduced; gaps [row, k], or no columns.
-  [[nodiscard]] FrozenChange change(base::Matrix loads, const base::Matrix& gaps) const;
-  [[nodiscard]] const contact::FixedActiveSet* held() const { return held_.get(); }
+  [[nodiscard]] FrozenContactResponse solve_response(base::Matrix loads,
+                                                     const base::Matrix& gaps) const;
+  [[nodiscard]] const contact::FixedActiveSet* held_contact() const { return held_.get(); }
 
 private:
   const StepSolver& solver_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
   std::unique_ptr<contact::FixedActiveSet> held_;
 };
 

@@ -6,17 +6,17 @@
 namespace spricka::analysis {
 
 /// K along the fronts of a scene as functions of displacements and contact forces.
-struct FrontFunctionals {
+struct FrontKFunctionals {
   crack::SparseRows rows; ///< [3 * node, K]
   base::Matrix of_force;  ///< [K, row of the table]
 };
 
 /// One solved step and what its answer is when something is changed.
-struct FrozenStep {
+struct FrozenContactStep {
   const StepSolver& solver;
   const StepState& state;
-  const ClosedRows& contact;
-  const FrozenSystem& system;
+  const ClosedContactRows& contact;
+  const FrozenContactSystem& system;
 };
 
 } // namespace spricka::analysis

@@ -32,7 +32,7 @@ using base::Vec2;
 using base::Vec3;
 
 /// A piece of a surface: in the plane an edge, in space a triangle between nodes of a face.
-struct Side {
+struct AdjacentSurfacePiece {
   std::array<Vec3, 3> x; ///< end, middle, end of an edge, the middle or the mean of the ends
   double length = 0.0;   ///< in space the size of the face
   std::array<base::NodeId, 2> ends{};
@@ -41,13 +41,13 @@ struct Side {
 /// Both sides of a contact or tie.
 struct Partners {
   std::string name;
-  std::vector<Side> sides;
+  std::vector<AdjacentSurfacePiece> sides;
   std::vector<Vec3> touching; ///< where it is closed; empty with `everywhere`: all along
   bool everywhere = true;
 };
 
 // Distance of x from the two chords of a side.
-double distance_to(const Side& side, const Vec3& x) {
+double distance_to(const AdjacentSurfacePiece& side, const Vec3& x) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 along = side.x[i + 1] - side.x[i];
@@ -68,7 +68,7 @@ double size_of(const contact::SolidFace& face) {
   return std::sqrt(contact::face_area(face) * (corners == 3 ? 2.0 : 1.0));
 }
 
-void add_sides(const contact::ContactSurface& surface, std::vector<Side>& sides) {
+void add_sides(const contact::ContactSurface& surface, std::vector<AdjacentSurfacePiece>& sides) {
   for (const contact::Edge& edge : surface.plane.edges) {
     sides.push_back(
         {{in_plane(edge.x[0]), in_plane(contact::point_on(edge, 0.0)), in_plane(edge.x[1])},
@@ -82,7 +82,7 @@ void add_sides(const contact::ContactSurface& surface, std::vector<Side>& sides)
   }
 }
 
-Partners partners_of(const Scene& scene, const StepState& state, std::size_t c) {
+Partners partners_of(const Discretisation& scene, const StepState& state, std::size_t c) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const model::Contact& contact = scene.contacts[c];
   Partners found{"contact " + contact.name, {}, {}, contact.type == model::ContactType::bonded};
@@ -96,7 +96,7 @@ Partners partners_of(const Scene& scene, const StepState& state, std::size_t c) 
   return found;
 }
 
-Partners partners_of(const PartnerSetting& set, const model::TransitionTie& transition) {
+Partners partners_of(const SolvedMeshState& set, const model::TransitionTie& transition) {
   const model::Mesh& mesh = set.scene.cracked.mesh;
   Partners found{"the TRANSITION", {}, {}, true};
   add_sides(contact::make_surface(set.model, mesh, transition.master), found.sides);
@@ -120,7 +120,7 @@ base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked
                       const mesh::CrackFront& front) {
   const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
-    for (const Side& side : partners.sides) {
+    for (const AdjacentSurfacePiece& side : partners.sides) {
       if (!crack_face->empty() &&
           std::ranges::find(side.ends, crack_face->front()) != side.ends.end()) {
         return crack_face->front();
@@ -130,17 +130,17 @@ base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked
   return {};
 }
 
-bool touches(const Partners& partners, const Side& side) {
+bool touches(const Partners& partners, const AdjacentSurfacePiece& side) {
   return partners.everywhere || std::ranges::any_of(partners.touching, [&](const Vec3& place) {
            return distance_to(side, place) <= 0.5 * side.length;
          });
 }
 
-CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& cracked,
-                        const mesh::CrackFront& front) {
+CoarseSurfaceEffect effect_of(const Partners& partners, const mesh::CrackedMesh& cracked,
+                              const mesh::CrackFront& front) {
   const Vec3 x = in_plane(front.tip_point().x.head<2>());
   double closest = std::numeric_limits<double>::infinity();
-  for (const Side& side : partners.sides) {
+  for (const AdjacentSurfacePiece& side : partners.sides) {
     closest = std::min(closest, distance_to(side, x));
   }
   const base::NodeId mouth = mouth_on(partners, cracked, front);
@@ -148,16 +148,16 @@ CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& crack
     return {};
   }
   // The side that is longest against its own distance from the tip.
-  const Side* worst = nullptr;
+  const AdjacentSurfacePiece* worst = nullptr;
   double ratio = share_that_counts;
-  for (const Side& side : partners.sides) {
+  for (const AdjacentSurfacePiece& side : partners.sides) {
     const double distance = distance_to(side, x);
     if (touches(partners, side) && distance <= near * closest && side.length > ratio * distance) {
       ratio = side.length / distance;
       worst = &side;
     }
   }
-  CoarsePartner effect;
+  CoarseSurfaceEffect effect;
   if (worst != nullptr) {
     effect.part = part_of_K * ratio * ratio * ratio;
   }
@@ -172,14 +172,14 @@ CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& crack
 }
 
 // Edges of the other body against the depth of the front under the surface that it ends on.
-CoarsePartner effect_of(const Partners& partners, const FrontScene& front) {
+CoarseSurfaceEffect effect_of(const Partners& partners, const FrontWithDomains& front) {
   constexpr double ends_on = 0.1; // of its depth: where the first or last domain of a front ends
   constexpr double worth_a_word = 0.02;
   double closest = std::numeric_limits<double>::infinity();
   double depth = 0.0;
   for (const mesh::FrontPoint& point : front.front.points) {
     double distance = std::numeric_limits<double>::infinity();
-    for (const Side& side : partners.sides) {
+    for (const AdjacentSurfacePiece& side : partners.sides) {
       distance = std::min(distance, distance_to(side, point.x));
     }
     closest = std::min(closest, distance);
@@ -187,9 +187,9 @@ CoarsePartner effect_of(const Partners& partners, const FrontScene& front) {
   }
   const bool mouth = closest <= ends_on * depth;
   const double size = mouth ? depth : closest;
-  const Side* worst = nullptr;
+  const AdjacentSurfacePiece* worst = nullptr;
   double ratio = 0.0;
-  for (const Side& side : partners.sides) {
+  for (const AdjacentSurfacePiece& side : partners.sides) {
     double distance = std::numeric_limits<double>::infinity();
     for (const mesh::FrontPoint& point : front.front.points) {
       distance = std::min(distance, distance_to(side, point.x));
@@ -199,7 +199,7 @@ CoarsePartner effect_of(const Partners& partners, const FrontScene& front) {
       worst = &side;
     }
   }
-  CoarsePartner effect;
+  CoarseSurfaceEffect effect;
   if (ratio > share_that_counts) {
     effect.part = (mouth ? part_at_mouth : part_of_K) * ratio * ratio * ratio;
   }
@@ -216,12 +216,13 @@ CoarsePartner effect_of(const Partners& partners, const FrontScene& front) {
 
 } // namespace
 
-CoarsePartner coarse_partner(const Scene& scene, const StepState& state, const FrontScene& front) {
-  CoarsePartner all;
+CoarseSurfaceEffect coarse_surface_effect(const Discretisation& scene, const StepState& state,
+                                          const FrontWithDomains& front) {
+  CoarseSurfaceEffect all;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];
     if (state.mounted[c] && !pair.faces && !pair.rigid) {
-      const CoarsePartner one = effect_of(partners_of(scene, state, c), front);
+      const CoarseSurfaceEffect one = effect_of(partners_of(scene, state, c), front);
       all.why_not = one.part > all.part ? one.why_not : all.why_not;
       all.part = std::max(all.part, one.part);
     }
@@ -229,10 +230,11 @@ CoarsePartner coarse_partner(const Scene& scene, const StepState& state, const F
   return all;
 }
 
-CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::CrackFront& front) {
-  CoarsePartner all;
+CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
+                                          const mesh::CrackFront& front) {
+  CoarseSurfaceEffect all;
   const auto add = [&](const Partners& partners) {
-    const CoarsePartner one = effect_of(partners, set.scene.cracked, front);
+    const CoarseSurfaceEffect one = effect_of(partners, set.scene.cracked, front);
     all.part += one.part;
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };
@@ -250,7 +252,7 @@ CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::CrackFront& 
   return all;
 }
 
-std::vector<bool> tied_nodes(const PartnerSetting& set) {
+std::vector<bool> tied_nodes(const SolvedMeshState& set) {
   std::vector<bool> tied(set.scene.cracked.mesh.node_count(), false);
   for (std::size_t c = 0; c < set.scene.pairs.size(); ++c) {
     if (!set.state.mounted[c] || set.scene.contacts[c].type != model::ContactType::bonded) {

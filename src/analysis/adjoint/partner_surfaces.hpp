@@ -11,9 +11,9 @@
 namespace spricka::analysis {
 
 /// A solved state and the edges of its mesh. All must outlive it.
-struct PartnerSetting {
+struct SolvedMeshState {
   const model::Model& model;
-  const Scene& scene;
+  const Discretisation& scene;
   const StepState& state;
   const estimate::EdgeTable& edges;
 };
@@ -22,18 +22,20 @@ struct PartnerSetting {
 /// bar. Where edges of one of the sides are long against their distance from the tip, the other
 /// body follows what the tip does to the surface too stiffly, which no error estimate of the meshes
 /// sees.
-struct CoarsePartner {
+struct CoarseSurfaceEffect {
   double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
   std::string why_not; ///< why there can be no bar; empty: `part` is all
 };
-CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::CrackFront& front);
+CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& setting,
+                                          const mesh::CrackFront& front);
 
 /// The same for a front in space, of the largest K along it, and of contacts alone: those that it
 /// ends on as well, where edges count against its depth under the surface, and no length is too
 /// long for a bar. `why_not` then is what to say of a part that is large.
-CoarsePartner coarse_partner(const Scene& scene, const StepState& state, const FrontScene& front);
+CoarseSurfaceEffect coarse_surface_effect(const Discretisation& scene, const StepState& state,
+                                          const FrontWithDomains& front);
 
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
-std::vector<bool> tied_nodes(const PartnerSetting& setting);
+std::vector<bool> tied_nodes(const SolvedMeshState& setting);
 
 } // namespace spricka::analysis

@@ -25,13 +25,13 @@ using results::Sensitivity;
 
 constexpr double same = 1e-10; ///< of the larger: two derivatives are one
 
-std::size_t tip_material(const model::Model& model, const Scene& scene, std::size_t t) {
+std::size_t tip_material(const model::Model& model, const Discretisation& scene, std::size_t t) {
   const base::ElementId near = scene.tips[t].fields.front().elements.front();
   return model.element_property(scene.cracked.mesh, near).material.index();
 }
 
 // dK1 and dK2 by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
-std::array<double, 2> slope(const Scene& scene, const KCause& cause,
+std::array<double, 2> slope(const Discretisation& scene, const TipParameterDerivative& cause,
                             const estimate::IntensityAdjoint& adjoint, std::size_t t) {
   const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
   base::Vec2 dK = cause.direct.col(static_cast<Eigen::Index>(t));
@@ -60,37 +60,39 @@ void unite(Sensitivity& s) {
   }
 }
 
-bool ranged(const KCause& cause) {
+bool ranged(const TipParameterDerivative& cause) {
   return cause.is.cause == results::Cause::load || cause.is.cause == results::Cause::fit;
 }
 
 } // namespace
 
-Sensitivities::Sensitivities(const model::Model& model, const Scene& scene,
-                             const std::vector<BodyNet>& bodies)
+TipSensitivityAnalysis::TipSensitivityAnalysis(const model::Model& model,
+                                               const Discretisation& scene,
+                                               const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), bodies_(bodies) {}
 
-void Sensitivities::prepare() {
+void TipSensitivityAnalysis::prepare() {
   if (!advances_.empty()) {
     return;
   }
   case_load_ = loads_with_supports(model_, scene_);
   for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-    of_loads_.push_back(intensity_of_loads(model_, scene_, t));
+    of_loads_.push_back(K_from_loads(model_, scene_, t));
     base::Matrix& by_modulus = of_moduli_.emplace_back(base::Matrix::Zero(2, of_loads_[t].cols()));
     if ((of_loads_[t].array() != 0.0).any()) {
       // What loads add to K is a constant and a part that goes with E: twice the modulus shows
       // that.
       model::Model stiffer = model_;
       stiffer.materials[tip_material(model_, scene_, t)].E *= 2.0;
-      by_modulus = intensity_of_loads(stiffer, scene_, t) - of_loads_[t];
+      by_modulus = K_from_loads(stiffer, scene_, t) - of_loads_[t];
     }
-    advances_.push_back(std::make_unique<TipAdvance>(model_, scene_, t));
+    advances_.push_back(std::make_unique<VirtualTipExtension>(model_, scene_, t));
   }
 }
 
-KCause Sensitivities::cause(results::Cause kind, std::string name, double value) const {
-  KCause out;
+TipParameterDerivative TipSensitivityAnalysis::cause(results::Cause kind, std::string name,
+                                                     double value) const {
+  TipParameterDerivative out;
   out.is.cause = kind;
   out.is.name = std::move(name);
   out.is.value = value;
@@ -98,13 +100,14 @@ KCause Sensitivities::cause(results::Cause kind, std::string name, double value)
   return out;
 }
 
-void Sensitivities::add_loads(const StepSolver& solver,
-                              const std::vector<estimate::IntensityAdjoint>& adjoints,
-                              std::vector<KCause>& causes) const {
+void TipSensitivityAnalysis::add_loads(const StepSolver& solver,
+                                       const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                       std::vector<TipParameterDerivative>& causes) const {
   const int dim = scene_.cracked.mesh.dim;
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
     const auto k = static_cast<Eigen::Index>(c);
-    KCause one = cause(results::Cause::load, model_.cases[c].name, solver.factors().case_factor[k]);
+    TipParameterDerivative one =
+        cause(results::Cause::load, model_.cases[c].name, solver.factors().case_factor[k]);
     one.load = case_load_.col(k);
     const base::Vector given = scene_.case_displacement.col(k);
     // Prescribed displacements pull at the body, open rows and move nodes that K takes
@@ -113,7 +116,7 @@ void Sensitivities::add_loads(const StepSolver& solver,
     if (moves) {
       one.gap.resize(static_cast<Eigen::Index>(scene_.table.size()));
       for (std::size_t r = 0; r < scene_.table.size(); ++r) {
-        one.gap[static_cast<Eigen::Index>(r)] = row_opening(scene_.row(r), dim, given);
+        one.gap[static_cast<Eigen::Index>(r)] = row_opening(scene_.contact_row(r), dim, given);
       }
     }
     for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
@@ -127,7 +130,8 @@ void Sensitivities::add_loads(const StepSolver& solver,
   }
 }
 
-void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& causes) const {
+void TipSensitivityAnalysis::add_fits(const StepSolver& solver,
+                                      std::vector<TipParameterDerivative>& causes) const {
   for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
     const model::Contact& contact = model_.contacts[c];
     if (!contact.gap || !solver.factors().mounted[c]) {
@@ -135,7 +139,8 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
     }
     // An interference is a negative gap (sensitivity.7).
     const double interference = -*contact.gap * solver.factors().fit[c];
-    KCause one = cause(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference);
+    TipParameterDerivative one =
+        cause(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference);
     one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t i = 0; i < scene_.pairs[c].normal.size(); ++i) {
       one.gap[static_cast<Eigen::Index>(scene_.table.first[c] + i)] =
@@ -145,9 +150,9 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
   }
 }
 
-void Sensitivities::add_moduli(const StepState& state,
-                               const std::vector<estimate::IntensityAdjoint>& adjoints,
-                               std::vector<KCause>& causes) const {
+void TipSensitivityAnalysis::add_moduli(const StepState& state,
+                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                        std::vector<TipParameterDerivative>& causes) const {
   // [dim * node, material] thermal loads less internal forces, f^T - K_m u (sensitivity.8).
   base::Matrix loads = -state.internal;
   if (state.temperature.size() > 0) {
@@ -162,7 +167,7 @@ void Sensitivities::add_moduli(const StepState& state,
   }
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     const double E = model_.materials[m].E;
-    KCause one = cause(results::Cause::modulus, model_.materials[m].name, E);
+    TipParameterDerivative one = cause(results::Cause::modulus, model_.materials[m].name, E);
     one.load = loads.col(static_cast<Eigen::Index>(m)) / E;
     for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
       if (tip_material(model_, scene_, t) == m) {
@@ -176,40 +181,42 @@ void Sensitivities::add_moduli(const StepState& state,
   }
 }
 
-void Sensitivities::add_lengths(const StepState& state, const std::vector<bool>& closed,
-                                results::StepResult& result, std::vector<KCause>& causes) const {
+void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vector<bool>& closed,
+                                         results::StepResult& result,
+                                         std::vector<TipParameterDerivative>& causes) const {
   for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
     const std::string name = result.tips[t].name;
-    if (const std::string why_not = advances_[t]->why_not(closed); !why_not.empty()) {
+    if (const std::string why_not = advances_[t]->missing_reason(closed); !why_not.empty()) {
       for (results::TipResult& tip : result.tips) {
         tip.sensitivities.notes.push_back(
             fmt::format("no derivative by the length of {}: {}", name, why_not));
       }
       continue;
     }
-    KCause one = cause(results::Cause::length, name, scene_.cracked.fronts[t].a);
-    one.load = advances_[t]->load(state.u, state.case_factor);
+    TipParameterDerivative one = cause(results::Cause::length, name, scene_.cracked.fronts[t].a);
+    one.load = advances_[t]->load_derivative(state.u, state.case_factor);
     for (std::size_t other = 0; other < scene_.tips.size(); ++other) {
       one.direct.col(static_cast<Eigen::Index>(other)) =
-          advances_[t]->direct(other, state.u, state.case_factor);
+          advances_[t]->explicit_derivative(other, state.u, state.case_factor);
     }
     causes.push_back(std::move(one));
   }
 }
 
 // Loads and fits come first; what load cases do to the bodies alone is the same for all steps.
-Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& causes,
-                           std::size_t count) {
+LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
+                                              const std::vector<TipParameterDerivative>& causes,
+                                              std::size_t count) {
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
   if (of_cases_.u.empty()) {
-    for (const std::size_t b : solver.condensed()) {
+    for (const std::size_t b : solver.condensed_bodies()) {
       case_externals_.emplace_back(bodies_[b].external_load.leftCols(cases));
     }
-    of_cases_ = contact::unconstrained_response(*solver.system(), case_externals_);
+    of_cases_ = contact::unconstrained_response(*solver.contact_system(), case_externals_);
   }
   const auto k = static_cast<Eigen::Index>(count);
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
-  Rates out;
+  LoadAndGapRates out;
   out.gap = base::Matrix::Zero(rows, k);
   out.load_scale = base::Vector::Zero(k);
   out.free.opening = base::Matrix::Zero(rows, k);
@@ -230,8 +237,10 @@ Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& 
 }
 
 // The loads of all causes on top, as the contact problem of a direction takes them.
-Rates Sensitivities::all_rates(const StepSolver& solver, const std::vector<KCause>& causes) {
-  Rates out = rates(solver, causes, causes.size());
+LoadAndGapRates
+TipSensitivityAnalysis::all_rates(const StepSolver& solver,
+                                  const std::vector<TipParameterDerivative>& causes) {
+  LoadAndGapRates out = rates(solver, causes, causes.size());
   const auto k = static_cast<Eigen::Index>(causes.size());
   base::Matrix nodal = base::Matrix::Zero(case_load_.rows(), k);
   for (std::size_t i = model_.cases.size(); i < causes.size(); ++i) {
@@ -240,22 +249,24 @@ Rates Sensitivities::all_rates(const StepSolver& solver, const std::vector<KCaus
     }
   }
   scene_.ties->transfer_to_masters(nodal);
-  for (std::size_t b = 0; b < solver.condensed().size(); ++b) {
-    base::Matrix load = condense_load(bodies_[solver.condensed()[b]], *scene_.ties, nodal).external;
+  for (std::size_t b = 0; b < solver.condensed_bodies().size(); ++b) {
+    base::Matrix load =
+        condense_load(bodies_[solver.condensed_bodies()[b]], *scene_.ties, nodal).external;
     // Columns of cases were left zero above: theirs are condensed already.
     load.leftCols(case_externals_[b].cols()) = case_externals_[b];
     out.load.push_back(std::move(load));
   }
-  out.free = contact::unconstrained_response(*solver.system(), out.load);
+  out.free = contact::unconstrained_response(*solver.contact_system(), out.load);
   return out;
 }
 
 // Where rows change sides at this very state, each side has its own adjoint; steps end there by
 // chance or because nothing is loaded yet.
-void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& contact,
-                              Adjoints& adjoints, std::vector<KCause>& causes,
-                              results::StepResult& result) {
-  const Rates all = all_rates(solver, causes);
+void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenContact& contact,
+                                       KAdjoints& adjoints,
+                                       std::vector<TipParameterDerivative>& causes,
+                                       results::StepResult& result) {
+  const LoadAndGapRates all = all_rates(solver, causes);
   struct Side {
     std::unique_ptr<contact::FixedActiveSet> held;
     std::vector<estimate::IntensityAdjoint> adjoint;
@@ -265,20 +276,20 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
     std::array<double, 2> range{causes[i].is.value, causes[i].is.value};
     for (const bool up : {false, true}) {
       const std::optional<std::vector<bool>> closed =
-          contact.closed_beyond(all, static_cast<Eigen::Index>(i), up ? 1.0 : -1.0);
+          contact.closed_rows_after(all, static_cast<Eigen::Index>(i), up ? 1.0 : -1.0);
       if (!closed) {
         continue;
       }
       // Causes that leave the same rows closed share one factorisation and one adjoint.
       Side& side = sides[*closed];
       if (!side.held) {
-        side.held = hold(solver, *closed);
-        side.adjoint = adjoints.of_set(solver, *closed, side.held.get());
+        side.held = constrain_rows(solver, *closed);
+        side.adjoint = adjoints.solve_closed_set(solver, *closed, side.held.get());
       }
       if (!side.adjoint.front().is_available()) {
         continue;
       }
-      range[up ? 1 : 0] += contact.reach(*side.held, all)[i][up ? 1 : 0];
+      range[up ? 1 : 0] += contact.linear_ranges(*side.held, all)[i][up ? 1 : 0];
       for (std::size_t t = 0; t < result.tips.size(); ++t) {
         Sensitivity& s = result.tips[t].sensitivities.of[i];
         (up ? s.above : s.below) = slope(scene_, causes[i], side.adjoint[t], t);
@@ -294,9 +305,9 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
   }
 }
 
-void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoints& adjoints,
-                        results::StepResult& result) {
-  const std::vector<estimate::IntensityAdjoint>& adjoint = adjoints.of_last_step(solver);
+void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepState& state,
+                                         KAdjoints& adjoints, results::StepResult& result) {
+  const std::vector<estimate::IntensityAdjoint>& adjoint = adjoints.solve_last_step(solver);
   if (adjoint.empty()) {
     return;
   }
@@ -307,11 +318,11 @@ void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoin
     return;
   }
   prepare();
-  std::vector<KCause> causes;
+  std::vector<TipParameterDerivative> causes;
   add_loads(solver, adjoint, causes);
   add_fits(solver, causes);
   const std::size_t with_range = causes.size();
-  if ((solver.offset().array() != 0.0).any()) {
+  if ((solver.mount_offset().array() != 0.0).any()) {
     for (results::TipResult& tip : result.tips) {
       tip.sensitivities.notes.emplace_back(
           "no derivatives by moduli and crack lengths: parts were mounted on deformed ones");
@@ -321,22 +332,22 @@ void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoin
     add_lengths(state, adjoint.front().closed, result, causes);
   }
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
-    for (const KCause& one : causes) {
+    for (const TipParameterDerivative& one : causes) {
       result.tips[t].sensitivities.of.push_back(one.is);
     }
   }
   std::optional<FrozenContact> contact;
-  if (solver.system() != nullptr) {
+  if (solver.contact_system() != nullptr) {
     contact.emplace(solver, scene_, state);
   }
-  if (contact && contact->at_a_change()) {
+  if (contact && contact->is_degenerate()) {
     one_sided(solver, *contact, adjoints, causes, result);
     return;
   }
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> reach(causes.size(), {-never, never});
   if (contact) {
-    reach = contact->reach(*adjoints.held(), rates(solver, causes, with_range));
+    reach = contact->linear_ranges(*adjoints.held_contact(), rates(solver, causes, with_range));
   }
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
     for (std::size_t i = 0; i < causes.size(); ++i) {

@@ -15,7 +15,7 @@ namespace spricka::analysis {
 
 namespace {
 
-base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t t) {
+base::Matrix rows_of(const model::Model& model, const Discretisation& scene, std::size_t t) {
   const mesh::CrackFront& front = scene.cracked.fronts[t];
   return crack::intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
                                model.cracks[front.crack.index()].state);
@@ -41,7 +41,7 @@ bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
 
 } // namespace
 
-base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t t) {
+base::Matrix K_from_loads(const model::Model& model, const Discretisation& scene, std::size_t t) {
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   const mesh::CrackFront& front = scene.cracked.fronts[t];
   base::Matrix out = base::Matrix::Zero(2, cases);
@@ -55,7 +55,8 @@ base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, s
   return out;
 }
 
-TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_t tip)
+VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discretisation& scene,
+                                         std::size_t tip)
     : model_(model), scene_(scene),
       // one ring beyond the tip's domains moves all of them as one; where it does not fit, the
       // largest domain moves itself
@@ -72,7 +73,7 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
   }
   find_hindrances(moves);
   for (auto* side : {&ahead_, &behind_}) {
-    *side = std::make_unique<Scene>();
+    *side = std::make_unique<Discretisation>();
     (*side)->cracked =
         estimate::move_tip_mesh(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
     (*side)->tips = scene.tips;
@@ -89,10 +90,10 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
   }
 }
 
-void TipAdvance::find_hindrances(const std::vector<bool>& moves) {
+void VirtualTipExtension::find_hindrances(const std::vector<bool>& moves) {
   const int dim = scene_.cracked.mesh.dim;
   for (std::size_t r = 0; r < scene_.table.size(); ++r) {
-    if (std::ranges::any_of(scene_.row(r).entries,
+    if (std::ranges::any_of(scene_.contact_row(r).entries,
                             [&](const contact::RowEntry& e) { return moves[e.node.index()]; })) {
       rows_.push_back(r);
     }
@@ -108,25 +109,25 @@ void TipAdvance::find_hindrances(const std::vector<bool>& moves) {
 }
 
 // Rows of contacts and ties are not moved along; open rows have no part in K.
-std::string TipAdvance::why_not(const std::vector<bool>& closed) const {
+std::string VirtualTipExtension::missing_reason(const std::vector<bool>& closed) const {
   if (tied_) {
     return "ties hold what moves with the tip";
   }
   if (std::ranges::any_of(rows_, [&](std::size_t r) { return closed[r]; })) {
     return "closed contacts lie on what moves with the tip";
   }
-  if (rough_) {
+  if (discontinuous_) {
     return "the temperature jumps within elements that move with the tip";
   }
   return {};
 }
 
 // Temperatures stay in space while the elements move through them.
-void TipAdvance::heat_both() {
-  for (Scene* side : {ahead_.get(), behind_.get()}) {
+void VirtualTipExtension::heat_both() {
+  for (Discretisation* side : {ahead_.get(), behind_.get()}) {
     side->case_temperature = scene_.case_temperature;
     for (std::size_t c = 0; c < model_.cases.size(); ++c) {
-      side->case_heat.push_back(heat_of(model_, *side, model_.cases[c]));
+      side->case_heat.push_back(make_case_heat(model_, *side, model_.cases[c]));
       if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
         side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
       }
@@ -134,7 +135,7 @@ void TipAdvance::heat_both() {
   }
 }
 
-void TipAdvance::move_loads(const std::vector<bool>& moves) {
+void VirtualTipExtension::move_loads(const std::vector<bool>& moves) {
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
   base::Matrix rate = base::Matrix::Zero(scene_.case_load.rows(), cases);
   heat_both();
@@ -143,17 +144,18 @@ void TipAdvance::move_loads(const std::vector<bool>& moves) {
     if (!acts_on(scene_.cracked.mesh, load_case, moves)) {
       continue;
     }
-    const auto of = [&](const Scene& side) -> base::Vector {
+    const auto of = [&](const Discretisation& side) -> base::Vector {
       return fe::nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
-             heat_load(model_, side.cracked.mesh, *side.case_heat[static_cast<std::size_t>(c)]);
+             heat_forces(model_, side.cracked.mesh, *side.case_heat[static_cast<std::size_t>(c)]);
     };
     // Loads are fields in space: nodes that move through them take other parts of them.
     rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
     const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->discontinuous;
     for (std::size_t e = 0; e < rough.size(); ++e) {
-      rough_ = rough_ || (rough[e] &&
-                          std::ranges::any_of(scene_.cracked.mesh.element_nodes(base::ElementId(e)),
-                                              [&](base::NodeId n) { return moves[n.index()]; }));
+      discontinuous_ =
+          discontinuous_ ||
+          (rough[e] && std::ranges::any_of(scene_.cracked.mesh.element_nodes(base::ElementId(e)),
+                                           [&](base::NodeId n) { return moves[n.index()]; }));
     }
   }
   if ((rate.array() != 0.0).any()) {
@@ -161,7 +163,8 @@ void TipAdvance::move_loads(const std::vector<bool>& moves) {
   }
 }
 
-base::Vector TipAdvance::load(const base::Vector& u, const base::Vector& case_factor) const {
+base::Vector VirtualTipExtension::load_derivative(const base::Vector& u,
+                                                  const base::Vector& case_factor) const {
   base::Vector ahead = base::Vector::Zero(u.size());
   base::Vector behind = ahead;
   fe::add_internal_force(model_, ahead_->cracked.mesh, strained_, u, ahead);
@@ -174,15 +177,15 @@ base::Vector TipAdvance::load(const base::Vector& u, const base::Vector& case_fa
   return out;
 }
 
-base::Vec2 TipAdvance::direct(std::size_t tip, const base::Vector& u,
-                              const base::Vector& case_factor) const {
+base::Vec2 VirtualTipExtension::explicit_derivative(std::size_t tip, const base::Vector& u,
+                                                    const base::Vector& case_factor) const {
   base::Vec2 out = base::Vec2::Zero();
   if (row_rate_[tip].size() > 0) {
     out += row_rate_[tip].transpose() * u;
   }
   if (load_rate_.size() > 0) {
     const base::Matrix rate =
-        (intensity_of_loads(model_, *ahead_, tip) - intensity_of_loads(model_, *behind_, tip)) /
+        (K_from_loads(model_, *ahead_, tip) - K_from_loads(model_, *behind_, tip)) /
         (2.0 * motion_.step);
     out += rate * case_factor.head(rate.cols());
   }

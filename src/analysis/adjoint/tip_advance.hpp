@@ -11,18 +11,19 @@
 namespace spricka::analysis {
 
 /// Scenes with one tip moved on and back by a small step: meshes, tips and loads only.
-class TipAdvance {
+class VirtualTipExtension {
 public:
-  TipAdvance(const model::Model& model, const Scene& scene, std::size_t tip);
+  VirtualTipExtension(const model::Model& model, const Discretisation& scene, std::size_t tip);
 
   /// Why dK/da is not given while these rows of the table are closed; empty: it is.
-  [[nodiscard]] std::string why_not(const std::vector<bool>& closed) const;
+  [[nodiscard]] std::string missing_reason(const std::vector<bool>& closed) const;
 
   /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.9).
-  [[nodiscard]] base::Vector load(const base::Vector& u, const base::Vector& case_factor) const;
+  [[nodiscard]] base::Vector load_derivative(const base::Vector& u,
+                                             const base::Vector& case_factor) const;
   /// dK/da of a tip at u kept: of its rows and of what its loads add.
-  [[nodiscard]] base::Vec2 direct(std::size_t tip, const base::Vector& u,
-                                  const base::Vector& case_factor) const;
+  [[nodiscard]] base::Vec2 explicit_derivative(std::size_t tip, const base::Vector& u,
+                                               const base::Vector& case_factor) const;
 
 private:
   void find_hindrances(const std::vector<bool>& moves);
@@ -30,18 +31,18 @@ private:
   void move_loads(const std::vector<bool>& moves);
 
   const model::Model& model_;
-  const Scene& scene_;
+  const Discretisation& scene_;
   estimate::TipMotion motion_;
-  std::unique_ptr<Scene> ahead_, behind_;
+  std::unique_ptr<Discretisation> ahead_, behind_;
   std::vector<base::ElementId> strained_; ///< elements whose stiffness changes
   base::Matrix load_rate_;                ///< [dim * node, case]; empty: no load moves
   std::vector<base::Matrix> row_rate_;    ///< [tip][dim * node, 2]; empty: they move as one
   std::vector<std::size_t> rows_;         ///< of the table, on nodes that move
   bool tied_ = false;                     ///< ties hold nodes that move
-  bool rough_ = false;                    ///< a temperature jumps within elements that move
+  bool discontinuous_ = false;            ///< a temperature jumps within elements that move
 };
 
 /// K1 and K2 of a tip that its loads add to rows^T u. [2, case]
-base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t tip);
+base::Matrix K_from_loads(const model::Model& model, const Discretisation& scene, std::size_t tip);
 
 } // namespace spricka::analysis

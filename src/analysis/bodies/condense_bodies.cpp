@@ -29,7 +29,7 @@ base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>&
 }
 
 struct Task {
-  Net* net = nullptr;
+  Substructure* net = nullptr;
   results::NetWork work;
   std::vector<fe::Superelement> supers;
   HashKey key;
@@ -39,8 +39,8 @@ struct Task {
 };
 
 // Factorises the nets that the cache does not have; tasks write to their own slots only.
-void factorise(const CondenseRequest& request, std::vector<Task>& tasks, CondensationCache& cache,
-               CondenseLog& log) {
+void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
+               CondensationCache& cache, CondensationFigures& log) {
   std::vector<Task*> missing;
   for (Task& task : tasks) {
     const auto known = cache.nets.find(task.key);
@@ -62,9 +62,9 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     const fe::DofMap& map = task.net->map;
     std::vector<solve::DenseBlock> blocks;
     for (const fe::Superelement& super : task.supers) {
-      blocks.push_back({rows_on(map, super.freedom), super.stiffness});
+      blocks.push_back({equation_numbers(map, super.freedom), super.stiffness});
     }
-    const bool stacked = keeps_apart(map, blocks);
+    const bool stacked = keeps_parts_apart(map, blocks);
     base::SymmetricCsc K =
         fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
@@ -91,12 +91,13 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     }
   }
   for (Task& task : tasks) {
-    add_figures(task.net->map, task.net->factor->report(), task.work);
+    add_factor_sizes(task.net->map, task.net->factor->report(), task.work);
     log.nets.push_back(std::move(task.work));
   }
 }
 
-base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body, const Net& net) {
+base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body,
+                         const Substructure& net) {
   const solve::FactorReport& report = net.factor->report();
   const auto not_solvable = [](std::string why) {
     return base::OperationFailure{.kind = base::Outcome::not_solvable, .why = std::move(why)};
@@ -129,7 +130,7 @@ base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body, const
 }
 
 // Externals of a part are unknowns of the region or follow some, by construction of split().
-fe::Superelement super_of(const Net& part) {
+fe::Superelement super_of(const Substructure& part) {
   fe::Superelement super;
   super.freedom.assign(part.map.freedom.begin() + part.map.locals, part.map.freedom.end());
   super.stiffness = &part.factor->schur();
@@ -152,8 +153,8 @@ void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regi
   std::erase_if(cache.early, [&](const auto& entry) { return !used.contains(entry.first); });
 }
 
-void condense_loads(const CondenseRequest& request, BodyNet& body) {
-  BodyLoad load = condense_load(body, *request.ties, request.case_load);
+void condense_loads(const CondensationRequest& request, SubstructuredBody& body) {
+  CondensedLoad load = condense_load(body, *request.ties, request.case_load);
   body.part_load = std::move(load.part);
   body.region_load = std::move(load.region);
   body.external_load = std::move(load.external);
@@ -168,7 +169,8 @@ double contact_bytes(const std::vector<const contact::ConstraintRow*>& rows) {
   return (rubs ? 4.0 : 3.0) * 8.0 * n * n;
 }
 
-std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom) {
+std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
+                                           std::span<const std::int32_t> freedom) {
   std::vector<std::int64_t> rows;
   rows.reserve(freedom.size());
   for (const std::int32_t f : freedom) {
@@ -177,17 +179,17 @@ std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::in
   return rows;
 }
 
-bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
+bool keeps_parts_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
   return !map.ties && solve::two_level_pays(blocks, map.size(), map.externals());
 }
 
-bool may_stay_factor(const BodyNet& body) {
+bool can_stay_factorised(const SubstructuredBody& body) {
   return body.parts.size() == 1 && body.free_modes.cols() == 0 && body.region.map.externals() > 0;
 }
 
-BodyLoad condense_load(const BodyNet& body, const fe::ConstraintTransformation& ties,
-                       const base::Matrix& nodal) {
-  BodyLoad out;
+CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintTransformation& ties,
+                            const base::Matrix& nodal) {
+  CondensedLoad out;
   out.region = rows_of(nodal, body.region.map.freedom);
   const auto add = [&](std::int32_t freedom, double c, const Eigen::RowVectorXd& load) {
     const std::int32_t row = body.region.map.row[static_cast<std::size_t>(freedom)];
@@ -195,7 +197,7 @@ BodyLoad condense_load(const BodyNet& body, const fe::ConstraintTransformation& 
       out.region.row(row) += c * load;
     }
   };
-  for (const std::unique_ptr<Net>& part : body.parts) {
+  for (const std::unique_ptr<Substructure>& part : body.parts) {
     // What the part's locals hand over to its externals; their own loads are in already.
     const base::Matrix& load = out.part.emplace_back(rows_of(nodal, part->map.freedom));
     const base::Matrix condensed = part->factor->condense_load(load);
@@ -214,16 +216,16 @@ BodyLoad condense_load(const BodyNet& body, const fe::ConstraintTransformation& 
       }
     }
   }
-  out.external = body.is_whole() ? out.region : body.region.factor->condense_load(out.region);
+  out.external = body.is_uncondensed() ? out.region : body.region.factor->condense_load(out.region);
   return out;
 }
 
-std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
-                                     CondenseLog& log) {
-  std::vector<BodyNet> bodies = prepare_bodies(request);
+std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& request,
+                                               CondensationCache& cache, CondensationFigures& log) {
+  std::vector<SubstructuredBody> bodies = partition_bodies(request);
 
   // All hashes first: what no net asks for is forgotten before memory for the new ones is needed.
-  const std::vector<NetKeys> keys = hash_bodies(request, bodies);
+  const std::vector<SubstructureHashes> keys = hash_bodies(request, bodies);
   std::vector<Task> parts;
   std::vector<Task> regions;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -237,14 +239,14 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
     Task& region = regions.emplace_back();
     region.net = &bodies[b].region;
     region.key = keys[b].region;
-    region.layered = may_stay_factor(bodies[b]);
+    region.layered = can_stay_factorised(bodies[b]);
     region.work.name = bodies[b].name + (bodies[b].parts.empty() ? "" : ": region");
   }
   forget_unused(parts, regions, cache);
 
   factorise(request, parts, cache, log);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    for (const std::unique_ptr<Net>& part : bodies[b].parts) {
+    for (const std::unique_ptr<Substructure>& part : bodies[b].parts) {
       log.trouble = log.trouble ? log.trouble : trouble_of(request.mesh, bodies[b].name, *part);
       if (!log.trouble) {
         // A part's Schur complement enters the region as an element does.
@@ -268,7 +270,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       cache.early[keys[b].parts.front()] = regions[b].early;
     }
   }
-  for (const BodyNet& body : bodies) {
+  for (const SubstructuredBody& body : bodies) {
     log.trouble = log.trouble ? log.trouble : trouble_of(request.mesh, body.name, body.region);
   }
   if (log.trouble) {
@@ -276,9 +278,9 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   }
 
   base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
-    BodyNet& body = bodies[b];
+    SubstructuredBody& body = bodies[b];
     condense_loads(request, body);
-    if (body.contact_size() > 0) {
+    if (body.contact_unknowns() > 0) {
       // A factor from the cache has given its Schur complement away: what was made of that is kept
       // too.
       const auto known = cache.bodies.find(regions[b].key);
@@ -287,7 +289,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
         return;
       }
       const std::vector<std::int32_t>& freedom = body.region.map.freedom;
-      if (body.is_whole()) {
+      if (body.is_uncondensed()) {
         body.condensed = std::make_shared<contact::CondensedBody>(
             freedom, contact::UncondensedBody{body.region.factor, body.region.weighed},
             rows_of(body.free_modes, freedom));
@@ -318,8 +320,8 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   }
   if (!log.trouble) {
     base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
-      BodyNet& body = bodies[b];
-      if (body.is_whole()) {
+      SubstructuredBody& body = bodies[b];
+      if (body.is_uncondensed()) {
         // A step adds these up, where a condensed body has a small matrix to ask.
         body.case_motion = body.condensed->displacement(body.external_load);
       }
@@ -328,10 +330,10 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   return bodies;
 }
 
-void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
-                  double constant, base::Matrix& u) {
+void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
+                  const CondensedLoad& load, double constant, base::Matrix& u) {
   const base::Matrix own =
-      body.is_whole() ? u_external : body.region.factor->recover(u_external, load.region);
+      body.is_uncondensed() ? u_external : body.region.factor->recover(u_external, load.region);
   for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
     u.row(body.region.map.freedom[i]) = own.row(static_cast<Eigen::Index>(i));
   }
@@ -344,7 +346,7 @@ void recover_body(const BodyNet& body, const base::Matrix& u_external, const Bod
     }
   }
   for (std::size_t p = 0; p < body.parts.size(); ++p) {
-    const Net& part = *body.parts[p];
+    const Substructure& part = *body.parts[p];
     const std::vector<std::int32_t>& freedom = part.map.freedom;
     const auto locals = static_cast<std::size_t>(part.map.locals);
     base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), u.cols());
@@ -363,9 +365,9 @@ void recover_body(const BodyNet& body, const base::Matrix& u_external, const Bod
   }
 }
 
-void recover_body(const BodyNet& body, const base::Vector& u_external,
+void recover_body(const SubstructuredBody& body, const base::Vector& u_external,
                   const base::Vector& case_factors, base::Vector& u) {
-  BodyLoad load;
+  CondensedLoad load;
   load.region = body.region_load * case_factors;
   for (const base::Matrix& part : body.part_load) {
     load.part.emplace_back(part * case_factors);

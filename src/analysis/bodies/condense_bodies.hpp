@@ -21,7 +21,7 @@
 namespace spricka::analysis {
 
 /// A factorised piece of a body: some elements, possibly with a condensed neighbour in it.
-struct Net {
+struct Substructure {
   std::vector<base::ElementId> elements;
   fe::DofMap map;
   /// Unknowns that contact rows weigh though they are locals: of a body that is not condensed.
@@ -34,12 +34,12 @@ struct Net {
 /// grows, what no length touches is a part; where several nets of the deck are tied to a body, each
 /// is one. A plain body is all region. A body that stays whole has only what holds it external, and
 /// contact sees all of its unknowns.
-struct BodyNet {
+struct SubstructuredBody {
   std::string name; ///< "LUG", "LUG/2", "COARSE+FINE"
   fe::Body body;    ///< all pieces together
   std::vector<fe::Body> pieces;
-  std::vector<std::unique_ptr<Net>> parts;
-  Net region;
+  std::vector<std::unique_ptr<Substructure>> parts;
+  Substructure region;
   base::Matrix free_modes; ///< [dim * node, r] rigid modes that supports leave free
   std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
   std::vector<base::Matrix> part_load;                     ///< [part][unknowns of the part, case]
@@ -48,10 +48,10 @@ struct BodyNet {
   /// The same of a body that stays whole: what each case alone moves, without rigid motions.
   base::Matrix case_motion;
 
-  [[nodiscard]] bool is_whole() const { return !region.weighed.empty(); }
+  [[nodiscard]] bool is_uncondensed() const { return !region.weighed.empty(); }
   /// Unknowns that contact sees.
-  [[nodiscard]] std::int64_t contact_size() const {
-    return is_whole() ? region.map.size() : region.map.externals();
+  [[nodiscard]] std::int64_t contact_unknowns() const {
+    return is_uncondensed() ? region.map.size() : region.map.externals();
   }
 };
 
@@ -65,7 +65,7 @@ struct CondensationCache {
 };
 
 /// Figures for the listing.
-struct CondenseLog {
+struct CondensationFigures {
   double analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s], summed over nets condensed now
   double stiffness_cpu = 0.0;
   double flops = 0.0;
@@ -76,9 +76,9 @@ struct CondenseLog {
 
 /// Whether bodies are condensed to the freedoms that rows weigh, or the rows are eliminated with
 /// their sparse factor. Automatic: by rows in space, where surfaces have many nodes.
-enum class Condensing { automatic, to_freedoms };
+enum class CondensationMode { automatic, to_freedoms };
 
-struct CondenseRequest {
+struct CondensationRequest {
   const model::Model& model;
   const model::Mesh& mesh;
   std::vector<model::FreedomClass> cls; ///< [dim * node], contact nodes external
@@ -87,7 +87,7 @@ struct CondenseRequest {
   base::Matrix case_load;         ///< [dim * node, case] consistent loads, supports' pull in
   int threads = 1;
   std::vector<const contact::ConstraintRow*> rows = {}; ///< that will be asked for
-  Condensing condensing = Condensing::automatic;
+  CondensationMode condensing = CondensationMode::automatic;
 };
 
 /// What a solution needs for dense matrices of these rows [bytes]: compliances, those in force and
@@ -96,48 +96,49 @@ double contact_bytes(const std::vector<const contact::ConstraintRow*>& rows);
 
 /// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
 /// nothing is assembled or factorised. Floating bodies get carriers among their externals.
-std::vector<BodyNet> prepare_bodies(const CondenseRequest& request);
+std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& request);
 
 /// The rows of a net's system that some freedoms have, -1: none.
-std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom);
+std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
+                                           std::span<const std::int32_t> freedom);
 /// Whether the condensed parts of a net stay out of its sparse matrix. Ties need them in it.
-bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
+bool keeps_parts_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
 
 /// Whether the externals of a body may stay a factor, in which what its one part has for itself is
 /// eliminated first: not where rigid modes are free.
-bool may_stay_factor(const BodyNet& body);
+bool can_stay_factorised(const SubstructuredBody& body);
 
 /// What tells a body's nets from others.
-struct NetKeys {
+struct SubstructureHashes {
   std::vector<HashKey> parts;
   HashKey region;
 };
-std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
-                                 const std::vector<BodyNet>& bodies);
+std::vector<SubstructureHashes> hash_bodies(const CondensationRequest& request,
+                                            const std::vector<SubstructuredBody>& bodies);
 
 /// Builds all bodies of the mesh, nets in parallel, results in body order whatever the threads.
-std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
-                                     CondenseLog& log);
+std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& request,
+                                               CondensationCache& cache, CondensationFigures& log);
 
 /// Loads on the unknowns of a body's nets, and what they come to at its externals.
-struct BodyLoad {
+struct CondensedLoad {
   std::vector<base::Matrix> part; ///< [part][unknowns of the part, k]
   base::Matrix region;            ///< [unknowns of the region, k], the parts' added in
   base::Matrix external;          ///< [externals, k]
 };
 /// nodal [dim * node, k], on independent freedoms. Any other linear functional of the displacements
 /// is condensed by the same.
-BodyLoad condense_load(const BodyNet& body, const fe::ConstraintTransformation& ties,
-                       const base::Matrix& nodal);
+CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintTransformation& ties,
+                            const base::Matrix& nodal);
 
 /// Writes what a load moves in one body into u [dim * node, k]: from its external displacements
 /// [externals, k]. u holds the prescribed displacements; constants of ties count `constant` times.
-void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
-                  double constant, base::Matrix& u);
+void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
+                  const CondensedLoad& load, double constant, base::Matrix& u);
 
 /// Writes the displacements of one body into a nodal vector that holds the prescribed ones: from
 /// its external displacements and the case factors.
-void recover_body(const BodyNet& body, const base::Vector& u_external,
+void recover_body(const SubstructuredBody& body, const base::Vector& u_external,
                   const base::Vector& case_factors, base::Vector& u);
 
 } // namespace spricka::analysis

@@ -12,7 +12,7 @@ namespace {
 
 // Whether a tie has a part in a net: others may change and leave its factor as it is.
 bool concerns(const fe::ConstraintTransformation::DependentRow& row,
-              const std::vector<bool>& has_node, const Net& net, int dim) {
+              const std::vector<bool>& has_node, const Substructure& net, int dim) {
   const auto slave = static_cast<std::size_t>(row.freedom / dim);
   return has_node[slave] || std::ranges::any_of(row.terms, [&](const fe::FreedomTerm& t) {
            return net.map.row[static_cast<std::size_t>(t.freedom)] >= 0;
@@ -21,7 +21,7 @@ bool concerns(const fe::ConstraintTransformation::DependentRow& row,
 
 } // namespace
 
-HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& net,
+HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Substructure& net,
                  const std::vector<HashKey>& parts) {
   base::Hasher hash;
   std::vector<bool> has_node(mesh.node_count(), false);

@@ -34,7 +34,8 @@ std::string part_name(const model::Model& model, const model::Mesh& mesh, const 
                                              : fmt::format("{}: rest of {}", body, name);
 }
 
-void add_figures(const fe::DofMap& map, const solve::FactorReport& report, results::NetWork& work) {
+void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
+                      results::NetWork& work) {
   work.freedoms = map.size();
   work.externals = map.externals();
   work.entries = counted(report.factor_entries);

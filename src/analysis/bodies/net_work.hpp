@@ -22,6 +22,7 @@ std::string part_name(const model::Model& model, const model::Mesh& mesh, const 
                       const PartElements& elements);
 
 /// Sizes of a net that has its factor; of one condensed just now also the work.
-void add_figures(const fe::DofMap& map, const solve::FactorReport& report, results::NetWork& work);
+void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
+                      results::NetWork& work);
 
 } // namespace spricka::analysis

@@ -31,7 +31,7 @@ std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
   return nodes;
 }
 
-void make_node_external(const CondenseRequest& request, base::NodeId node,
+void make_node_external(const CondensationRequest& request, base::NodeId node,
                         std::vector<model::FreedomClass>& cls) {
   const auto dim = static_cast<std::size_t>(request.mesh.dim);
   for (std::size_t c = 0; c < dim; ++c) {
@@ -41,7 +41,7 @@ void make_node_external(const CondenseRequest& request, base::NodeId node,
 
 // A floating piece needs external freedoms on which its rigid modes differ: the first node, the one
 // farthest from it, and in space the one farthest from their line.
-void add_carriers(const CondenseRequest& request, const fe::Body& piece,
+void add_carriers(const CondensationRequest& request, const fe::Body& piece,
                   std::vector<model::FreedomClass>& cls) {
   const model::Mesh& mesh = request.mesh;
   const base::Vec3& a = mesh.x[piece.nodes.front().index()];
@@ -63,7 +63,7 @@ void add_carriers(const CondenseRequest& request, const fe::Body& piece,
 }
 
 // Whether the external freedoms of a body tell all its free modes apart.
-bool externals_carry(const model::Mesh& mesh, const BodyNet& body,
+bool externals_carry(const model::Mesh& mesh, const SubstructuredBody& body,
                      const std::vector<model::FreedomClass>& cls) {
   std::vector<Eigen::Index> external;
   for (const base::NodeId n : body.body.nodes) {
@@ -85,7 +85,7 @@ bool externals_carry(const model::Mesh& mesh, const BodyNet& body,
 }
 
 // "LUG", "LUG/2" for a second piece of the same net, "COARSE+FINE" for nets tied together.
-std::string body_name(const model::Model& model, const BodyNet& body,
+std::string body_name(const model::Model& model, const SubstructuredBody& body,
                       std::map<std::string, int>& seen) {
   std::vector<base::NetId> nets;
   for (const fe::Body& piece : body.pieces) {
@@ -117,8 +117,8 @@ fe::Body union_of(const std::vector<fe::Body>& pieces) {
 }
 
 // Elements of a body that are condensed for themselves, by part; the others are the region's.
-std::vector<std::vector<base::ElementId>> parts_of(const CondenseRequest& request,
-                                                   const BodyNet& body) {
+std::vector<std::vector<base::ElementId>> parts_of(const CondensationRequest& request,
+                                                   const SubstructuredBody& body) {
   const model::Mesh& mesh = request.mesh;
   std::map<base::NetId, std::vector<base::ElementId>> by_net;
   std::map<base::NetId, bool> cut; // a crack's region takes some of its elements
@@ -148,7 +148,7 @@ std::vector<std::vector<base::ElementId>> parts_of(const CondenseRequest& reques
 
 // Classes as a part sees them: what others share with it or tie to it is external, node by node, so
 // that a node of the region has all its freedoms there.
-std::vector<model::FreedomClass> classes_of_part(const CondenseRequest& request,
+std::vector<model::FreedomClass> classes_of_part(const CondensationRequest& request,
                                                  const std::vector<base::NodeId>& nodes,
                                                  const std::vector<bool>& shared,
                                                  const std::vector<model::FreedomClass>& cls) {
@@ -172,7 +172,7 @@ std::vector<model::FreedomClass> classes_of_part(const CondenseRequest& request,
 }
 
 // Nodes that more than one of the element lists has, and masters of ties.
-std::vector<bool> shared_nodes(const CondenseRequest& request,
+std::vector<bool> shared_nodes(const CondensationRequest& request,
                                const std::vector<std::vector<base::ElementId>>& lists) {
   const model::Mesh& mesh = request.mesh;
   std::vector<bool> shared(mesh.node_count(), false);
@@ -196,17 +196,17 @@ std::vector<bool> shared_nodes(const CondenseRequest& request,
 
 // Whether the rows themselves are eliminated with a body's factor, instead of all freedoms that
 // they weigh. What lasts from one crack length to the next is better condensed once.
-bool stays_whole(const CondenseRequest& request, const BodyNet& body,
+bool stays_whole(const CondensationRequest& request, const SubstructuredBody& body,
                  const std::vector<bool>& weighed) {
   const auto is_weighed = [&](base::NodeId n) { return weighed[n.index()]; };
   const auto is_rest = [&](base::ElementId e) { return request.rest_element[e.index()]; };
-  return request.condensing == Condensing::automatic && request.mesh.dim == 3 &&
+  return request.condensing == CondensationMode::automatic && request.mesh.dim == 3 &&
          std::ranges::any_of(body.body.nodes, is_weighed) &&
          std::ranges::none_of(body.body.elements, is_rest) && parts_of(request, body).empty();
 }
 
 // Nodes that contact rows weigh.
-std::vector<bool> weighed_nodes(const CondenseRequest& request) {
+std::vector<bool> weighed_nodes(const CondensationRequest& request) {
   std::vector<bool> weighed(request.mesh.node_count(), false);
   for (const contact::ConstraintRow* row : request.rows) {
     for (const contact::RowEntry& entry : row->entries) {
@@ -218,7 +218,8 @@ std::vector<bool> weighed_nodes(const CondenseRequest& request) {
 
 // Externals of a body that stays whole become locals; carriers hold it where it floats. Returns the
 // freedoms that they were.
-std::vector<std::int32_t> keep_whole(const CondenseRequest& request, const BodyNet& body,
+std::vector<std::int32_t> keep_whole(const CondensationRequest& request,
+                                     const SubstructuredBody& body,
                                      std::vector<model::FreedomClass>& cls) {
   std::vector<std::int32_t> freedoms;
   const int dim = request.mesh.dim;
@@ -240,7 +241,7 @@ std::vector<std::int32_t> keep_whole(const CondenseRequest& request, const BodyN
   return freedoms;
 }
 
-void split(const CondenseRequest& request, BodyNet& body,
+void split(const CondensationRequest& request, SubstructuredBody& body,
            const std::vector<model::FreedomClass>& cls) {
   const model::Mesh& mesh = request.mesh;
   std::vector<std::vector<base::ElementId>> lists = parts_of(request, body);
@@ -270,7 +271,7 @@ void split(const CondenseRequest& request, BodyNet& body,
     const std::vector<bool> shared = shared_nodes(request, lists);
     lists.pop_back();
     for (auto& list : lists) {
-      Net& part = *body.parts.emplace_back(std::make_unique<Net>());
+      Substructure& part = *body.parts.emplace_back(std::make_unique<Substructure>());
       part.elements = std::move(list);
       const std::vector<base::NodeId> nodes = nodes_of(mesh, part.elements);
       part.map = fe::number_freedoms(mesh, nodes, classes_of_part(request, nodes, shared, cls));
@@ -292,16 +293,16 @@ void split(const CondenseRequest& request, BodyNet& body,
 
 } // namespace
 
-std::vector<BodyNet> prepare_bodies(const CondenseRequest& request) {
+std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& request) {
   std::vector<model::FreedomClass> cls = request.cls;
   const model::Mesh& mesh = request.mesh;
   std::vector<std::vector<fe::Body>> joined =
       fe::join_bodies(mesh, fe::find_bodies(mesh), *request.ties, cls);
-  std::vector<BodyNet> bodies(joined.size());
+  std::vector<SubstructuredBody> bodies(joined.size());
   const std::vector<bool> weighed = weighed_nodes(request);
   std::map<std::string, int> seen;
   for (std::size_t b = 0; b < joined.size(); ++b) {
-    BodyNet& body = bodies[b];
+    SubstructuredBody& body = bodies[b];
     body.pieces = std::move(joined[b]);
     body.body = union_of(body.pieces);
     body.name = body_name(request.model, body, seen);
@@ -325,11 +326,11 @@ std::vector<BodyNet> prepare_bodies(const CondenseRequest& request) {
   return bodies;
 }
 
-std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
-                                 const std::vector<BodyNet>& bodies) {
-  std::vector<NetKeys> keys(bodies.size());
+std::vector<SubstructureHashes> hash_bodies(const CondensationRequest& request,
+                                            const std::vector<SubstructuredBody>& bodies) {
+  std::vector<SubstructureHashes> keys(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    for (const std::unique_ptr<Net>& part : bodies[b].parts) {
+    for (const std::unique_ptr<Substructure>& part : bodies[b].parts) {
       keys[b].parts.push_back(hash_net(request.model, request.mesh, *part, {}));
     }
     keys[b].region = hash_net(request.model, request.mesh, bodies[b].region, keys[b].parts);

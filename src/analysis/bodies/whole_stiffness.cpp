@@ -10,7 +10,7 @@
 
 namespace spricka::analysis {
 
-base::SymmetricCsc whole_stiffness(const model::Model& model, const Scene& scene) {
+base::SymmetricCsc global_stiffness(const model::Model& model, const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<model::FreedomClass> cls = scene.cls;
   std::ranges::replace(cls, model::FreedomClass::external, model::FreedomClass::local);

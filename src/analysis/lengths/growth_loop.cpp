@@ -45,10 +45,10 @@ public:
              base::Trouble& trouble, results::Run& run)
       : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
-        on_the_way_(asked_steps(model, false)) {}
+        on_the_way_(requested_steps(model, false)) {}
 
   bool run() {
-    std::unique_ptr<growth::Ways> ways = first_ways(model_, diagnostics_);
+    std::unique_ptr<growth::Ways> ways = initial_kinematics(model_, diagnostics_);
     if (!ways) {
       return false;
     }
@@ -58,13 +58,13 @@ public:
       law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
-    growth::March march = from_state([&] {
+    growth::March march = restore_checked([&] {
       return growth::March(model_, law, std::move(ways),
                            kept ? state_from(*kept) : growth::State());
     });
     GrowthRegion region(model_, march);
     if (kept) {
-      from_state([&] { region.load(*kept); });
+      restore_checked([&] { region.restore_state(*kept); });
     }
     mark_.emplace(run_.log);
     if (options_.progress) {
@@ -74,7 +74,7 @@ public:
                          .stage = "read"});
     }
     while (!march.end()) {
-      if (stop_here(options_.checkpoint, trouble_)) {
+      if (is_time_up(options_.checkpoint, trouble_)) {
         return false;
       }
       // Mistakes of a state that is tried count only if it is the first.
@@ -95,7 +95,7 @@ public:
         }
         const std::string why = why_not_solved();
         march.shorten(why);
-        LogWriter(run_.log).add("GROW", fmt::format("a shorter advance: {}", why));
+        LogWriter(run_.log).add_line("GROW", fmt::format("a shorter advance: {}", why));
         trial_trouble_.reset();
       }
     }
@@ -106,18 +106,18 @@ public:
 private:
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
-    const Recorded stretch(options_.checkpoint != nullptr ? options_.recorder : nullptr, "RESTART",
-                           "stations of an earlier run");
+    const RecordedInterval stretch(options_.checkpoint != nullptr ? options_.recorder : nullptr,
+                                   "RESTART", "stations of an earlier run");
     std::optional<results::NamedArrays> state;
     for (int number = 1;; ++number) {
       std::optional<archive::KeptIncrement> kept =
-          resume(model_, options_.checkpoint, number, 0.0, pictured_at(number));
+          resume_increment(model_, options_.checkpoint, number, 0.0, pictured_at(number));
       if (!kept) {
         return state;
       }
       state = std::move(kept->state);
-      take_over(std::move(*kept), run_);
-      tell_of_kept(options_, run_, run_.increments.size() + 1);
+      append_increment(std::move(*kept), run_);
+      report_resumed(options_, run_, run_.increments.size() + 1);
     }
   }
 
@@ -126,31 +126,31 @@ private:
     if (!state) {
       throw archive::FileTrouble("E560", "the restart file holds no state of a growth");
     }
-    solver_.go_on(arrays);
-    measure_.load(arrays);
+    solver_.restore_state(arrays);
+    measure_.restore_state(arrays);
     return std::move(*state);
   }
 
   void keep(const growth::March& march, const GrowthRegion& region) {
     results::NamedArrays state;
     state.reals = growth::to_arrays(march.state());
-    solver_.save(state);
-    region.save(state);
-    measure_.save(state);
-    mark_->keep(options_.checkpoint, 0.0, run_.increments.back(), std::move(state));
+    solver_.save_state(state);
+    region.save_state(state);
+    measure_.save_state(state);
+    mark_->store_increment(options_.checkpoint, 0.0, run_.increments.back(), std::move(state));
     mark_.emplace(run_.log);
   }
 
   [[nodiscard]] std::vector<bool> pictured_at(int number) const {
-    return number == 1 ? pictured_steps(model_, false) : on_the_way_;
+    return number == 1 ? stress_steps(model_, false) : on_the_way_;
   }
 
   // Where to solve next; empty: no state can be made there.
   std::optional<growth::CrackState> next_state(growth::March& march, GrowthRegion& region) {
-    const Recorded stretch(options_.recorder, "GROW", "where to solve next");
+    const RecordedInterval stretch(options_.recorder, "GROW", "where to solve next");
     std::optional<growth::CrackState> next = march.next(trial_);
     if (next && next->solids.empty() && !march.end()) { // bodies of solids stay whole
-      region.look(next->lines, march, run_.log);
+      region.update_region(next->lines, march, run_.log);
     }
     return next;
   }
@@ -158,28 +158,28 @@ private:
   // Solves, measures, and lets the march judge; false: not solvable there.
   bool station(const growth::CrackState& cracks, GrowthRegion& region, growth::March& march) {
     const bool first = march.state().stations.empty();
-    RecordedLength length(options_.recorder);
+    RecordedCrackLength length(options_.recorder);
     std::optional<results::Increment> increment =
-        solver_.solve({cracks, 0.0, first ? pictured_steps(model_, false) : on_the_way_,
+        solver_.solve({cracks, 0.0, first ? stress_steps(model_, false) : on_the_way_,
                        first || wants_bars(model_)},
-                      region.plan());
+                      region.region_plan());
     if (!increment) {
       return false;
     }
-    length.solved(increment->a);
-    const Recorded stretch(options_.recorder, "GROW", "station measured, judged and kept");
-    region.tell_cost(run_.log);
+    length.set_length(increment->a);
+    const RecordedInterval stretch(options_.recorder, "GROW", "station measured, judged and kept");
+    region.log_cost(run_.log);
     LogWriter log(run_.log);
-    const std::optional<results::LoadPath> path = path_of_growth(model_, *increment);
-    std::optional<std::vector<growth::TipStation>> found =
-        measure_.measure({*increment, solver_.tips(), solver_.plastic(), cracks, solver_.followed(),
-                          solver_.free_faces(), path ? &*path : nullptr},
-                         march.tips());
+    const std::optional<results::LoadPath> path = growth_load_path(model_, *increment);
+    std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tips(
+        {*increment, solver_.tips(), solver_.plastic_load_ratios(), cracks, solver_.load_history(),
+         solver_.overlap_results(), path ? &*path : nullptr},
+        march.tips());
     if (!found) {
       trial_trouble_ = measure_.trouble();
       return false;
     }
-    if (first && !measure_.spectrum() && measure_.upside_down()) {
+    if (first && !measure_.spectrum() && measure_.is_load_reversed()) {
       trial_.error(model_.growth->span, "E453",
                    fmt::format("K of {} is larger at KMIN, {:.6g}, than at KMAX, {:.6g}",
                                march.tips().front().name, found->front().K_min,
@@ -191,24 +191,25 @@ private:
     if (!march.take(std::move(*found))) {
       const std::string where =
           cracks.solids.empty() ? fmt::format("a = {:.6g}", increment->a) : "this front";
-      log.add("GROW", where + " lies too far ahead for the tolerance: solved again nearer");
+      log.add_line("GROW", where + " lies too far ahead for the tolerance: solved again nearer");
       return true;
     }
     // Only a state that counts hands its slips and mountings on.
-    solver_.carry_on();
-    length.counts();
+    solver_.accept_state();
+    length.mark_increment();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
     const growth::Station& here = march.state().stations.back();
-    name_sizes(model_, cracks, march.tips(), here, *increment);
-    length.solved(increment->a);
+    set_front_sizes(model_, cracks, march.tips(), here, *increment);
+    length.set_length(increment->a);
     run_.increments.push_back(std::move(*increment));
     const growth::Trajectory so_far = march.trajectory();
-    log.add("GROW",
-            fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "
-                        "{:.6g}",
-                        march.state().stations.size(), here.tips.front().a, here.tips.front().K_min,
-                        here.tips.front().K_max, here.tips.front().rate,
-                        so_far.cycles(march.state().stations.front().s, here.s)));
+    log.add_line("GROW",
+                 fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "
+                             "{:.6g}",
+                             march.state().stations.size(), here.tips.front().a,
+                             here.tips.front().K_min, here.tips.front().K_max,
+                             here.tips.front().rate,
+                             so_far.cycles(march.state().stations.front().s, here.s)));
     hand_on_warnings();
     keep(march, region);
     if (options_.progress) {
@@ -241,9 +242,9 @@ private:
   }
 
   void finish(const growth::March& march) {
-    const Recorded stretch(options_.recorder, "GROW", "lives");
+    const RecordedInterval stretch(options_.recorder, "GROW", "lives");
     results::Increment& last = run_.increments.back();
-    const std::vector<bool> pictured = pictured_steps(model_, true);
+    const std::vector<bool> pictured = stress_steps(model_, true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
       // Which station is the last is known only now.
       if (pictured[s] && last.steps[s].stress.empty()) {
@@ -252,12 +253,12 @@ private:
     }
     run_.growth = growth_records(model_, march, measure_);
     run_.growth->scaled = scaled_lives(model_, run_, march, measure_);
-    LogWriter(run_.log).add("GROW",
-                            fmt::format("{}: {}; {} stations, {} solutions did not count",
-                                        run_.growth->ended, run_.growth->reason,
-                                        march.state().stations.size(), march.state().rejected));
+    LogWriter(run_.log).add_line(
+        "GROW",
+        fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
+                    run_.growth->reason, march.state().stations.size(), march.state().rejected));
     std::ranges::copy(measure_.warnings(), std::back_inserter(run_.warnings));
-    for (std::string& text : doubts_of_life(*run_.growth, measure_.law())) {
+    for (std::string& text : life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }
     if (results::ended_early(*run_.growth)) {
@@ -272,10 +273,10 @@ private:
   results::Run& run_;
   base::Diagnostics trial_;     ///< of the state that is tried
   base::Trouble trial_trouble_; ///< the same
-  GrowthMeasure measure_;
-  LengthSolver solver_;
+  GrowthRateEvaluator measure_;
+  CrackStateSolver solver_;
   std::vector<bool> on_the_way_;
-  std::optional<IncrementMark> mark_; ///< where the search for the next station began
+  std::optional<IncrementStart> mark_; ///< where the search for the next station began
 };
 
 } // namespace

@@ -71,7 +71,7 @@ base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& pa
 
 } // namespace
 
-double place_of_largest(const base::PiecewiseLinear& K1, double low, double high) {
+double locate_maximum(const base::PiecewiseLinear& K1, double low, double high) {
   double best = K1(high) >= K1(low) ? high : low;
   for (const double t : K1.knots()) {
     best = t > low && t < high && K1(t) > K1(best) ? t : best;
@@ -79,7 +79,7 @@ double place_of_largest(const base::PiecewiseLinear& K1, double low, double high
   return best;
 }
 
-life::GrowthRateLaw law_of(const model::CrackGrowthSettings& growth) {
+life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
   const model::GrowthLawConstants& c = growth.constants;
   return {kind_of(growth.law),
           {.C = c.C,
@@ -96,12 +96,12 @@ life::GrowthRateLaw law_of(const model::CrackGrowthSettings& growth) {
            .growth = c.growth}};
 }
 
-GrowthMeasure::GrowthMeasure(const model::Model& model)
-    : model_(model), law_(law_of(*model.growth)), spectrum_(spectrum_of(model)),
+GrowthRateEvaluator::GrowthRateEvaluator(const model::Model& model)
+    : model_(model), law_(growth_law(*model.growth)), spectrum_(spectrum_of(model)),
       around_(model.mesh) {}
 
-void GrowthMeasure::warn_of_mesh(const std::string& code, const std::string& text,
-                                 std::size_t station) {
+void GrowthRateEvaluator::warn_of_mesh(const std::string& code, const std::string& text,
+                                       std::size_t station) {
   const bool known = std::ranges::any_of(
       warnings_, [&](const results::Warning& warning) { return warning.code == code; });
   if (!known) {
@@ -109,21 +109,21 @@ void GrowthMeasure::warn_of_mesh(const std::string& code, const std::string& tex
   }
 }
 
-bool GrowthMeasure::no_rate(std::string why) {
+bool GrowthRateEvaluator::no_rate(std::string why) {
   trouble_ = base::OperationFailure{
       .kind = base::Outcome::not_solvable, .why = std::move(why), .span = model_.growth->span};
   return false;
 }
 
 // The step whose loads stand for the largest: of a spectrum the one at the end of its path.
-std::size_t largest_step(const model::Model& model) {
+std::size_t largest_load_step(const model::Model& model) {
   const std::optional<std::size_t>& spectrum = model.growth->spectrum;
   return spectrum ? model.load_paths[model.spectra[*spectrum].path].to.index()
                   : model.growth->kmax.index();
 }
 
-std::optional<results::LoadPath> path_of_growth(const model::Model& model,
-                                                const results::Increment& increment) {
+std::optional<results::LoadPath> growth_load_path(const model::Model& model,
+                                                  const results::Increment& increment) {
   if (!model.growth->spectrum || increment.paths.empty()) {
     return std::nullopt;
   }
@@ -136,7 +136,8 @@ std::optional<results::LoadPath> path_of_growth(const model::Model& model,
 }
 
 std::optional<std::vector<growth::TipStation>>
-GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing) {
+GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
+                                   const std::vector<growth::GrowingTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
   upside_down_ = true;
   const bool history = at.followed && at.followed->none.empty();
@@ -176,7 +177,7 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
   return found;
 }
 
-void GrowthMeasure::warn_of_no_bar(const std::string& name, const std::string& why) {
+void GrowthRateEvaluator::warn_of_no_bar(const std::string& name, const std::string& why) {
   if (!why.empty()) {
     warnings_.insert(
         {"W456", fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
@@ -185,25 +186,25 @@ void GrowthMeasure::warn_of_no_bar(const std::string& name, const std::string& w
   }
 }
 
-bool GrowthMeasure::has_bar(const results::TipResult& tip) {
+bool GrowthRateEvaluator::has_bar(const results::TipResult& tip) {
   if (!tip.closed) {
     warn_of_no_bar(tip.name, tip.no_bar);
   }
   return tip.no_bar.empty();
 }
 
-base::Vec2 GrowthMeasure::intensity(const results::TipResult& tip) {
+base::Vec2 GrowthRateEvaluator::intensity(const results::TipResult& tip) {
   return model_.growth->corrected && has_bar(tip) ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
                                                   : base::Vec2(tip.K1, tip.K2);
 }
 
 // K1 = 0 stands for faces that touch; K1 < 0 but for round-off for such that overlap.
-bool GrowthMeasure::opens(const base::Vec2& K) {
+bool GrowthRateEvaluator::opens(const base::Vec2& K) {
   return K[0] != 0.0 && K[0] > -much_less_than_K2 * std::abs(K[1]);
 }
 
-base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
-                               growth::TipStation& found) const {
+base::Vec2 GrowthRateEvaluator::turn(const base::Vec2& K, bool straight,
+                                     growth::TipStation& found) const {
   found.K2_max = K[1];
   // On a line of symmetry a crack cannot turn; a closed tip has no direction to go.
   if (straight || !opens(K) || model_.growth->direction == model::GrowthDirection::path) {
@@ -216,14 +217,14 @@ base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
   return crack::kinked_K1_factors(criterion, found.turn);
 }
 
-void GrowthMeasure::note_order(const std::string& name, bool upside_down) {
+void GrowthRateEvaluator::note_order(const std::string& name, bool upside_down) {
   upside_down_ = upside_down_ && upside_down;
   if (upside_down) {
     warnings_.insert({"W456", fmt::format("{}: K at KMIN is larger than at KMAX", name)});
   }
 }
 
-void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
+void GrowthRateEvaluator::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
   note_order(name, upside_down);
   if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
       std::abs(K[1]) > much_K2 * K[0]) {
@@ -234,7 +235,7 @@ void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool u
   }
 }
 
-void GrowthMeasure::warn_of_closing(const std::string& name, double a) {
+void GrowthRateEvaluator::warn_of_closing(const std::string& name, double a) {
   warnings_.insert(
       {"W456", fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
                            "faces that overlap: K_min is 0 there, though the law knows R < 0; "
@@ -242,13 +243,13 @@ void GrowthMeasure::warn_of_closing(const std::string& name, double a) {
                            name, a)});
 }
 
-double GrowthMeasure::at_smallest(const SolvedLength& at, const results::TipResult& tip,
-                                  const base::Vec2& part) {
+double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const results::TipResult& tip,
+                                        const base::Vec2& part) {
   const double K = part.dot(intensity(tip));
   if (!continues_below_closing(model_)) {
     return K;
   }
-  const results::TipResult* free = free_tip(at.free, model_.growth->kmin.index(), tip.name);
+  const results::TipResult* free = tip_with_overlap(at.free, model_.growth->kmin.index(), tip.name);
   if (free == nullptr) {
     if (tip.closed) {
       warn_of_closing(tip.name, tip.a);
@@ -260,8 +261,8 @@ double GrowthMeasure::at_smallest(const SolvedLength& at, const results::TipResu
   return below < 0.0 ? below : K;
 }
 
-bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bool straight,
-                             growth::TipStation& found) {
+bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const std::string& name,
+                                   bool straight, growth::TipStation& found) {
   const results::Increment& increment = at.increment;
   const results::TipResult* high =
       results::find_tip(increment.steps[model_.growth->kmax.index()], name);
@@ -283,11 +284,12 @@ bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bo
   return true;
 }
 
-base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const results::PathTip& tip,
-                                             const base::Vec2& part) {
+base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
+                                                   const results::PathTip& tip,
+                                                   const base::Vec2& part) {
   base::PiecewiseLinear K = combined(tip, part);
   // Without overlap anywhere both ways to K are one.
-  if (!(at.free || touch_somewhere(tip.K1)) || !continues_below_closing(model_)) {
+  if (!(at.free || faces_touch(tip.K1)) || !continues_below_closing(model_)) {
     return K;
   }
   const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
@@ -296,7 +298,7 @@ base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const resul
                                      : nullptr;
   std::optional<base::PiecewiseLinear> below;
   if (free != nullptr) {
-    below = continued(K, combined(*free, part), spectrum_->highest());
+    below = continue_below_zero(K, combined(*free, part), spectrum_->highest());
   }
   if (!below) {
     warn_of_closing(tip.name, tip.a);
@@ -304,12 +306,13 @@ base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const resul
   return below ? std::move(*below) : std::move(K);
 }
 
-bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
-                                growth::TipStation& found) {
+bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const std::string& name,
+                                      bool straight, growth::TipStation& found) {
   const results::Increment& increment = at.increment;
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPath& path = *at.path;
-  const results::TipResult* at_end = results::find_tip(increment.steps[largest_step(model_)], name);
+  const results::TipResult* at_end =
+      results::find_tip(increment.steps[largest_load_step(model_)], name);
   const results::PathTip* tip = results::find_tip(path, name);
   if (at_end != nullptr && at_end->two_materials) {
     return no_rate(
@@ -334,7 +337,7 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   }
   // The way on is that at the largest load; K of the whole path is then taken at the tip of that
   // kink (growth.8).
-  const double peak = place_of_largest(tip->K1, spectrum_->lowest(), spectrum_->highest());
+  const double peak = locate_maximum(tip->K1, spectrum_->lowest(), spectrum_->highest());
   const base::Vec2 part = turn({tip->K1(peak), tip->K2(peak)}, straight, found);
   const base::PiecewiseLinear K = on_path(at, *tip, part);
   const auto [low, high] = spectrum_->extreme_K(K);
@@ -349,15 +352,16 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   return true;
 }
 
-void GrowthMeasure::plastic(const results::Increment& increment, const mesh::CrackFront& front,
-                            const mesh::CrackLine& line, growth::TipStation& found) const {
+void GrowthRateEvaluator::plastic(const results::Increment& increment,
+                                  const mesh::CrackFront& front, const mesh::CrackLine& line,
+                                  growth::TipStation& found) const {
   const growth::Heading heading{front.tip_point().x, front.tip_point().growth};
   // Without an edge ahead there is no ligament that could yield.
   if (const auto edge = around_.edge_ahead(line, heading)) {
     found.plastic = growth::plastic_part(
         model_, increment.mesh,
         {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
-        increment.steps[largest_step(model_)].u, *model_.growth->flow_stress);
+        increment.steps[largest_load_step(model_)].u, *model_.growth->flow_stress);
   }
 }
 

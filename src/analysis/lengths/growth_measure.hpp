@@ -22,46 +22,46 @@
 namespace spricka::analysis {
 
 /// The law of $GROW; K and lengths in deck units.
-life::GrowthRateLaw law_of(const model::CrackGrowthSettings& growth);
+life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth);
 
 /// A solved state of the cracks.
-struct SolvedLength {
+struct SolvedCrackState {
   const results::Increment& increment;
   const std::vector<mesh::CrackFront>& tips;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackState& cracks;
-  const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
-  const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
-  const results::LoadPath* path;                ///< path_of_growth(), null: it has none
+  const std::optional<LoadHistoryResult>& followed; ///< where friction makes K a history
+  const std::optional<OverlapResults>& free;        ///< faces that may overlap, where they close
+  const results::LoadPath* path;                    ///< path_of_growth(), null: it has none
 };
 
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
-std::size_t largest_step(const model::Model& model);
+std::size_t largest_load_step(const model::Model& model);
 
 /// The load path of the growth's spectrum as the law is to have it: with the errors of K taken out
 /// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
-std::optional<results::LoadPath> path_of_growth(const model::Model& model,
-                                                const results::Increment& increment);
+std::optional<results::LoadPath> growth_load_path(const model::Model& model,
+                                                  const results::Increment& increment);
 
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
-std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path, const base::Vec3& x);
+std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPath& path, const base::Vec3& x);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
-double place_of_largest(const base::PiecewiseLinear& K1, double low, double high);
+double locate_maximum(const base::PiecewiseLinear& K1, double low, double high);
 
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.
-class GrowthMeasure {
+class GrowthRateEvaluator {
 public:
-  explicit GrowthMeasure(const model::Model& model);
+  explicit GrowthRateEvaluator(const model::Model& model);
 
   /// By tip. Empty: `trouble` says why there is no growth to be told.
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
-  measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing);
+  evaluate_tips(const SolvedCrackState& at, const std::vector<growth::GrowingTip>& growing);
 
   [[nodiscard]] const base::Trouble& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
-  [[nodiscard]] bool upside_down() const { return upside_down_; }
+  [[nodiscard]] bool is_load_reversed() const { return upside_down_; }
   /// What a reader must not miss, each once.
   [[nodiscard]] std::set<results::Warning> warnings() const;
   /// Keeps what was said of the mesh of a station, the first time of each code.
@@ -71,7 +71,7 @@ public:
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
 
   /// What it remembers of earlier states, as arrays for a restart file, and back from there.
-  void save(results::NamedArrays& arrays) const {
+  void save_state(results::NamedArrays& arrays) const {
     arrays.texts["growth.warnings"] =
         results::marked(std::vector<results::Warning>(warnings_.begin(), warnings_.end()));
     arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
@@ -80,7 +80,7 @@ public:
       arrays.reals["growth.shear"].push_back(shear.part);
     }
   }
-  void load(const results::NamedArrays& arrays) {
+  void restore_state(const results::NamedArrays& arrays) {
     const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
     for (results::Warning& warning : results::warnings_from(texts)) {
       warnings_.insert(std::move(warning));
@@ -97,21 +97,21 @@ public:
 private:
   /// Says why a state has no rate; false.
   bool no_rate(std::string why);
-  bool by_steps(const SolvedLength& at, const std::string& name, bool straight,
+  bool by_steps(const SolvedCrackState& at, const std::string& name, bool straight,
                 growth::TipStation& found);
-  bool by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
+  bool by_spectrum(const SolvedCrackState& at, const std::string& name, bool straight,
                    growth::TipStation& found);
   /// K of a tip on the path of the spectrum, with what the law wants where its faces close.
-  [[nodiscard]] base::PiecewiseLinear on_path(const SolvedLength& at, const results::PathTip& tip,
-                                              const base::Vec2& part);
+  [[nodiscard]] base::PiecewiseLinear on_path(const SolvedCrackState& at,
+                                              const results::PathTip& tip, const base::Vec2& part);
   /// K_min by the tip at KMIN; `part` of its K1 and K2 counts.
-  [[nodiscard]] double at_smallest(const SolvedLength& at, const results::TipResult& tip,
+  [[nodiscard]] double at_smallest(const SolvedCrackState& at, const results::TipResult& tip,
                                    const base::Vec2& part);
   /// Of a tip in space, whose K is that of the place nearest to `aim`.
-  bool by_front(const SolvedLength& at, const growth::GrowingTip& tip, const base::Vec3& aim,
+  bool by_front(const SolvedCrackState& at, const growth::GrowingTip& tip, const base::Vec3& aim,
                 growth::TipStation& found);
-  bool by_front_spectrum(const SolvedLength& at, const std::string& crack, const base::Vec3& aim,
-                         growth::TipStation& found);
+  bool by_front_spectrum(const SolvedCrackState& at, const std::string& crack,
+                         const base::Vec3& aim, growth::TipStation& found);
   /// Warns of K2 and K3 at KMAX that the growth does not follow.
   void look_at_shear(const std::string& crack, const base::Vec3& K);
   void warn_of_closing(const std::string& name, double a);
@@ -119,20 +119,20 @@ private:
   void warn_of_no_bar(const std::string& name, const std::string& why);
   /// Whether K of a tip has a bar at the end of a step; why not is a warning.
   bool has_bar(const results::TipResult& tip);
-  bool by_history(const SolvedLength& at, const std::string& name, bool straight,
+  bool by_history(const SolvedCrackState& at, const std::string& name, bool straight,
                   growth::TipStation& found);
   /// The K that the law is given, out of those of all tips [crack::KLayout].
   using KOfLaw = std::function<double(const base::Vector&)>;
   /// Of a place of a front; `K1` takes that of the place.
-  bool by_front_history(const FollowedLoads& loads, const std::string& name, double a,
+  bool by_front_history(const LoadHistoryResult& loads, const std::string& name, double a,
                         const KOfLaw& K1, growth::TipStation& found);
   /// Rate and extremes of K in a pass of the spectrum that was followed.
-  void of_pass(const FollowedPass& pass, const KOfLaw& K, growth::TipStation& found) const;
+  void of_pass(const LoadPassResult& pass, const KOfLaw& K, growth::TipStation& found) const;
   /// Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
   /// themselves.
-  void of_loads(const FollowedLoads& loads, const KOfLaw& K, growth::TipStation& found) const;
+  void of_loads(const LoadHistoryResult& loads, const KOfLaw& K, growth::TipStation& found) const;
   /// Warns of loads that do not repeat themselves, and of K that is apart by two ways.
-  void look_at(const FollowedLoads& loads, double a);
+  void look_at(const LoadHistoryResult& loads, double a);
   /// Warns where K at KMIN is larger than at KMAX, which all tips together may not have.
   void note_order(const std::string& name, bool upside_down);
   /// Warns of what a reader of a rate by KMAX and KMIN must know; K1 and K2 at KMAX.
@@ -155,11 +155,11 @@ private:
   std::set<results::Warning> warnings_;
   bool counted_on_K_ = false;
   /// The largest K2 or K3 that the growth of a crack does not follow, as a part of K1.
-  struct Shear {
+  struct NeglectedShearK {
     std::string what; ///< "K2", "K3"
     double part = 0.0;
   };
-  std::map<std::string, Shear> shear_; ///< [crack]
+  std::map<std::string, NeglectedShearK> shear_; ///< [crack]
 };
 
 } // namespace spricka::analysis

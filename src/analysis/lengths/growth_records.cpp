@@ -66,7 +66,7 @@ results::GrowingTip record_of(const std::string& name, const growth::TipStation&
 } // namespace
 
 results::Growth growth_records(const model::Model& model, const growth::March& march,
-                               const GrowthMeasure& measure) {
+                               const GrowthRateEvaluator& measure) {
   results::Growth out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
   out.corrected = model.growth->corrected;
@@ -127,9 +127,9 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
   return out;
 }
 
-void name_sizes(const model::Model& model, const growth::CrackState& cracks,
-                const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
-                results::Increment& increment) {
+void set_front_sizes(const model::Model& model, const growth::CrackState& cracks,
+                     const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
+                     results::Increment& increment) {
   if (cracks.solids.empty() || model.growth->shape != model::FrontShapeRule::free) {
     return;
   }

@@ -11,12 +11,12 @@ namespace spricka::analysis {
 
 /// What a march found, as records: stations, the dense curve up to the end, how it ended.
 results::Growth growth_records(const model::Model& model, const growth::March& march,
-                               const GrowthMeasure& measure);
+                               const GrowthRateEvaluator& measure);
 
 /// Sizes of fronts that K shapes: each has the length of its first tip, as stations and N(a) do.
 /// Others keep theirs.
-void name_sizes(const model::Model& model, const growth::CrackState& cracks,
-                const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
-                results::Increment& increment);
+void set_front_sizes(const model::Model& model, const growth::CrackState& cracks,
+                     const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
+                     results::Increment& increment);
 
 } // namespace spricka::analysis

@@ -48,8 +48,8 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growt
   }
 }
 
-void GrowthRegion::look(const std::vector<mesh::CrackLine>& lines, const growth::March& march,
-                        std::vector<results::LogLine>& log) {
+void GrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
+                                 const growth::March& march, std::vector<results::LogLine>& log) {
   RegionPlan here;
   add_to_region(model_, lines, here);
   // A region that holds all that this length touches stays, so that the rest is not condensed
@@ -64,12 +64,13 @@ void GrowthRegion::look(const std::vector<mesh::CrackLine>& lines, const growth:
   const bool first = plan_.region.empty();
   choose(lines, march);
   renewed_ = !first;
-  writer.add("GROW", fmt::format("{}: {} of {} elements are condensed at every station",
-                                 first ? "region chosen" : "a crack leaves its region, a new one",
-                                 std::ranges::count(plan_.region, true), plan_.region.size()));
+  writer.add_line("GROW",
+                  fmt::format("{}: {} of {} elements are condensed at every station",
+                              first ? "region chosen" : "a crack leaves its region, a new one",
+                              std::ranges::count(plan_.region, true), plan_.region.size()));
 }
 
-void GrowthRegion::tell_cost(std::vector<results::LogLine>& log) {
+void GrowthRegion::log_cost(std::vector<results::LogLine>& log) {
   const auto last = std::find_if(log.rbegin(), log.rend(), [](const results::LogLine& line) {
     return line.processor == "CONDENSE";
   });
@@ -78,21 +79,22 @@ void GrowthRegion::tell_cost(std::vector<results::LogLine>& log) {
   }
   const double cpu = last->cpu;
   if (renewed_) {
-    LogWriter(log).add("GROW", fmt::format("the new region cost {:.2f} s: the rest was condensed "
-                                           "again ({:.2f} s, {:.2f} s at a usual station)",
-                                           std::max(0.0, cpu - usual_), cpu, usual_));
+    LogWriter(log).add_line("GROW",
+                            fmt::format("the new region cost {:.2f} s: the rest was condensed "
+                                        "again ({:.2f} s, {:.2f} s at a usual station)",
+                                        std::max(0.0, cpu - usual_), cpu, usual_));
   } else {
     usual_ = cpu;
   }
   renewed_ = false;
 }
 
-void GrowthRegion::save(results::NamedArrays& arrays) const {
+void GrowthRegion::save_state(results::NamedArrays& arrays) const {
   arrays.integers["region"] = {plan_.region.begin(), plan_.region.end()};
   arrays.integers["region.split"] = {plan_.split ? 1 : 0};
 }
 
-void GrowthRegion::load(const results::NamedArrays& arrays) {
+void GrowthRegion::restore_state(const results::NamedArrays& arrays) {
   const auto region = arrays.integers.find("region");
   const auto split = arrays.integers.find("region.split");
   if (region == arrays.integers.end() || split == arrays.integers.end()) {

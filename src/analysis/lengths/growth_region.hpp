@@ -16,16 +16,16 @@ public:
   GrowthRegion(const model::Model& model, const growth::March& march);
 
   /// Before these cracks are solved: are they still within?
-  void look(const std::vector<mesh::CrackLine>& lines, const growth::March& march,
-            std::vector<results::LogLine>& log);
+  void update_region(const std::vector<mesh::CrackLine>& lines, const growth::March& march,
+                     std::vector<results::LogLine>& log);
   /// Behind the solution that came after a new choice: its line in the log.
-  void tell_cost(std::vector<results::LogLine>& log);
+  void log_cost(std::vector<results::LogLine>& log);
 
-  [[nodiscard]] const RegionPlan& plan() const { return plan_; }
+  [[nodiscard]] const RegionPlan& region_plan() const { return plan_; }
 
   /// As arrays for a restart file, and back from there.
-  void save(results::NamedArrays& arrays) const;
-  void load(const results::NamedArrays& arrays);
+  void save_state(results::NamedArrays& arrays) const;
+  void restore_state(const results::NamedArrays& arrays);
 
 private:
   void choose(const std::vector<mesh::CrackLine>& lines, const growth::March& march);

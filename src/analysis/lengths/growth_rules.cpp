@@ -184,8 +184,8 @@ void look_at_table(const results::Growth& growth, const life::GrowthRateLaw& law
 
 } // namespace
 
-std::vector<std::string> doubts_of_life(const results::Growth& growth,
-                                        const life::GrowthRateLaw& law) {
+std::vector<std::string> life_concerns(const results::Growth& growth,
+                                       const life::GrowthRateLaw& law) {
   std::vector<std::string> warnings;
   const bool nothing = growth.cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;
@@ -219,8 +219,8 @@ std::vector<std::string> doubts_of_life(const results::Growth& growth,
   return warnings;
 }
 
-std::unique_ptr<growth::Ways> first_ways(const model::Model& model,
-                                         base::Diagnostics& diagnostics) {
+std::unique_ptr<growth::Ways> initial_kinematics(const model::Model& model,
+                                                 base::Diagnostics& diagnostics) {
   if (model.mesh.dim == 3) {
     std::unique_ptr<growth::Ways> ways;
     if (model.growth->shape == model::FrontShapeRule::ellipse) {

@@ -24,11 +24,12 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
                       base::Diagnostics& diagnostics);
 
 /// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.
-std::unique_ptr<growth::Ways> first_ways(const model::Model& model, base::Diagnostics& diagnostics);
+std::unique_ptr<growth::Ways> initial_kinematics(const model::Model& model,
+                                                 base::Diagnostics& diagnostics);
 
 /// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
 /// the rows of a table.
-std::vector<std::string> doubts_of_life(const results::Growth& growth,
-                                        const life::GrowthRateLaw& law);
+std::vector<std::string> life_concerns(const results::Growth& growth,
+                                       const life::GrowthRateLaw& law);
 
 } // namespace spricka::analysis

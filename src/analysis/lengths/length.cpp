@@ -11,23 +11,26 @@
 
 namespace spricka::analysis {
 
-std::unique_ptr<Length> Length::make(const LengthParts& parts,
-                                     const std::vector<mesh::CrackLine>& lines,
-                                     const RegionPlan& plan, base::Diagnostics& diagnostics) {
-  std::optional<Scene> scene = make_scene(parts.model, lines, plan, diagnostics);
-  return scene ? std::make_unique<Length>(parts, std::move(*scene)) : nullptr;
+std::unique_ptr<CrackLengthAnalysis>
+CrackLengthAnalysis::create(const CrackLengthContext& parts,
+                            const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
+                            base::Diagnostics& diagnostics) {
+  std::optional<Discretisation> scene = discretise(parts.model, lines, plan, diagnostics);
+  return scene ? std::make_unique<CrackLengthAnalysis>(parts, std::move(*scene)) : nullptr;
 }
 
-std::unique_ptr<Length> Length::make(const LengthParts& parts, double a, const RegionPlan& plan,
-                                     base::Diagnostics& diagnostics) {
+std::unique_ptr<CrackLengthAnalysis> CrackLengthAnalysis::create(const CrackLengthContext& parts,
+                                                                 double a, const RegionPlan& plan,
+                                                                 base::Diagnostics& diagnostics) {
   const std::optional<std::vector<mesh::CrackLine>> lines =
       growth::crack_lines(parts.model, a, diagnostics);
-  return lines ? make(parts, *lines, plan, diagnostics) : nullptr;
+  return lines ? create(parts, *lines, plan, diagnostics) : nullptr;
 }
 
-Length::Length(const LengthParts& parts, Scene scene) : parts_(parts), scene_(std::move(scene)) {}
+CrackLengthAnalysis::CrackLengthAnalysis(const CrackLengthContext& parts, Discretisation scene)
+    : parts_(parts), scene_(std::move(scene)) {}
 
-Length::Processors::Processors(const Length& length)
+CrackLengthAnalysis::PostProcessors::PostProcessors(const CrackLengthAnalysis& length)
     : paths(length.parts_.with_paths != nullptr ? *length.parts_.with_paths : length.model(),
             length.scene_, length.bodies_),
       adjoints(length.model(), length.scene_, length.bodies_),
@@ -35,13 +38,13 @@ Length::Processors::Processors(const Length& length)
       sensitivities(length.model(), length.scene_, length.bodies_),
       fronts(length.model(), length.scene_, length.bodies_) {}
 
-double Length::size_of_first() const {
+double CrackLengthAnalysis::first_crack_size() const {
   return !scene_.cracked.fronts.empty() ? scene_.cracked.fronts.front().a
          : !scene_.fronts.empty()       ? scene_.fronts.front().front.a
                                         : 0.0;
 }
 
-CondenseRequest Length::request() const {
+CondensationRequest CrackLengthAnalysis::request() const {
   return {.model = parts_.model,
           .mesh = scene_.cracked.mesh,
           .cls = scene_.cls,
@@ -49,18 +52,18 @@ CondenseRequest Length::request() const {
           .rest_element = scene_.rest_element,
           .case_load = base::Matrix(),
           .threads = parts_.threads,
-          .rows = scene_.acting_rows(),
+          .rows = scene_.reduced_rows(),
           .condensing = parts_.condensing};
 }
 
-void Length::prepare() {
+void CrackLengthAnalysis::number_freedoms() {
   processors_.reset();
-  bodies_ = prepare_bodies(request());
+  bodies_ = partition_bodies(request());
 }
 
-bool Length::condense(CondenseLog& figures) {
+bool CrackLengthAnalysis::condense(CondensationFigures& figures) {
   processors_.reset();
-  CondenseRequest asked = request();
+  CondensationRequest asked = request();
   // Prescribed displacements are loads on what is free, before anything is condensed.
   asked.case_load = loads_with_supports(parts_.model, scene_);
   bodies_ = condense_bodies(asked, parts_.cache, figures);
@@ -72,46 +75,50 @@ bool Length::condense(CondenseLog& figures) {
   return true;
 }
 
-void Length::close_faces(const std::vector<std::size_t>& lines) {
+void CrackLengthAnalysis::add_face_contact(const std::vector<std::size_t>& lines) {
   processors_.reset(); // they stand on the bodies, and those on the scene
   bodies_.clear();
   add_crack_face_pairs(parts_.model, lines, scene_);
 }
 
-std::unique_ptr<StepSolver> Length::start() const {
+std::unique_ptr<StepSolver> CrackLengthAnalysis::make_solver() const {
   return std::make_unique<StepSolver>(parts_.model, scene_, bodies_, parts_.mounted,
                                       parts_.contact);
 }
 
-std::vector<std::size_t> Length::touching(const base::Vector& u) const {
-  return touching_lines(parts_.model, scene_, u);
+std::vector<std::size_t> CrackLengthAnalysis::overlapping_lines(const base::Vector& u) const {
+  return find_overlapping_lines(parts_.model, scene_, u);
 }
 
-results::StepResult Length::recover(const model::Step& step, const StepState& state) const {
-  return gather_step(parts_.model, scene_, bodies_, step, state);
+results::StepResult CrackLengthAnalysis::recover_step(const model::Step& step,
+                                                      const StepState& state) const {
+  return collect_results(parts_.model, scene_, bodies_, step, state);
 }
 
-const std::vector<estimate::IntensityAdjoint>& Length::solve_adjoints(const StepSolver& solver) {
-  processors_->of_K = &processors_->adjoints.of_last_step(solver);
+const std::vector<estimate::IntensityAdjoint>&
+CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
+  processors_->of_K = &processors_->adjoints.solve_last_step(solver);
   return *processors_->of_K;
 }
 
-void Length::add_bars(const StepState& state, results::StepResult& result) {
-  processors_->bars.add(state, *processors_->of_K, processors_->adjoints.held(), result);
+void CrackLengthAnalysis::add_error_bars(const StepState& state, results::StepResult& result) {
+  processors_->bars.add_to_tips(state, *processors_->of_K, processors_->adjoints.held_contact(),
+                                result);
 }
 
-void Length::add_sensitivities(const StepSolver& solver, const StepState& state,
-                               results::StepResult& result) {
-  processors_->sensitivities.add(solver, state, processors_->adjoints, result);
+void CrackLengthAnalysis::add_sensitivities(const StepSolver& solver, const StepState& state,
+                                            results::StepResult& result) {
+  processors_->sensitivities.add_to_tips(solver, state, processors_->adjoints, result);
 }
 
-void Length::add_of_fronts(const StepSolver& solver, const StepState& state,
-                           results::StepResult& result) {
-  processors_->fronts.add(solver, state, result);
+void CrackLengthAnalysis::add_front_estimates(const StepSolver& solver, const StepState& state,
+                                              results::StepResult& result) {
+  processors_->fronts.add_to_fronts(solver, state, result);
 }
 
-void Length::add_net_errors(const StepState& state, results::StepResult& result) const {
-  add_errors(parts_.model, scene_, state.energy, result);
+void CrackLengthAnalysis::add_net_errors(const StepState& state,
+                                         results::StepResult& result) const {
+  add_energy_errors(parts_.model, scene_, state.energy, result);
 }
 
 } // namespace spricka::analysis

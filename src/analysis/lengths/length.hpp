@@ -19,92 +19,97 @@
 namespace spricka::analysis {
 
 /// What a crack length is made of, and what one leaves for the next; all must outlive it.
-struct LengthParts {
+struct CrackLengthContext {
   const model::Model& model;
-  CondensationCache& cache;         ///< nets that did not change
-  int threads = 1;                  ///< of the condensation
-  MountMemory* mounted = nullptr;   ///< at the first length; null: each length mounts anew
-  ContactMemory* contact = nullptr; ///< compliances that lengths share
+  CondensationCache& cache;             ///< nets that did not change
+  int threads = 1;                      ///< of the condensation
+  MountOffsetMemory* mounted = nullptr; ///< at the first length; null: each length mounts anew
+  ContactMemory* contact = nullptr;     ///< compliances that lengths share
   estimate::ModeMatrixCache* modes = nullptr; ///< of the error bars
   const model::Model* with_paths = nullptr;   ///< whose load paths are followed; null: the model's
-  Condensing condensing = Condensing::automatic;
+  CondensationMode condensing = CondensationMode::automatic;
 };
 
 /// One crack length: cut (TOPOLOGY), condensed (STIFFNESS, CONDENSE) and ready to be asked. It owns
 /// the scene, its bodies and all processors that stand on them; a run walks the steps of its deck
 /// on it, the shell asks it, `check` looks at it without factors.
-class Length {
+class CrackLengthAnalysis {
 public:
   /// Cracks cut in, pairs made, nothing condensed. Mistakes of the deck that only show here go to
   /// `diagnostics` and give null.
-  static std::unique_ptr<Length> make(const LengthParts& parts,
-                                      const std::vector<mesh::CrackLine>& lines,
-                                      const RegionPlan& plan, base::Diagnostics& diagnostics);
+  static std::unique_ptr<CrackLengthAnalysis> create(const CrackLengthContext& parts,
+                                                     const std::vector<mesh::CrackLine>& lines,
+                                                     const RegionPlan& plan,
+                                                     base::Diagnostics& diagnostics);
   /// The same with cracks of length `a`; 0: as the deck gives them.
-  static std::unique_ptr<Length> make(const LengthParts& parts, double a, const RegionPlan& plan,
-                                      base::Diagnostics& diagnostics);
-  Length(const LengthParts& parts, Scene scene);
-  Length(const Length&) = delete;
-  Length& operator=(const Length&) = delete;
+  static std::unique_ptr<CrackLengthAnalysis> create(const CrackLengthContext& parts, double a,
+                                                     const RegionPlan& plan,
+                                                     base::Diagnostics& diagnostics);
+  CrackLengthAnalysis(const CrackLengthContext& parts, Discretisation scene);
+  CrackLengthAnalysis(const CrackLengthAnalysis&) = delete;
+  CrackLengthAnalysis& operator=(const CrackLengthAnalysis&) = delete;
 
   [[nodiscard]] const model::Model& model() const { return parts_.model; }
-  [[nodiscard]] const Scene& scene() const { return scene_; }
-  [[nodiscard]] const std::vector<BodyNet>& bodies() const { return bodies_; }
+  [[nodiscard]] const Discretisation& discretisation() const { return scene_; }
+  [[nodiscard]] const std::vector<SubstructuredBody>& bodies() const { return bodies_; }
   /// Size of the first crack: its length, in space its axis A, or how deep it reaches behind an
   /// open front that is drawn [length]; 0: there is none.
-  [[nodiscard]] double size_of_first() const;
+  [[nodiscard]] double first_crack_size() const;
 
   /// What condense() is going to ask for, without loads.
-  [[nodiscard]] CondenseRequest request() const;
+  [[nodiscard]] CondensationRequest request() const;
   /// Bodies and nets, their freedoms numbered, nothing assembled: enough to be looked at.
-  void prepare();
+  void number_freedoms();
   /// Condenses all bodies; false: a net is singular, `figures.trouble` says which.
-  bool condense(CondenseLog& figures);
+  bool condense(CondensationFigures& figures);
   /// Faces of these crack lines become pairs; the length is to be condensed again.
-  void close_faces(const std::vector<std::size_t>& lines);
+  void add_face_contact(const std::vector<std::size_t>& lines);
 
   /// A solver at the unloaded state of the condensed length, which must outlive it.
-  [[nodiscard]] std::unique_ptr<StepSolver> start() const;
+  [[nodiscard]] std::unique_ptr<StepSolver> make_solver() const;
   /// Crack lines whose faces overlap in u [dim * node] and have no pair yet.
-  [[nodiscard]] std::vector<std::size_t> touching(const base::Vector& u) const;
+  [[nodiscard]] std::vector<std::size_t> overlapping_lines(const base::Vector& u) const;
   /// VCE and RECOVER: K, pressures, reactions at the end of a step.
-  [[nodiscard]] results::StepResult recover(const model::Step& step, const StepState& state) const;
+  [[nodiscard]] results::StepResult recover_step(const model::Step& step,
+                                                 const StepState& state) const;
   /// LOADPATH.
-  [[nodiscard]] LoadPaths& paths() { return processors_->paths; }
+  [[nodiscard]] LoadPathSolver& load_paths() { return processors_->paths; }
 
   /// ADJOINT: of K at the end of the step that `solver` solved last [tip].
   const std::vector<estimate::IntensityAdjoint>& solve_adjoints(const StepSolver& solver);
   /// ESTIMATE: bars of K, from those adjoints.
-  void add_bars(const StepState& state, results::StepResult& result);
+  void add_error_bars(const StepState& state, results::StepResult& result);
   /// SENSITIVITY of K to loads, fits, moduli and lengths.
   void add_sensitivities(const StepSolver& solver, const StepState& state,
                          results::StepResult& result);
   /// ESTIMATE and SENSITIVITY of K along fronts in space.
-  void add_of_fronts(const StepSolver& solver, const StepState& state, results::StepResult& result);
+  void add_front_estimates(const StepSolver& solver, const StepState& state,
+                           results::StepResult& result);
   /// ESTIMATE: errors of the nets in the energy norm.
   void add_net_errors(const StepState& state, results::StepResult& result) const;
 
   /// The scene of a length that is done with.
-  [[nodiscard]] static Scene take_scene(std::unique_ptr<Length> length) {
+  [[nodiscard]] static Discretisation
+  take_discretisation(std::unique_ptr<CrackLengthAnalysis> length) {
     return std::move(length->scene_);
   }
 
 private:
   /// What stands on the scene and its condensed bodies.
-  struct Processors {
-    explicit Processors(const Length& length);
-    LoadPaths paths;
-    Adjoints adjoints;
-    ErrorBars bars;
-    Sensitivities sensitivities;
-    FrontAnalysis fronts;
+  struct PostProcessors {
+    explicit PostProcessors(const CrackLengthAnalysis& length);
+    LoadPathSolver paths;
+    KAdjoints adjoints;
+    TipErrorBars bars;
+    TipSensitivityAnalysis sensitivities;
+    FrontErrorsAndSensitivities fronts;
     const std::vector<estimate::IntensityAdjoint>* of_K = nullptr; ///< [tip] of the last step
   };
 
-  LengthParts parts_;
-  Scene scene_;
-  std::vector<BodyNet> bodies_;
-  std::optional<Processors> processors_; ///< empty: not condensed
+  CrackLengthContext parts_;
+  Discretisation scene_;
+  std::vector<SubstructuredBody> bodies_;
+  std::optional<PostProcessors> processors_; ///< empty: not condensed
 };
 
 } // namespace spricka::analysis

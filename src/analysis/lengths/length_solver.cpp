@@ -20,28 +20,28 @@ namespace spricka::analysis {
 
 namespace {
 
-std::string tips_in_words(const Scene& scene) {
+std::string tips_in_words(const Discretisation& scene) {
   if (scene.fronts.empty()) {
     return fmt::format("{} tips", scene.cracked.fronts.size());
   }
   std::size_t points = 0;
-  for (const FrontScene& at : scene.fronts) {
+  for (const FrontWithDomains& at : scene.fronts) {
     points += at.front.points.size();
   }
   return fmt::format("{} {} of {} points", scene.fronts.size(),
                      scene.fronts.size() == 1 ? "front" : "fronts", points);
 }
 
-bool rubs(const Scene& scene) {
+bool rubs(const Discretisation& scene) {
   return std::ranges::any_of(scene.contacts,
                              [](const model::Contact& contact) { return contact.mu > 0.0; });
 }
 
-std::size_t unknowns(const std::vector<BodyNet>& bodies) {
+std::size_t unknowns(const std::vector<SubstructuredBody>& bodies) {
   std::size_t n = 0;
-  for (const BodyNet& body : bodies) {
+  for (const SubstructuredBody& body : bodies) {
     n += body.region.map.freedom.size();
-    for (const std::unique_ptr<Net>& part : body.parts) {
+    for (const std::unique_ptr<Substructure>& part : body.parts) {
       // Externals of a part are unknowns of the region already.
       n += static_cast<std::size_t>(part->map.locals);
     }
@@ -54,17 +54,18 @@ void log_paths(const std::vector<results::LoadPath>& paths, LogWriter& log) {
     if (path.t.empty()) {
       continue;
     }
-    log.add("LOADPATH",
-            fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
-                        "of its steps to {:.1e}",
-                        path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
-                        path.factorisations, path.residual, path.mismatch));
+    log.add_line(
+        "LOADPATH",
+        fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
+                    "of its steps to {:.1e}",
+                    path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
+                    path.factorisations, path.residual, path.mismatch));
   }
 }
 
 } // namespace
 
-LengthParts LengthSolver::parts() {
+CrackLengthContext CrackStateSolver::parts() {
   const bool keep = model_.growth && model_.growth->mounted == model::ContactMounting::first;
   return {.model = grown_ ? *grown_ : model_,
           .cache = cache_,
@@ -75,8 +76,8 @@ LengthParts LengthSolver::parts() {
           .condensing = options_.condensing};
 }
 
-std::optional<results::Increment> LengthSolver::solve(const LengthRequest& request,
-                                                      const RegionPlan& plan) {
+std::optional<results::Increment> CrackStateSolver::solve(const CrackStateRequest& request,
+                                                          const RegionPlan& plan) {
   LogWriter log(log_, options_.recorder);
   const double a = request.a;
   if (!request.cracks.solids.empty()) {
@@ -85,19 +86,21 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     }
     grown_->cracks = request.cracks.solids;
   }
-  std::unique_ptr<Length> length = Length::make(parts(), request.cracks.lines, plan, diagnostics_);
+  std::unique_ptr<CrackLengthAnalysis> length =
+      CrackLengthAnalysis::create(parts(), request.cracks.lines, plan, diagnostics_);
   if (!length) {
     return std::nullopt;
   }
   base::return_free_memory();
-  const Scene& cut = length->scene();
-  const double first = length->size_of_first();
+  const Discretisation& cut = length->discretisation();
+  const double first = length->first_crack_size();
   // Fronts that K shapes are told by their stations.
   const double told = a > 0.0 ? a : request.cracks.solids.empty() ? first : 0.0;
-  log.add("TOPOLOGY", fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
-                                  told > 0.0 ? fmt::format("a = {:.6g}: ", told) : "",
-                                  cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
-                                  cut.table.size(), tips_in_words(cut)));
+  log.add_line("TOPOLOGY",
+               fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
+                           told > 0.0 ? fmt::format("a = {:.6g}: ", told) : "",
+                           cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
+                           cut.table.size(), tips_in_words(cut)));
   tell("meshed");
   results::Increment increment;
   std::vector<std::size_t> touching;
@@ -120,7 +123,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     close_faces(touching, *length, log);
   } while (!touching.empty());
   increment.unknowns = unknowns(length->bodies());
-  Scene scene = Length::take_scene(std::move(length));
+  Discretisation scene = CrackLengthAnalysis::take_discretisation(std::move(length));
   tips_ = scene.cracked.fronts;
   measure_sections(scene, increment);
   // From here on what was mounted stands, for MOUNTED=FIRST.
@@ -130,93 +133,95 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   increment.mesh = std::move(scene.cracked.mesh);
   increment.surface = outer_surface(increment.mesh);
   // Nodes that the patch has cut out have results at their places all the same.
-  const std::vector<GonePlace> gone = gone_places(model_.mesh, increment.mesh);
+  const std::vector<RemovedNodePlace> gone = removed_nodes(model_.mesh, increment.mesh);
   for (results::StepResult& step : increment.steps) {
     fill_displacements(increment.mesh, gone, step.u);
   }
-  keep_gone_members(model_.mesh, increment.mesh);
+  keep_removed_members(model_.mesh, increment.mesh);
   add_face_nodes(model_, increment.mesh);
-  log.record("RECOVER", "surface, results of the nodes that the patches took");
+  log.record_work("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
 }
 
-void LengthSolver::measure_sections(const Scene& scene, const results::Increment& increment) {
+void CrackStateSolver::measure_sections(const Discretisation& scene,
+                                        const results::Increment& increment) {
   plastic_.clear();
   if (!model_.growth || !model_.growth->flow_stress || model_.mesh.dim != 3) {
     return;
   }
-  const base::Vector& u = increment.steps[largest_step(model_)].u;
-  for (const FrontScene& at : scene.fronts) {
+  const base::Vector& u = increment.steps[largest_load_step(model_)].u;
+  for (const FrontWithDomains& at : scene.fronts) {
     plastic_.push_back(growth::plastic_part({model_, scene.cracked, *scene.ties, scene.cls},
                                             at.front, u, *model_.growth->flow_stress));
   }
 }
 
-void LengthSolver::tell(std::string stage, std::size_t step, std::size_t steps) const {
+void CrackStateSolver::tell(std::string stage, std::size_t step, std::size_t steps) const {
   if (options_.progress) {
     options_.progress({.stage = std::move(stage), .step = step, .steps = steps});
   }
 }
 
-void LengthSolver::show(const results::Increment& increment) const {
+void CrackStateSolver::show(const results::Increment& increment) const {
   if (options_.found) {
     options_.found(increment);
   }
 }
 
-bool LengthSolver::condense(Length& length, LogWriter& log) {
-  CondenseLog figures;
+bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
+  CondensationFigures figures;
   const bool condensed = length.condense(figures);
   log.record_nets(std::move(figures.nets));
   if (!condensed) {
     trouble_ = figures.trouble;
     return false;
   }
-  log.add("CONDENSE",
-          fmt::format("{} nets condensed, {} reused, {} unknowns, {:.3g} flops; stiffness {:.3f} "
-                      "s, analysis {:.3f} s, numeric {:.3f} s",
-                      figures.condensed, figures.reused, unknowns(length.bodies()), figures.flops,
-                      figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu),
-          figures.flops > 0.0 || figures.condensed == 0 ? std::optional(figures.flops)
-                                                        : std::nullopt);
+  log.add_line(
+      "CONDENSE",
+      fmt::format("{} nets condensed, {} reused, {} unknowns, {:.3g} flops; stiffness {:.3f} "
+                  "s, analysis {:.3f} s, numeric {:.3f} s",
+                  figures.condensed, figures.reused, unknowns(length.bodies()), figures.flops,
+                  figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu),
+      figures.flops > 0.0 || figures.condensed == 0 ? std::optional(figures.flops) : std::nullopt);
   return true;
 }
 
 // Faces that would overlap are a pair from now on, and all steps are solved anew.
-void LengthSolver::close_faces(const std::vector<std::size_t>& lines, Length& length,
-                               LogWriter& log) {
+void CrackStateSolver::close_faces(const std::vector<std::size_t>& lines,
+                                   CrackLengthAnalysis& length, LogWriter& log) {
   if (lines.empty()) {
     return;
   }
-  length.close_faces(lines);
-  const Scene& scene = length.scene();
+  length.add_face_contact(lines);
+  const Discretisation& scene = length.discretisation();
   for (const std::size_t i : lines) {
-    log.add("TOPOLOGY",
-            fmt::format("the faces of {} meet: solved anew with contact between them, {} rows",
-                        model_.cracks[i].name,
-                        scene.pairs[scene.crack_face_pairs[i]->pair].normal.size()));
+    log.add_line("TOPOLOGY",
+                 fmt::format("the faces of {} meet: solved anew with contact between them, {} rows",
+                             model_.cracks[i].name,
+                             scene.pairs[scene.crack_face_pairs[i]->pair].normal.size()));
   }
   if (first_) {
-    mounted_ = MountMemory(); // of steps that do not count
+    mounted_ = MountOffsetMemory(); // of steps that do not count
   }
 }
 
-bool LengthSolver::follow(LoadHistory& history, StepSolver& solver, LogWriter& log) {
+bool CrackStateSolver::follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log) {
   next_carried_ = carried_;
-  FollowedLoads loads;
-  if (!history.follow(solver, next_carried_, loads, trouble_)) {
+  LoadHistoryResult loads;
+  if (!history.solve_history(solver, next_carried_, loads, trouble_)) {
     return false;
   }
   if (loads.none.empty()) {
-    log.add("CONTACT", fmt::format("loads of the growth followed: {} passes, {} increments, K "
-                                   "changes by {:.1e} in the last",
-                                   loads.passes, loads.increments, loads.change));
+    log.add_line("CONTACT", fmt::format("loads of the growth followed: {} passes, {} increments, K "
+                                        "changes by {:.1e} in the last",
+                                        loads.passes, loads.increments, loads.change));
   }
   followed_ = std::move(loads);
   return true;
 }
 
-bool LengthSolver::numbers_are_sound(const results::StepResult& result, const model::Step& step) {
+bool CrackStateSolver::numbers_are_sound(const results::StepResult& result,
+                                         const model::Step& step) {
   const std::string what = not_finite(result);
   if (!what.empty()) {
     trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
@@ -227,8 +232,8 @@ bool LengthSolver::numbers_are_sound(const results::StepResult& result, const mo
 }
 
 // The first solution with faces that overlap is K of faces that may.
-void LengthSolver::keep_free(const std::vector<std::size_t>& touching,
-                             results::Increment& increment) {
+void CrackStateSolver::keep_free(const std::vector<std::size_t>& touching,
+                                 results::Increment& increment) {
   const bool whole = increment.steps.size() == model_.steps.size();
   if (touching.empty() || free_ || !whole || !continues_below_closing(model_)) {
     return;
@@ -240,66 +245,70 @@ void LengthSolver::keep_free(const std::vector<std::size_t>& touching,
   free_->paths = std::move(increment.paths);
 }
 
-bool LengthSolver::estimate(Length& length, const LengthRequest& request, const SolvedStep& solved,
-                            LogWriter& log, results::StepResult& result) {
+bool CrackStateSolver::estimate(CrackLengthAnalysis& length, const CrackStateRequest& request,
+                                const SolvedStep& solved, LogWriter& log,
+                                results::StepResult& result) {
   const model::Step& step = model_.steps[solved.step];
-  if (!length.scene().cracked.fronts.empty() && request.bars) {
+  if (!length.discretisation().cracked.fronts.empty() && request.bars) {
     const std::size_t tips = length.solve_adjoints(solved.solver).size();
-    log.add("ADJOINT", fmt::format("step {}: {} tips", step.name, tips));
-    length.add_bars(solved.state, result);
-    log.add("ESTIMATE", fmt::format("step {}: error bars of K", step.name));
+    log.add_line("ADJOINT", fmt::format("step {}: {} tips", step.name, tips));
+    length.add_error_bars(solved.state, result);
+    log.add_line("ESTIMATE", fmt::format("step {}: error bars of K", step.name));
     length.add_sensitivities(solved.solver, solved.state, result);
-    log.add("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
+    log.add_line("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
   }
-  if (!length.scene().fronts.empty() && request.bars) {
-    length.add_of_fronts(solved.solver, solved.state, result);
-    log.add("ESTIMATE", fmt::format("step {}: error bars and derivatives of K", step.name));
+  if (!length.discretisation().fronts.empty() && request.bars) {
+    length.add_front_estimates(solved.solver, solved.state, result);
+    log.add_line("ESTIMATE", fmt::format("step {}: error bars and derivatives of K", step.name));
   }
   if (!request.pictured[solved.step] && !solved.pictured_later) {
     return true;
   }
-  add_stress(model_, length.scene().cracked.mesh, result);
-  log.add("RECOVER", fmt::format("step {}: stresses", step.name));
+  add_stress(model_, length.discretisation().cracked.mesh, result);
+  log.add_line("RECOVER", fmt::format("step {}: stresses", step.name));
   if (!numbers_are_sound(result, step)) {
     return false;
   }
   length.add_net_errors(solved.state, result);
-  log.add("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
-                                  100.0 * result.errors.back().part));
+  log.add_line("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
+                                       100.0 * result.errors.back().part));
   return true;
 }
 
 // Stops at the first step with faces that would overlap: `touching` says which. Only where K of
 // such faces is wanted the first solution goes on with them, without bars and pictures.
-bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogWriter& log,
-                              results::Increment& increment, std::vector<std::size_t>& touching) {
-  const Scene& scene = length.scene();
-  const std::unique_ptr<StepSolver> first = length.start();
+bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request,
+                                  LogWriter& log, results::Increment& increment,
+                                  std::vector<std::size_t>& touching) {
+  const Discretisation& scene = length.discretisation();
+  const std::unique_ptr<StepSolver> first = length.make_solver();
   StepSolver& solver = *first;
   RepeatedSteps repeated(model_, request.pictured);
-  LoadPaths& paths = length.paths();
-  LoadHistory history(model_, scene, length.bodies(), paths);
+  LoadPathSolver& paths = length.load_paths();
+  LoadHistorySolver history(model_, scene, length.bodies(), paths);
   const bool follows = follows_history(model_);
   const bool goes_on = continues_below_closing(model_);
-  const double row_flops = solver.system() == nullptr ? 0.0 : solver.system()->row_flops();
-  log.add("CONTACT",
-          fmt::format("compliances of the contact rows{}",
-                      row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
-          row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
+  const double row_flops =
+      solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->row_flops();
+  log.add_line("CONTACT",
+               fmt::format("compliances of the contact rows{}",
+                           row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
+               row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
   std::size_t solved = 0;
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
-    if (const std::size_t* earlier = repeated.of(s)) {
-      repeated.take_over(s, solver, increment.steps);
+    if (const std::size_t* earlier = repeated.earlier_step(s)) {
+      repeated.copy_step(s, solver, increment.steps);
       show(increment);
-      log.add("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
-                                     model_.steps[*earlier].name));
-      paths.keep(s, solver, increment.steps.back());
+      log.add_line("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
+                                          model_.steps[*earlier].name));
+      paths.record_step(s, solver, increment.steps.back());
       continue;
     }
     // The closed rows of this step at the last length are the best guess.
-    if (std::vector<bool> start = contact_.start(scene, s, solver.closed()); !start.empty()) {
-      solver.begin_from(std::move(start));
+    if (std::vector<bool> start = contact_.first_closed_rows(scene, s, solver.closed_rows());
+        !start.empty()) {
+      solver.set_start_rows(std::move(start));
     }
     base::Trouble trouble;
     const std::optional<StepState> state = solver.solve(step, trouble);
@@ -308,47 +317,49 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
     }
     if (!state) {
       trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
-      trouble->why += let_go(model_, scene, length.bodies(), step, trouble->why);
+      trouble->why += explain_release(model_, scene, length.bodies(), step, trouble->why);
       trouble_ = std::move(trouble);
       return false;
     }
     tell(fmt::format("step {}: contact", step.name), solved, repeated.count_solved());
-    log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
-                                   state->iterations, state->pivots, state->imbalance));
+    log.add_line("CONTACT",
+                 fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
+                             state->iterations, state->pivots, state->imbalance));
     // Rows that rub start from their own history, not from those of another length.
     if (!rubs(scene)) {
-      contact_.keep(scene, s, solver.closed());
+      contact_.store_closed_rows(scene, s, solver.closed_rows());
     }
-    repeated.keep(s, solver);
+    repeated.store_closed_rows(s, solver);
     if (touching.empty()) {
-      touching = length.touching(state->u);
+      touching = length.overlapping_lines(state->u);
     }
     if (!touching.empty() && !(goes_on && !free_)) {
       return true;
     }
-    increment.steps.push_back(length.recover(step, *state));
+    increment.steps.push_back(length.recover_step(step, *state));
     if (!numbers_are_sound(increment.steps.back(), step)) {
       return false;
     }
-    log.add("VCE", fmt::format("step {}: {}, pressures, balance", step.name, tips_in_words(scene)));
+    log.add_line("VCE",
+                 fmt::format("step {}: {}, pressures, balance", step.name, tips_in_words(scene)));
     show(increment);
     tell(fmt::format("step {}: K", step.name), solved, repeated.count_solved());
-    paths.keep(s, solver, increment.steps.back());
+    paths.record_step(s, solver, increment.steps.back());
     if (follows) {
-      history.keep(s, solver, increment.steps.back());
+      history.record_step(s, solver, increment.steps.back());
     }
     if (!touching.empty()) {
       continue;
     }
-    if (!estimate(length, request, {s, solver, *state, repeated.pictured_later(s)}, log,
+    if (!estimate(length, request, {s, solver, *state, repeated.stresses_needed_later(s)}, log,
                   increment.steps.back())) {
       return false;
     }
     show(increment);
     tell(fmt::format("step {}", step.name), ++solved, repeated.count_solved());
   }
-  repeated.leave_unpictured(increment.steps);
-  increment.paths = paths.follow(solver);
+  repeated.drop_extra_stresses(increment.steps);
+  increment.paths = paths.solve_paths(solver);
   for (const results::LoadPath& path : increment.paths) {
     if (const std::string what = not_finite(path); !what.empty()) {
       trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
@@ -363,7 +374,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
     return false;
   }
   // Between the steps faces may overlap, too.
-  touching = paths.touching();
+  touching = paths.overlapping_lines();
   if (!touching.empty()) {
     return true;
   }

@@ -24,7 +24,7 @@
 namespace spricka::analysis {
 
 /// One state of the cracks to be solved.
-struct LengthRequest {
+struct CrackStateRequest {
   growth::CrackState cracks;  ///< in space none: those of the deck
   double a = 0.0;             ///< for the record; 0: that of the first tip
   std::vector<bool> pictured; ///< [step] stresses are recovered
@@ -33,40 +33,40 @@ struct LengthRequest {
 
 /// Solves all steps for one state of the cracks after another; what one leaves for the next (nets
 /// that did not change, what was mounted) stays in its members.
-class LengthSolver {
+class CrackStateSolver {
 public:
-  LengthSolver(const model::Model& model, const SolveOptions& options,
-               std::vector<results::LogLine>& log, base::Diagnostics& diagnostics,
-               base::Trouble& trouble)
+  CrackStateSolver(const model::Model& model, const SolveOptions& options,
+                   std::vector<results::LogLine>& log, base::Diagnostics& diagnostics,
+                   base::Trouble& trouble)
       : model_(model), options_(options), log_(log), diagnostics_(diagnostics), trouble_(trouble) {}
 
   /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (trouble).
-  std::optional<results::Increment> solve(const LengthRequest& request, const RegionPlan& plan);
+  std::optional<results::Increment> solve(const CrackStateRequest& request, const RegionPlan& plan);
 
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::CrackFront>& tips() const { return tips_; }
 
   /// By front in space, with SFLOW: force and moments of the section before it at the growth's
   /// largest load, over their plastic limit.
-  [[nodiscard]] const std::vector<double>& plastic() const { return plastic_; }
+  [[nodiscard]] const std::vector<double>& plastic_load_ratios() const { return plastic_; }
 
   /// K of that state with faces that may overlap, where they close and the law wants it.
-  [[nodiscard]] const std::optional<FreeFaces>& free_faces() const { return free_; }
+  [[nodiscard]] const std::optional<OverlapResults>& overlap_results() const { return free_; }
   /// K of the loads of the growth, one after another; empty without friction.
-  [[nodiscard]] const std::optional<FollowedLoads>& followed() const { return followed_; }
+  [[nodiscard]] const std::optional<LoadHistoryResult>& load_history() const { return followed_; }
   /// The state that was solved last counts: what slipped there is carried on from.
-  void carry_on() { carried_ = next_carried_; }
+  void accept_state() { carried_ = next_carried_; }
 
   /// What the next state takes over from the last, for a restart file, and back from there.
-  void save(results::NamedArrays& arrays) const {
-    mounted_.save(arrays);
-    carried_.save(arrays);
-    contact_.save(arrays);
+  void save_state(results::NamedArrays& arrays) const {
+    mounted_.save_state(arrays);
+    carried_.save_state(arrays);
+    contact_.save_state(arrays);
   }
-  void go_on(const results::NamedArrays& arrays) {
-    mounted_ = MountMemory::load(arrays);
-    carried_ = CarriedState::load(arrays);
-    contact_ = ContactMemory::load(arrays, model_.steps.size());
+  void restore_state(const results::NamedArrays& arrays) {
+    mounted_ = MountOffsetMemory::restore_state(arrays);
+    carried_ = InheritedContactState::restore_state(arrays);
+    contact_ = ContactMemory::restore_state(arrays, model_.steps.size());
     first_ = false;
   }
 
@@ -78,25 +78,26 @@ private:
     const StepState& state;
     bool pictured_later = false; ///< a step that repeats it is to have its stresses
   };
-  [[nodiscard]] LengthParts parts();
-  bool condense(Length& length, LogWriter& log);
+  [[nodiscard]] CrackLengthContext parts();
+  bool condense(CrackLengthAnalysis& length, LogWriter& log);
   /// Tells that a stage of this increment is done.
   void tell(std::string stage, std::size_t step = 0, std::size_t steps = 0) const;
   /// Tells that the last step of an increment under way has its K, or the bars of it.
   void show(const results::Increment& increment) const;
-  void close_faces(const std::vector<std::size_t>& lines, Length& length, LogWriter& log);
+  void close_faces(const std::vector<std::size_t>& lines, CrackLengthAnalysis& length,
+                   LogWriter& log);
   /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
   void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
-  void measure_sections(const Scene& scene, const results::Increment& increment);
+  void measure_sections(const Discretisation& scene, const results::Increment& increment);
   /// Follows the loads of the growth behind the steps; false: no answer.
-  bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
+  bool follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log);
   /// Whether the results of a step are numbers; else the trouble says which are not.
   bool numbers_are_sound(const results::StepResult& result, const model::Step& step);
-  bool walk_steps(Length& length, const LengthRequest& request, LogWriter& log,
+  bool walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request, LogWriter& log,
                   results::Increment& increment, std::vector<std::size_t>& touching);
   /// Bars, sensitivities, stresses of a step's end, as far as they are asked for; false: no number.
-  bool estimate(Length& length, const LengthRequest& request, const SolvedStep& solved,
-                LogWriter& log, results::StepResult& result);
+  bool estimate(CrackLengthAnalysis& length, const CrackStateRequest& request,
+                const SolvedStep& solved, LogWriter& log, results::StepResult& result);
 
   const model::Model& model_;
   std::optional<model::Model> grown_; ///< in space: with the cracks of the state that is solved
@@ -105,10 +106,10 @@ private:
   base::Diagnostics& diagnostics_;
   base::Trouble& trouble_;
   CondensationCache cache_;
-  MountMemory mounted_;
-  CarriedState carried_, next_carried_;
-  std::optional<FollowedLoads> followed_;
-  std::optional<FreeFaces> free_;
+  MountOffsetMemory mounted_;
+  InheritedContactState carried_, next_carried_;
+  std::optional<LoadHistoryResult> followed_;
+  std::optional<OverlapResults> free_;
   ContactMemory contact_;
   estimate::ModeMatrixCache modes_;
   std::vector<mesh::CrackFront> tips_;

@@ -52,12 +52,12 @@ double apart_along_fronts(const crack::KLayout& layout, const base::Vector& K,
 
 } // namespace
 
-void LoadHistory::keep(std::size_t step, const StepSolver& solver,
-                       const results::StepResult& result) {
+void LoadHistorySolver::record_step(std::size_t step, const StepSolver& solver,
+                                    const results::StepResult& result) {
   of_step_.resize(step);
   of_step_.push_back(solver.factors());
   places_.resize(step);
-  places_.push_back(solver.place());
+  places_.push_back(solver.solver_state());
   of_steps_.resize(step);
   of_steps_.push_back(intensities_of(scene_.k_layout(), result));
   const int given = model_.steps[step].substeps;
@@ -65,7 +65,7 @@ void LoadHistory::keep(std::size_t step, const StepSolver& solver,
   parts_.push_back(given > 0 ? given : result.increments);
 }
 
-double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
+double LoadHistorySolver::change(const WayOfK& a, const WayOfK& b) const {
   double most = 0.0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     most = std::max(most, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
@@ -74,21 +74,21 @@ double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
 }
 
 // To a place; K of the increments joins the way.
-bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble) {
+bool LoadHistorySolver::go(const LoadHistoryPoint& place, WayOfK& way, base::Trouble& trouble) {
   const int by_t =
       // Round-off of t must not cost another increment.
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
   const auto seen = [&](const contact::ContactSystem::IncrementProblem& problem,
                         const contact::ContactSystem::IncrementSolution& solution) {
-    here_ = paths_.intensities(problem, solution, *solver_);
+    here_ = paths_.evaluate_K(problem, solution, *solver_);
     if (here_.size() > 0) {
       largest_ = std::max(largest_, here_.lpNorm<Eigen::Infinity>());
     }
     way.push_back(here_);
     ++increments_;
   };
-  std::optional<contact::ContactSystem::IncrementSolution> solution =
-      solver_->go_to(place.factors, place.increments > 0 ? place.increments : by_t, seen, trouble);
+  std::optional<contact::ContactSystem::IncrementSolution> solution = solver_->solve_increments(
+      place.factors, place.increments > 0 ? place.increments : by_t, seen, trouble);
   if (!solution) {
     trouble->why = fmt::format("while the loads of the growth were followed: {}", trouble->why);
     trouble->span = model_.growth->span;
@@ -100,8 +100,8 @@ bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble
 }
 
 // All cycles of a leg until they repeat themselves; those that are left are told by the last.
-bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out,
-                      base::Trouble& trouble) {
+bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg,
+                            LoadPassResult& out, base::Trouble& trouble) {
   WayOfK before; // marks of the cycle before, in the end of the last
   WayOfK on_the_way;
   // Cycles that stand alone begin at their own end, so that the first is a closed loop, too.
@@ -122,7 +122,7 @@ bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, Followe
       }
       marks.push_back(here_);
       if (first_mark + p == program.grow_at) {
-        at_growth_ = solver_->place();
+        at_growth_ = solver_->solver_state();
       }
     }
     const double moved = n > 0 ? change(marks, before) : 1.0;
@@ -151,26 +151,28 @@ bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, Followe
   return true;
 }
 
-bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, base::Trouble& trouble) {
+bool LoadHistorySolver::pass(const LoadHistoryProgram& program, LoadPassResult& out,
+                             base::Trouble& trouble) {
   out = {};
   unsettled_ = 0.0;
-  return std::ranges::all_of(program.legs,
-                             [&](const LoadLeg& part) { return leg(program, part, out, trouble); });
+  return std::ranges::all_of(program.legs, [&](const LoadHistorySegment& part) {
+    return leg(program, part, out, trouble);
+  });
 }
 
 // K by functionals against K of the displacements, where the last pass ends.
-bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trouble) {
+bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out, base::Trouble& trouble) {
   const bool shifted = std::ranges::any_of(
       model_.vces, [](const model::CrackExtensionSettings& vce) { return vce.shift.has_value(); });
   const crack::KLayout layout = scene_.k_layout();
   const base::Vector K = here_;
-  const std::optional<StepState> state = solver_->recover(solution_, trouble);
+  const std::optional<StepState> state = solver_->recover_state(solution_, trouble);
   if (!state) {
     trouble->span = model_.growth->span;
     return false;
   }
   const results::StepResult own =
-      gather_step(model_, scene_, bodies_, model_.steps.front(), *state);
+      collect_results(model_, scene_, bodies_, model_.steps.front(), *state);
   if (!own.fronts.empty() && largest_ > 0.0) {
     out.mismatch = apart_along_fronts(layout, K, own) / largest_;
   }
@@ -188,20 +190,22 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trou
 
 // Behind the first step of the loads, or to where the cracks have grown to this length. `before`:
 // K of the pass that has been, where there is one.
-bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
-                        base::Trouble& trouble) {
+bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
+                              const InheritedContactState& carried, WayOfK& before,
+                              base::Trouble& trouble) {
   if (carried.empty()) {
-    solver_->go_back(places_[program.start]);
+    solver_->restore_state(places_[program.start]);
     return true;
   }
-  const std::optional<StepSolver::Place> place = carried.put(scene_, solver_->place(), trouble);
+  const std::optional<StepSolver::StepSolverState> place =
+      carried.put(scene_, solver_->solver_state(), trouble);
   if (!place) {
     trouble->span = model_.growth->span;
     return false;
   }
-  solver_->go_back(*place);
-  std::vector<LoadPlace> marks;
-  for (const LoadLeg& leg : program.legs) {
+  solver_->restore_state(*place);
+  std::vector<LoadHistoryPoint> marks;
+  for (const LoadHistorySegment& leg : program.legs) {
     marks.insert(marks.end(), leg.places.begin(), leg.places.end());
   }
   before.clear();
@@ -210,17 +214,17 @@ bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carri
             trouble);
 }
 
-bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
-                         base::Trouble& trouble) {
-  const HistoryProgram program = history_program(model_, of_step_, parts_);
+bool LoadHistorySolver::solve_history(StepSolver& solver, InheritedContactState& carried,
+                                      LoadHistoryResult& out, base::Trouble& trouble) {
+  const LoadHistoryProgram program = load_program(model_, of_step_, parts_);
   out = {};
-  out.none = solver.system() == nullptr ? "nothing is in contact" : program.none;
+  out.none = solver.contact_system() == nullptr ? "nothing is in contact" : program.none;
   out.grow_at = program.grow_at;
   out.smallest = program.smallest;
   if (!out.none.empty()) {
     return true;
   }
-  const StepSolver::Place was = solver.place();
+  const StepSolver::StepSolverState was = solver.solver_state();
   solver_ = &solver;
   per_unit_ = program.per_unit;
   const bool spectrum = model_.growth->spectrum.has_value();
@@ -248,10 +252,10 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
   }
   good = good && compare_with_recovered(out, trouble);
   if (good && model_.growth->history == model::GrowthHistoryMode::carry_on) {
-    carried.take(scene_, at_growth_);
+    carried.store_state(scene_, at_growth_);
   }
   out.increments = increments_;
-  solver.go_back(was);
+  solver.restore_state(was);
   return good;
 }
 

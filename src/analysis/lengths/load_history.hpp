@@ -16,14 +16,14 @@ namespace spricka::analysis {
 /// K of all tips, along fronts the smooth one, increment by increment: [crack::KLayout].
 using WayOfK = std::vector<base::Vector>;
 
-struct FollowedPass {
+struct LoadPassResult {
   WayOfK way;   ///< from place to place, without what `cycles` has
   WayOfK marks; ///< K at each mark of the program, when it came by last
   std::vector<std::pair<WayOfK, double>> cycles; ///< closed cycles, with how often
 };
 
-struct FollowedLoads {
-  FollowedPass first, last;
+struct LoadHistoryResult {
+  LoadPassResult first, last;
   std::size_t grow_at = 0, smallest = 0; ///< marks, as HistoryProgram
   int passes = 0;
   int increments = 0;  ///< solved in all
@@ -37,39 +37,39 @@ struct FollowedLoads {
 inline constexpr double repeats_to = 1e-6;
 inline constexpr int most_passes = 20;
 
-class LoadHistory {
+class LoadHistorySolver {
 public:
-  LoadHistory(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-              LoadPaths& paths)
+  LoadHistorySolver(const model::Model& model, const Discretisation& scene,
+                    const std::vector<SubstructuredBody>& bodies, LoadPathSolver& paths)
       : model_(model), scene_(scene), bodies_(bodies), paths_(paths) {}
 
   /// Keeps what the history needs of this step; called behind each.
-  void keep(std::size_t step, const StepSolver& solver, const results::StepResult& result);
+  void record_step(std::size_t step, const StepSolver& solver, const results::StepResult& result);
 
   /// Follows the loads from their first step on, or from what `carried` holds; where the crack
   /// grows is in `carried` after it. The solver is left as it was. False: an increment has no
   /// answer.
-  bool follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
-              base::Trouble& trouble);
+  bool solve_history(StepSolver& solver, InheritedContactState& carried, LoadHistoryResult& out,
+                     base::Trouble& trouble);
 
 private:
-  bool go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble);
-  bool begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
-             base::Trouble& trouble);
-  bool pass(const HistoryProgram& program, FollowedPass& out, base::Trouble& trouble);
-  bool leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out,
+  bool go(const LoadHistoryPoint& place, WayOfK& way, base::Trouble& trouble);
+  bool begin(const LoadHistoryProgram& program, const InheritedContactState& carried,
+             WayOfK& before, base::Trouble& trouble);
+  bool pass(const LoadHistoryProgram& program, LoadPassResult& out, base::Trouble& trouble);
+  bool leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg, LoadPassResult& out,
            base::Trouble& trouble);
-  bool compare_with_recovered(FollowedLoads& out, base::Trouble& trouble);
+  bool compare_with_recovered(LoadHistoryResult& out, base::Trouble& trouble);
   [[nodiscard]] double change(const WayOfK& a, const WayOfK& b) const;
 
   const model::Model& model_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
-  LoadPaths& paths_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
+  LoadPathSolver& paths_;
   std::vector<StepFactors> of_step_;
-  std::vector<StepSolver::Place> places_; ///< [step]
-  WayOfK of_steps_;                       ///< [step] K of its result
-  std::vector<int> parts_;                ///< [step] increments it was cut into
+  std::vector<StepSolver::StepSolverState> places_; ///< [step]
+  WayOfK of_steps_;                                 ///< [step] K of its result
+  std::vector<int> parts_;                          ///< [step] increments it was cut into
   // while it is followed
   StepSolver* solver_ = nullptr;
   contact::ContactSystem::IncrementSolution solution_; ///< of the last increment
@@ -78,7 +78,7 @@ private:
   double largest_ = 0.0;   ///< K so far
   double unsettled_ = 0.0; ///< of cycles of blocks in the last pass
   int increments_ = 0;
-  StepSolver::Place at_growth_;
+  StepSolver::StepSolverState at_growth_;
 };
 
 } // namespace spricka::analysis

@@ -15,34 +15,34 @@ namespace spricka::analysis {
 /// profile where one is recorded.
 class LogWriter {
 public:
-  explicit LogWriter(std::vector<results::LogLine>& lines, Recorder* recorder = nullptr)
+  explicit LogWriter(std::vector<results::LogLine>& lines, ProfileRecorder* recorder = nullptr)
       : lines_(lines), recorder_(recorder) {}
-  void add(const std::string& processor, const std::string& text,
-           std::optional<double> flops = {}) {
+  void add_line(const std::string& processor, const std::string& text,
+                std::optional<double> flops = {}) {
     lines_.push_back({.processor = processor,
                       .text = text,
                       .cpu = watch_.cpu_time(),
                       .wall = watch_.wall_time()});
-    record(processor, text, flops);
+    record_work(processor, text, flops);
   }
   /// The same for the profile alone: what the listing does not tell.
-  void record(const std::string& processor, const std::string& text,
-              std::optional<double> flops = {}) {
+  void record_work(const std::string& processor, const std::string& text,
+                   std::optional<double> flops = {}) {
     if (recorder_ != nullptr) {
-      recorder_->add(processor, text, watch_, flops);
+      recorder_->add_work(processor, text, watch_, flops);
     }
     watch_ = base::Stopwatch();
   }
   /// What was done by nets since the line before.
   void record_nets(std::vector<results::NetWork> nets) {
     if (recorder_ != nullptr) {
-      recorder_->add(std::move(nets));
+      recorder_->add_work(std::move(nets));
     }
   }
 
 private:
   std::vector<results::LogLine>& lines_;
-  Recorder* recorder_;
+  ProfileRecorder* recorder_;
   base::Stopwatch watch_;
 };
 

@@ -22,7 +22,7 @@ base::Vec2 of_tip(const base::Vector& K, std::size_t tip) {
 }
 
 // K1 and K2 where K1 is largest in a pass.
-base::Vec2 largest(const FollowedPass& pass, std::size_t tip) {
+base::Vec2 largest(const LoadPassResult& pass, std::size_t tip) {
   base::Vec2 best(-std::numeric_limits<double>::infinity(), 0.0);
   const auto look = [&](const WayOfK& way) {
     for (const base::Vector& all : way) {
@@ -39,8 +39,8 @@ base::Vec2 largest(const FollowedPass& pass, std::size_t tip) {
 
 } // namespace
 
-void GrowthMeasure::of_pass(const FollowedPass& pass, const KOfLaw& K,
-                            growth::TipStation& found) const {
+void GrowthRateEvaluator::of_pass(const LoadPassResult& pass, const KOfLaw& K,
+                                  growth::TipStation& found) const {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   found.rate = 0.0;
@@ -67,8 +67,8 @@ void GrowthMeasure::of_pass(const FollowedPass& pass, const KOfLaw& K,
   found.K_max = std::max(0.0, high);
 }
 
-void GrowthMeasure::of_loads(const FollowedLoads& loads, const KOfLaw& K,
-                             growth::TipStation& found) const {
+void GrowthRateEvaluator::of_loads(const LoadHistoryResult& loads, const KOfLaw& K,
+                                   growth::TipStation& found) const {
   growth::TipStation first; // of the first cycle or pass
   if (spectrum_) {
     of_pass(loads.last, K, found);
@@ -86,7 +86,7 @@ void GrowthMeasure::of_loads(const FollowedLoads& loads, const KOfLaw& K,
   found.change = loads.change;
 }
 
-void GrowthMeasure::look_at(const FollowedLoads& loads, double a) {
+void GrowthRateEvaluator::look_at(const LoadHistoryResult& loads, double a) {
   if (!(loads.change <= repeats_to)) {
     warnings_.insert(
         {"W507",
@@ -106,10 +106,10 @@ void GrowthMeasure::look_at(const FollowedLoads& loads, double a) {
   }
 }
 
-bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, bool straight,
-                               growth::TipStation& found) {
-  const FollowedLoads& loads = *at.followed;
-  const std::vector<results::TipResult>& tips = at.increment.steps[largest_step(model_)].tips;
+bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const std::string& name,
+                                     bool straight, growth::TipStation& found) {
+  const LoadHistoryResult& loads = *at.followed;
+  const std::vector<results::TipResult>& tips = at.increment.steps[largest_load_step(model_)].tips;
   const auto own = std::ranges::find(tips, name, &results::TipResult::name);
   if (own == tips.end() || own->two_materials) {
     return no_rate(
@@ -129,8 +129,8 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
   return !std::isnan(found.rate) || no_rate({});
 }
 
-bool GrowthMeasure::by_front_history(const FollowedLoads& loads, const std::string& name, double a,
-                                     const KOfLaw& K1, growth::TipStation& found) {
+bool GrowthRateEvaluator::by_front_history(const LoadHistoryResult& loads, const std::string& name,
+                                           double a, const KOfLaw& K1, growth::TipStation& found) {
   of_loads(loads, K1, found);
   // Only faces that touch have K1 = 0 to the last bit.
   if (continues_below_closing(model_) && found.K_min == 0.0) {

@@ -191,17 +191,17 @@ std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
 
 } // namespace
 
-std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path,
+std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPath& path,
                                                 const base::Vec3& x) {
   const PlaceOnFront place = place_on_path(path, "", x);
   return place.found() ? std::optional(K_on_path(path.fronts[place.front], place, {1.0, 0.0}))
                        : std::nullopt;
 }
 
-bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& tip,
-                             const base::Vec3& aim, growth::TipStation& found) {
+bool GrowthRateEvaluator::by_front(const SolvedCrackState& at, const growth::GrowingTip& tip,
+                                   const base::Vec3& aim, growth::TipStation& found) {
   const std::string& crack = at.cracks.solids[tip.line].name;
-  const results::StepResult& high = at.increment.steps[largest_step(model_)];
+  const results::StepResult& high = at.increment.steps[largest_load_step(model_)];
   const PlaceOnFront place = place_in_step(high, crack, aim);
   if (!place.found()) {
     return no_rate(fmt::format("crack {} has no front to grow from", crack));
@@ -228,7 +228,7 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   look_at_shear(crack, K);
   const base::Vec2 part = turn(K.head<2>(), false, found);
   if (at.followed && at.followed->none.empty()) {
-    const FollowedLoads& loads = *at.followed;
+    const LoadHistoryResult& loads = *at.followed;
     found.K2_max = K_at(high, place, 2)(loads.last.marks[loads.grow_at]);
     const auto K1 = K_at(high, place, 1);
     const auto K2 = K_at(high, place, 2);
@@ -258,7 +258,7 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   return true;
 }
 
-void GrowthMeasure::look_at_shear(const std::string& crack, const base::Vec3& K) {
+void GrowthRateEvaluator::look_at_shear(const std::string& crack, const base::Vec3& K) {
   const bool stays = model_.growth->direction == model::GrowthDirection::path;
   const double K2 = stays ? std::abs(K[1]) : 0.0;
   const double part = std::max(K2, std::abs(K[2])) / K[0];
@@ -267,7 +267,7 @@ void GrowthMeasure::look_at_shear(const std::string& crack, const base::Vec3& K)
   }
 }
 
-std::set<results::Warning> GrowthMeasure::warnings() const {
+std::set<results::Warning> GrowthRateEvaluator::warnings() const {
   std::set<results::Warning> all = warnings_;
   const bool stays = model_.growth->direction == model::GrowthDirection::path;
   for (const auto& [crack, shear] : shear_) {
@@ -282,8 +282,8 @@ std::set<results::Warning> GrowthMeasure::warnings() const {
   return all;
 }
 
-bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string& crack,
-                                      const base::Vec3& aim, growth::TipStation& found) {
+bool GrowthRateEvaluator::by_front_spectrum(const SolvedCrackState& at, const std::string& crack,
+                                            const base::Vec3& aim, growth::TipStation& found) {
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPath& path = *at.path;
   if (model_.growth->corrected) {
@@ -302,9 +302,9 @@ bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string&
   // The way on is that at the largest load; K of the whole path is that at the tip of the kink.
   const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
   const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});
-  const double peak = place_of_largest(K1, spectrum_->lowest(), spectrum_->highest());
+  const double peak = locate_maximum(K1, spectrum_->lowest(), spectrum_->highest());
   const base::PiecewiseLinear K = K_on_path(front, place, turn({K1(peak), K2(peak)}, false, found));
-  if (continues_below_closing(model_) && touch_somewhere(front.points[place.from].smooth[0])) {
+  if (continues_below_closing(model_) && faces_touch(front.points[place.from].smooth[0])) {
     warn_of_closing(front.is.name, front.is.a);
   }
   const auto [low, high] = spectrum_->extreme_K(K);

@@ -36,7 +36,7 @@ bool touch_on(const base::PiecewiseLinear& K1, std::size_t segment) {
 
 } // namespace
 
-bool touch_somewhere(const base::PiecewiseLinear& K1) {
+bool faces_touch(const base::PiecewiseLinear& K1) {
   for (std::size_t i = 0; i < K1.segments(); ++i) {
     if (touch_on(K1, i)) {
       return true;
@@ -45,8 +45,7 @@ bool touch_somewhere(const base::PiecewiseLinear& K1) {
   return false;
 }
 
-base::PiecewiseLinear with_error_out(const base::PiecewiseLinear& K, double at_zero,
-                                     double at_one) {
+base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, double at_one) {
   const double K0 = K.at_knot(0);
   const double K1 = K(std::min(1.0, K.knots().back()));
   // An error that changes by more than K does is none of K: beyond the ends it would run away.
@@ -77,8 +76,8 @@ results::LoadPath corrected_path(results::LoadPath path, const results::StepResu
     const results::TipResult* low = results::find_tip(from, tip.name);
     const results::TipResult* high = results::find_tip(to, tip.name);
     if (low != nullptr && high != nullptr) {
-      tip.K1 = with_error_out(tip.K1, error_of(*low, 1), error_of(*high, 1));
-      tip.K2 = with_error_out(tip.K2, error_of(*low, 2), error_of(*high, 2));
+      tip.K1 = correct_K(tip.K1, error_of(*low, 1), error_of(*high, 1));
+      tip.K2 = correct_K(tip.K2, error_of(*low, 2), error_of(*high, 2));
     }
   }
   for (std::size_t f = 0; f < path.fronts.size(); ++f) {
@@ -86,8 +85,8 @@ results::LoadPath corrected_path(results::LoadPath path, const results::StepResu
       results::PathPoint& point = path.fronts[f].points[i];
       const double low = estimated_error(from.fronts.at(f), i);
       const double high = estimated_error(to.fronts.at(f), i);
-      point.K[0] = with_error_out(point.K[0], low, high);
-      point.smooth[0] = with_error_out(point.smooth[0], low, high);
+      point.K[0] = correct_K(point.K[0], low, high);
+      point.smooth[0] = correct_K(point.smooth[0], low, high);
     }
   }
   return path;

@@ -10,10 +10,10 @@ namespace spricka::analysis {
 /// t = 0, `at_one` at t = 1) and linear in K between and beyond; in t, where K turns back on the
 /// way or changes by less than the error does (growth.14). Where faces touch K stays 0. All in
 /// units of K.
-base::PiecewiseLinear with_error_out(const base::PiecewiseLinear& K, double at_zero, double at_one);
+base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, double at_one);
 
 /// Whether the faces of a crack touch on some part of a path: K1 is 0 there.
-bool touch_somewhere(const base::PiecewiseLinear& K1);
+bool faces_touch(const base::PiecewiseLinear& K1);
 
 /// A path with the errors of K taken out that the bars of its first and its last step estimate;
 /// where they have none K is as computed.

@@ -16,12 +16,13 @@ std::optional<std::size_t> known(std::size_t bytes) {
 
 } // namespace
 
-Recorder::Recorder(const base::Stopwatch& since, double cpu_before) : cpu_before_(cpu_before) {
+ProfileRecorder::ProfileRecorder(const base::Stopwatch& since, double cpu_before)
+    : cpu_before_(cpu_before) {
   profile_.begin = since.start_time();
 }
 
-void Recorder::add(const std::string& processor, const std::string& text,
-                   const base::Stopwatch& watch, std::optional<double> flops) {
+void ProfileRecorder::add_work(const std::string& processor, const std::string& text,
+                               const base::Stopwatch& watch, std::optional<double> flops) {
   results::Stretch stretch{.processor = processor,
                            .text = text,
                            .begin = watch.start_time(),
@@ -37,13 +38,13 @@ void Recorder::add(const std::string& processor, const std::string& text,
   profile_.stretches.push_back(std::move(stretch));
 }
 
-void Recorder::add_start(const base::Stopwatch& since) {
-  add("START", "libraries, command line", since);
+void ProfileRecorder::add_start(const base::Stopwatch& since) {
+  add_work("START", "libraries, command line", since);
   const std::scoped_lock lock(guard_);
   profile_.stretches.back().cpu = base::cpu_seconds() - cpu_before_;
 }
 
-void Recorder::add(std::vector<results::NetWork> nets) {
+void ProfileRecorder::add_work(std::vector<results::NetWork> nets) {
   const std::scoped_lock lock(guard_);
   for (results::NetWork& net : nets) {
     if (length_) {
@@ -53,22 +54,22 @@ void Recorder::add(std::vector<results::NetWork> nets) {
   }
 }
 
-void Recorder::add(const results::MesherWork& work) {
+void ProfileRecorder::add_work(const results::MesherWork& work) {
   const std::scoped_lock lock(guard_);
   profile_.mesher.push_back(work);
 }
 
-void Recorder::begin_round() {
+void ProfileRecorder::begin_round() {
   const std::scoped_lock lock(guard_);
   ++round_;
 }
 
-void Recorder::begin_length() {
+void ProfileRecorder::begin_length() {
   const std::scoped_lock lock(guard_);
   length_.emplace();
 }
 
-void Recorder::end_length(std::optional<double> a, bool counts) {
+void ProfileRecorder::end_length(std::optional<double> a, bool counts) {
   const std::scoped_lock lock(guard_);
   if (length_) {
     profile_.lengths.push_back({.a = a,
@@ -81,7 +82,7 @@ void Recorder::end_length(std::optional<double> a, bool counts) {
   }
 }
 
-results::Profile Recorder::finish() {
+results::Profile ProfileRecorder::finish() {
   const std::scoped_lock lock(guard_);
   profile_.end = base::steady_seconds();
   profile_.cpu = base::cpu_seconds() - cpu_before_;
@@ -90,23 +91,23 @@ results::Profile Recorder::finish() {
 }
 
 // What there is no memory to take down is left out: the run has other troubles then.
-Recorded::~Recorded() {
+RecordedInterval::~RecordedInterval() {
   try {
     if (recorder_ != nullptr) {
-      recorder_->add(processor_, text_, watch_);
+      recorder_->add_work(processor_, text_, watch_);
     }
   } catch (const std::exception&) {
     recorder_ = nullptr;
   }
 }
 
-RecordedLength::RecordedLength(Recorder* recorder) : recorder_(recorder) {
+RecordedCrackLength::RecordedCrackLength(ProfileRecorder* recorder) : recorder_(recorder) {
   if (recorder_ != nullptr) {
     recorder_->begin_length();
   }
 }
 
-RecordedLength::~RecordedLength() {
+RecordedCrackLength::~RecordedCrackLength() {
   try {
     if (recorder_ != nullptr) {
       recorder_->end_length(a_, counts_);

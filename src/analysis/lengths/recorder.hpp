@@ -13,19 +13,19 @@ namespace spricka::analysis {
 
 /// Takes down what a run costs while it goes along. Stretches come from the main thread, one after
 /// another; requests to the mesher may come from any.
-class Recorder {
+class ProfileRecorder {
 public:
   /// From where `since` was started; `cpu_before` [s] of the process are not the run's.
-  explicit Recorder(const base::Stopwatch& since, double cpu_before);
+  explicit ProfileRecorder(const base::Stopwatch& since, double cpu_before);
 
   /// What was done since `watch` was started, and up to now.
-  void add(const std::string& processor, const std::string& text, const base::Stopwatch& watch,
-           std::optional<double> flops = {});
+  void add_work(const std::string& processor, const std::string& text, const base::Stopwatch& watch,
+                std::optional<double> flops = {});
   /// What was before all else, since the process began.
   void add_start(const base::Stopwatch& since);
   /// Nets of the length that is worked on.
-  void add(std::vector<results::NetWork> nets);
-  void add(const results::MesherWork& work);
+  void add_work(std::vector<results::NetWork> nets);
+  void add_work(const results::MesherWork& work);
   /// The lengths of a deck again, on a finer mesh.
   void begin_round();
   void begin_length();
@@ -44,35 +44,35 @@ private:
 };
 
 /// A stretch from its construction to its end; with a null recorder nothing at all.
-class Recorded {
+class RecordedInterval {
 public:
-  Recorded(Recorder* recorder, const char* processor, const char* text)
+  RecordedInterval(ProfileRecorder* recorder, const char* processor, const char* text)
       : recorder_(recorder), processor_(processor), text_(text) {}
-  ~Recorded();
-  Recorded(const Recorded&) = delete;
-  Recorded& operator=(const Recorded&) = delete;
+  ~RecordedInterval();
+  RecordedInterval(const RecordedInterval&) = delete;
+  RecordedInterval& operator=(const RecordedInterval&) = delete;
 
 private:
-  Recorder* recorder_;
+  ProfileRecorder* recorder_;
   const char* processor_;
   const char* text_;
   base::Stopwatch watch_;
 };
 
 /// A crack length from its construction to its end; with a null recorder nothing at all.
-class RecordedLength {
+class RecordedCrackLength {
 public:
-  explicit RecordedLength(Recorder* recorder);
-  ~RecordedLength();
-  RecordedLength(const RecordedLength&) = delete;
-  RecordedLength& operator=(const RecordedLength&) = delete;
+  explicit RecordedCrackLength(ProfileRecorder* recorder);
+  ~RecordedCrackLength();
+  RecordedCrackLength(const RecordedCrackLength&) = delete;
+  RecordedCrackLength& operator=(const RecordedCrackLength&) = delete;
   /// It has a solution.
-  void solved(double a) { a_ = a; }
+  void set_length(double a) { a_ = a; }
   /// It is an increment of the run.
-  void counts() { counts_ = true; }
+  void mark_increment() { counts_ = true; }
 
 private:
-  Recorder* recorder_;
+  ProfileRecorder* recorder_;
   std::optional<double> a_;
   bool counts_ = false;
 };

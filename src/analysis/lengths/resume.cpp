@@ -29,9 +29,10 @@ bool fit_pictures(const std::vector<bool>& pictured, results::Increment& increme
 
 } // namespace
 
-std::optional<archive::KeptIncrement> resume(const model::Model& model,
-                                             archive::Checkpoint* checkpoint, int number,
-                                             double asked, const std::vector<bool>& pictured) {
+std::optional<archive::KeptIncrement> resume_increment(const model::Model& model,
+                                                       archive::Checkpoint* checkpoint, int number,
+                                                       double asked,
+                                                       const std::vector<bool>& pictured) {
   if (checkpoint == nullptr || !checkpoint->has(number)) {
     return std::nullopt;
   }
@@ -46,19 +47,19 @@ std::optional<archive::KeptIncrement> resume(const model::Model& model,
     return std::nullopt;
   }
   checkpoint->take(number);
-  keep_gone_members(model.mesh, kept.increment.mesh);
+  keep_removed_members(model.mesh, kept.increment.mesh);
   add_face_nodes(model, kept.increment.mesh);
   return kept;
 }
 
-void take_over(archive::KeptIncrement kept, results::Run& run) {
+void append_increment(archive::KeptIncrement kept, results::Run& run) {
   run.log.insert(run.log.end(), kept.log.begin(), kept.log.end());
   run.cpu += kept.cpu;
   run.wall += kept.wall;
   run.increments.push_back(std::move(kept.increment));
 }
 
-void tell_of_kept(const SolveOptions& options, const results::Run& run, std::size_t increments) {
+void report_resumed(const SolveOptions& options, const results::Run& run, std::size_t increments) {
   if (options.found) {
     options.found(run.increments.back());
   }
@@ -67,7 +68,7 @@ void tell_of_kept(const SolveOptions& options, const results::Run& run, std::siz
   }
 }
 
-bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
+bool is_time_up(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
   if (checkpoint == nullptr || !checkpoint->out_of_time()) {
     return false;
   }
@@ -75,8 +76,9 @@ bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
   return true;
 }
 
-void IncrementMark::keep(archive::Checkpoint* checkpoint, double asked,
-                         const results::Increment& increment, results::NamedArrays state) const {
+void IncrementStart::store_increment(archive::Checkpoint* checkpoint, double asked,
+                                     const results::Increment& increment,
+                                     results::NamedArrays state) const {
   if (checkpoint == nullptr) {
     return;
   }

@@ -16,13 +16,14 @@ namespace spricka::analysis {
 
 /// Increment `number`, asked for length `asked`, from an earlier run; empty: it is to be solved.
 /// Its stresses are those of the steps in `pictured`; where one is missing it is solved anew.
-std::optional<archive::KeptIncrement> resume(const model::Model& model,
-                                             archive::Checkpoint* checkpoint, int number,
-                                             double asked, const std::vector<bool>& pictured);
+std::optional<archive::KeptIncrement> resume_increment(const model::Model& model,
+                                                       archive::Checkpoint* checkpoint, int number,
+                                                       double asked,
+                                                       const std::vector<bool>& pictured);
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
 /// there (std::out_of_range), the file is in trouble: throws FileTrouble E560.
-template <class Take> auto from_state(const Take& take) {
+template <class Take> auto restore_checked(const Take& take) {
   try {
     return take();
   } catch (const std::out_of_range& trouble) {
@@ -32,23 +33,23 @@ template <class Take> auto from_state(const Take& take) {
 }
 
 /// Adds it to a run as if it had been solved now.
-void take_over(archive::KeptIncrement kept, results::Run& run);
+void append_increment(archive::KeptIncrement kept, results::Run& run);
 
 /// Tells of the last increment of a run, which was taken over, as if it had been solved, of so many
 /// in all.
-void tell_of_kept(const SolveOptions& options, const results::Run& run, std::size_t increments);
+void report_resumed(const SolveOptions& options, const results::Run& run, std::size_t increments);
 
 /// Whether the time is up before the next increment; then `trouble` says so.
-bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble);
+bool is_time_up(const archive::Checkpoint* checkpoint, base::Trouble& trouble);
 
 /// Where a loop stood when it began with an increment.
-class IncrementMark {
+class IncrementStart {
 public:
-  explicit IncrementMark(const std::vector<results::LogLine>& log)
+  explicit IncrementStart(const std::vector<results::LogLine>& log)
       : log_(log), lines_(log.size()) {}
   /// Keeps the increment that was solved since, with the log's lines since then.
-  void keep(archive::Checkpoint* checkpoint, double asked, const results::Increment& increment,
-            results::NamedArrays state) const;
+  void store_increment(archive::Checkpoint* checkpoint, double asked,
+                       const results::Increment& increment, results::NamedArrays state) const;
 
 private:
   const std::vector<results::LogLine>& log_;

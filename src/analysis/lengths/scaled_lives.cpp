@@ -18,7 +18,7 @@ constexpr double same_life = 2e-3; // a line that says this is no other one
 
 std::vector<base::Vector> loads_of_steps(const model::Model& model) {
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
-  StepFactors now = first_factors(model, cases, model.contacts.size());
+  StepFactors now = initial_factors(model, cases, model.contacts.size());
   std::vector<base::Vector> loads;
   for (const model::Step& step : model.steps) {
     apply_actions(step, now);
@@ -42,7 +42,7 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
 std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
                                            const growth::TipStation& tip) {
   if (!path.fronts.empty()) {
-    return K1_nearest(path, {tip.x, tip.y, tip.z});
+    return nearest_K1(path, {tip.x, tip.y, tip.z});
   }
   return path.tips.size() == 1 ? std::optional(path.tips.front().K1) : std::nullopt;
 }
@@ -51,7 +51,7 @@ std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
 // K of the largest load.
 std::optional<std::vector<growth::Station>> on_line(const std::vector<results::LoadPath>& paths,
                                                     std::vector<growth::Station> stations,
-                                                    const GrowthMeasure& measure,
+                                                    const GrowthRateEvaluator& measure,
                                                     bool through_zero) {
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -99,7 +99,7 @@ std::optional<results::ScaledLife> life(const std::string& name, const growth::M
 
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
                                               const growth::March& march,
-                                              const GrowthMeasure& measure) {
+                                              const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledLife> out;
   std::vector<growth::Station> stations = march.state().stations;
   // Of several tips in the plane the rates would change each other's arms; along fronts they are
@@ -131,7 +131,7 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
   }
   std::vector<results::LoadPath> paths; // [station]
   for (const results::Increment& increment : run.increments) {
-    if (std::optional<results::LoadPath> path = path_of_growth(model, increment)) {
+    if (std::optional<results::LoadPath> path = growth_load_path(model, increment)) {
       paths.push_back(std::move(*path));
     }
   }

@@ -19,6 +19,6 @@ inline constexpr int points_of_interval = 16;
 /// In space it goes through the same fronts.
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
                                               const growth::March& march,
-                                              const GrowthMeasure& measure);
+                                              const GrowthRateEvaluator& measure);
 
 } // namespace spricka::analysis

@@ -66,7 +66,7 @@ std::optional<growth::CrackState> cracks_of(const model::Model& model, double a,
 // One region for all lengths, so that the rest is condensed once.
 RegionPlan one_region(const model::Model& model, const SolveOptions& options,
                       const std::vector<double>& lengths, base::Diagnostics& diagnostics) {
-  const Recorded stretch(options.recorder, "TOPOLOGY", "region of the cracks");
+  const RecordedInterval stretch(options.recorder, "TOPOLOGY", "region of the cracks");
   return plan_region(model, lengths, diagnostics);
 }
 
@@ -78,27 +78,27 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
   if (diagnostics.has_errors()) {
     return false;
   }
-  LengthSolver solver(model, options, run.log, diagnostics, trouble);
+  CrackStateSolver solver(model, options, run.log, diagnostics, trouble);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
-    const std::vector<bool> pictured = pictured_steps(model, i + 1 == lengths.size());
+    const std::vector<bool> pictured = stress_steps(model, i + 1 == lengths.size());
     const base::Stopwatch resuming;
-    if (auto kept = resume(model, options.checkpoint, number, lengths[i], pictured)) {
+    if (auto kept = resume_increment(model, options.checkpoint, number, lengths[i], pictured)) {
       // What was mounted and closed goes on from the last length that was kept.
-      from_state([&] { solver.go_on(kept->state); });
-      take_over(std::move(*kept), run);
-      tell_of_kept(options, run, lengths.size());
+      restore_checked([&] { solver.restore_state(kept->state); });
+      append_increment(std::move(*kept), run);
+      report_resumed(options, run, lengths.size());
       if (options.recorder != nullptr) {
-        options.recorder->add("RESTART", "an increment taken over", resuming);
+        options.recorder->add_work("RESTART", "an increment taken over", resuming);
       }
       continue;
     }
     // Lengths that were kept cost nothing: time is asked for before one is solved.
-    if (stop_here(options.checkpoint, trouble)) {
+    if (is_time_up(options.checkpoint, trouble)) {
       return false;
     }
-    RecordedLength length(options.recorder);
-    const IncrementMark mark(run.log);
+    RecordedCrackLength length(options.recorder);
+    const IncrementStart mark(run.log);
     std::optional<growth::CrackState> cracks = cracks_of(model, lengths[i], diagnostics);
     if (!cracks) {
       return false;
@@ -111,15 +111,15 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     if (!increment) {
       return false;
     }
-    length.solved(increment->a);
-    length.counts();
-    const Recorded keeping(options.checkpoint != nullptr ? options.recorder : nullptr, "RESTART",
-                           "state of the increment");
+    length.set_length(increment->a);
+    length.mark_increment();
+    const RecordedInterval keeping(options.checkpoint != nullptr ? options.recorder : nullptr,
+                                   "RESTART", "state of the increment");
     increment->number = number;
     run.increments.push_back(std::move(*increment));
     results::NamedArrays state;
-    solver.save(state);
-    mark.keep(options.checkpoint, lengths[i], run.increments.back(), std::move(state));
+    solver.save_state(state);
+    mark.store_increment(options.checkpoint, lengths[i], run.increments.back(), std::move(state));
     if (options.progress) {
       options.progress({.increment = i + 1, .increments = lengths.size()});
     }

@@ -13,10 +13,10 @@ class Checkpoint;
 
 namespace spricka::analysis {
 
-class Recorder;
+class ProfileRecorder;
 
 /// How far a run is; told at the end of each stage of an increment, and of the increment.
-struct Progress {
+struct RunProgress {
   std::size_t increment = 0;  ///< those that are finished
   std::size_t increments = 0; ///< in all; 0: as told before
   bool open_end = false;      ///< a law ends where it will: `increments` are those begun
@@ -27,14 +27,14 @@ struct Progress {
 
 struct SolveOptions {
   int threads = 1;
-  Condensing condensing = Condensing::automatic;
+  CondensationMode condensing = CondensationMode::automatic;
   /// Keeps increments, and gives back those of an earlier run.
   archive::Checkpoint* checkpoint = nullptr;
-  std::function<void(const Progress&)> progress = {}; ///< may be empty
+  std::function<void(const RunProgress&)> progress = {}; ///< may be empty
   /// Given the increment under way with all its steps so far, whenever there is a new K in it; may
   /// be empty.
   std::function<void(const results::Increment&)> found = {};
-  Recorder* recorder = nullptr; ///< of a profile, where one is asked for
+  ProfileRecorder* recorder = nullptr; ///< of a profile, where one is asked for
 };
 
 } // namespace spricka::analysis

@@ -21,7 +21,7 @@ constexpr double least_overlap = 0.02;
 constexpr double round_off = 1e-9; // of the bodies' extent
 
 // The boundary of one body, as drawn and as it has moved.
-struct Rim {
+struct DeformedBodyBoundary {
   std::vector<model::Face> faces;
   std::vector<base::NodeId> nodes;
   contact::BodyBoundary moved;
@@ -31,8 +31,8 @@ struct Rim {
 
 class Overlaps {
 public:
-  Overlaps(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-           const StepState& state)
+  Overlaps(const model::Model& model, const Discretisation& scene,
+           const std::vector<SubstructuredBody>& bodies, const StepState& state)
       : model_(model), scene_(scene), bodies_(bodies), state_(state), mesh_(scene.cracked.mesh) {
     std::vector<int> body(mesh_.element_count(), -1);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -48,8 +48,9 @@ public:
       }
     }
     for (const std::vector<model::Face>& own : faces) {
-      Rim rim{own, mesh::nodes_of_faces(mesh_, own),
-              contact::BodyBoundary(model, mesh_, own, state.u), std::nullopt, 0.0};
+      DeformedBodyBoundary rim{own, mesh::nodes_of_faces(mesh_, own),
+                               contact::BodyBoundary(model, mesh_, own, state.u), std::nullopt,
+                               0.0};
       for (const base::NodeId n : rim.nodes) {
         rim.displacement = std::max(rim.displacement, shift(n).norm());
       }
@@ -80,7 +81,7 @@ private:
     return u;
   }
   const contact::BodyBoundary& drawn(std::size_t b) const {
-    Rim& rim = rims_[b];
+    DeformedBodyBoundary& rim = rims_[b];
     return rim.drawn ? *rim.drawn : rim.drawn.emplace(model_, mesh_, rim.faces, base::Vector());
   }
   [[nodiscard]] const Vec3& place(base::NodeId n) const { return mesh_.x[n.index()]; }
@@ -106,7 +107,7 @@ private:
 
   // The node of body a that is deepest in body b.
   [[nodiscard]] Worst deepest(std::size_t a, std::size_t b) const {
-    const Rim& other = rims_[b];
+    const DeformedBodyBoundary& other = rims_[b];
     const double moved = std::max(rims_[a].displacement, other.displacement);
     const double extent = std::max(rims_[a].moved.extent(), other.moved.extent());
     // No node gets deeper into the other body than both have moved.
@@ -200,19 +201,19 @@ private:
   }
 
   const model::Model& model_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
   const StepState& state_;
   const model::Mesh& mesh_;
-  mutable std::vector<Rim> rims_;
+  mutable std::vector<DeformedBodyBoundary> rims_;
   std::vector<bool> held_; ///< [node]
 };
 
 } // namespace
 
-void tell_overlaps(const model::Model& model, const Scene& scene,
-                   const std::vector<BodyNet>& bodies, const StepState& state,
-                   results::StepResult& out) {
+void warn_of_overlaps(const model::Model& model, const Discretisation& scene,
+                      const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                      results::StepResult& out) {
   if (bodies.size() > 1) {
     Overlaps(model, scene, bodies, state).tell(out);
   }

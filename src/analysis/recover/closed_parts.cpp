@@ -15,9 +15,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// The nodes of a surface in their order along it; round surfaces go on from the last to the first.
-class Row {
+class OrderedContactPoints {
 public:
-  explicit Row(const results::ContactResult& contact) : round_(contact.round) {
+  explicit OrderedContactPoints(const results::ContactResult& contact) : round_(contact.round) {
     for (const results::ContactPoint& p : contact.points) {
       nodes_.push_back(&p);
     }
@@ -57,7 +57,7 @@ private:
 
 /// Where contact ends beyond its last node, towards the open one next to it: (contact.11) with the
 /// force and moment of up to three closed nodes. `step` is 1 or -1.
-double end_of(const Row& row, int last, int first, int step) {
+double end_of(const OrderedContactPoints& row, int last, int first, int step) {
   // The fit needs two nodes; the end of a part of one node is not known better than the node.
   const int nodes = std::min(3, std::abs(last - first) + 1);
   if (nodes < 2) {
@@ -99,7 +99,7 @@ std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& co
   if (contact.closed == 0 || contact.points.empty()) {
     return parts;
   }
-  const Row row(contact);
+  const OrderedContactPoints row(contact);
   const double middle = 0.5 * (contact.arc_from + contact.arc_to);
   for (int i = 0; i < row.count(); ++i) {
     if (!row.closed(i) || (row.goes_on(i - 1) && row.closed(i - 1))) {
@@ -132,7 +132,7 @@ std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& co
 }
 
 bool between_pieces(const results::ContactResult& contact, double place) {
-  const Row row(contact);
+  const OrderedContactPoints row(contact);
   for (int i = 0; !contact.round && i + 1 < row.count(); ++i) {
     if (row.place(i) < place && place < row.place(i + 1)) {
       return !row.goes_on(i);

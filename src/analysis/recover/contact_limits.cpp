@@ -54,7 +54,7 @@ double facets(const contact::PairConstraints& pair, double facet) {
 }
 
 /// What contact of the bodies as drawn leaves out of one pair, as it has moved.
-struct Moved {
+struct PairMotionError {
   std::size_t pair = 0; ///< in scene.pairs
   std::string contact;
   contact::SlideMeasures slide;
@@ -84,13 +84,15 @@ double turned_by(const contact::PairConstraints& pair, double pressure,
 }
 
 // The body of a pair's contact side where displacements have taken it.
-std::optional<contact::BodyBoundary> moved_body(const model::Model& model, const Scene& scene,
-                                                const std::vector<BodyNet>& bodies,
+std::optional<contact::BodyBoundary> moved_body(const model::Model& model,
+                                                const Discretisation& scene,
+                                                const std::vector<SubstructuredBody>& bodies,
                                                 const StepState& state,
                                                 const contact::PairConstraints& pair) {
   const base::NodeId node = pair.contact.facets.front().nodes.front();
-  const auto body = std::ranges::find_if(
-      bodies, [&](const BodyNet& one) { return std::ranges::binary_search(one.body.nodes, node); });
+  const auto body = std::ranges::find_if(bodies, [&](const SubstructuredBody& one) {
+    return std::ranges::binary_search(one.body.nodes, node);
+  });
   if (body == bodies.end()) {
     return std::nullopt;
   }
@@ -116,9 +118,9 @@ double left_alone(const contact::BodyBoundary& body, const contact::SlideMeasure
   return all > 0.0 ? left / all : slide.unsupported_part;
 }
 
-std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
-                             const std::vector<BodyNet>& bodies, const StepState& state,
-                             std::size_t c) {
+std::optional<PairMotionError> look_at(const model::Model& model, const Discretisation& scene,
+                                       const std::vector<SubstructuredBody>& bodies,
+                                       const StepState& state, std::size_t c) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
   if (!state.mounted[c] || bonded || pair.faces || !pair.found || pair.contact.facets.empty()) {
@@ -128,9 +130,9 @@ std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
   if (!(pressure > no_strain * pair.contact.stiffness)) {
     return std::nullopt;
   }
-  Moved found{.pair = c,
-              .contact = scene.contacts[c].name,
-              .slide = contact::measure_slide(pair, state.pair_lambda[c], state.u)};
+  PairMotionError found{.pair = c,
+                        .contact = scene.contacts[c].name,
+                        .slide = contact::measure_slide(pair, state.pair_lambda[c], state.u)};
   contact::SlideMeasures& slide = found.slide;
   if (slide.unsupported_part > most_lost && !pair.rigid && !pair.rigid_shape) {
     if (const auto body = moved_body(model, scene, bodies, state, pair)) {
@@ -143,8 +145,8 @@ std::optional<Moved> look_at(const model::Model& model, const Scene& scene,
 }
 
 // Rigid motions that neither supports nor bonds keep a body from.
-std::vector<const base::Matrix*> free_motions(const Scene& scene,
-                                              const std::vector<BodyNet>& bodies) {
+std::vector<const base::Matrix*> free_motions(const Discretisation& scene,
+                                              const std::vector<SubstructuredBody>& bodies) {
   std::set<base::NodeId> bonded;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     if (scene.contacts[c].type == model::ContactType::bonded) {
@@ -157,7 +159,7 @@ std::vector<const base::Matrix*> free_motions(const Scene& scene,
     }
   }
   std::vector<const base::Matrix*> motions;
-  for (const BodyNet& body : bodies) {
+  for (const SubstructuredBody& body : bodies) {
     if (std::ranges::none_of(body.body.nodes,
                              [&](base::NodeId node) { return bonded.contains(node); })) {
       motions.push_back(&body.free_modes);
@@ -169,13 +171,14 @@ std::vector<const base::Matrix*> free_motions(const Scene& scene,
 // Takes out of the gaps that no row counts what rigid motions of bodies that only contact holds
 // close: a pin that keeps its direction in a lug that bends moves across it at no cost. Least
 // squares over all contacts, by thrust.
-void close_by_rigid_motions(const Scene& scene, const std::vector<BodyNet>& bodies,
-                            const StepState& state, std::vector<Moved>& all) {
+void close_by_rigid_motions(const Discretisation& scene,
+                            const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                            std::vector<PairMotionError>& all) {
   const std::vector<const base::Matrix*> motions = free_motions(scene, bodies);
   std::vector<std::vector<contact::DisplacedContactPoint>> places;
   base::Matrix normal_matrix;
   base::Vector unseen;
-  for (const Moved& one : all) {
+  for (const PairMotionError& one : all) {
     places.push_back(
         contact::measure_slide(scene.pairs[one.pair], state.pair_lambda[one.pair], state.u, motions)
             .places);
@@ -208,7 +211,7 @@ void close_by_rigid_motions(const Scene& scene, const std::vector<BodyNet>& bodi
   }
 }
 
-std::string what_moves(const Moved& one) {
+std::string what_moves(const PairMotionError& one) {
   const contact::SlideMeasures& slide = one.slide;
   std::string text = fmt::format(
       "contact {}: the bodies slide by {:.3g} ({:.2g} element lengths) along {:.3g} "
@@ -226,7 +229,7 @@ std::string what_moves(const Moved& one) {
 }
 
 // `part` is that of the step's largest contact force which is out of place.
-results::Note judged(const Moved& one, double part) {
+results::Note judged(const PairMotionError& one, double part) {
   const std::string text = what_moves(one);
   if (part > most_off) {
     return results::no_answer(text + ": forces, pressures and K of this state answer nothing; draw "
@@ -245,20 +248,21 @@ results::Note judged(const Moved& one, double part) {
 
 } // namespace
 
-void tell_slides(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-                 const StepState& state, results::StepResult& out) {
-  std::vector<Moved> all;
+void warn_of_large_slip(const model::Model& model, const Discretisation& scene,
+                        const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                        results::StepResult& out) {
+  std::vector<PairMotionError> all;
   double largest = 0.0;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    if (std::optional<Moved> one = look_at(model, scene, bodies, state, c)) {
+    if (std::optional<PairMotionError> one = look_at(model, scene, bodies, state, c)) {
       largest = std::max(largest, one->slide.thrust);
       all.push_back(*std::move(one));
     }
   }
-  if (std::ranges::any_of(all, [](const Moved& one) { return one.turned > 0.0; })) {
+  if (std::ranges::any_of(all, [](const PairMotionError& one) { return one.turned > 0.0; })) {
     close_by_rigid_motions(scene, bodies, state, all);
   }
-  for (const Moved& one : all) {
+  for (const PairMotionError& one : all) {
     if (one.matters()) {
       out.notes.push_back(judged(one, one.off() * one.slide.thrust / largest));
     }

@@ -11,7 +11,8 @@ namespace spricka::analysis {
 /// drawn: part of its force acts where nothing stands opposite any more, they slide by more than an
 /// element, or they turn until gaps change that the rows know nothing of. By the part of the step's
 /// largest contact force that is out of place a note, less exact or no answer.
-void tell_slides(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-                 const StepState& state, results::StepResult& out);
+void warn_of_large_slip(const model::Model& model, const Discretisation& scene,
+                        const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                        results::StepResult& out);
 
 } // namespace spricka::analysis

@@ -23,8 +23,9 @@ const model::CrackExtensionSettings* request_of(const model::Model& model, base:
 }
 
 // What contacts press on the free sides that domains move.
-std::vector<crack::FacePointForces>
-contact_forces(const Scene& scene, const crack::FrontExtensions& fields, const StepState& state) {
+std::vector<crack::FacePointForces> contact_forces(const Discretisation& scene,
+                                                   const crack::FrontExtensions& fields,
+                                                   const StepState& state) {
   std::set<model::Face> moved;
   for (const crack::MovedFreeSide& side : fields.sides) {
     moved.insert(side.face);
@@ -77,9 +78,9 @@ results::FrontPlace place_of(const model::CrackDefinition& crack, const mesh::Fr
 
 } // namespace
 
-void gather_fronts(const model::Model& model, const Scene& scene, const StepState& state,
-                   results::StepResult& out) {
-  for (const FrontScene& at : scene.fronts) {
+void evaluate_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
+                     results::StepResult& out) {
+  for (const FrontWithDomains& at : scene.fronts) {
     const mesh::CrackFront& front = at.front;
     const model::CrackDefinition& crack = model.cracks[front.crack.index()];
     const model::CrackExtensionSettings* vce = request_of(model, front.crack);
@@ -109,7 +110,7 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
       result.points.back().x = without_round_off(front.points[i].x, reach);
       result.points.back().number = static_cast<int>(i) + 1;
     }
-    judge_front({model, scene, front, state, K, faces}, result, out);
+    check_front_faces({model, scene, front, state, K, faces}, result, out);
     out.fronts.push_back(std::move(result));
   }
 }

@@ -150,7 +150,7 @@ double k_scale(const TipState& at, const TipFaces& faces) {
 
 } // namespace
 
-void judge_faces(const TipState& at, results::TipResult& result, results::StepResult& out) {
+void check_crack_faces(const TipState& at, results::TipResult& result, results::StepResult& out) {
   if (at.K.two_materials) {
     result.doubt = "the tip lies between two materials, where stresses oscillate: it has no K1 and "
                    "K2, only G";

@@ -10,7 +10,7 @@ namespace spricka::analysis {
 /// A tip at the end of a step, and K as its rings find it.
 struct TipState {
   const model::Model& model;
-  const Scene& scene;
+  const Discretisation& scene;
   const mesh::CrackFront& front;
   const StepState& state;
   const crack::StressIntensity& K;
@@ -18,6 +18,6 @@ struct TipState {
 
 /// What the faces of a crack, and the materials beside it, make of the K of its tip: K1 = 0 where
 /// they touch, doubt where K is no answer; notes where the mesh does not resolve what they do.
-void judge_faces(const TipState& at, results::TipResult& result, results::StepResult& out);
+void check_crack_faces(const TipState& at, results::TipResult& result, results::StepResult& out);
 
 } // namespace spricka::analysis

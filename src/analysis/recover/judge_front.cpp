@@ -107,7 +107,8 @@ void note_front(std::size_t closed, std::size_t held, const results::FrontResult
 
 } // namespace
 
-void judge_front(const FrontState& at, results::FrontResult& result, results::StepResult& out) {
+void check_front_faces(const FrontState& at, results::FrontResult& result,
+                       results::StepResult& out) {
   if (!at.model.cracks[at.front.crack.index()].faces_in_contact) {
     tell_front_overlap(at, result, out);
     return;

@@ -14,7 +14,7 @@ inline constexpr double worst_open_front = 0.01;
 /// A front at the end of a step, and K as its domains find it [point].
 struct FrontState {
   const model::Model& model;
-  const Scene& scene;
+  const Discretisation& scene;
   const mesh::CrackFront& front;
   const StepState& state;
   const std::vector<crack::StressIntensity>& K;
@@ -23,6 +23,7 @@ struct FrontState {
 
 /// What the faces of a crack in space make of K along its front: K1 = 0 at points where they touch,
 /// doubt where K is no answer; notes on both.
-void judge_front(const FrontState& at, results::FrontResult& result, results::StepResult& out);
+void check_front_faces(const FrontState& at, results::FrontResult& result,
+                       results::StepResult& out);
 
 } // namespace spricka::analysis

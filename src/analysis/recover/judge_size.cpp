@@ -32,7 +32,7 @@ struct Reach {
   double largest = 0.0; ///< displacement itself
 };
 
-Reach reach_of(const model::Mesh& mesh, const BodyNet& body, const base::Vector& u) {
+Reach reach_of(const model::Mesh& mesh, const SubstructuredBody& body, const base::Vector& u) {
   const int dim = mesh.dim;
   base::Vec3 middle = base::Vec3::Zero();
   base::Vec3 mean = base::Vec3::Zero();
@@ -106,8 +106,8 @@ double volume_of(const model::Model& model, const model::Mesh& mesh, base::Eleme
 }
 
 /// The uniaxial strain that would hold a body's energy: no corner or crack tip counts by itself.
-double mean_strain(const model::Model& model, const model::Mesh& mesh, const BodyNet& body,
-                   const std::vector<double>& energy) {
+double mean_strain(const model::Model& model, const model::Mesh& mesh,
+                   const SubstructuredBody& body, const std::vector<double>& energy) {
   double held = 0.0;
   double stiff = 0.0;
   for (const base::ElementId e : body.body.elements) {
@@ -143,7 +143,7 @@ bool judges(const results::Increment& increment, std::string_view step, std::str
 
 } // namespace
 
-void explain_lost_ligaments(results::Run& run) {
+void explain_broken_ligaments(results::Run& run) {
   for (std::size_t i = 1; i < run.increments.size(); ++i) {
     for (results::StepResult& step : run.increments[i].steps) {
       for (results::Note& note : step.notes) {
@@ -164,12 +164,13 @@ void explain_lost_ligaments(results::Run& run) {
   }
 }
 
-void judge_size(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-                const StepState& state, results::StepResult& out) {
+void check_small_strain(const model::Model& model, const Discretisation& scene,
+                        const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                        results::StepResult& out) {
   constexpr double small_strain = 0.01;
   constexpr double small_turn = 0.1; // what it changes is of second order
   const model::Mesh& mesh = scene.cracked.mesh;
-  for (const BodyNet& body : bodies) {
+  for (const SubstructuredBody& body : bodies) {
     const double strain = mean_strain(model, mesh, body, state.energy);
     const Reach reach = reach_of(mesh, body, out.u);
     const double turn = reach.size > 0.0 ? reach.motion / reach.size : 0.0;

@@ -19,7 +19,7 @@ namespace spricka::analysis {
 namespace {
 
 // Whether a row of the table is one between the faces of a crack.
-bool between_faces(const Scene& scene, std::size_t row) {
+bool between_faces(const Discretisation& scene, std::size_t row) {
   return std::ranges::any_of(scene.crack_face_pairs, [&](const auto& crack_face) {
     return crack_face && row >= scene.table.first[crack_face->pair] &&
            row < scene.table.first[crack_face->pair + 1];
@@ -28,9 +28,9 @@ bool between_faces(const Scene& scene, std::size_t row) {
 
 } // namespace
 
-std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
-                                                     const Scene& scene) {
-  std::vector<Watch> watches;
+std::vector<LoadPathSolver::FaceNodePair> LoadPathSolver::watch_faces(const model::Model& model,
+                                                                      const Discretisation& scene) {
+  std::vector<FaceNodePair> watches;
   if (!scene.fronts.empty()) {
     return watches; // in space steps say where faces overlap
   }
@@ -43,7 +43,7 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
     contact::PairConstraints pair =
         contact::crack_face_rows(model, scene.cracked.mesh, scene.cracked.faces[i], true);
     for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-      Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
+      FaceNodePair& watch = watches.emplace_back(FaceNodePair{i, std::move(pair.normal[r]), {}});
       if (!pair.tangent.empty()) {
         watch.along = std::move(pair.tangent[r]);
       }
@@ -52,7 +52,7 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
   return watches;
 }
 
-base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most) const {
+base::Matrix LoadPathSolver::functional_columns(Eigen::Index first, Eigen::Index most) const {
   const auto size =
       static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
   const crack::KLayout layout = scene_.k_layout();
@@ -70,7 +70,7 @@ base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most
   const Eigen::Index columns = std::min(most, functional_count() - first);
   base::Matrix nodal = base::Matrix::Zero(size, columns);
   for (Eigen::Index c = 0; c < columns; ++c) {
-    const Watch& watch = watches_[static_cast<std::size_t>((first + c - K) / 2)];
+    const FaceNodePair& watch = watches_[static_cast<std::size_t>((first + c - K) / 2)];
     const bool along = (first + c - K) % 2 == 1;
     if (along && !watch.along) {
       continue;
@@ -85,10 +85,10 @@ base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most
   return nodal;
 }
 
-base::Vector LoadPaths::watched(const base::Vector& u) const {
+base::Vector LoadPathSolver::watched(const base::Vector& u) const {
   base::Vector values = base::Vector::Zero(2 * static_cast<Eigen::Index>(watches_.size()));
   for (std::size_t w = 0; w < watches_.size(); ++w) {
-    const Watch& watch = watches_[w];
+    const FaceNodePair& watch = watches_[w];
     const auto at = 2 * static_cast<Eigen::Index>(w);
     values[at] = row_opening(watch.apart, 2, u) / watch.apart.area;
     if (watch.along) {
@@ -98,7 +98,7 @@ base::Vector LoadPaths::watched(const base::Vector& u) const {
   return values;
 }
 
-void LoadPaths::look_at_faces(const base::Vector& value) {
+void LoadPathSolver::look_at_faces(const base::Vector& value) {
   const Eigen::Index K = first_watched();
   for (std::size_t w = 0; w < watches_.size();) {
     const std::size_t line = watches_[w].line;
@@ -118,16 +118,16 @@ void LoadPaths::look_at_faces(const base::Vector& value) {
 }
 
 // Between knots all is linear: the largest overlaps are at knots.
-void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
+void LoadPathSolver::look_at_faces(const solve::SolutionPath& found) {
   for (const solve::PathSegment& s : found.segments) {
     look_at_faces(s.value);
     look_at_faces(base::Vector(s.value + (s.to - s.from) * s.slope));
   }
 }
 
-base::Vector LoadPaths::intensities(const contact::ContactSystem::IncrementProblem& problem,
-                                    const contact::ContactSystem::IncrementSolution& solution,
-                                    const StepSolver& solver) {
+base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementProblem& problem,
+                                        const contact::ContactSystem::IncrementSolution& solution,
+                                        const StepSolver& solver) {
   if (!rows_) {
     rows_ = functionals(solver);
   }
@@ -176,15 +176,15 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::IncrementProbl
 
 // Smooth, and K1 is 0 where faces touch; what the mesh finds a little below 0 for faces in contact
 // is 0 as well, as in steps (judge_front).
-base::Vector LoadPaths::along_fronts(const contact::ContactSystem::IncrementProblem& problem,
-                                     const contact::ContactSystem::IncrementSolution& solution,
-                                     const base::Vector& value) const {
+base::Vector LoadPathSolver::along_fronts(const contact::ContactSystem::IncrementProblem& problem,
+                                          const contact::ContactSystem::IncrementSolution& solution,
+                                          const base::Vector& value) const {
   const crack::KLayout layout = scene_.k_layout();
   base::Vector K(layout.count());
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
     const std::vector<std::optional<std::size_t>> rows = rows_behind(f, problem.rows);
-    const auto smooth = smooth_front(scene_.fronts[f], value, layout.first_index(first));
+    const auto smooth = smooth_front_K(scene_.fronts[f], value, layout.first_index(first));
     const base::CrackId crack = scene_.fronts[f].front.crack;
     const bool bear = scene_.crack_face_pairs[crack.index()].has_value();
     for (std::size_t i = 0; i < smooth.size(); ++i, ++first) {
@@ -196,8 +196,8 @@ base::Vector LoadPaths::along_fronts(const contact::ContactSystem::IncrementProb
   return K;
 }
 
-bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
-                          base::PiecewiseLinear& K1) const {
+bool LoadPathSolver::close_tip(std::size_t t, const LoadPathEnd& end,
+                               const solve::SolutionPath& found, base::PiecewiseLinear& K1) const {
   const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
   const auto at = row ? std::ranges::find(end.problem.rows, *row) : end.problem.rows.end();
   return at != end.problem.rows.end() &&

@@ -17,7 +17,7 @@ namespace {
 
 // K1, K2, K3 of a point that a front begins with.
 struct FrontStart {
-  const FrontScene& at;
+  const FrontWithDomains& at;
   Eigen::Index first = 0; ///< among the functionals
 };
 
@@ -34,8 +34,8 @@ results::PathFront follow_front(const FrontStart& front, const solve::SolutionPa
   std::vector<std::array<std::vector<double>, 3>> value(n);
   std::vector<std::array<std::vector<double>, 3>> slope(n);
   for (const solve::PathSegment& s : found.segments) {
-    const auto values = smooth_front(front.at, s.value, front.first);
-    const auto slopes = smooth_front(front.at, s.slope, front.first);
+    const auto values = smooth_front_K(front.at, s.value, front.first);
+    const auto slopes = smooth_front_K(front.at, s.slope, front.first);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         value[i][k].push_back(values[i][k]);
@@ -56,11 +56,11 @@ results::PathFront follow_front(const FrontStart& front, const solve::SolutionPa
 }
 
 // The lowest K1 of the points inside the body, and the largest of any mode, on the whole path.
-struct Range {
+struct FrontKRange {
   double lowest = 0.0, largest = 0.0;
 };
-Range range_of(const results::PathFront& front) {
-  Range range;
+FrontKRange range_of(const results::PathFront& front) {
+  FrontKRange range;
   for (const results::PathPoint& point : front.points) {
     if (point.is.at_surface) {
       continue;
@@ -108,7 +108,7 @@ double apart_from(const results::PathFront& front, double t, const results::Fron
 } // namespace
 
 std::vector<std::optional<std::size_t>>
-LoadPaths::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
+LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
   std::vector<std::optional<std::size_t>> out;
   const mesh::CrackFront& front = scene_.fronts[f].front;
   for (const std::optional<std::size_t>& row : rows_at_front(scene_, front)) {
@@ -125,12 +125,12 @@ LoadPaths::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) 
   return out;
 }
 
-base::Matrix LoadPaths::front_columns(Eigen::Index first, Eigen::Index most) const {
+base::Matrix LoadPathSolver::front_columns(Eigen::Index first, Eigen::Index most) const {
   return base::Matrix(front_rows_.middleCols(first, std::min(most, front_rows_.cols() - first)));
 }
 
-void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const End& to,
-                       results::LoadPath& path) const {
+void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd& from,
+                            const LoadPathEnd& to, results::LoadPath& path) const {
   double size = 0.0;
   double apart = 0.0;
   const crack::KLayout layout = scene_.k_layout();
@@ -146,10 +146,10 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
           "K1 = 0 there",
           front.is.name, touching, front.points.size())));
     }
-    const Range range = range_of(front);
+    const FrontKRange range = range_of(front);
     size = std::max(size, range.largest);
     front.is.doubt.clear();
-    for (const End* end : {&from, &to}) {
+    for (const LoadPathEnd* end : {&from, &to}) {
       if (const std::string& doubt = end->result.fronts[f].doubt;
           !doubt.empty() && front.is.doubt.empty()) {
         front.is.doubt = doubt;
@@ -174,7 +174,7 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
     path.fronts.push_back(std::move(front));
   }
   path.mismatch = size > 0.0 ? apart / size : 0.0;
-  tell_mismatch(path);
+  warn_of_mismatch(path);
 }
 
 } // namespace spricka::analysis

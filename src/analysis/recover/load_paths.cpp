@@ -24,8 +24,9 @@ namespace {
 // Functionals that are condensed at a time.
 constexpr Eigen::Index most_columns = 64;
 
-crack::StressIntensity intensity(const model::Model& model, const Scene& scene, std::size_t t,
-                                 const base::Vector& u, const base::Vector& case_factor) {
+crack::StressIntensity intensity(const model::Model& model, const Discretisation& scene,
+                                 std::size_t t, const base::Vector& u,
+                                 const base::Vector& case_factor) {
   const mesh::CrackFront& front = scene.cracked.fronts[t];
   crack::TipIntensityRequest request; // without SHIFT: linear in u
   request.state = model.cracks[front.crack.index()].state;
@@ -45,7 +46,7 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
   case solve::PathStatus::complete:
     return {};
   case solve::PathStatus::unheld_mode:
-    return solver.unheld(found.unheld);
+    return solver.unsupported_motion(found.unheld);
   case solve::PathStatus::no_start:
     return "the loads and fits at its beginning have no solution";
   case solve::PathStatus::inconsistent:
@@ -60,12 +61,12 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
 
 } // namespace
 
-LoadPaths::LoadPaths(const model::Model& model, const Scene& scene,
-                     const std::vector<BodyNet>& bodies)
+LoadPathSolver::LoadPathSolver(const model::Model& model, const Discretisation& scene,
+                               const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), bodies_(bodies), watches_(watch_faces(model, scene)) {}
 
-void LoadPaths::keep(std::size_t step, const StepSolver& solver,
-                     const results::StepResult& result) {
+void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
+                                 const results::StepResult& result) {
   const bool wanted =
       std::ranges::any_of(model_.load_paths, [&](const model::LoadPathDefinition& path) {
         return path.from.index() == step || path.to.index() == step;
@@ -73,9 +74,9 @@ void LoadPaths::keep(std::size_t step, const StepSolver& solver,
   if (!wanted) {
     return;
   }
-  End& end = ends_[step];
-  if (solver.system() != nullptr) {
-    end.problem = solver.problem();
+  LoadPathEnd& end = ends_[step];
+  if (solver.contact_system() != nullptr) {
+    end.problem = solver.contact_problem();
   }
   end.case_factor = solver.factors().case_factor;
   end.result.tips = result.tips;
@@ -83,19 +84,19 @@ void LoadPaths::keep(std::size_t step, const StepSolver& solver,
   end.result.contacts = result.contacts;
 }
 
-LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) {
+LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSolver& solver) {
   const Eigen::Index count = functional_count();
-  Functionals out;
-  if (solver.system() == nullptr || count == 0) {
+  ContactForceFunctionals out;
+  if (solver.contact_system() == nullptr || count == 0) {
     return out;
   }
   const bool space = !scene_.fronts.empty();
   if (space) {
-    front_rows_ = front_rows(model_, scene_);
+    front_rows_ = front_K_rows(model_, scene_);
   }
-  const contact::ContactSystem& system = *solver.system();
+  const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
-  for (const std::size_t b : solver.condensed()) {
+  for (const std::size_t b : solver.condensed_bodies()) {
     modes += bodies_[b].condensed->modes().cols();
   }
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
@@ -108,7 +109,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) {
     scene_.ties->transfer_to_masters(nodal);
     std::vector<base::Matrix> external;
     std::vector<base::Matrix> moved;
-    for (const std::size_t b : solver.condensed()) {
+    for (const std::size_t b : solver.condensed_bodies()) {
       external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
       moved.push_back(bodies_[b].condensed->displacement(external.back()));
     }
@@ -116,7 +117,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) {
       std::vector<base::Vector> u;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         u.emplace_back(moved[i].col(k));
-        const base::Matrix& Q = bodies_[solver.condensed()[i]].condensed->modes();
+        const base::Matrix& Q = bodies_[solver.condensed_bodies()[i]].condensed->modes();
         out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
             external[i].col(k).transpose() * Q;
       }
@@ -128,14 +129,14 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) {
   }
   // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
   out.of_row.topRows(first_watched()) +=
-      space ? front_rows_of_forces(model_, scene_) : intensity_of_forces(model_, scene_);
+      space ? front_K_by_forces(model_, scene_) : K_from_face_forces(model_, scene_);
   return out;
 }
 
-base::Vector LoadPaths::intensities_of(const base::Vector& u,
-                                       const base::Vector& case_factor) const {
+base::Vector LoadPathSolver::intensities_of(const base::Vector& u,
+                                            const base::Vector& case_factor) const {
   if (!scene_.fronts.empty()) {
-    return front_values(model_, scene_, u, case_factor);
+    return front_K_values(model_, scene_, u, case_factor);
   }
   const crack::KLayout layout = scene_.k_layout();
   base::Vector values(layout.count());
@@ -148,9 +149,9 @@ base::Vector LoadPaths::intensities_of(const base::Vector& u,
 }
 
 // K and faces of the bodies alone, without contact forces and rigid motions.
-base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
+base::Vector LoadPathSolver::free_values(const base::Vector& case_factor) const {
   base::Vector u = scene_.case_displacement * case_factor;
-  for (const BodyNet& body : bodies_) {
+  for (const SubstructuredBody& body : bodies_) {
     base::Vector external;
     if (body.condensed) {
       external = body.condensed->displacement(body.external_load * case_factor);
@@ -163,20 +164,20 @@ base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
   return values;
 }
 
-solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
-                                            const StepSolver& solver) const {
+solve::ParametricProblem LoadPathSolver::problem(const LoadPathEnd& from, const LoadPathEnd& to,
+                                                 const StepSolver& solver) const {
   solve::ParametricProblem p;
   p.f0 = free_values(from.case_factor);
   p.df = free_values(to.case_factor) - p.f0;
-  if (solver.system() == nullptr) {
+  if (solver.contact_system() == nullptr) {
     p.at_zero.W.resize(0, 0);
     p.at_zero.B.resize(0, 0);
     p.of_force.resize(p.f0.size(), 0);
     p.of_mode.resize(p.f0.size(), 0);
     return p;
   }
-  p.at_zero = solver.system()->condensed(from.problem);
-  const solve::ContactProblem at_one = solver.system()->condensed(to.problem);
+  p.at_zero = solver.contact_system()->condensed(from.problem);
+  const solve::ContactProblem at_one = solver.contact_system()->condensed(to.problem);
   p.db = at_one.b - p.at_zero.b;
   p.dh = at_one.h - p.at_zero.h;
   // One end may be without load: the larger scale serves all of the path.
@@ -194,7 +195,8 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
   return p;
 }
 
-bool LoadPaths::homogeneous(const End& from, const End& to, const StepSolver& solver) const {
+bool LoadPathSolver::homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
+                                 const StepSolver& solver) const {
   // The right-hand side of a tie has no factor (solve.33).
   if (scene_.ties->has_constants()) {
     return false;
@@ -207,8 +209,8 @@ bool LoadPaths::homogeneous(const End& from, const End& to, const StepSolver& so
   return rest.size() == 0 || rest.cwiseAbs().maxCoeff() <= 1e-12 * size;
 }
 
-void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const End& to,
-                     results::LoadPath& path) const {
+void LoadPathSolver::tips(const solve::SolutionPath& found, const LoadPathEnd& from,
+                          const LoadPathEnd& to, results::LoadPath& path) const {
   const crack::KLayout layout = scene_.k_layout();
   double size = 0.0;
   double apart = 0.0;
@@ -237,7 +239,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
                       "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
                       tip.name)));
     }
-    for (const End* end : {&from, &to}) {
+    for (const LoadPathEnd* end : {&from, &to}) {
       const results::TipResult& own = end->result.tips[t];
       if (own.K1 >= 0.0 && !own.doubt.empty() && tip.doubt.empty()) {
         tip.doubt = own.doubt;
@@ -264,11 +266,11 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
     path.tips.push_back(std::move(tip));
   }
   path.mismatch = size > 0.0 ? apart / size : 0.0;
-  tell_mismatch(path);
+  warn_of_mismatch(path);
 }
 
-void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
-                         results::LoadPath& path) const {
+void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
+                              results::LoadPath& path) const {
   const std::vector<std::size_t>& rows = end.problem.rows;
   std::size_t first = 0; // of a contact among the rows in force
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
@@ -296,7 +298,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
       place.push_back(place_of[pair.normal[i].node.value]);
       closed.push_back(found.closed[first + i]);
     }
-    const ClosedRun run(place, contact.round);
+    const LongestClosedRange run(place, contact.round);
     auto change = found.changes.begin();
     for (std::size_t k = 0; k < found.segments.size(); ++k) {
       // Changes of a segment happen at its beginning.
@@ -328,17 +330,18 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
   std::ranges::stable_sort(path.changes, {}, &results::PathChange::t);
 }
 
-solve::ParametricProblem LoadPaths::pose(const model::LoadPathDefinition& card,
-                                         const StepSolver& solver) {
+solve::ParametricProblem LoadPathSolver::path_problem(const model::LoadPathDefinition& card,
+                                                      const StepSolver& solver) {
   if (!rows_) {
     rows_ = functionals(solver);
   }
   return problem(ends_.at(card.from.index()), ends_.at(card.to.index()), solver);
 }
 
-results::LoadPath LoadPaths::path(const model::LoadPathDefinition& card, const StepSolver& solver) {
-  const End& from = ends_.at(card.from.index());
-  const End& to = ends_.at(card.to.index());
+results::LoadPath LoadPathSolver::path(const model::LoadPathDefinition& card,
+                                       const StepSolver& solver) {
+  const LoadPathEnd& from = ends_.at(card.from.index());
+  const LoadPathEnd& to = ends_.at(card.to.index());
   results::LoadPath out;
   out.name = card.name;
   out.from = model_.steps[card.from.index()].name;
@@ -348,7 +351,7 @@ results::LoadPath LoadPaths::path(const model::LoadPathDefinition& card, const S
                   "its loads one after another";
     return out;
   }
-  const solve::ParametricProblem posed = pose(card, solver);
+  const solve::ParametricProblem posed = path_problem(card, solver);
   solve::SolutionPath found;
   if (posed.db.size() > 0 || posed.dh.size() > 0) {
     solve::PathSettings settings;
@@ -387,7 +390,7 @@ results::LoadPath LoadPaths::path(const model::LoadPathDefinition& card, const S
   return out;
 }
 
-std::vector<results::LoadPath> LoadPaths::follow(const StepSolver& solver) {
+std::vector<results::LoadPath> LoadPathSolver::solve_paths(const StepSolver& solver) {
   std::vector<results::LoadPath> out;
   for (const model::LoadPathDefinition& card : model_.load_paths) {
     out.push_back(path(card, solver));

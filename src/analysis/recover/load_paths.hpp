@@ -16,43 +16,44 @@
 /// solution for each.
 namespace spricka::analysis {
 
-class LoadPaths {
+class LoadPathSolver {
 public:
-  LoadPaths(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+  LoadPathSolver(const model::Model& model, const Discretisation& scene,
+                 const std::vector<SubstructuredBody>& bodies);
 
   /// Keeps what paths that begin or end at this step need; called behind each step.
-  void keep(std::size_t step, const StepSolver& solver, const results::StepResult& result);
+  void record_step(std::size_t step, const StepSolver& solver, const results::StepResult& result);
   /// All paths of the model, once the steps are done.
-  [[nodiscard]] std::vector<results::LoadPath> follow(const StepSolver& solver);
+  [[nodiscard]] std::vector<results::LoadPath> solve_paths(const StepSolver& solver);
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
   /// yet (analysis/steps/crack_face_contact.hpp).
-  [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
+  [[nodiscard]] const std::vector<std::size_t>& overlapping_lines() const { return touching_; }
   /// K of each tip in a solved increment [crack::KLayout], along fronts in space the smooth one; K1
   /// is 0 where its faces touch at the tip, or in the plane what a law with R < 0 wants there.
   /// Looks at the faces, too.
-  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::IncrementProblem& problem,
-                                         const contact::ContactSystem::IncrementSolution& solution,
-                                         const StepSolver& solver);
+  [[nodiscard]] base::Vector evaluate_K(const contact::ContactSystem::IncrementProblem& problem,
+                                        const contact::ContactSystem::IncrementSolution& solution,
+                                        const StepSolver& solver);
   /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
   /// its two nodes are apart and how far along the face.
-  [[nodiscard]] solve::ParametricProblem pose(const model::LoadPathDefinition& card,
-                                              const StepSolver& solver);
+  [[nodiscard]] solve::ParametricProblem path_problem(const model::LoadPathDefinition& card,
+                                                      const StepSolver& solver);
 
 private:
   /// Loads and gaps at the end of a step.
-  struct End {
+  struct LoadPathEnd {
     contact::ContactSystem::IncrementProblem problem;
     base::Vector case_factor;
     results::StepResult result; ///< without its fields
   };
   /// Two nodes that lie on one another, of faces that may meet.
-  struct Watch {
+  struct FaceNodePair {
     std::size_t line = 0;
     contact::ConstraintRow apart;
     std::optional<contact::ConstraintRow> along; ///< none in a half model
   };
-  [[nodiscard]] static std::vector<Watch> watch_faces(const model::Model& model,
-                                                      const Scene& scene);
+  [[nodiscard]] static std::vector<FaceNodePair> watch_faces(const model::Model& model,
+                                                             const Discretisation& scene);
   /// K of all tips, then two for each watch.
   [[nodiscard]] Eigen::Index first_watched() const { return scene_.k_layout().count(); }
   [[nodiscard]] Eigen::Index functional_count() const {
@@ -75,38 +76,40 @@ private:
   void look_at_faces(const base::Vector& value);
   /// K1 and K2 of all tips by contact forces and rigid modes (manual, solve.32): one
   /// back-substitution for each.
-  struct Functionals {
+  struct ContactForceFunctionals {
     base::Matrix of_row;  ///< [functional, row of the table]
     base::Matrix of_mode; ///< [functional, mode of the system]
   };
-  [[nodiscard]] Functionals functionals(const StepSolver& solver);
+  [[nodiscard]] ContactForceFunctionals functionals(const StepSolver& solver);
   /// K of the bodies alone from their displacements. [K]
   [[nodiscard]] base::Vector intensities_of(const base::Vector& u,
                                             const base::Vector& case_factor) const;
   [[nodiscard]] base::Vector free_values(const base::Vector& case_factor) const;
-  [[nodiscard]] solve::ParametricProblem problem(const End& from, const End& to,
+  [[nodiscard]] solve::ParametricProblem problem(const LoadPathEnd& from, const LoadPathEnd& to,
                                                  const StepSolver& solver) const;
   [[nodiscard]] results::LoadPath path(const model::LoadPathDefinition& card,
                                        const StepSolver& solver);
-  void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
-  void tips(const solve::SolutionPath& found, const End& from, const End& to,
+  void contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
+                results::LoadPath& path) const;
+  void tips(const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
             results::LoadPath& path) const;
   /// K along fronts in space, and how far it is from that of the steps at the path's ends.
-  void fronts(const solve::SolutionPath& found, const End& from, const End& to,
+  void fronts(const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
               results::LoadPath& path) const;
   /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
-  bool close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
+  bool close_tip(std::size_t t, const LoadPathEnd& end, const solve::SolutionPath& found,
                  base::PiecewiseLinear& K1) const;
-  [[nodiscard]] bool homogeneous(const End& from, const End& to, const StepSolver& solver) const;
+  [[nodiscard]] bool homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
+                                 const StepSolver& solver) const;
 
   const model::Model& model_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
-  std::map<std::size_t, End> ends_; ///< by step
-  crack::SparseRows front_rows_;    ///< in space; made with rows_
-  std::optional<Functionals> rows_; ///< made once
-  base::Matrix of_case_;            ///< [functional, case] of the bodies alone; made once
-  std::vector<Watch> watches_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
+  std::map<std::size_t, LoadPathEnd> ends_;     ///< by step
+  crack::SparseRows front_rows_;                ///< in space; made with rows_
+  std::optional<ContactForceFunctionals> rows_; ///< made once
+  base::Matrix of_case_; ///< [functional, case] of the bodies alone; made once
+  std::vector<FaceNodePair> watches_;
   std::vector<std::size_t> touching_;
 };
 

@@ -51,7 +51,7 @@ double energy_of(const results::StepResult& step, const std::string& net) {
 }
 
 // Nodes that are held though no side of theirs is: their reaction is a force on a point.
-void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
+void mark_point_supports(const Discretisation& scene, std::vector<bool>& marked) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto held = [&](base::NodeId n, int c) {
     const model::FreedomClass k =
@@ -128,7 +128,7 @@ std::vector<bool> around(const model::Mesh& mesh, std::vector<bool> node) {
 
 // Stresses have no bound at tips and where a single node is pushed or held: no mesh ends the
 // estimated error there, and it says nothing of the rest of the net.
-std::vector<bool> singular_elements(const model::Model& model, const Scene& scene) {
+std::vector<bool> singular_elements(const model::Model& model, const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<bool> tip(mesh.node_count(), false);
   for (const mesh::CrackFront& t : scene.cracked.fronts) {
@@ -185,8 +185,8 @@ bool has_bars(const results::StepResult& step) {
 
 } // namespace
 
-void add_errors(const model::Model& model, const Scene& scene, const std::vector<double>& energy,
-                results::StepResult& step) {
+void add_energy_errors(const model::Model& model, const Discretisation& scene,
+                       const std::vector<double>& energy, results::StepResult& step) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const fe::ErrorEstimate estimate = fe::estimate_error(model, mesh, {step.u, step.temperature});
   const std::vector<bool> singular = singular_elements(model, scene);

@@ -15,8 +15,8 @@ inline constexpr double coarse_mesh = 0.1;
 /// Processor ESTIMATE: the errors of the nets at the end of a step, from its strain energies
 /// [element]. Elements of crack patches, at a tip and two rings about a single force are left out:
 /// they are singular, and K does not need their stresses.
-void add_errors(const model::Model& model, const Scene& scene, const std::vector<double>& energy,
-                results::StepResult& step);
+void add_energy_errors(const model::Model& model, const Discretisation& scene,
+                       const std::vector<double>& energy, results::StepResult& step);
 
 /// A sentence for each net whose error somewhere in the run is above coarse_mesh, at its worst.
 std::vector<std::string> coarse_nets(const results::Run& run);

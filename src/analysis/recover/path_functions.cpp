@@ -53,7 +53,7 @@ bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
   return any;
 }
 
-void tell_mismatch(results::LoadPath& path) {
+void warn_of_mismatch(results::LoadPath& path) {
   if (!(path.mismatch <= worst_mismatch)) {
     path.notes.push_back(
         results::less_exact(fmt::format("K on the path differs from K of the steps at its "

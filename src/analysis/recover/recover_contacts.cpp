@@ -29,7 +29,7 @@ constexpr double off_by_one_across = 0.3;
 
 // Stick, slip and shear of a pair with friction. Rows have the slip of the target side along the
 // contact side. The slave's along itself is the negative on either side: both run opposite ways.
-void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
+void gather_friction(const Discretisation& scene, const StepState& state, std::size_t c,
                      const contact::PairPressure& p, results::ContactResult& result) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const PairFriction& friction = state.friction[c];
@@ -134,20 +134,20 @@ std::string small_spot_note(const std::string& contact, double across) {
       contact, across, 100.0 * off_by_one_across / across);
 }
 
-struct Spot {
+struct SmallContactSpot {
   std::string contact;
   double force = 0.0;
   double across = 0.0; ///< elements
 };
 
 // A contact that hardly presses beside the others is not what a step is about.
-void tell_small_spots(const std::vector<Spot>& spots, results::StepResult& out) {
+void tell_small_spots(const std::vector<SmallContactSpot>& spots, results::StepResult& out) {
   constexpr double counts = 0.05; // of the largest contact force
   double most = 0.0;
-  for (const Spot& spot : spots) {
+  for (const SmallContactSpot& spot : spots) {
     most = std::max(most, spot.force);
   }
-  for (const Spot& spot : spots) {
+  for (const SmallContactSpot& spot : spots) {
     if (spot.across < least_across_peak && spot.force > counts * most) {
       out.notes.push_back(results::less_exact(small_spot_note(spot.contact, spot.across)));
     }
@@ -156,7 +156,8 @@ void tell_small_spots(const std::vector<Spot>& spots, results::StepResult& out) 
 
 // The only face of a half model runs with its body on the left, which may be from the tip on: its
 // places count from the mouth.
-void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
+void count_from_mouth(const Discretisation& scene, std::size_t pair,
+                      results::ContactResult& result) {
   for (std::size_t i = 0; i < scene.crack_face_pairs.size(); ++i) {
     if (scene.crack_face_pairs[i] && scene.crack_face_pairs[i]->pair == pair &&
         scene.cracked.faces[i].left.empty() && !result.points.empty()) {
@@ -190,7 +191,7 @@ bool many_alike(const std::vector<results::ContactPoint>& points, std::size_t i)
 // Where the faces of a crack part: pressure and gap are known at nodes, and how both go to nothing
 // between two of them tells the place to less than a quarter of their distance; where one or two
 // nodes are all that is closed or open, to their distance.
-void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& result,
+void note_parting(const Discretisation& scene, std::size_t pair, results::ContactResult& result,
                   results::StepResult& out) {
   const bool faces =
       !result.space && std::ranges::any_of(scene.crack_face_pairs,
@@ -239,8 +240,9 @@ void by_places(const contact::PairPressure& pressure, results::ContactResult& re
 
 } // namespace
 
-void recover_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
-  std::vector<Spot> spots;
+void recover_contacts(const Discretisation& scene, const StepState& state,
+                      results::StepResult& out) {
+  std::vector<SmallContactSpot> spots;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];
     const contact::PairPressure p = contact::recover_pressure(

@@ -35,7 +35,7 @@ const model::CrackExtensionSettings* vce_of(const model::Model& model, base::Cra
   return nullptr;
 }
 
-void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
+void gather_tips(const model::Model& model, const Discretisation& scene, const StepState& state,
                  results::StepResult& out) {
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
     const mesh::CrackFront& front = scene.cracked.fronts[t];
@@ -92,7 +92,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
                                     result.name)));
     }
     result.two_materials = K.two_materials;
-    judge_faces({model, scene, front, state, K}, result, out);
+    check_crack_faces({model, scene, front, state, K}, result, out);
     out.tips.push_back(std::move(result));
   }
 }
@@ -113,10 +113,10 @@ void drop_radial(results::Balance& balance) { // radial forces balance round the
   }
 }
 
-void gather_bodies(const model::Model& model, const Scene& scene,
-                   const std::vector<BodyNet>& bodies, const StepState& state,
+void gather_bodies(const model::Model& model, const Discretisation& scene,
+                   const std::vector<SubstructuredBody>& bodies, const StepState& state,
                    results::StepResult& out) {
-  for (const BodyNet& body : bodies) {
+  for (const SubstructuredBody& body : bodies) {
     results::Balance balance;
     balance.body = body.name;
     for (const base::NodeId n : body.body.nodes) {
@@ -155,7 +155,7 @@ void gather_targets(const model::Model& model, const results::StepResult& found,
   }
 }
 
-void gather_nets(const model::Model& model, const Scene& scene, const StepState& state,
+void gather_nets(const model::Model& model, const Discretisation& scene, const StepState& state,
                  results::StepResult& out) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<results::Balance> nets(model.nets.size());
@@ -180,9 +180,9 @@ void gather_nets(const model::Model& model, const Scene& scene, const StepState&
 
 } // namespace
 
-results::StepResult gather_step(const model::Model& model, const Scene& scene,
-                                const std::vector<BodyNet>& bodies, const model::Step& step,
-                                const StepState& state) {
+results::StepResult collect_results(const model::Model& model, const Discretisation& scene,
+                                    const std::vector<SubstructuredBody>& bodies,
+                                    const model::Step& step, const StepState& state) {
   results::StepResult out;
   out.step = step.name;
   out.u = state.u;
@@ -195,14 +195,14 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.pivots = state.pivots;
   out.notes = state.notes;
   gather_tips(model, scene, state, out);
-  gather_fronts(model, scene, state, out);
+  evaluate_fronts(model, scene, state, out);
   recover_contacts(scene, state, out);
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);
-  judge_size(model, scene, bodies, state, out);
-  tell_slides(model, scene, bodies, state, out);
-  tell_overlaps(model, scene, bodies, state, out);
+  check_small_strain(model, scene, bodies, state, out);
+  warn_of_large_slip(model, scene, bodies, state, out);
+  warn_of_overlaps(model, scene, bodies, state, out);
   return out;
 }
 

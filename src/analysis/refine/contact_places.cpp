@@ -23,10 +23,10 @@ double patch_size(const results::Increment& increment, const base::Vec2& at) {
   double closest = std::numeric_limits<double>::infinity();
   double size = 0.0;
   for (std::size_t e = increment.kept; e < increment.mesh.element_count(); ++e) {
-    const double distance = (centre_of(increment.mesh, base::ElementId(e)) - at).norm();
+    const double distance = (element_centroid(increment.mesh, base::ElementId(e)) - at).norm();
     if (distance < closest) {
       closest = distance;
-      size = size_of(increment.mesh, base::ElementId(e));
+      size = element_size(increment.mesh, base::ElementId(e));
     }
   }
   // Farther off than one element the place belongs to the host.
@@ -44,7 +44,7 @@ const mesh::SizeMap::SizeRequest* nearest(const std::vector<mesh::SizeMap::SizeR
 
 } // namespace
 
-base::CrackId crack_of_faces(const model::Model& model, const std::string& contact) {
+base::CrackId face_contact_crack(const model::Model& model, const std::string& contact) {
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     if (contact == model.cracks[c].name + ".FACES") {
       return base::CrackId(c);
@@ -53,7 +53,7 @@ base::CrackId crack_of_faces(const model::Model& model, const std::string& conta
   return {};
 }
 
-base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e) {
+base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e) {
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   base::Vec2 sum = base::Vec2::Zero();
   for (const base::NodeId n : mesh.element_nodes(e).first(corners)) {
@@ -62,7 +62,7 @@ base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e) {
   return sum / static_cast<double>(corners);
 }
 
-double size_of(const model::Mesh& mesh, base::ElementId e) {
+double element_size(const model::Mesh& mesh, base::ElementId e) {
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   double sum = 0.0;
@@ -72,7 +72,8 @@ double size_of(const model::Mesh& mesh, base::ElementId e) {
   return sum / static_cast<double>(corners);
 }
 
-void add_places(const model::Model& model, const WideBar& wide, std::vector<Place>& places) {
+void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& wide,
+                           std::vector<RefinementPoint>& places) {
   const double may = most_of_bar * wide.allowed;
   if (wide.bar.edge <= may) {
     return;
@@ -86,7 +87,7 @@ void add_places(const model::Model& model, const WideBar& wide, std::vector<Plac
       const results::ContactPoint& a = contact.points[i - 1];
       const results::ContactPoint& b = contact.points[i];
       if ((a.state == results::ContactState::open) != (b.state == results::ContactState::open)) {
-        const base::CrackId faces = crack_of_faces(model, contact.name);
+        const base::CrackId faces = face_contact_crack(model, contact.name);
         places.push_back({.at = 0.5 * (a.x + b.x).head<2>(),
                           .factor = factor,
                           .crack = faces,
@@ -104,10 +105,10 @@ void add_places(const model::Model& model, const WideBar& wide, std::vector<Plac
   }
 }
 
-Followers followers_of(const std::vector<Place>& places, const Elements& elements,
-                       std::size_t cracks) {
-  Followers followers{{}, std::vector<double>(cracks, 1.0)};
-  for (const Place& place : places) {
+RefinementTargets nets_to_refine(const std::vector<RefinementPoint>& places,
+                                 const PresentElementSizes& elements, std::size_t cracks) {
+  RefinementTargets followers{{}, std::vector<double>(cracks, 1.0)};
+  for (const RefinementPoint& place : places) {
     if (place.on_faces) {
       double& finer = followers.patch[place.crack.index()];
       finer = std::max(finer, std::min(1.0 / place.factor, most_for_faces));

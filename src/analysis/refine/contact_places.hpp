@@ -13,13 +13,13 @@
 namespace spricka::analysis {
 
 /// Mean of an element's corners, and of the lengths of its sides.
-base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e);
-double size_of(const model::Mesh& mesh, base::ElementId e);
+base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e);
+double element_size(const model::Mesh& mesh, base::ElementId e);
 
 using Wishes = std::map<std::string, std::vector<mesh::SizeMap::SizeRequest>>; // by net
 
 /// A place on contact surfaces that needs smaller elements.
-struct Place {
+struct RefinementPoint {
   base::Vec2 at;
   double factor = 1.0;   ///< of the largest element there
   base::CrackId crack;   ///< an edge of one surface whose pressure this crack feels; else invalid
@@ -36,25 +36,26 @@ inline constexpr double least_share = 0.2;
 
 /// Adds the places that make this bar wide: where contact ends between two points that lie farther
 /// apart than K bears, and edges that it is closed up to.
-void add_places(const model::Model& model, const WideBar& wide, std::vector<Place>& places);
+void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& wide,
+                           std::vector<RefinementPoint>& places);
 
 /// The crack whose faces a contact of the results is; invalid: another contact.
-base::CrackId crack_of_faces(const model::Model& model, const std::string& contact);
+base::CrackId face_contact_crack(const model::Model& model, const std::string& contact);
 
 /// Elements of the present mesh where they are and as large as they are, by net.
-struct Elements {
+struct PresentElementSizes {
   Wishes kept; ///< of the host
   Wishes cut;  ///< what patches stand in for
 };
 
 /// What follows the places.
-struct Followers {
+struct RefinementTargets {
   Wishes nets;
   std::vector<double> patch; ///< [crack] its patch is to be finer by this
 };
 
 /// Nets whose nearest element is no further from a place than it is large follow it.
-Followers followers_of(const std::vector<Place>& places, const Elements& elements,
-                       std::size_t cracks);
+RefinementTargets nets_to_refine(const std::vector<RefinementPoint>& places,
+                                 const PresentElementSizes& elements, std::size_t cracks);
 
 } // namespace spricka::analysis

@@ -65,8 +65,8 @@ void for_each_front(const model::Model& model, const results::Run& run,
 
 } // namespace
 
-Shortfall front_shortfall(const model::Model& model, const results::Run& run) {
-  Shortfall worst;
+ToleranceShortfall front_shortfall(const model::Model& model, const results::Run& run) {
+  ToleranceShortfall worst;
   for_each_front(model, run, [&](const WantedFront& at) {
     if (!at.front.no_bar.empty()) {
       worst.no_bar = fmt::format("{}, step {}: {}", at.front.name, at.step.step, at.front.no_bar);
@@ -89,7 +89,7 @@ Shortfall front_shortfall(const model::Model& model, const results::Run& run) {
   return worst;
 }
 
-std::vector<double> finer_fronts(const model::Model& model, const results::Run& run) {
+std::vector<double> front_refinement(const model::Model& model, const results::Run& run) {
   std::vector<double> finer(model.cracks.size(), 1.0);
   for_each_front(model, run, [&](const WantedFront& at) {
     for (const results::FrontPlace& place : at.front.points) {

@@ -32,7 +32,7 @@ constexpr double most_of_sum = 0.5;  // of all error, in the peaks together
 constexpr double worth_a_mesh = 0.7; // of the size of single elements
 
 /// Factors on the sizes of one increment's host elements and of the patches, from its bars.
-struct Factors {
+struct ElementSizeFactors {
   std::vector<double> host;  ///< [kept host element] of its size
   std::vector<double> patch; ///< [crack] to be divided by
 };
@@ -61,7 +61,8 @@ struct Rest {
   std::vector<double> error; ///< [kept host element] 0 in peaks
   double sum = 0.0, allowed = 0.0;
 };
-Rest share_peaks(const std::vector<double>& error, double sum, double allowed, Factors& factors) {
+Rest share_peaks(const std::vector<double>& error, double sum, double allowed,
+                 ElementSizeFactors& factors) {
   Rest rest{.error = error, .allowed = allowed};
   rest.error.resize(factors.host.size());
   const std::vector<bool> peaks = peaks_of(error, rest.error.size(), sum);
@@ -83,7 +84,7 @@ Rest share_peaks(const std::vector<double>& error, double sum, double allowed, F
 }
 
 // Least freedoms sum f_e^-2 at a sum of |eta_e| f_e^q: f_e = c |eta_e|^(-1/(q + 2)).
-void share_out(const WideBar& wide, Factors& factors) {
+void share_out(const ExcessiveErrorBar& wide, ElementSizeFactors& factors) {
   const std::vector<double>& error = wide.bar.of_element;
   const std::size_t kept = factors.host.size();
   const double patch = power_sum(error, kept, error.size(), 1.0);
@@ -138,15 +139,15 @@ void add_cavities(const model::Model& model, const results::Increment& increment
   }
   for (std::size_t e = 0; e < host.element_count(); ++e) {
     if (!kept.contains({host.element_net[e].value, host.element_label[e]})) {
-      wishes[net_of(model, host, e)].push_back(
-          {centre_of(host, base::ElementId(e)), size_of(host, base::ElementId(e)), false});
+      wishes[net_of(model, host, e)].push_back({element_centroid(host, base::ElementId(e)),
+                                                element_size(host, base::ElementId(e)), false});
     }
   }
 }
 
 // Part of a net's size that its errors ask for as a whole, for meshes that are refined evenly: as
 // many elements as f_e^-2 of each.
-double even_factor(const model::Mesh& mesh, const Factors& factors, base::NetId net) {
+double even_factor(const model::Mesh& mesh, const ElementSizeFactors& factors, base::NetId net) {
   double wanted = 0.0;
   double now = 0.0;
   for (std::size_t e = 0; e < factors.host.size(); ++e) {
@@ -161,21 +162,21 @@ double even_factor(const model::Mesh& mesh, const Factors& factors, base::NetId 
 /// What all increments of a run ask for.
 struct Demands {
   Wishes wishes;
-  Elements elements;
+  PresentElementSizes elements;
   std::map<std::string, double> even;  ///< by net: of its size, for meshes refined evenly
   std::map<std::string, double> least; ///< by net: the smallest factor of its elements
-  std::vector<Place> places;
+  std::vector<RefinementPoint> places;
   std::vector<double> patch; ///< [crack] to be divided by
 };
 
 void add_elements(const model::Model& model, const results::Increment& increment,
-                  const Factors& factors, Demands& demands) {
+                  const ElementSizeFactors& factors, Demands& demands) {
   add_cavities(model, increment, demands.elements.cut);
   for (std::size_t e = 0; e < increment.kept; ++e) {
     const double f = factors.host[e];
     const std::string net = net_of(model, increment.mesh, e);
-    const base::Vec2 centre = centre_of(increment.mesh, base::ElementId(e));
-    const double size = size_of(increment.mesh, base::ElementId(e));
+    const base::Vec2 centre = element_centroid(increment.mesh, base::ElementId(e));
+    const double size = element_size(increment.mesh, base::ElementId(e));
     demands.elements.kept[net].push_back({centre, size, false});
     demands.wishes[net].push_back({centre, f * size, f < no_change});
     double& least = demands.least.try_emplace(net, 1.0).first->second;
@@ -188,19 +189,19 @@ void add_elements(const model::Model& model, const results::Increment& increment
 }
 
 Demands demands_of(const model::Model& model, const results::Run& run) {
-  const std::vector<WideBar> bars = wide_bars(model, run);
+  const std::vector<ExcessiveErrorBar> bars = wide_error_bars(model, run);
   Demands demands;
   demands.patch.assign(model.cracks.size(), 1.0);
   for (const results::Increment& increment : run.increments) {
-    Factors factors{std::vector<double>(increment.kept, 1.0), demands.patch};
-    for (const WideBar& wide : bars) {
+    ElementSizeFactors factors{std::vector<double>(increment.kept, 1.0), demands.patch};
+    for (const ExcessiveErrorBar& wide : bars) {
       if (&wide.increment != &increment) {
         continue;
       }
       if (wide.bar.edge <= wide.allowed) { // else eta, too, comes from contacts that are too coarse
         share_out(wide, factors);
       }
-      add_places(model, wide, demands.places);
+      add_refinement_points(model, wide, demands.places);
     }
     // Each length begins with what those before have asked of the patches.
     demands.patch = factors.patch;
@@ -220,7 +221,7 @@ RefinementPlan::RefinementPlan(const model::Model& model) : finer_(model.cracks.
 std::string RefinementPlan::refine_fronts(const model::Model& model, const results::Run& run) {
   std::vector<std::string> made;
   patch_growth_ = 1.0;
-  const std::vector<double> finer = finer_fronts(model, run);
+  const std::vector<double> finer = front_refinement(model, run);
   for (std::size_t c = 0; c < finer.size(); ++c) {
     if (finer[c] > 1.0 / no_change) {
       finer_[c] *= finer[c];
@@ -237,7 +238,8 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     return refine_fronts(model, run);
   }
   Demands demands = demands_of(model, run);
-  const Followers followers = followers_of(demands.places, demands.elements, demands.patch.size());
+  const RefinementTargets followers =
+      nets_to_refine(demands.places, demands.elements, demands.patch.size());
   for (const Wishes* more : {&std::as_const(demands.elements.cut), &followers.nets}) {
     for (const auto& [net, list] : *more) {
       demands.wishes[net].insert(demands.wishes[net].end(), list.begin(), list.end());

@@ -22,7 +22,7 @@ public:
   std::string refine(const model::Model& model, const results::Run& run);
 
   /// For deck::read_deck.
-  [[nodiscard]] const std::map<std::string, deck::Refinement>& nets() const { return nets_; }
+  [[nodiscard]] const std::map<std::string, deck::Refinement>& refinements() const { return nets_; }
   /// Writes what patches are to have into a model that was read anew.
   void apply(model::Model& model) const;
 

@@ -61,8 +61,8 @@ template <class F> void for_each_tip(const model::Model& model, const results::R
 
 } // namespace
 
-std::vector<WideBar> wide_bars(const model::Model& model, const results::Run& run) {
-  std::vector<WideBar> list;
+std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model, const results::Run& run) {
+  std::vector<ExcessiveErrorBar> list;
   for_each_tip(model, run,
                [&](const results::Increment& increment, const results::StepResult& step,
                    const results::TipResult& tip, double tolerance) {
@@ -83,8 +83,8 @@ std::vector<WideBar> wide_bars(const model::Model& model, const results::Run& ru
   return list;
 }
 
-Shortfall shortfall(const model::Model& model, const results::Run& run) {
-  Shortfall worst;
+ToleranceShortfall shortfall(const model::Model& model, const results::Run& run) {
+  ToleranceShortfall worst;
   for_each_tip(model, run,
                [&](const results::Increment& increment, const results::StepResult& step,
                    const results::TipResult& tip, double tolerance) {

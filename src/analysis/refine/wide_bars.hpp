@@ -9,7 +9,7 @@
 namespace spricka::analysis {
 
 /// Where error bars stand against what $TIPNET TOL asks for.
-struct Shortfall {
+struct ToleranceShortfall {
   double ratio = 0.0;       ///< largest bar over what is allowed; at most 1: all are inside
   double bar = 0.0;         ///< there, over hypot(K1, K2)
   double wanted = 0.0;      ///< TOL there
@@ -18,10 +18,10 @@ struct Shortfall {
   std::string parted;       ///< "C1, step LOAD: .." of a tip with TOL, see two_ways.hpp; or empty
   std::string no_bar;       ///< of a tip with TOL: why it has no bar; empty: all have one
 };
-Shortfall shortfall(const model::Model& model, const results::Run& run);
+ToleranceShortfall shortfall(const model::Model& model, const results::Run& run);
 
 /// One K whose bar is too large.
-struct WideBar {
+struct ExcessiveErrorBar {
   const results::Increment& increment;
   const results::StepResult& step;
   const results::TipResult& tip;
@@ -33,6 +33,6 @@ struct WideBar {
 };
 
 /// Of all increments, steps and tips with TOL. They look into `run`.
-std::vector<WideBar> wide_bars(const model::Model& model, const results::Run& run);
+std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model, const results::Run& run);
 
 } // namespace spricka::analysis

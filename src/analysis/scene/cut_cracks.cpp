@@ -47,7 +47,7 @@ std::vector<mesh::TipMeshParameters> tip_meshes(const model::Model& model,
   std::vector<mesh::TipMeshParameters> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
-    tips.push_back(mesh::choose_tip_mesh(host, line, tip_net_of(model, line.crack), lines));
+    tips.push_back(mesh::choose_tip_mesh(host, line, find_tip_net(model, line.crack), lines));
     tips.back().pressed = opens_into_contact(model, line);
   }
   return tips;
@@ -58,7 +58,7 @@ std::vector<mesh::TubeMeshParameters> tube_meshes(const model::Model& model) {
   std::vector<mesh::TubeMeshParameters> tubes;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     mesh::TubeMeshParameters tube;
-    if (const model::TipMeshSettings* tip = tip_net_of(model, base::CrackId(i))) {
+    if (const model::TipMeshSettings* tip = find_tip_net(model, base::CrackId(i))) {
       tube.radius = tip->radius.value_or(0.0);
       tube.size = tip->size.value_or(0.0);
       tube.rings = tip->rings;
@@ -146,7 +146,7 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
   std::optional<mesh::CrackedMesh> cracked =
       mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
   if (cracked) {
-    tell_moved_borders(model, *cracked, diagnostics);
+    warn_of_moved_borders(model, *cracked, diagnostics);
   }
   return cracked;
 }

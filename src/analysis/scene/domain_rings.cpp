@@ -13,7 +13,7 @@ std::vector<int> domain_rings(const model::Model& model, base::CrackId crack) {
       return vce.domains;
     }
   }
-  const model::TipMeshSettings* tip = tip_net_of(model, crack);
+  const model::TipMeshSettings* tip = find_tip_net(model, crack);
   const int usual =
       model.mesh.dim == 3 ? mesh::TubeMeshParameters{}.rings : model::TipMeshSettings{}.rings;
   const int rings = tip != nullptr ? tip->rings : usual;

@@ -68,8 +68,8 @@ bool continues_below_closing(const model::Model& model) {
   return knows_R && std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
 }
 
-const results::TipResult* free_tip(const std::optional<FreeFaces>& free, std::size_t step,
-                                   const std::string& name) {
+const results::TipResult* tip_with_overlap(const std::optional<OverlapResults>& free,
+                                           std::size_t step, const std::string& name) {
   if (!free || step >= free->steps.size()) {
     return nullptr;
   }
@@ -78,8 +78,8 @@ const results::TipResult* free_tip(const std::optional<FreeFaces>& free, std::si
   return found == tips.end() || found->two_materials ? nullptr : &*found;
 }
 
-std::optional<base::PiecewiseLinear> continued(const base::PiecewiseLinear& K,
-                                               const base::PiecewiseLinear& free, double to) {
+std::optional<base::PiecewiseLinear>
+continue_below_zero(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free, double to) {
   if (free.empty() || free.knots().back() < std::min(to, K.knots().back())) {
     return std::nullopt;
   }

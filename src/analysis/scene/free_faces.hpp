@@ -15,18 +15,18 @@ namespace spricka::analysis {
 bool continues_below_closing(const model::Model& model);
 
 /// K of a state of the cracks whose faces may overlap, all other contacts as the deck has them.
-struct FreeFaces {
+struct OverlapResults {
   std::vector<std::vector<results::TipResult>> steps; ///< [step] tips
   std::vector<results::LoadPath> paths;               ///< [load path]
 };
 
 /// Of a tip at a step; null: there is none.
-const results::TipResult* free_tip(const std::optional<FreeFaces>& free, std::size_t step,
-                                   const std::string& name);
+const results::TipResult* tip_with_overlap(const std::optional<OverlapResults>& free,
+                                           std::size_t step, const std::string& name);
 
 /// K on a load path with `free` in its place where that is below 0. Empty: `free` does not reach as
 /// far as `to`.
-std::optional<base::PiecewiseLinear> continued(const base::PiecewiseLinear& K,
-                                               const base::PiecewiseLinear& free, double to);
+std::optional<base::PiecewiseLinear>
+continue_below_zero(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free, double to);
 
 } // namespace spricka::analysis

@@ -18,7 +18,7 @@ struct ForcePlaces {
   std::vector<Eigen::Triplet<double>> by_row; ///< [3 * point, row]
 };
 
-ForcePlaces force_places(const Scene& scene, const crack::FrontExtensions& fields) {
+ForcePlaces force_places(const Discretisation& scene, const crack::FrontExtensions& fields) {
   std::set<model::Face> moved;
   for (const crack::MovedFreeSide& side : fields.sides) {
     moved.insert(side.face);
@@ -47,11 +47,11 @@ ForcePlaces force_places(const Scene& scene, const crack::FrontExtensions& field
 
 } // namespace
 
-crack::SparseRows front_rows(const model::Model& model, const Scene& scene) {
+crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene) {
   std::vector<Eigen::Triplet<double>> entries;
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
-  for (const FrontScene& at : scene.fronts) {
+  for (const FrontWithDomains& at : scene.fronts) {
     const crack::SparseRows own =
         crack::front_intensity_rows(model, scene.cracked, at.front, at.fields);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
@@ -67,12 +67,12 @@ crack::SparseRows front_rows(const model::Model& model, const Scene& scene) {
   return rows;
 }
 
-base::Matrix front_rows_of_forces(const model::Model& model, const Scene& scene) {
+base::Matrix front_K_by_forces(const model::Model& model, const Discretisation& scene) {
   const crack::KLayout layout = scene.k_layout();
   const auto count = static_cast<Eigen::Index>(scene.table.size());
   base::Matrix of_row = base::Matrix::Zero(layout.count(), count);
   std::size_t first = 0;
-  for (const FrontScene& at : scene.fronts) {
+  for (const FrontWithDomains& at : scene.fronts) {
     const ForcePlaces places = force_places(scene, at.fields);
     if (!places.by_row.empty()) {
       const crack::SparseRows rows =
@@ -87,12 +87,12 @@ base::Matrix front_rows_of_forces(const model::Model& model, const Scene& scene)
   return of_row;
 }
 
-base::Vector front_values(const model::Model& model, const Scene& scene, const base::Vector& u,
-                          const base::Vector& case_factor) {
+base::Vector front_K_values(const model::Model& model, const Discretisation& scene,
+                            const base::Vector& u, const base::Vector& case_factor) {
   const crack::KLayout layout = scene.k_layout();
   base::Vector values = base::Vector::Zero(layout.count());
   std::size_t first = 0;
-  for (const FrontScene& at : scene.fronts) {
+  for (const FrontWithDomains& at : scene.fronts) {
     crack::FrontLoads loads;
     loads.given = front_loads(model, scene, at.fields, case_factor);
     for (const crack::StressIntensity& K :
@@ -103,9 +103,9 @@ base::Vector front_values(const model::Model& model, const Scene& scene, const b
   return values;
 }
 
-bool acts_on_fronts(const model::Model& model, const Scene& scene,
+bool acts_on_fronts(const model::Model& model, const Discretisation& scene,
                     const base::Vector& case_factor) {
-  return std::ranges::any_of(scene.fronts, [&](const FrontScene& at) {
+  return std::ranges::any_of(scene.fronts, [&](const FrontWithDomains& at) {
     const crack::TipLoads loads = front_loads(model, scene, at.fields, case_factor);
     return loads.temperature.size() > 0 ||
            std::ranges::any_of(loads.loads, [](const crack::ActingLoad& acting) {
@@ -114,8 +114,8 @@ bool acts_on_fronts(const model::Model& model, const Scene& scene,
   });
 }
 
-std::vector<std::array<double, 3>> smooth_front(const FrontScene& at, const base::Vector& K,
-                                                Eigen::Index first) {
+std::vector<std::array<double, 3>> smooth_front_K(const FrontWithDomains& at, const base::Vector& K,
+                                                  Eigen::Index first) {
   std::vector<crack::StressIntensity> points(at.front.points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index k = first + 3 * static_cast<Eigen::Index>(i);

@@ -9,10 +9,10 @@
 namespace spricka::analysis {
 
 /// What a front in space is called: NAME, or NAME.1 and NAME.2 where a crack has several.
-inline std::string front_name(const model::Model& model, const Scene& scene,
+inline std::string front_name(const model::Model& model, const Discretisation& scene,
                               const mesh::CrackFront& front) {
   const std::string& name = model.cracks[front.crack.index()].name;
-  const auto of_crack = [&](const FrontScene& f) { return f.front.crack == front.crack; };
+  const auto of_crack = [&](const FrontWithDomains& f) { return f.front.crack == front.crack; };
   return std::ranges::count_if(scene.fronts, of_crack) > 1
              ? name + "." + std::to_string(front.number)
              : name;

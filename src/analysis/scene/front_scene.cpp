@@ -91,7 +91,7 @@ std::string why_none(const crack::FrontExtensions& fields) {
 }
 
 // The node sets that hold nodes near a point of a front, by their names.
-std::string remedy_at(const model::Model& model, const Scene& scene,
+std::string remedy_at(const model::Model& model, const Discretisation& scene,
                       const mesh::FrontPoint& point) {
   constexpr double near = 3.0; // radii of the tube
   std::set<std::string> names;
@@ -125,7 +125,7 @@ std::vector<std::size_t> points_without(const mesh::CrackFront& front,
 // Layers of tetrahedra reach unevenly far, and wide ones of a tube where the front turns sharply:
 // where those of the usual domains have no room the first one is a domain, too. Where that has none
 // a smooth curve through the others would be no K.
-crack::FrontExtensions fields_of(const model::Model& model, const Scene& scene,
+crack::FrontExtensions fields_of(const model::Model& model, const Discretisation& scene,
                                  const mesh::CrackFront& front, base::Diagnostics& diagnostics) {
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = front_limits(model, scene);
@@ -161,7 +161,7 @@ crack::FrontExtensions fields_of(const model::Model& model, const Scene& scene,
 
 } // namespace
 
-crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) {
+crack::DomainLimits front_limits(const model::Model& model, const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   crack::DomainLimits limits;
   limits.node.assign(mesh.node_count(), false);
@@ -186,7 +186,7 @@ crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) 
   return limits;
 }
 
-crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
+crack::TipLoads front_loads(const model::Model& model, const Discretisation& scene,
                             const crack::FrontExtensions& fields, const base::Vector& case_factor) {
   std::vector<crack::ExtensionField> all;
   for (const std::vector<crack::ExtensionField>& point : fields.points) {
@@ -211,7 +211,7 @@ double mean_depth(const mesh::CrackedMesh& cracked, const mesh::CrackFront& fron
   return chord > 0.0 ? area.norm() / chord : front.a;
 }
 
-bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+bool make_fronts(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
   bool good = true;
   for (mesh::CrackFront& front : scene.cracked.fronts) {
     if (model.cracks[front.crack.index()].kind == model::CrackDefinitionKind::ellipse) {

@@ -103,7 +103,7 @@ std::vector<Company> company_of(const std::vector<NodeId>& gone, const model::Me
 
 } // namespace
 
-void add_second_sides(const model::Mesh& host, model::Mesh& cracked) {
+void duplicate_removed_nodes(const model::Mesh& host, model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
   const std::vector<base::ElementId> patch = patch_elements(host, cracked);
   for (const NodeId n : gone) {
@@ -116,14 +116,14 @@ void add_second_sides(const model::Mesh& host, model::Mesh& cracked) {
   }
 }
 
-std::vector<GonePlace> gone_places(const model::Mesh& host, const model::Mesh& cracked) {
+std::vector<RemovedNodePlace> removed_nodes(const model::Mesh& host, const model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
   if (gone.empty()) {
     return {};
   }
   const std::vector<base::ElementId> patch = patch_elements(host, cracked);
   const std::vector<NodeId> second = second_nodes(host, cracked);
-  std::vector<GonePlace> places;
+  std::vector<RemovedNodePlace> places;
   for (const NodeId n : gone) {
     const base::Vec3& x = cracked.x[n.index()];
     const std::vector<fe::PointSide> sides = sides_at(cracked, x, patch);
@@ -140,7 +140,7 @@ std::vector<GonePlace> gone_places(const model::Mesh& host, const model::Mesh& c
   return places;
 }
 
-void note_gone_nodes(const model::Model& model, Scene& scene) {
+void note_removed_nodes(const model::Model& model, Discretisation& scene) {
   if (scene.cracked.removed_nodes.empty()) {
     return;
   }
@@ -168,9 +168,9 @@ void note_gone_nodes(const model::Model& model, Scene& scene) {
                        : ""));
 }
 
-void fill_displacements(const model::Mesh& cracked, const std::vector<GonePlace>& places,
+void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNodePlace>& places,
                         base::Vector& u) {
-  for (const GonePlace& place : places) {
+  for (const RemovedNodePlace& place : places) {
     const base::Vec3 value = fe::displacement_at(cracked, u, place.side);
     u.segment(static_cast<Eigen::Index>(place.node.index()) * cracked.dim, cracked.dim) =
         value.head(cracked.dim);
@@ -179,12 +179,12 @@ void fill_displacements(const model::Mesh& cracked, const std::vector<GonePlace>
 
 void fill_stresses(const model::Model& model, const model::Mesh& cracked,
                    const fe::StateField& field, std::vector<fe::Stress>& nodal) {
-  for (const GonePlace& place : gone_places(model.mesh, cracked)) {
+  for (const RemovedNodePlace& place : removed_nodes(model.mesh, cracked)) {
     nodal[place.node.index()] = fe::side_stress(model, cracked, field, place.side);
   }
 }
 
-void keep_gone_members(const model::Mesh& host, model::Mesh& cracked) {
+void keep_removed_members(const model::Mesh& host, model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
   if (gone.empty()) {
     return;
@@ -205,8 +205,8 @@ void keep_gone_members(const model::Mesh& host, model::Mesh& cracked) {
   }
 }
 
-std::optional<NodeId> lost_reaction(const model::Model& model, const model::Mesh& cracked,
-                                    std::string_view set) {
+std::optional<NodeId> unassigned_reaction(const model::Model& model, const model::Mesh& cracked,
+                                          std::string_view set) {
   const model::Mesh& host = model.mesh;
   const auto asked = std::ranges::find(host.node_sets, set, &model::NodeSet::name);
   if (asked == host.node_sets.end()) {

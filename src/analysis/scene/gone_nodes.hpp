@@ -10,24 +10,24 @@
 /// body: displacements and stresses there are those of the patch's elements, and sets keep them.
 namespace spricka::analysis {
 
-struct GonePlace {
+struct RemovedNodePlace {
   base::NodeId node; ///< of no element
   fe::PointSide side;
 };
 
 /// Where such a node lies on a crack, the body has two sides there: a further node without element
 /// stands for the second.
-void add_second_sides(const model::Mesh& host, model::Mesh& cracked);
+void duplicate_removed_nodes(const model::Mesh& host, model::Mesh& cracked);
 
 /// The places of all such nodes in the mesh with cracks, ascending by node. Needs
 /// add_second_sides.
-std::vector<GonePlace> gone_places(const model::Mesh& host, const model::Mesh& cracked);
+std::vector<RemovedNodePlace> removed_nodes(const model::Mesh& host, const model::Mesh& cracked);
 
 /// Says in the listing how many of them named sets have.
-void note_gone_nodes(const model::Model& model, Scene& scene);
+void note_removed_nodes(const model::Model& model, Discretisation& scene);
 
 /// Their displacements, in a nodal vector u [dim * node] of that mesh.
-void fill_displacements(const model::Mesh& cracked, const std::vector<GonePlace>& places,
+void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNodePlace>& places,
                         base::Vector& u);
 
 /// Their stresses, in values at the mesh's property points.
@@ -36,11 +36,11 @@ void fill_stresses(const model::Model& model, const model::Mesh& cracked,
 
 /// Lets them be members of their sets in the mesh of results, but where a node of the set with
 /// elements has their place. May be done again.
-void keep_gone_members(const model::Mesh& host, model::Mesh& cracked);
+void keep_removed_members(const model::Mesh& host, model::Mesh& cracked);
 
 /// A node of the node set of that name that is gone and was held, with no edge of the set that
 /// stands in for it: what the supports do there no longer belongs to one node.
-std::optional<base::NodeId> lost_reaction(const model::Model& model, const model::Mesh& cracked,
-                                          std::string_view set);
+std::optional<base::NodeId> unassigned_reaction(const model::Model& model,
+                                                const model::Mesh& cracked, std::string_view set);
 
 } // namespace spricka::analysis

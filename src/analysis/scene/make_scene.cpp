@@ -42,10 +42,11 @@ std::vector<base::NodeId> contact_nodes(const model::Mesh& mesh, const model::Co
   if (mesh.dim == 2) {
     return contact::surface_nodes(mesh, contact);
   }
-  return weighed_nodes(pair);
+  return contact_row_nodes(pair);
 }
 
-void note_pair(const model::Contact& contact, const contact::PairConstraints& pair, Scene& scene) {
+void note_pair(const model::Contact& contact, const contact::PairConstraints& pair,
+               Discretisation& scene) {
   if (pair.swapped) {
     scene.notes.push_back(fmt::format("contact {}: pressures are those at nodes of the master ({})",
                                       contact.name, pair.choice));
@@ -58,7 +59,7 @@ void note_pair(const model::Contact& contact, const contact::PairConstraints& pa
   }
 }
 
-bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+bool make_pairs(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   scene.contacts = model.contacts;
@@ -66,7 +67,7 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
     if (mesh.dim == 3) {
-      take_in_supports(scene.pairs.back(), scene.cls);
+      apply_supports(scene.pairs.back(), scene.cls);
     }
     const contact::PairConstraints& pair = scene.pairs.back();
     if (!pair.trouble.empty()) {
@@ -90,14 +91,14 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   return good;
 }
 
-bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+bool make_tips(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
   if (scene.cracked.fronts.empty()) {
     return true;
   }
   bool good = true;
   const crack::TipNeighbourhood around(scene.cracked.mesh);
   for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    TipScene ring;
+    TipDomainFields ring;
     const crack::DomainLimits limits = domain_limits(model, scene, front);
     ring.fields = around.extension_fields(scene.cracked, front, domain_rings(model, front.crack),
                                           ring.left_out, limits);
@@ -131,17 +132,17 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
 
 } // namespace
 
-std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
-                                base::Diagnostics& diagnostics) {
+std::optional<Discretisation> discretise(const model::Model& model, double a,
+                                         const RegionPlan& plan, base::Diagnostics& diagnostics) {
   const std::optional<std::vector<mesh::CrackLine>> lines =
       growth::crack_lines(model, a, diagnostics);
-  return lines ? make_scene(model, *lines, plan, diagnostics) : std::nullopt;
+  return lines ? discretise(model, *lines, plan, diagnostics) : std::nullopt;
 }
 
-std::optional<Scene> make_scene(const model::Model& model,
-                                const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
-                                base::Diagnostics& diagnostics) {
-  Scene scene;
+std::optional<Discretisation> discretise(const model::Model& model,
+                                         const std::vector<mesh::CrackLine>& lines,
+                                         const RegionPlan& plan, base::Diagnostics& diagnostics) {
+  Discretisation scene;
   std::optional<mesh::CrackedMesh> cracked = cracked_mesh(model, lines, diagnostics);
   if (!cracked) {
     return std::nullopt;
@@ -149,27 +150,27 @@ std::optional<Scene> make_scene(const model::Model& model,
   scene.cracked = std::move(*cracked);
   fill_crack_face_sets(model, scene.cracked);
   const bool plane = scene.cracked.mesh.dim == 2;
-  add_second_sides(model.mesh, scene.cracked.mesh);
+  duplicate_removed_nodes(model.mesh, scene.cracked.mesh);
   scene.notes = scene.cracked.notes;
-  note_gone_nodes(model, scene);
+  note_removed_nodes(model, scene);
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
   // Before ties, which look at the classes.
   release_crack_faces(model, lines, scene);
   // All of these are asked before the scene is given up, so that one run tells of all mistakes.
-  const bool ties = make_scene_ties(model, scene, diagnostics);
+  const bool ties = eliminate_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips =
       plane ? make_tips(model, scene, diagnostics) : make_fronts(model, scene, diagnostics);
-  const bool crack_faces = crack_faces_carry_no_totals(model, scene, diagnostics);
+  const bool crack_faces = check_face_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
-  const bool told = !plane || mouths_are_told(model, scene, diagnostics);
+  const bool told = !plane || check_split_nodes(model, scene, diagnostics);
   if (!ties || !pairs || !tips || !crack_faces || !held || !told ||
-      !loaded_faces_are_there(model, scene, diagnostics)) {
+      !loaded_faces_exist(model, scene, diagnostics)) {
     return std::nullopt;
   }
   // Ties are made before: rows of dependent freedoms are reduced here.
-  make_table(scene);
+  make_row_table(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     for (const base::NodeId n : contact_nodes(mesh, model.contacts[i], scene.pairs[i])) {

@@ -13,12 +13,12 @@ namespace spricka::analysis {
 /// Mesh with cracks of length `a`, classes of freedoms, contact rows, virtual extension fields.
 /// Mistakes that only show here (a crack that touches no element, surfaces that never face each
 /// other) go to `diagnostics` at their card and give an empty result.
-std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
-                                base::Diagnostics& diagnostics);
+std::optional<Discretisation> discretise(const model::Model& model, double a,
+                                         const RegionPlan& plan, base::Diagnostics& diagnostics);
 
 /// The same with the cracks as given.
-std::optional<Scene> make_scene(const model::Model& model,
-                                const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
-                                base::Diagnostics& diagnostics);
+std::optional<Discretisation> discretise(const model::Model& model,
+                                         const std::vector<mesh::CrackLine>& lines,
+                                         const RegionPlan& plan, base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

@@ -59,8 +59,8 @@ std::set<base::FaceSetId> sets_that_act(const model::Model& model) {
 
 } // namespace
 
-void tell_moved_borders(const model::Model& model, const mesh::CrackedMesh& cracked,
-                        base::Diagnostics& diagnostics) {
+void warn_of_moved_borders(const model::Model& model, const mesh::CrackedMesh& cracked,
+                           base::Diagnostics& diagnostics) {
   constexpr double same_place = 1e-6; // of an edge
   if (std::ranges::none_of(cracked.fronts, &mesh::CrackFront::symmetric_half)) {
     return; // elsewhere the boundary keeps its nodes

@@ -8,7 +8,7 @@ namespace spricka::analysis {
 
 /// Tells (W425) of face sets of contacts and loads that end elsewhere in a cracked plane mesh than
 /// in the deck's: along a line of symmetry a patch divides the crack's part of the line anew.
-void tell_moved_borders(const model::Model& model, const mesh::CrackedMesh& cracked,
-                        base::Diagnostics& diagnostics);
+void warn_of_moved_borders(const model::Model& model, const mesh::CrackedMesh& cracked,
+                           base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

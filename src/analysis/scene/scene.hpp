@@ -25,29 +25,29 @@ namespace spricka::analysis {
 
 /// Rows of all pairs, one after another; pair p has rows first[p] .. first[p + 1] - 1, its normal
 /// rows before its tangent rows.
-struct RowTable {
-  struct Place {
+struct ContactRowTable {
+  struct ContactRowLocation {
     std::size_t pair = 0;
     std::size_t index = 0; ///< among the pair's normal rows, then its tangent rows
   };
-  std::vector<Place> places;                    ///< [row]
+  std::vector<ContactRowLocation> places;       ///< [row]
   std::vector<std::size_t> first;               ///< [pair + 1]
   std::vector<contact::ConstraintRow> reduced;  ///< of rows with dependent freedoms
   std::vector<std::optional<std::size_t>> tied; ///< [row] its place in `reduced`; empty: none is
 
   [[nodiscard]] std::size_t size() const { return places.size(); }
   /// The contact that a row belongs to.
-  [[nodiscard]] std::size_t contact_of(std::size_t row) const { return places[row].pair; }
+  [[nodiscard]] std::size_t contact_index(std::size_t row) const { return places[row].pair; }
 };
 
-struct TipScene {
+struct TipDomainFields {
   std::vector<crack::ExtensionField> fields;
   std::vector<int> left_out;                   ///< domains that could not be used
   std::optional<crack::ExtensionField> beyond; ///< one ring more than the largest, if it fits
 };
 
 /// A front in space and the domains round it.
-struct FrontScene {
+struct FrontWithDomains {
   mesh::CrackFront front;
   crack::FrontExtensions fields;
 };
@@ -60,7 +60,7 @@ struct CrackFacePair {
 };
 
 /// One crack length made ready to be solved: what processor TOPOLOGY leaves (make_scene.hpp).
-struct Scene {
+struct Discretisation {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
   std::shared_ptr<const fe::ConstraintTransformation> ties;
@@ -68,9 +68,10 @@ struct Scene {
   std::vector<contact::PairConstraints> pairs; ///< [contact]
   std::vector<std::optional<CrackFacePair>>
       crack_face_pairs; ///< [crack line] empty: its faces are open
-  RowTable table;
-  std::vector<TipScene> tips;     ///< [tip]
-  std::vector<FrontScene> fronts; ///< in space, where `cracked` has none and there are no tips
+  ContactRowTable table;
+  std::vector<TipDomainFields> tips; ///< [tip]
+  std::vector<FrontWithDomains>
+      fronts;                     ///< in space, where `cracked` has none and there are no tips
   std::vector<bool> rest_element; ///< [element] no crack of the run touches it
   std::vector<std::string> notes;
   /// By case; where ties have a right-hand side, what they ask for is a last column of its own.
@@ -83,27 +84,27 @@ struct Scene {
   /// Where K of which tip, or point of a front, stands among functionals.
   [[nodiscard]] crack::KLayout k_layout() const {
     std::size_t points = tips.size();
-    for (const FrontScene& at : fronts) {
+    for (const FrontWithDomains& at : fronts) {
       points += at.front.points.size();
     }
     return {points, cracked.mesh.dim};
   }
   /// Row r of the table, as its pair has it.
-  [[nodiscard]] const contact::ConstraintRow& row(std::size_t r) const {
-    const RowTable::Place at = table.places[r];
+  [[nodiscard]] const contact::ConstraintRow& contact_row(std::size_t r) const {
+    const ContactRowTable::ContactRowLocation at = table.places[r];
     const contact::PairConstraints& pair = pairs[at.pair];
     return at.index < pair.normal.size() ? pair.normal[at.index]
                                          : pair.tangent[at.index - pair.normal.size()];
   }
   /// What row r asks of independent freedoms: the row itself where none of its freedoms follows.
-  [[nodiscard]] const contact::ConstraintRow& acting_row(std::size_t r) const {
-    return !table.tied.empty() && table.tied[r] ? table.reduced[*table.tied[r]] : row(r);
+  [[nodiscard]] const contact::ConstraintRow& reduced_row(std::size_t r) const {
+    return !table.tied.empty() && table.tied[r] ? table.reduced[*table.tied[r]] : contact_row(r);
   }
   /// All acting rows, for as long as the scene does not change.
-  [[nodiscard]] std::vector<const contact::ConstraintRow*> acting_rows() const {
+  [[nodiscard]] std::vector<const contact::ConstraintRow*> reduced_rows() const {
     std::vector<const contact::ConstraintRow*> rows;
     for (std::size_t r = 0; r < table.size(); ++r) {
-      rows.push_back(&acting_row(r));
+      rows.push_back(&reduced_row(r));
     }
     return rows;
   }

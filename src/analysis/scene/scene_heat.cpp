@@ -7,8 +7,9 @@
 
 namespace spricka::analysis {
 
-std::shared_ptr<const fe::CaseTemperature> heat_of(const model::Model& model, const Scene& scene,
-                                                   const model::LoadCase& load_case) {
+std::shared_ptr<const fe::CaseTemperature> make_case_heat(const model::Model& model,
+                                                          const Discretisation& scene,
+                                                          const model::LoadCase& load_case) {
   fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, {}};
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;
@@ -27,8 +28,8 @@ model::LoadCase without_heat(const model::LoadCase& load_case) {
   return rest;
 }
 
-base::Vector heat_load(const model::Model& model, const model::Mesh& mesh,
-                       const fe::CaseTemperature& heat) {
+base::Vector heat_forces(const model::Model& model, const model::Mesh& mesh,
+                         const fe::CaseTemperature& heat) {
   base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   if (heat.temperature.size() > 0) {
     f = fe::thermal_load(model, mesh, heat.temperature);
@@ -37,7 +38,7 @@ base::Vector heat_load(const model::Model& model, const model::Mesh& mesh,
   return f;
 }
 
-std::vector<fe::ScaledTemperature> acting_heat(const Scene& scene,
+std::vector<fe::ScaledTemperature> acting_heat(const Discretisation& scene,
                                                const base::Vector& case_factor) {
   std::vector<fe::ScaledTemperature> acting;
   for (std::size_t c = 0; c < scene.case_heat.size(); ++c) {

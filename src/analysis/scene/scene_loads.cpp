@@ -48,7 +48,7 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
 
 } // namespace
 
-bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
@@ -66,14 +66,14 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
         scene.case_displacement(i, c) = 0.0;
       }
     }
-    scene.case_heat.push_back(heat_of(model, scene, load_case));
+    scene.case_heat.push_back(make_case_heat(model, scene, load_case));
     const fe::CaseTemperature& heat = *scene.case_heat.back();
     if (heat.temperature.size() > 0) {
       if (scene.case_temperature.size() == 0) {
         scene.case_temperature = base::Matrix::Zero(heat.temperature.size(), columns);
       }
       scene.case_temperature.col(c) = heat.temperature;
-      scene.case_load.col(c) += heat_load(model, mesh, heat);
+      scene.case_load.col(c) += heat_forces(model, mesh, heat);
     }
     for (const model::Load& load : load_case.loads) {
       if (!arrives(model, mesh, load)) {
@@ -85,12 +85,12 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
       }
     }
   }
-  return forces_are_taken(model, scene, diagnostics) && good &&
+  return check_force_nodes(model, scene, diagnostics) && good &&
          sense::loads_are_sound(model, mesh, diagnostics) &&
-         follow_prescribed(model, scene, diagnostics);
+         prescribe_dependents(model, scene, diagnostics);
 }
 
-base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) {
+base::Matrix loads_with_supports(const model::Model& model, const Discretisation& scene) {
   base::Matrix load = scene.case_load;
   std::vector<base::ElementId> all;
   for (std::size_t e = 0; e < scene.cracked.mesh.element_count(); ++e) {

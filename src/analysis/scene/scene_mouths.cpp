@@ -19,7 +19,7 @@ using model::FreedomClass;
 /// Finds cards that name a doubled node without a side that tells its face.
 class Mouths {
 public:
-  Mouths(const model::Model& model, const Scene& scene, base::Diagnostics& diagnostics)
+  Mouths(const model::Model& model, const Discretisation& scene, base::Diagnostics& diagnostics)
       : model_(model), scene_(scene), diagnostics_(diagnostics),
         membership_(scene.cracked.mesh, scene.cracked.faces) {}
 
@@ -64,7 +64,7 @@ private:
   }
 
   const model::Model& model_;
-  const Scene& scene_;
+  const Discretisation& scene_;
   base::Diagnostics& diagnostics_;
   mesh::CrackFaceMembership membership_;
   bool good_ = true;
@@ -131,8 +131,8 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
 
 } // namespace
 
-bool mouths_are_told(const model::Model& model, const Scene& scene,
-                     base::Diagnostics& diagnostics) {
+bool check_split_nodes(const model::Model& model, const Discretisation& scene,
+                       base::Diagnostics& diagnostics) {
   Mouths mouths(model, scene, diagnostics);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (freedom.cls == FreedomClass::suppressed || freedom.cls == FreedomClass::prescribed) {
@@ -161,7 +161,7 @@ bool mouths_are_told(const model::Model& model, const Scene& scene,
 }
 
 void release_crack_faces(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                         Scene& scene) {
+                         Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -181,8 +181,8 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
   }
 }
 
-bool loaded_faces_are_there(const model::Model& model, const Scene& scene,
-                            base::Diagnostics& diagnostics) {
+bool loaded_faces_exist(const model::Model& model, const Discretisation& scene,
+                        base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   for (const model::LoadCase& load_case : model.cases) {

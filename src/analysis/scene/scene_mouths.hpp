@@ -7,16 +7,17 @@ namespace spricka::analysis {
 
 /// A support, a force or a tie that names a node which a crack has doubled must tell by a side of
 /// its set which face it means: E437, and false.
-bool mouths_are_told(const model::Model& model, const Scene& scene, base::Diagnostics& diagnostics);
+bool check_split_nodes(const model::Model& model, const Discretisation& scene,
+                       base::Diagnostics& diagnostics);
 
 /// On a symmetry line the nodes behind the tip become free to open; what supports that go on beside
 /// the line hold (a clamped side that the crack starts from) stays held. Changes scene.cls.
 void release_crack_faces(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                         Scene& scene);
+                         Discretisation& scene);
 
 /// A load on the face of a crack that its body does not have (the crack lies on a symmetry line):
 /// E438, and false.
-bool loaded_faces_are_there(const model::Model& model, const Scene& scene,
-                            base::Diagnostics& diagnostics);
+bool loaded_faces_exist(const model::Model& model, const Discretisation& scene,
+                        base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

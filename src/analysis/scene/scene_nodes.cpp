@@ -30,7 +30,8 @@ std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
 
 // Each node of the set carries the force: nodes that go or come change the sum. The node of a
 // crack's mouth may be that of the other face.
-std::string changed(const model::Model& model, const Scene& scene, const model::Load& load) {
+std::string changed(const model::Model& model, const Discretisation& scene,
+                    const model::Load& load) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const mesh::CrackFaceMembership crack_faces(mesh, scene.cracked.faces);
   const std::vector<base::NodeId> before = sorted(model.mesh.set_with_id(load.nodes).nodes);
@@ -50,8 +51,8 @@ std::string changed(const model::Model& model, const Scene& scene, const model::
 
 } // namespace
 
-bool forces_are_taken(const model::Model& model, const Scene& scene,
-                      base::Diagnostics& diagnostics) {
+bool check_force_nodes(const model::Model& model, const Discretisation& scene,
+                       base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<bool> taken = model::nodes_in_use(mesh);
   for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {
@@ -84,7 +85,7 @@ bool forces_are_taken(const model::Model& model, const Scene& scene,
   return true;
 }
 
-bool supports_are_kept(const model::Model& model, const Scene& scene,
+bool supports_are_kept(const model::Model& model, const Discretisation& scene,
                        base::Diagnostics& diagnostics) {
   const auto keeps = [&](base::NodeSetId nodes, const base::SourceSpan& span, const char* what) {
     const std::size_t set = nodes.index();

@@ -7,12 +7,12 @@ namespace spricka::analysis {
 
 /// A force needs a node of an element or a tie, and a crack's patch must not have changed the nodes
 /// that it acts on: E418, and false.
-bool forces_are_taken(const model::Model& model, const Scene& scene,
-                      base::Diagnostics& diagnostics);
+bool check_force_nodes(const model::Model& model, const Discretisation& scene,
+                       base::Diagnostics& diagnostics);
 
 /// No support or prescribed displacement may be lost with a node that a crack's patch cut out:
 /// E419, and false.
-bool supports_are_kept(const model::Model& model, const Scene& scene,
+bool supports_are_kept(const model::Model& model, const Discretisation& scene,
                        base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

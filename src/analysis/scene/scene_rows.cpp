@@ -10,7 +10,7 @@ namespace spricka::analysis {
 namespace {
 
 // What contact rows ask of independent freedoms; rows without dependent ones stay as they are.
-void reduce_rows(Scene& scene) {
+void reduce_rows(Discretisation& scene) {
   const int dim = scene.cracked.mesh.dim;
   const fe::ConstraintTransformation& ties = *scene.ties;
   if (ties.rows().empty()) {
@@ -18,7 +18,7 @@ void reduce_rows(Scene& scene) {
   }
   scene.table.tied.resize(scene.table.size());
   for (std::size_t r = 0; r < scene.table.size(); ++r) {
-    const contact::ConstraintRow& row = scene.row(r);
+    const contact::ConstraintRow& row = scene.contact_row(r);
     // Several followers may share a master: weights of a node add up.
     std::map<std::size_t, base::Vec3> weight; // by node
     bool follows = false;
@@ -56,7 +56,7 @@ void reduce_rows(Scene& scene) {
 
 } // namespace
 
-void make_table(Scene& scene) {
+void make_row_table(Discretisation& scene) {
   scene.table = {};
   for (const contact::PairConstraints& pair : scene.pairs) {
     scene.table.first.push_back(scene.table.size());

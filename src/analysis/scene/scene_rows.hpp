@@ -5,6 +5,6 @@
 namespace spricka::analysis {
 
 /// Strings the rows of all pairs into the table and reduces them to independent freedoms.
-void make_table(Scene& scene);
+void make_row_table(Discretisation& scene);
 
 } // namespace spricka::analysis

@@ -51,7 +51,7 @@ std::string freedom_name(const model::Mesh& mesh, std::int32_t freedom) {
 }
 
 // A crack patch has taken the place of elements whose node an MPC names: what it tied is gone.
-bool keep_their_nodes(const model::Model& model, const Scene& scene,
+bool keep_their_nodes(const model::Model& model, const Discretisation& scene,
                       const std::vector<fe::Tie>& ties, base::Diagnostics& diagnostics) {
   if (model.cracks.empty()) {
     return true;
@@ -101,7 +101,8 @@ void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties
   }
 }
 
-bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+bool eliminate_ties(const model::Model& model, Discretisation& scene,
+                    base::Diagnostics& diagnostics) {
   std::vector<fe::TieFailure> troubles;
   std::vector<fe::Tie> ties = fe::make_ties(model, scene.cracked.mesh, troubles);
   bool good = keep_their_nodes(model, scene, ties, diagnostics);
@@ -135,7 +136,8 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
   return good;
 }
 
-bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+bool prescribe_dependents(const model::Model& model, Discretisation& scene,
+                          base::Diagnostics& diagnostics) {
   const fe::ConstraintTransformation& ties = *scene.ties;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   bool good = true;

@@ -9,7 +9,8 @@ namespace spricka::analysis {
 /// Solves the ties of the deck for the freedoms that follow, which become dependent in scene.cls;
 /// masters of external ones become external. Mistakes (a slave off its master faces, a node that a
 /// crack has cut out) go to `diagnostics` at their card. Returns whether the ties are sound.
-bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics);
+bool eliminate_ties(const model::Model& model, Discretisation& scene,
+                    base::Diagnostics& diagnostics);
 
 /// Makes a freedom external; a dependent one hands this on to its masters.
 void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
@@ -17,6 +18,7 @@ void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties
 
 /// Gives dependent freedoms their part of the prescribed displacements and finds ties that
 /// contradict prescribed or suppressed freedoms. Returns whether there are none.
-bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics);
+bool prescribe_dependents(const model::Model& model, Discretisation& scene,
+                          base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

@@ -7,7 +7,7 @@ namespace spricka::analysis {
 
 namespace {
 
-std::vector<contact::SurfaceNodeNormal> independent_points(const Scene& scene,
+std::vector<contact::SurfaceNodeNormal> independent_points(const Discretisation& scene,
                                                            const contact::ContactSurface& surface) {
   const int dim = scene.cracked.mesh.dim;
   std::vector<contact::SurfaceNodeNormal> points = contact::surface_node_normals(surface);
@@ -25,7 +25,7 @@ std::vector<contact::SurfaceNodeNormal> independent_points(const Scene& scene,
 
 } // namespace
 
-std::vector<contact::ContactRowSurfaces> sliding_contacts(const Scene& scene) {
+std::vector<contact::ContactRowSurfaces> sliding_contacts(const Discretisation& scene) {
   std::vector<contact::ContactRowSurfaces> found;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];

@@ -51,12 +51,12 @@ void mark_held_functions(contact::PairConstraints& pair,
 
 } // namespace
 
-void take_in_supports(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
+void apply_supports(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
   drop_held_slips(pair, cls);
   mark_held_functions(pair, cls);
 }
 
-std::vector<base::NodeId> weighed_nodes(const contact::PairConstraints& pair) {
+std::vector<base::NodeId> contact_row_nodes(const contact::PairConstraints& pair) {
   std::set<base::NodeId> nodes;
   for (const auto* rows : {&pair.normal, &pair.tangent}) {
     for (const contact::ConstraintRow& row : *rows) {

@@ -9,9 +9,9 @@
 namespace spricka::analysis {
 
 /// Leaves out slips that supports hold and notes which functions they hold. cls [3 * node].
-void take_in_supports(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls);
+void apply_supports(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls);
 
 /// Nodes whose freedoms the rows of a pair weigh, ascending.
-std::vector<base::NodeId> weighed_nodes(const contact::PairConstraints& pair);
+std::vector<base::NodeId> contact_row_nodes(const contact::PairConstraints& pair);
 
 } // namespace spricka::analysis

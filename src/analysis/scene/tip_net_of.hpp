@@ -6,6 +6,6 @@
 namespace spricka::analysis {
 
 /// The settings of a crack's tips; null: none are given.
-const model::TipMeshSettings* tip_net_of(const model::Model& model, base::CrackId crack);
+const model::TipMeshSettings* find_tip_net(const model::Model& model, base::CrackId crack);
 
 } // namespace spricka::analysis

@@ -124,7 +124,7 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
   return zones;
 }
 
-crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
+crack::TipLoads tip_loads(const model::Model& model, const Discretisation& scene,
                           const std::vector<crack::ExtensionField>& fields,
                           const base::Vector& case_factor) {
   const model::Mesh& mesh = scene.cracked.mesh;
@@ -157,7 +157,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
   return loads;
 }
 
-crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
+crack::DomainLimits domain_limits(const model::Model& model, const Discretisation& scene,
                                   const mesh::CrackFront& front) {
   using model::FreedomClass;
   const model::Mesh& mesh = scene.cracked.mesh;
@@ -221,8 +221,8 @@ void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked)
   }
 }
 
-bool crack_faces_carry_no_totals(const model::Model& model, const Scene& scene,
-                                 base::Diagnostics& diagnostics) {
+bool check_face_totals(const model::Model& model, const Discretisation& scene,
+                       base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::set<model::Face> crack_faces;
   for (const mesh::CrackFaces& crack_face : scene.cracked.faces) {

@@ -10,7 +10,7 @@ namespace spricka::analysis {
 
 /// What acts on the elements and faces of some domains under the cases' factors [case]. The model
 /// must outlive it.
-crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
+crack::TipLoads tip_loads(const model::Model& model, const Discretisation& scene,
                           const std::vector<crack::ExtensionField>& fields,
                           const base::Vector& case_factor);
 
@@ -20,7 +20,7 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
 
 /// What the domains of a tip must keep clear of: nodes that are held, tied or loaded one by one
 /// (those of a half model's own line are not), and the rims of what is heated.
-crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
+crack::DomainLimits domain_limits(const model::Model& model, const Discretisation& scene,
                                   const mesh::CrackFront& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
@@ -28,7 +28,7 @@ void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked)
 
 /// Loads that give a total to faces of a crack are refused (E417): it spreads anew as the crack
 /// grows, which G has no term for.
-bool crack_faces_carry_no_totals(const model::Model& model, const Scene& scene,
-                                 base::Diagnostics& diagnostics);
+bool check_face_totals(const model::Model& model, const Discretisation& scene,
+                       base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

@@ -14,10 +14,10 @@ namespace spricka::analysis {
 namespace {
 
 // Host nodes keep their numbers from length to length, so that rows can be told by them.
-std::vector<std::int64_t> key_of(const Scene& scene, std::size_t contact) {
+std::vector<std::int64_t> key_of(const Discretisation& scene, std::size_t contact) {
   base::Hasher hash;
   for (std::size_t r = scene.table.first[contact]; r < scene.table.first[contact + 1]; ++r) {
-    const contact::ConstraintRow& row = scene.row(r);
+    const contact::ConstraintRow& row = scene.contact_row(r);
     hash.value(row.node.value);
     hash.value(row.tangential);
     hash.value(row.area);
@@ -47,7 +47,8 @@ base::Vector as_vector(const std::vector<double>& v) {
 
 } // namespace
 
-void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
+void InheritedContactState::store_state(const Discretisation& scene,
+                                        const StepSolver::StepSolverState& place) {
   contacts_.clear();
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     // Faces of a crack are other nodes at each length: what they did is not carried.
@@ -56,7 +57,7 @@ void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
         })) {
       continue;
     }
-    Pair& pair = contacts_.emplace_back();
+    InheritedContactPair& pair = contacts_.emplace_back();
     pair.key = key_of(scene, c);
     pair.fit = place.factors.fit[c];
     pair.mounted = place.factors.mounted[c];
@@ -73,16 +74,17 @@ void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
   alpha_ = as_list(place.friction.alpha);
 }
 
-std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const StepSolver::Place& now,
-                                                   base::Trouble& trouble) const {
-  StepSolver::Place place = now;
+std::optional<StepSolver::StepSolverState>
+InheritedContactState::put(const Discretisation& scene, const StepSolver::StepSolverState& now,
+                           base::Trouble& trouble) const {
+  StepSolver::StepSolverState place = now;
   // Rows may have other numbers here: the next solution begins without closed ones.
   place.closed.clear();
   if (static_cast<Eigen::Index>(case_factor_.size()) == now.factors.case_factor.size()) {
     place.factors.case_factor = as_vector(case_factor_);
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const Pair& pair = contacts_[c];
+    const InheritedContactPair& pair = contacts_[c];
     const bool is_there = c < scene.contacts.size();
     if (!is_there || pair.key != key_of(scene, c) ||
         pair.offset.size() != scene.table.first[c + 1] - scene.table.first[c]) {
@@ -113,7 +115,7 @@ std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const Ste
   return place;
 }
 
-void CarriedState::save(results::NamedArrays& arrays) const {
+void InheritedContactState::save_state(results::NamedArrays& arrays) const {
   if (empty()) {
     return;
   }
@@ -121,7 +123,7 @@ void CarriedState::save(results::NamedArrays& arrays) const {
   arrays.reals["carried.case_factor"] = case_factor_;
   arrays.reals["carried.alpha"] = alpha_;
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const Pair& pair = contacts_[c];
+    const InheritedContactPair& pair = contacts_[c];
     arrays.integers[name_of(c, "key")] = pair.key;
     arrays.integers[name_of(c, "touch")] = pair.touch;
     arrays.reals[name_of(c, "offset")] = pair.offset;
@@ -132,8 +134,8 @@ void CarriedState::save(results::NamedArrays& arrays) const {
   }
 }
 
-CarriedState CarriedState::load(const results::NamedArrays& arrays) {
-  CarriedState state;
+InheritedContactState InheritedContactState::restore_state(const results::NamedArrays& arrays) {
+  InheritedContactState state;
   const auto count = arrays.integers.find("carried.contacts");
   if (count == arrays.integers.end()) {
     return state;
@@ -160,7 +162,7 @@ CarriedState CarriedState::load(const results::NamedArrays& arrays) {
                                .work = of_pair.at(0),
                                .fit = of_pair.at(1),
                                .mounted = of_pair.at(2) != 0.0});
-    Pair& pair = state.contacts_.back();
+    InheritedContactPair& pair = state.contacts_.back();
     pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
     const std::size_t rows = pair.offset.size();
     const bool known = std::ranges::all_of(pair.touch, [](std::int64_t touch) {

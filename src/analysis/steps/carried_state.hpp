@@ -15,25 +15,26 @@ namespace spricka::analysis {
 /// Slips, gaps and loads at the moment when the cracks grew, for the next length
 /// ($GROW HISTORY=CONTINUE). It holds for the deck's contacts; what faces of cracks did to each
 /// other is not carried: they are others.
-class CarriedState {
+class InheritedContactState {
 public:
   [[nodiscard]] bool empty() const { return contacts_.empty(); }
 
   /// Keeps a place of a solver on this scene.
-  void take(const Scene& scene, const StepSolver::Place& place);
+  void store_state(const Discretisation& scene, const StepSolver::StepSolverState& place);
   /// The same place on another scene; `now` is where its solver is, for what is not carried. Empty:
   /// the rows of a contact are not those they were; `trouble` says so.
-  [[nodiscard]] std::optional<StepSolver::Place>
-  put(const Scene& scene, const StepSolver::Place& now, base::Trouble& trouble) const;
+  [[nodiscard]] std::optional<StepSolver::StepSolverState>
+  put(const Discretisation& scene, const StepSolver::StepSolverState& now,
+      base::Trouble& trouble) const;
 
   /// As arrays "carried...", for a restart file.
-  void save(results::NamedArrays& arrays) const;
+  void save_state(results::NamedArrays& arrays) const;
   /// From those; what is not there has not been carried.
-  static CarriedState load(const results::NamedArrays& arrays);
+  static InheritedContactState restore_state(const results::NamedArrays& arrays);
 
 private:
   /// One of the deck's contacts.
-  struct Pair {
+  struct InheritedContactPair {
     std::vector<std::int64_t> key;          ///< of its rows
     std::vector<double> offset, slip, path; ///< [row]
     std::vector<double> pressure;           ///< [row]
@@ -41,7 +42,7 @@ private:
     double work = 0.0, fit = 0.0;
     bool mounted = false;
   };
-  std::vector<Pair> contacts_;
+  std::vector<InheritedContactPair> contacts_;
   std::vector<double> case_factor_, alpha_;
 };
 

@@ -9,7 +9,7 @@ namespace spricka::analysis {
 namespace {
 
 // Nodes that only elements have which no crack of the run touches.
-std::vector<bool> lasting_nodes(const Scene& scene) {
+std::vector<bool> lasting_nodes(const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<bool> lasting(mesh.node_count(), true);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -24,9 +24,10 @@ std::vector<bool> lasting_nodes(const Scene& scene) {
 
 } // namespace
 
-contact::PersistentRowSet ContactMemory::lasting(const Scene& scene,
-                                                 const std::vector<BodyNet>& bodies,
-                                                 const std::vector<std::size_t>& condensed) {
+contact::PersistentRowSet
+ContactMemory::persistent_rows(const Discretisation& scene,
+                               const std::vector<SubstructuredBody>& bodies,
+                               const std::vector<std::size_t>& condensed) {
   contact::PersistentRowSet lasting;
   // Without elements that no crack touches nothing lasts from length to length.
   const bool several = std::ranges::find(scene.rest_element, true) != scene.rest_element.end();
@@ -34,7 +35,7 @@ contact::PersistentRowSet ContactMemory::lasting(const Scene& scene,
     return lasting;
   }
   const std::vector<bool> node = lasting_nodes(scene);
-  for (const contact::ConstraintRow* row : scene.acting_rows()) {
+  for (const contact::ConstraintRow* row : scene.reduced_rows()) {
     lasting.row.push_back(std::ranges::all_of(
         row->entries, [&](const contact::RowEntry& e) { return node[e.node.index()]; }));
   }
@@ -52,9 +53,9 @@ contact::PersistentRowSet ContactMemory::lasting(const Scene& scene,
     const std::shared_ptr<const void> of =
         factor != nullptr ? std::shared_ptr<const void>(factor->L.first_block())
                           : bodies[b].condensed;
-    std::unique_ptr<Kept>& kept = bodies_[b];
+    std::unique_ptr<PersistentBodyRows>& kept = bodies_[b];
     if (!kept || kept->of != of) {
-      kept = std::make_unique<Kept>(Kept{of, {}});
+      kept = std::make_unique<PersistentBodyRows>(PersistentBodyRows{of, {}});
     }
     lasting.kept.push_back(&kept->rows);
   }
@@ -63,7 +64,7 @@ contact::PersistentRowSet ContactMemory::lasting(const Scene& scene,
 
 // Calls use(row, place) for all normal rows. Nodes of patches may be others at the next length: a
 // start is not more than that.
-template <class Use> void ContactMemory::for_rows(const Scene& scene, Use&& use) {
+template <class Use> void ContactMemory::for_rows(const Discretisation& scene, Use&& use) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     std::map<std::int64_t, std::int64_t> met;
     const std::vector<contact::ConstraintRow>& rows = scene.pairs[c].normal;
@@ -74,8 +75,8 @@ template <class Use> void ContactMemory::for_rows(const Scene& scene, Use&& use)
   }
 }
 
-std::vector<bool> ContactMemory::start(const Scene& scene, std::size_t step,
-                                       const std::vector<bool>& before) const {
+std::vector<bool> ContactMemory::first_closed_rows(const Discretisation& scene, std::size_t step,
+                                                   const std::vector<bool>& before) const {
   if (step >= closed_.size() || closed_[step].empty()) {
     return {};
   }
@@ -89,7 +90,8 @@ std::vector<bool> ContactMemory::start(const Scene& scene, std::size_t step,
   return closed;
 }
 
-void ContactMemory::keep(const Scene& scene, std::size_t step, const std::vector<bool>& closed) {
+void ContactMemory::store_closed_rows(const Discretisation& scene, std::size_t step,
+                                      const std::vector<bool>& closed) {
   if (closed_.size() <= step) {
     closed_.resize(step + 1);
   }
@@ -101,7 +103,7 @@ void ContactMemory::keep(const Scene& scene, std::size_t step, const std::vector
   });
 }
 
-void ContactMemory::save(results::NamedArrays& arrays) const {
+void ContactMemory::save_state(results::NamedArrays& arrays) const {
   for (std::size_t s = 0; s < closed_.size(); ++s) {
     std::vector<std::int64_t>& list = arrays.integers["closed.of_step"];
     for (const auto& [place, closed] : closed_[s]) {
@@ -112,7 +114,7 @@ void ContactMemory::save(results::NamedArrays& arrays) const {
   }
 }
 
-ContactMemory ContactMemory::load(const results::NamedArrays& arrays, std::size_t steps) {
+ContactMemory ContactMemory::restore_state(const results::NamedArrays& arrays, std::size_t steps) {
   ContactMemory memory;
   const auto found = arrays.integers.find("closed.of_step");
   if (found == arrays.integers.end()) {

@@ -19,30 +19,32 @@ class ContactMemory {
 public:
   /// Rows whose nodes no crack touches, and what is kept of them for these bodies (indices of
   /// `bodies`, in the order of the contact system).
-  contact::PersistentRowSet lasting(const Scene& scene, const std::vector<BodyNet>& bodies,
-                                    const std::vector<std::size_t>& condensed);
+  contact::PersistentRowSet persistent_rows(const Discretisation& scene,
+                                            const std::vector<SubstructuredBody>& bodies,
+                                            const std::vector<std::size_t>& condensed);
 
   /// Rows [row] that a step may begin with as closed: `before` changed to what the same step ended
   /// with at the last length, row by row of its nodes. Empty: nothing is known of the step.
-  [[nodiscard]] std::vector<bool> start(const Scene& scene, std::size_t step,
-                                        const std::vector<bool>& before) const;
-  void keep(const Scene& scene, std::size_t step, const std::vector<bool>& closed);
+  [[nodiscard]] std::vector<bool> first_closed_rows(const Discretisation& scene, std::size_t step,
+                                                    const std::vector<bool>& before) const;
+  void store_closed_rows(const Discretisation& scene, std::size_t step,
+                         const std::vector<bool>& closed);
 
   /// The closed rows as arrays "closed...", for a restart file, and back from there, of a deck with
   /// so many steps. Throws std::out_of_range.
-  void save(results::NamedArrays& arrays) const;
-  static ContactMemory load(const results::NamedArrays& arrays, std::size_t steps);
+  void save_state(results::NamedArrays& arrays) const;
+  static ContactMemory restore_state(const results::NamedArrays& arrays, std::size_t steps);
 
 private:
-  struct Kept {
+  struct PersistentBodyRows {
     std::shared_ptr<const void> of; ///< what the rows are kept for: a body, or its early rows
     contact::PersistentRows rows;
   };
   using Place = std::array<std::int64_t, 3>; ///< contact, node, which of the node's rows
-  std::vector<std::unique_ptr<Kept>> bodies_;
+  std::vector<std::unique_ptr<PersistentBodyRows>> bodies_;
   std::vector<std::map<Place, bool>> closed_; ///< [step]
 
-  template <class Use> static void for_rows(const Scene& scene, Use&& use);
+  template <class Use> static void for_rows(const Discretisation& scene, Use&& use);
 };
 
 } // namespace spricka::analysis

@@ -59,8 +59,9 @@ std::size_t row_of(const contact::PairConstraints& pair, base::NodeId node) {
 
 } // namespace
 
-std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
-                                        const base::Vector& u) {
+std::vector<std::size_t> find_overlapping_lines(const model::Model& model,
+                                                const Discretisation& scene,
+                                                const base::Vector& u) {
   const bool space = scene.cracked.mesh.dim == 3;
   std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
@@ -77,7 +78,7 @@ std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& 
 }
 
 void add_crack_face_pairs(const model::Model& model, const std::vector<std::size_t>& lines,
-                          Scene& scene) {
+                          Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   const bool space = dim == 3;
@@ -96,17 +97,18 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
     scene.contacts.push_back(std::move(contact));
     std::vector<base::NodeId> nodes = crack_faces.left;
     nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());
-    for (const base::NodeId n : space ? weighed_nodes(scene.pairs.back()) : nodes) {
+    for (const base::NodeId n : space ? contact_row_nodes(scene.pairs.back()) : nodes) {
       for (std::size_t c = 0; c < dim; ++c) {
         make_external(dim * n.index() + c, *scene.ties, scene.cls);
       }
     }
   }
   // Rows behind those of the deck: numbers of the deck's own rows stay.
-  make_table(scene);
+  make_row_table(scene);
 }
 
-TipFaces tip_faces(const Scene& scene, const mesh::CrackFront& front, const StepState& state) {
+TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
+                   const StepState& state) {
   TipFaces faces;
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
@@ -152,7 +154,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::CrackFront& front, const Step
   return faces;
 }
 
-std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::CrackFront& front) {
+std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return std::nullopt;
@@ -162,7 +164,7 @@ std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::CrackFront
                 from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node).front());
 }
 
-base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
+base::Matrix K_from_face_forces(const model::Model& model, const Discretisation& scene) {
   const crack::KLayout layout = scene.k_layout();
   base::Matrix of_row =
       base::Matrix::Zero(layout.count(), static_cast<Eigen::Index>(scene.table.size()));
@@ -178,7 +180,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
         crack_face->sides);
     for (std::size_t r = scene.table.first[crack_face->pair];
          r < scene.table.first[crack_face->pair + 1]; ++r) {
-      for (const contact::RowEntry& entry : scene.row(r).entries) {
+      for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
         const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
         layout.point_entries(of_row.col(static_cast<Eigen::Index>(r)), t) +=
             weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
@@ -188,8 +190,9 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
   return of_row;
 }
 
-std::optional<crack::CrackFaceForces>
-crack_face_forces(const Scene& scene, const mesh::CrackFront& front, const StepState& state) {
+std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,
+                                                        const mesh::CrackFront& front,
+                                                        const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return std::nullopt;
@@ -201,7 +204,7 @@ crack_face_forces(const Scene& scene, const mesh::CrackFront& front, const StepS
   forces.at_tip = 0.0 - state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(next)];
   for (std::size_t r = first; r < scene.table.first[crack_face->pair + 1]; ++r) {
     const double value = state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(r - first)];
-    for (const contact::RowEntry& entry : scene.row(r).entries) {
+    for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
       forces.force.segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
           value * entry.weight.head<2>();
     }

@@ -12,13 +12,13 @@ namespace spricka::analysis {
 
 /// Crack lines whose faces overlap in u [dim * node] though they may touch, and that have no pair
 /// yet.
-std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
-                                        const base::Vector& u);
+std::vector<std::size_t> find_overlapping_lines(const model::Model& model,
+                                                const Discretisation& scene, const base::Vector& u);
 
 /// Adds the faces of these lines to the pairs of the scene, with the name CRACK.FACES; their
 /// freedoms become external.
 void add_crack_face_pairs(const model::Model& model, const std::vector<std::size_t>& lines,
-                          Scene& scene);
+                          Discretisation& scene);
 
 /// What the faces of a crack do at one of its tips.
 struct TipFaces {
@@ -29,17 +29,19 @@ struct TipFaces {
   double pressure = 0.0;   ///< largest between the faces [stress]
   int open_nodes = 0;      ///< open pairs from the tip to the first closed one; all open: 0
 };
-TipFaces tip_faces(const Scene& scene, const mesh::CrackFront& front, const StepState& state);
+TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
+                   const StepState& state);
 
 /// The row of the table of the two nodes next to a tip; none where the faces are no pair.
-std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::CrackFront& front);
+std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::CrackFront& front);
 
 /// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
 /// forces between the faces of cracks (crack.33). [crack::KLayout, table row]
-base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene);
+base::Matrix K_from_face_forces(const model::Model& model, const Discretisation& scene);
 
 /// Forces between the faces of the tip's crack; none without a pair.
-std::optional<crack::CrackFaceForces>
-crack_face_forces(const Scene& scene, const mesh::CrackFront& front, const StepState& state);
+std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,
+                                                        const mesh::CrackFront& front,
+                                                        const StepState& state);
 
 } // namespace spricka::analysis

@@ -25,7 +25,7 @@ struct Motions {
   double sound = 0.0;              ///< [length]
 };
 
-Motions motions_of(const Scene& scene, const std::vector<BodyNet>& bodies,
+Motions motions_of(const Discretisation& scene, const std::vector<SubstructuredBody>& bodies,
                    const SolvedContact& solved, const base::Vector& prescribed) {
   Motions out;
   out.sound = prescribed.size() > 0 ? prescribed.cwiseAbs().maxCoeff() : 0.0;
@@ -43,7 +43,7 @@ Motions motions_of(const Scene& scene, const std::vector<BodyNet>& bodies,
     }
   }
   for (std::size_t i = 0; i < solved.problem.rows.size(); ++i) {
-    const contact::ConstraintRow& row = scene.row(solved.problem.rows[i]);
+    const contact::ConstraintRow& row = scene.contact_row(solved.problem.rows[i]);
     if (s.closed[i] && !row.tangential) {
       out.sound = std::max(out.sound,
                            std::abs(solved.problem.gap[static_cast<Eigen::Index>(i)]) / row.area);
@@ -53,12 +53,13 @@ Motions motions_of(const Scene& scene, const std::vector<BodyNet>& bodies,
 }
 
 // Largest opening of a closed row, as a length.
-double opened_by(const Scene& scene, const SolvedContact& solved, const base::Vector& rigid) {
+double opened_by(const Discretisation& scene, const SolvedContact& solved,
+                 const base::Vector& rigid) {
   double most = 0.0;
   for (std::size_t i = 0; i < solved.problem.rows.size(); ++i) {
     const std::size_t r = solved.problem.rows[i];
     if (solved.solution.contact.closed[i]) {
-      const contact::ConstraintRow& row = scene.acting_row(r);
+      const contact::ConstraintRow& row = scene.reduced_row(r);
       most = std::max(most, std::abs(row_opening(row, scene.cracked.mesh.dim, rigid)) / row.area);
     }
   }
@@ -77,11 +78,12 @@ double size_of(const model::Mesh& mesh, const fe::Body& body) {
 
 } // namespace
 
-base::Trouble far_motion(const Scene& scene, const std::vector<BodyNet>& bodies,
-                         const SolvedContact& solved, const base::Vector& prescribed) {
+base::Trouble excessive_motion(const Discretisation& scene,
+                               const std::vector<SubstructuredBody>& bodies,
+                               const SolvedContact& solved, const base::Vector& prescribed) {
   const Motions motions = motions_of(scene, bodies, solved, prescribed);
   for (std::size_t i = 0; i < motions.rigid.size(); ++i) {
-    const BodyNet& body = bodies[solved.condensed[i]];
+    const SubstructuredBody& body = bodies[solved.condensed[i]];
     const base::Vector& rigid = motions.rigid[i];
     const double far = rigid.size() > 0 ? rigid.cwiseAbs().maxCoeff() : 0.0;
     const double size = size_of(scene.cracked.mesh, body.body);

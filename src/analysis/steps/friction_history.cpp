@@ -6,7 +6,7 @@
 
 namespace spricka::analysis {
 
-FrictionHistory::FrictionHistory(const Scene& scene)
+FrictionHistory::FrictionHistory(const Discretisation& scene)
     : scene_(scene), normal_of_(scene.table.size(), -1), contact_of_(scene.table.size(), 0) {
   const std::size_t rows = scene.table.size();
   memory_ = {.touch = std::vector<solve::SlipState>(rows, solve::SlipState::stick),
@@ -19,7 +19,7 @@ FrictionHistory::FrictionHistory(const Scene& scene)
     const std::size_t first = scene.table.first[c];
     mu_.push_back(scene.contacts[c].mu);
     for (std::size_t r = first; r < scene.table.first[c + 1]; ++r) {
-      const contact::ConstraintRow& row = scene.row(r);
+      const contact::ConstraintRow& row = scene.contact_row(r);
       contact_of_[r] = c;
       if (mu_[c] > 0.0 && row.tangential) {
         normal_of_[r] = static_cast<std::ptrdiff_t>(first) + row.normal;
@@ -28,14 +28,14 @@ FrictionHistory::FrictionHistory(const Scene& scene)
   }
 }
 
-void FrictionHistory::add_to(contact::ContactSystem::IncrementProblem& problem) const {
+void FrictionHistory::add_friction(contact::ContactSystem::IncrementProblem& problem) const {
   std::vector<int> place(normal_of_.size(), -1);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     place[problem.rows[i]] = static_cast<int>(i);
   }
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t row = problem.rows[i];
-    if (!rubs(row)) {
+    if (!has_friction(row)) {
       continue;
     }
     // A second tangent of a normal row follows the first: the two are a vector.
@@ -57,8 +57,8 @@ void FrictionHistory::add_to(contact::ContactSystem::IncrementProblem& problem) 
   problem.alpha = memory_.alpha;
 }
 
-void FrictionHistory::take(const contact::ContactSystem::IncrementProblem& problem,
-                           const contact::ContactSystem::IncrementSolution& solution) {
+void FrictionHistory::accept_increment(const contact::ContactSystem::IncrementProblem& problem,
+                                       const contact::ContactSystem::IncrementSolution& solution) {
   memory_.alpha = solution.contact.alpha;
   for (std::size_t i = 0; i < solution.touch.size(); ++i) {
     memory_.touch[problem.rows[i]] = solution.touch[i];
@@ -91,7 +91,7 @@ void FrictionHistory::take(const contact::ContactSystem::IncrementProblem& probl
   }
 }
 
-PairFriction FrictionHistory::pair(std::size_t contact) const {
+PairFriction FrictionHistory::pair_friction(std::size_t contact) const {
   PairFriction pair;
   if (!(mu_[contact] > 0.0)) {
     return pair;

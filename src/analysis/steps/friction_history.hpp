@@ -20,7 +20,7 @@ struct PairFriction {
 };
 
 /// What an increment leaves for the next one.
-struct FrictionMemory {
+struct FrictionState {
   std::vector<solve::SlipState> touch; ///< [table row]
   std::vector<double> slip, path;      ///< [table row]
   std::vector<double> pressure; ///< [table row] of normal rows at the end of the last increment
@@ -30,32 +30,32 @@ struct FrictionMemory {
 
 class FrictionHistory {
 public:
-  explicit FrictionHistory(const Scene& scene);
+  explicit FrictionHistory(const Discretisation& scene);
 
   /// Whether this row of the table is the slip of a pair with friction.
-  [[nodiscard]] bool rubs(std::size_t row) const { return normal_of_[row] >= 0; }
+  [[nodiscard]] bool has_friction(std::size_t row) const { return normal_of_[row] >= 0; }
 
   /// Adds to a problem whose rows are there what friction needs: pairs of rows and first states.
-  void add_to(contact::ContactSystem::IncrementProblem& problem) const;
+  void add_friction(contact::ContactSystem::IncrementProblem& problem) const;
 
   /// Takes a solved increment: states, slips, work of friction.
-  void take(const contact::ContactSystem::IncrementProblem& problem,
-            const contact::ContactSystem::IncrementSolution& solution);
+  void accept_increment(const contact::ContactSystem::IncrementProblem& problem,
+                        const contact::ContactSystem::IncrementSolution& solution);
 
   /// A pair is mounted or leaves: what its rows have slipped counts from here.
   void begin(std::size_t contact);
 
-  [[nodiscard]] PairFriction pair(std::size_t contact) const;
+  [[nodiscard]] PairFriction pair_friction(std::size_t contact) const;
 
-  [[nodiscard]] const FrictionMemory& memory() const { return memory_; }
-  void go_back(const FrictionMemory& memory) { memory_ = memory; }
+  [[nodiscard]] const FrictionState& friction_state() const { return memory_; }
+  void restore_state(const FrictionState& memory) { memory_ = memory; }
 
 private:
-  const Scene& scene_;
+  const Discretisation& scene_;
   std::vector<std::ptrdiff_t> normal_of_; ///< [table row] of a slip with friction, else -1
   std::vector<std::size_t> contact_of_;   ///< [table row]
   std::vector<double> mu_;                ///< [contact]
-  FrictionMemory memory_;
+  FrictionState memory_;
 };
 
 } // namespace spricka::analysis

@@ -26,7 +26,7 @@ namespace {
 /// The free rigid modes of all bodies side by side.
 class AllModes {
 public:
-  AllModes(const Scene& scene, const std::vector<BodyNet>& bodies)
+  AllModes(const Discretisation& scene, const std::vector<SubstructuredBody>& bodies)
       : scene_(scene), bodies_(bodies) {
     body_of_.assign(scene.cracked.mesh.node_count(), -1);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -58,14 +58,14 @@ public:
   /// forces.
   [[nodiscard]] double opening_scale(const std::vector<std::size_t>& rows) const {
     double motion = 0.0;
-    for (const BodyNet& body : bodies_) {
+    for (const SubstructuredBody& body : bodies_) {
       motion = body.free_modes.size() > 0 ? std::max(motion, body.free_modes.cwiseAbs().maxCoeff())
                                           : motion;
     }
     double scale = 0.0;
     for (const std::size_t r : rows) {
       double size = 0.0;
-      for (const contact::RowEntry& entry : scene_.row(r).entries) {
+      for (const contact::RowEntry& entry : scene_.contact_row(r).entries) {
         size += entry.weight.lpNorm<1>();
       }
       scale = std::max(scale, motion * size);
@@ -99,7 +99,7 @@ private:
     const int dim = scene_.cracked.mesh.dim;
     B_ = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), count());
     for (std::size_t r = 0; r < scene_.table.size(); ++r) {
-      for (const contact::RowEntry& entry : scene_.row(r).entries) {
+      for (const contact::RowEntry& entry : scene_.contact_row(r).entries) {
         if (const auto own = at(entry.node)) {
           B_.block(static_cast<Eigen::Index>(r), first_[own->body], 1, own->motion.cols()) +=
               entry.weight.head(dim).transpose() * own->motion;
@@ -110,14 +110,14 @@ private:
         sliding_contacts(scene_), first_, [&](base::NodeId node) { return at(node); }, B_);
   }
 
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
   std::vector<std::int32_t> body_of_;
   std::vector<Eigen::Index> first_{0};
   base::Matrix B_; ///< [row, mode] of all rows
 };
 
-std::vector<std::size_t> all_rows(const Scene& scene) {
+std::vector<std::size_t> all_rows(const Discretisation& scene) {
   std::vector<std::size_t> rows;
   for (std::size_t r = 0; r < scene.table.size(); ++r) {
     rows.push_back(r);
@@ -153,7 +153,7 @@ base::Matrix reduced(base::Matrix A) {
 
 // The motions of one body among some directions [mode, k] of all.
 std::vector<std::string> motions(const model::Model& model, const model::Mesh& mesh,
-                                 const BodyNet& body, const base::Matrix& part) {
+                                 const SubstructuredBody& body, const base::Matrix& part) {
   std::vector<std::string> names;
   if (part.size() == 0) {
     return names;
@@ -174,15 +174,16 @@ std::vector<std::string> motions(const model::Model& model, const model::Mesh& m
 
 } // namespace
 
-std::vector<results::BodyPreview> held_modes(const model::Model& model, const Scene& scene,
-                                             const std::vector<BodyNet>& bodies) {
+std::vector<results::BodyPreview> rigid_mode_support(const model::Model& model,
+                                                     const Discretisation& scene,
+                                                     const std::vector<SubstructuredBody>& bodies) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const AllModes modes(scene, bodies);
   const solve::ModeSplit split =
       solve::split_modes(modes.openings(all_rows(scene)), modes.opening_scale(all_rows(scene)));
   std::vector<results::BodyPreview> found;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const BodyNet& body = bodies[b];
+    const SubstructuredBody& body = bodies[b];
     results::BodyPreview preview;
     preview.name = body.name;
     preview.nodes = body.body.nodes.size();
@@ -198,12 +199,13 @@ std::vector<results::BodyPreview> held_modes(const model::Model& model, const Sc
   return found;
 }
 
-std::vector<base::OperationFailure> unheld_loads(const model::Model& model, const Scene& scene,
-                                                 const std::vector<BodyNet>& bodies) {
+std::vector<base::OperationFailure>
+unsupported_loads(const model::Model& model, const Discretisation& scene,
+                  const std::vector<SubstructuredBody>& bodies) {
   const AllModes modes(scene, bodies);
   const base::Matrix pull = loads_with_supports(model, scene);
   std::vector<base::OperationFailure> unheld;
-  StepFactors factors = first_factors(model, scene.case_load.cols(), scene.contacts.size());
+  StepFactors factors = initial_factors(model, scene.case_load.cols(), scene.contacts.size());
   for (const model::Step& step : model.steps) {
     apply_actions(step, factors);
     std::vector<std::size_t> rows;
@@ -214,9 +216,10 @@ std::vector<base::OperationFailure> unheld_loads(const model::Model& model, cons
            ++r) {
         rows.push_back(r);
         equality.push_back(scene.contacts[c].type == model::ContactType::bonded);
-        if (scene.row(r).tangential && !equality.back()) {
+        if (scene.contact_row(r).tangential && !equality.back()) {
           const int at = static_cast<int>(rows.size()) - 1;
-          const int normal = at - static_cast<int>(r - scene.table.first[c]) + scene.row(r).normal;
+          const int normal =
+              at - static_cast<int>(r - scene.table.first[c]) + scene.contact_row(r).normal;
           // A second tangent of a normal row follows the first: the two are a vector.
           if (!friction.empty() && friction.back().normal == normal) {
             friction.back().second = at;
@@ -265,7 +268,7 @@ std::vector<base::OperationFailure> unheld_loads(const model::Model& model, cons
           fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
                       describe_motion(scene.cracked.mesh, bodies[b].body, own),
                       missing_contact(model, scene, bodies, b));
-      why += let_go(model, scene, bodies, step, why);
+      why += explain_release(model, scene, bodies, step, why);
       unheld.push_back({.why = std::move(why), .span = step.span});
     }
   }

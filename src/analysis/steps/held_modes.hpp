@@ -11,12 +11,14 @@
 namespace spricka::analysis {
 
 /// Which rigid modes of the bodies supports hold, which a contact can feel, which neither does.
-std::vector<results::BodyPreview> held_modes(const model::Model& model, const Scene& scene,
-                                             const std::vector<BodyNet>& bodies);
+std::vector<results::BodyPreview> rigid_mode_support(const model::Model& model,
+                                                     const Discretisation& scene,
+                                                     const std::vector<SubstructuredBody>& bodies);
 
 /// Loads that no contact can take, step by step, as the solution would find: of each step the
 /// first, as not_solvable. Needs no stiffness.
-std::vector<base::OperationFailure> unheld_loads(const model::Model& model, const Scene& scene,
-                                                 const std::vector<BodyNet>& bodies);
+std::vector<base::OperationFailure> unsupported_loads(const model::Model& model,
+                                                      const Discretisation& scene,
+                                                      const std::vector<SubstructuredBody>& bodies);
 
 } // namespace spricka::analysis

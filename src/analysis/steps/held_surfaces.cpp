@@ -15,7 +15,7 @@ namespace {
 
 constexpr double round_off = 1e-9; // of the extent of a surface
 
-bool is_held(const Scene& scene, const contact::ConstraintRow& row) {
+bool is_held(const Discretisation& scene, const contact::ConstraintRow& row) {
   const int dim = scene.cracked.mesh.dim;
   return std::ranges::all_of(row.entries, [&](const contact::RowEntry& entry) {
     for (int c = 0; c < dim; ++c) {
@@ -33,7 +33,7 @@ bool is_held(const Scene& scene, const contact::ConstraintRow& row) {
 
 /// What supports and prescribed displacements do to the rows of one contact that nothing else
 /// moves.
-struct Held {
+struct FullySupportedContact {
   double overlap = 0.0; // largest [length]
   double slip = 0.0;    // largest [length]
   base::NodeId node;    // where they overlap most
@@ -41,13 +41,14 @@ struct Held {
 
 } // namespace
 
-void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::IncrementProblem& problem,
-                        const StepMotion& motion, std::vector<results::Note>& notes) {
-  std::vector<Held> found(scene.contacts.size());
+void warn_of_held_rows(const Discretisation& scene,
+                       const contact::ContactSystem::IncrementProblem& problem,
+                       const StepMotion& motion, std::vector<results::Note>& notes) {
+  std::vector<FullySupportedContact> found(scene.contacts.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t r = problem.rows[i];
-    const auto c = scene.table.contact_of(r);
-    const contact::ConstraintRow& row = scene.acting_row(r);
+    const auto c = scene.table.contact_index(r);
+    const contact::ConstraintRow& row = scene.reduced_row(r);
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
     if (bonded || row.area <= 0.0 || !is_held(scene, row)) {
       continue;

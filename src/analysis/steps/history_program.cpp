@@ -30,17 +30,18 @@ StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
   return at;
 }
 
-HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step,
-                           const std::vector<int>& increments) {
+LoadHistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step,
+                               const std::vector<int>& increments) {
   const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
   const model::LoadPathDefinition& path = model.load_paths[card.path];
-  HistoryProgram program;
+  LoadHistoryProgram program;
   program.start = path.from.index();
   program.per_unit = increments[path.to.index()];
   double highest = -1.0;
   std::size_t mark = 0;
   for (const model::SpectrumBlock& run : model::divide_spectrum(card)) {
-    LoadLeg& leg = program.legs.emplace_back(LoadLeg{{}, run.count, run.alone});
+    LoadHistorySegment& leg =
+        program.legs.emplace_back(LoadHistorySegment{{}, run.count, run.alone});
     for (const double t : run.t) {
       leg.places.push_back(
           {on_path(of_step[path.from.index()], of_step[path.to.index()], t), t, 0});
@@ -56,16 +57,16 @@ HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFact
 }
 
 // From the first of the two steps on by the steps between to the second, and straight back.
-HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors>& of_step,
-                        const std::vector<int>& increments) {
+LoadHistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors>& of_step,
+                            const std::vector<int>& increments) {
   const std::size_t high = model.growth->kmax.index();
   const std::size_t low = model.growth->kmin.index();
   const auto [first, last] = std::minmax(high, low);
-  HistoryProgram program;
+  LoadHistoryProgram program;
   program.start = last;
   program.grow_at = high - first;
   program.smallest = low - first;
-  LoadLeg& leg = program.legs.emplace_back();
+  LoadHistorySegment& leg = program.legs.emplace_back();
   int most = 1;
   for (std::size_t s = first; s <= last; ++s) {
     most = std::max(most, increments[s]);
@@ -92,8 +93,8 @@ bool follows_history(const model::Model& model) {
                              [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
 }
 
-HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step,
-                               const std::vector<int>& increments) {
+LoadHistoryProgram load_program(const model::Model& model, const std::vector<StepFactors>& of_step,
+                                const std::vector<int>& increments) {
   return model.growth->spectrum ? of_spectrum(model, of_step, increments)
                                 : of_steps(model, of_step, increments);
 }

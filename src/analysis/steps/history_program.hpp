@@ -15,22 +15,22 @@ bool follows_history(const model::Model& model);
 
 /// Loads and fits that the history comes by; `increments` lead there from the place before, 0: as
 /// many as the way along the load path takes.
-struct LoadPlace {
+struct LoadHistoryPoint {
   StepFactors factors;
   double t = 0.0; ///< place on the load path
   int increments = 0;
 };
 
-struct LoadLeg {
-  std::vector<LoadPlace> places;
+struct LoadHistorySegment {
+  std::vector<LoadHistoryPoint> places;
   double count = 1.0; ///< times that it is gone through
   bool alone = false; ///< each time is a cycle that is counted by itself
 };
 
 /// A pass of the loads. Marks are the places of all legs, in order.
-struct HistoryProgram {
+struct LoadHistoryProgram {
   std::size_t start = 0; ///< step behind which the history begins
-  std::vector<LoadLeg> legs;
+  std::vector<LoadHistorySegment> legs;
   double per_unit = 1.0;    ///< increments for a unit of t
   std::size_t grow_at = 0;  ///< mark at which the crack grows: the largest load
   std::size_t smallest = 0; ///< mark of KMIN, where no spectrum is
@@ -39,7 +39,7 @@ struct HistoryProgram {
 
 /// From the card of the growth, the factors at the end of all steps, and into how many increments
 /// each step was cut [step].
-HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step,
-                               const std::vector<int>& increments);
+LoadHistoryProgram load_program(const model::Model& model, const std::vector<StepFactors>& of_step,
+                                const std::vector<int>& increments);
 
 } // namespace spricka::analysis

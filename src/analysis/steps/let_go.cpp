@@ -15,7 +15,8 @@ namespace {
 
 // The body that a refusal of an unheld load names; null: another refusal, or a cause is told
 // already.
-const BodyNet* body_named(const std::vector<BodyNet>& bodies, std::string_view refusal) {
+const SubstructuredBody* body_named(const std::vector<SubstructuredBody>& bodies,
+                                    std::string_view refusal) {
   constexpr std::string_view before = "body ";
   constexpr std::string_view behind = " is loaded but not held";
   const std::size_t end = refusal.find(behind);
@@ -26,11 +27,11 @@ const BodyNet* body_named(const std::vector<BodyNet>& bodies, std::string_view r
   }
   const std::string_view name = refusal.substr(begin + before.size(), end - begin - before.size());
   const auto found = std::ranges::find_if(
-      bodies, [&](const BodyNet& body) { return std::string_view(body.name) == name; });
+      bodies, [&](const SubstructuredBody& body) { return std::string_view(body.name) == name; });
   return found == bodies.end() ? nullptr : &*found;
 }
 
-bool has(const BodyNet& body, const contact::ContactSurface& surface) {
+bool has(const SubstructuredBody& body, const contact::ContactSurface& surface) {
   return !surface.facets.empty() &&
          std::ranges::binary_search(body.body.nodes, surface.facets.front().nodes.front());
 }
@@ -38,7 +39,7 @@ bool has(const BodyNet& body, const contact::ContactSurface& surface) {
 // When a contact that is not mounted in a step was or will be; empty: it is mounted.
 std::string not_there(const model::Model& model, std::size_t contact, const model::Step& at) {
   StepFactors factors =
-      first_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
+      initial_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
   std::string gone;
   std::string comes;
   bool behind = false;
@@ -63,10 +64,10 @@ std::string not_there(const model::Model& model, std::size_t contact, const mode
 
 } // namespace
 
-std::string let_go(const model::Model& model, const Scene& scene,
-                   const std::vector<BodyNet>& bodies, const model::Step& step,
-                   std::string_view refusal) {
-  const BodyNet* body = body_named(bodies, refusal);
+std::string explain_release(const model::Model& model, const Discretisation& scene,
+                            const std::vector<SubstructuredBody>& bodies, const model::Step& step,
+                            std::string_view refusal) {
+  const SubstructuredBody* body = body_named(bodies, refusal);
   if (body == nullptr) {
     return {};
   }

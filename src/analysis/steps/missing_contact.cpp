@@ -18,12 +18,13 @@ constexpr double near_share = 0.05; // of the smaller body's extent: fits and cl
 constexpr double least_touch = 0.1; // of the smaller body's nodes
 
 // The boundary of a body.
-struct Rim {
+struct BodyBoundaryOutline {
   std::vector<model::Face> faces;
   contact::BodyBoundary outline;
 };
 
-Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& body) {
+BodyBoundaryOutline rim_of(const model::Model& model, const model::Mesh& mesh,
+                           const SubstructuredBody& body) {
   std::vector<bool> own(mesh.element_count(), false);
   for (const base::ElementId e : body.body.elements) {
     own[e.index()] = true;
@@ -39,7 +40,7 @@ Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& bo
 }
 
 // Faces of one body whose nodes lie next to another one.
-std::vector<model::Face> near_faces(const model::Mesh& mesh, const Rim& rim,
+std::vector<model::Face> near_faces(const model::Mesh& mesh, const BodyBoundaryOutline& rim,
                                     const contact::BodyBoundary& other, double reach) {
   std::vector<model::Face> near;
   for (const model::Face& face : rim.faces) {
@@ -70,8 +71,8 @@ std::string set_of(const model::Mesh& mesh, const std::vector<model::Face>& face
   return name;
 }
 
-bool joined(const Scene& scene, const BodyNet& a, const BodyNet& b) {
-  const auto of = [](const contact::ContactSurface& surface, const BodyNet& body) {
+bool joined(const Discretisation& scene, const SubstructuredBody& a, const SubstructuredBody& b) {
+  const auto of = [](const contact::ContactSurface& surface, const SubstructuredBody& body) {
     return !surface.facets.empty() &&
            std::ranges::binary_search(body.body.nodes, surface.facets.front().nodes.front());
   };
@@ -83,17 +84,17 @@ bool joined(const Scene& scene, const BodyNet& a, const BodyNet& b) {
 
 } // namespace
 
-std::string missing_contact(const model::Model& model, const Scene& scene,
-                            const std::vector<BodyNet>& bodies, std::size_t body) {
+std::string missing_contact(const model::Model& model, const Discretisation& scene,
+                            const std::vector<SubstructuredBody>& bodies, std::size_t body) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  const Rim own = rim_of(model, mesh, bodies[body]);
+  const BodyBoundaryOutline own = rim_of(model, mesh, bodies[body]);
   std::string found;
   std::size_t most = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (b == body || joined(scene, bodies[body], bodies[b])) {
       continue;
     }
-    const Rim other = rim_of(model, mesh, bodies[b]);
+    const BodyBoundaryOutline other = rim_of(model, mesh, bodies[b]);
     const double reach = near_share * std::min(own.outline.extent(), other.outline.extent());
     const std::vector<model::Face> mine = near_faces(mesh, own, other.outline, reach);
     const std::vector<model::Face> theirs = near_faces(mesh, other, own.outline, reach);

@@ -43,10 +43,10 @@ private:
 
 } // namespace
 
-void MountMemory::save(results::NamedArrays& arrays) const {
+void MountOffsetMemory::save_state(results::NamedArrays& arrays) const {
   auto& whole = arrays.integers;
   auto& real = arrays.reals;
-  for (const Event& event : events_) {
+  for (const MountEvent& event : events_) {
     whole["mount.contact"].push_back(static_cast<std::int64_t>(event.contact));
     whole["mount.rows"].push_back(static_cast<std::int64_t>(event.rows.size()));
     for (std::size_t r = 0; r < event.rows.size(); ++r) {
@@ -66,8 +66,8 @@ void MountMemory::save(results::NamedArrays& arrays) const {
   }
 }
 
-MountMemory MountMemory::load(const results::NamedArrays& arrays) {
-  MountMemory memory;
+MountOffsetMemory MountOffsetMemory::restore_state(const results::NamedArrays& arrays) {
+  MountOffsetMemory memory;
   Reading contact(arrays.integers, "mount.contact");
   Reading rows(arrays.integers, "mount.rows");
   Reading offset(arrays.reals, "mount.offset");
@@ -78,7 +78,7 @@ MountMemory MountMemory::load(const results::NamedArrays& arrays) {
   Reading entry_node(arrays.integers, "mount.entry_node");
   Reading weight(arrays.reals, "mount.entry_weight");
   while (contact.more()) {
-    Event event{static_cast<std::size_t>(contact.next()), {}, {}};
+    MountEvent event{static_cast<std::size_t>(contact.next()), {}, {}};
     const std::int64_t count = rows.next();
     if (count < 0 || static_cast<std::size_t>(count) > offset.left()) {
       throw std::out_of_range("what was mounted is incomplete"); // before room is made for it
@@ -104,25 +104,25 @@ MountMemory MountMemory::load(const results::NamedArrays& arrays) {
   return memory;
 }
 
-bool MountMemory::keep_or_take(const Scene& scene, std::size_t contact, bool rubs,
-                               base::Vector& offset) {
+bool MountOffsetMemory::store_or_restore(const Discretisation& scene, std::size_t contact,
+                                         bool rubs, base::Vector& offset) {
   const std::size_t first = scene.table.first[contact];
   const std::size_t count = scene.table.first[contact + 1] - first;
   auto part = offset.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count));
   // Nothing is known of this mounting: it belongs to the first length.
   if (next_ == events_.size()) {
-    Event event{contact, {}, part};
+    MountEvent event{contact, {}, part};
     for (std::size_t r = 0; r < count; ++r) {
-      event.rows.push_back(scene.row(first + r));
+      event.rows.push_back(scene.contact_row(first + r));
     }
     events_.push_back(std::move(event));
     ++next_;
     return true;
   }
-  const Event& event = events_[next_++];
+  const MountEvent& event = events_[next_++];
   bool same = event.contact == contact && event.rows.size() == count;
   for (std::size_t r = 0; same && r < count; ++r) {
-    const contact::ConstraintRow& row = scene.row(first + r);
+    const contact::ConstraintRow& row = scene.contact_row(first + r);
     same = same_row(event.rows[r], row);
     // Slips of rows that rub count from this length's own state.
     if (same && !(rubs && row.tangential)) {

@@ -25,7 +25,7 @@ std::size_t RepeatedSteps::count_solved() const {
       std::ranges::count_if(same_, [](const auto& earlier) { return !earlier; }));
 }
 
-bool RepeatedSteps::pictured_later(std::size_t step) const {
+bool RepeatedSteps::stresses_needed_later(std::size_t step) const {
   bool wanted = false;
   for (std::size_t s = 0; s < same_.size(); ++s) {
     wanted = wanted || (pictured_[s] && same_[s] == std::optional(step));
@@ -33,7 +33,7 @@ bool RepeatedSteps::pictured_later(std::size_t step) const {
   return wanted;
 }
 
-void RepeatedSteps::leave_unpictured(std::vector<results::StepResult>& results) const {
+void RepeatedSteps::drop_extra_stresses(std::vector<results::StepResult>& results) const {
   for (std::size_t s = 0; s < results.size(); ++s) {
     if (!pictured_[s]) {
       take_pictures_away(results[s]);
@@ -41,20 +41,20 @@ void RepeatedSteps::leave_unpictured(std::vector<results::StepResult>& results) 
   }
 }
 
-void RepeatedSteps::keep(std::size_t step, const StepSolver& solver) {
+void RepeatedSteps::store_closed_rows(std::size_t step, const StepSolver& solver) {
   if (std::ranges::find(same_, std::optional(step)) != same_.end()) {
-    closed_[step] = solver.closed();
+    closed_[step] = solver.closed_rows();
   }
 }
 
-void RepeatedSteps::take_over(std::size_t step, StepSolver& solver,
+void RepeatedSteps::copy_step(std::size_t step, StepSolver& solver,
                               std::vector<results::StepResult>& results) const {
   results::StepResult result = results[*same_[step]];
   result.step = model_.steps[step].name;
   if (!pictured_[step]) {
     take_pictures_away(result);
   }
-  solver.repeat(model_.steps[step], result.u, closed_.at(*same_[step]));
+  solver.repeat_step(model_.steps[step], result.u, closed_.at(*same_[step]));
   results.push_back(std::move(result));
 }
 

@@ -18,19 +18,19 @@ public:
   RepeatedSteps(const model::Model& model, const std::vector<bool>& pictured);
 
   /// The earlier step, or null: the step must be solved.
-  [[nodiscard]] const std::size_t* of(std::size_t step) const {
+  [[nodiscard]] const std::size_t* earlier_step(std::size_t step) const {
     return same_[step] ? &*same_[step] : nullptr;
   }
   /// Steps that are solved.
   [[nodiscard]] std::size_t count_solved() const;
   /// Whether stresses of a step are wanted by one that repeats it.
-  [[nodiscard]] bool pictured_later(std::size_t step) const;
+  [[nodiscard]] bool stresses_needed_later(std::size_t step) const;
   /// Takes stresses that were recovered for a later step alone away from the earlier one.
-  void leave_unpictured(std::vector<results::StepResult>& results) const;
+  void drop_extra_stresses(std::vector<results::StepResult>& results) const;
   /// After a step has been solved.
-  void keep(std::size_t step, const StepSolver& solver);
+  void store_closed_rows(std::size_t step, const StepSolver& solver);
   /// Adds the earlier step's results as those of this one and lets the solver go on from them.
-  void take_over(std::size_t step, StepSolver& solver,
+  void copy_step(std::size_t step, StepSolver& solver,
                  std::vector<results::StepResult>& results) const;
 
 private:

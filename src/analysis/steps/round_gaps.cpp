@@ -17,13 +17,13 @@ constexpr double worst_change = 0.05; // of the largest pressure of the pair
 
 // What the increment asks for without friction, with gaps as drawn.
 contact::ContactSystem::IncrementProblem
-without_friction(const Scene& scene, const contact::ContactSystem::IncrementProblem& of) {
+without_friction(const Discretisation& scene, const contact::ContactSystem::IncrementProblem& of) {
   contact::ContactSystem::IncrementProblem d;
   std::vector<double> gap;
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
-    const bool rubs = scene.contacts[scene.table.contact_of(of.rows[i])].mu > 0.0;
+    const bool rubs = scene.contacts[scene.table.contact_index(of.rows[i])].mu > 0.0;
     // Tangent rows of bonded pairs stay: they are no friction.
-    if (rubs && scene.row(of.rows[i]).tangential) {
+    if (rubs && scene.contact_row(of.rows[i]).tangential) {
       continue;
     }
     d.rows.push_back(of.rows[i]);
@@ -37,7 +37,7 @@ without_friction(const Scene& scene, const contact::ContactSystem::IncrementProb
 }
 
 // Pressures of one contact as the results show them, from an answer to a problem without friction.
-contact::PairPressure pressures(const Scene& scene,
+contact::PairPressure pressures(const Discretisation& scene,
                                 const contact::ContactSystem::IncrementProblem& d,
                                 const solve::ContactSolution& s, std::size_t contact) {
   const contact::PairConstraints& pair = scene.pairs[contact];
@@ -47,7 +47,7 @@ contact::PairPressure pressures(const Scene& scene,
   base::Vector gap = base::Vector::Zero(normals);
   std::vector<bool> closed(pair.normal.size(), false);
   for (std::size_t i = 0; i < d.rows.size(); ++i) {
-    if (scene.table.contact_of(d.rows[i]) == contact) {
+    if (scene.table.contact_index(d.rows[i]) == contact) {
       const std::size_t local = d.rows[i] - scene.table.first[contact];
       const auto k = static_cast<Eigen::Index>(i);
       lambda[static_cast<Eigen::Index>(local)] = s.lambda[k];
@@ -85,19 +85,19 @@ double depth(const contact::PairConstraints& pair) {
 
 } // namespace
 
-void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
-                     const contact::ContactSystem::IncrementProblem& problem,
-                     const contact::ContactSystem::IncrementSolution& solution,
-                     std::vector<results::Note>& notes) {
+void warn_of_facet_gaps(const Discretisation& scene, const contact::ContactSystem& system,
+                        const contact::ContactSystem::IncrementProblem& problem,
+                        const contact::ContactSystem::IncrementSolution& solution,
+                        std::vector<results::Note>& notes) {
   const contact::ContactSystem::IncrementProblem drawn = without_friction(scene, problem);
   contact::ContactSystem::IncrementProblem round = drawn;
   std::vector<bool> differs(scene.contacts.size(), false);
   for (std::size_t i = 0; i < round.rows.size(); ++i) {
-    const contact::ConstraintRow& row = scene.row(round.rows[i]);
+    const contact::ConstraintRow& row = scene.contact_row(round.rows[i]);
     // A measured gap has no factor of FIT: the difference counts as it is.
     round.gap[static_cast<Eigen::Index>(i)] += row.round_gap - row.gap;
     if (row.round_gap != row.gap) {
-      differs[scene.table.contact_of(round.rows[i])] = true;
+      differs[scene.table.contact_index(round.rows[i])] = true;
     }
   }
   if (std::ranges::none_of(differs, std::identity())) {

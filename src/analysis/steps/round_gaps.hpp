@@ -12,9 +12,9 @@ namespace spricka::analysis {
 /// Warns of measured gaps between edges that are less round than the circles their nodes lie on,
 /// where that changes pressures: solves the increment `solution` belongs to once more with the gaps
 /// of those circles, without friction, and compares.
-void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
-                     const contact::ContactSystem::IncrementProblem& problem,
-                     const contact::ContactSystem::IncrementSolution& solution,
-                     std::vector<results::Note>& notes);
+void warn_of_facet_gaps(const Discretisation& scene, const contact::ContactSystem& system,
+                        const contact::ContactSystem::IncrementProblem& problem,
+                        const contact::ContactSystem::IncrementSolution& solution,
+                        std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

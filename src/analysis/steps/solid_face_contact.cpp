@@ -19,13 +19,13 @@ base::Vec3 at_node(const base::Vector& u, base::NodeId n) {
 }
 
 // A row's weights times u, and what it would be if all of u counted.
-struct Motion {
+struct FaceRowJump {
   double jump = 0.0;
   double size = 0.0;
 };
 
-Motion motion_of(const contact::ConstraintRow& row, const base::Vector& u) {
-  Motion motion;
+FaceRowJump motion_of(const contact::ConstraintRow& row, const base::Vector& u) {
+  FaceRowJump motion;
   for (const contact::RowEntry& entry : row.entries) {
     const base::Vec3 own = at_node(u, entry.node);
     motion.jump += entry.weight.dot(own);
@@ -36,15 +36,15 @@ Motion motion_of(const contact::ConstraintRow& row, const base::Vector& u) {
 
 } // namespace
 
-contact::PairConstraints solid_face_pair(const model::Model& model, const Scene& scene,
+contact::PairConstraints solid_face_pair(const model::Model& model, const Discretisation& scene,
                                          std::size_t line, bool friction) {
   contact::PairConstraints pair =
       contact::solid_crack_rows(model, scene.cracked.mesh, scene.cracked.faces[line], friction);
-  take_in_supports(pair, scene.cls);
+  apply_supports(pair, scene.cls);
   return pair;
 }
 
-double solid_face_overlap(const model::Model& model, const Scene& scene, std::size_t line,
+double solid_face_overlap(const model::Model& model, const Discretisation& scene, std::size_t line,
                           const base::Vector& u) {
   double largest = 0.0;
   for (const auto& [upper, lower] : scene.cracked.faces[line].node_pairs()) {
@@ -60,7 +60,7 @@ double solid_face_overlap(const model::Model& model, const Scene& scene, std::si
   return deepest / largest;
 }
 
-std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
+std::vector<std::optional<std::size_t>> rows_at_front(const Discretisation& scene,
                                                       const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
@@ -79,7 +79,7 @@ std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
   return rows;
 }
 
-std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::CrackFront& front,
+std::vector<FrontFaces> front_faces(const Discretisation& scene, const mesh::CrackFront& front,
                                     const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
@@ -89,7 +89,7 @@ std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::CrackFront& 
   const std::vector<bool>& closed = state.pair_closed[crack_face->pair];
   std::vector<bool> slipped(pair.normal.size(), pair.tangent.empty());
   for (const contact::ConstraintRow& row : pair.tangent) {
-    const Motion slip = motion_of(row, state.u);
+    const FaceRowJump slip = motion_of(row, state.u);
     const auto at = static_cast<std::size_t>(row.normal);
     slipped[at] = slipped[at] || std::abs(slip.jump) > slip_of_solid_round_off * slip.size;
   }

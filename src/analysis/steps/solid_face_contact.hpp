@@ -11,12 +11,12 @@
 namespace spricka::analysis {
 
 /// The faces of a crack line as a pair, with what supports make of its rows.
-contact::PairConstraints solid_face_pair(const model::Model& model, const Scene& scene,
+contact::PairConstraints solid_face_pair(const model::Model& model, const Discretisation& scene,
                                          std::size_t line, bool friction);
 
 /// By how much the faces of a crack lie in one another in u [3 * node], as rows between them weigh
 /// it, over the largest displacement of one against the other.
-double solid_face_overlap(const model::Model& model, const Scene& scene, std::size_t line,
+double solid_face_overlap(const model::Model& model, const Discretisation& scene, std::size_t line,
                           const base::Vector& u);
 
 /// What the faces of a crack do at a point of its front.
@@ -28,11 +28,11 @@ struct FrontFaces {
 
 /// [point of the front] the row of its pair that holds the faces together behind it, if there is
 /// one; empty: the faces are no pair.
-std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
+std::vector<std::optional<std::size_t>> rows_at_front(const Discretisation& scene,
                                                       const mesh::CrackFront& front);
 
 /// [point of the front]; empty: the faces are no pair.
-std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::CrackFront& front,
+std::vector<FrontFaces> front_faces(const Discretisation& scene, const mesh::CrackFront& front,
                                     const StepState& state);
 
 } // namespace spricka::analysis

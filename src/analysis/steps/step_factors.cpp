@@ -24,15 +24,15 @@ template <class ActionType> bool names(const model::Model& model, base::ContactI
 
 } // namespace
 
-bool fit_is_named(const model::Model& model, base::ContactId contact) {
+bool step_sets_fit(const model::Model& model, base::ContactId contact) {
   return names<model::ApplyFit>(model, contact);
 }
 
-bool mount_is_named(const model::Model& model, base::ContactId contact) {
+bool step_mounts(const model::Model& model, base::ContactId contact) {
   return names<model::MountContact>(model, contact);
 }
 
-StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
+StepFactors initial_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
   StepFactors factors;
   factors.case_factor = base::Vector::Ones(columns);
   // A column behind the cases is that of the ties' constants, which always count once.
@@ -44,7 +44,7 @@ StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::
   return factors;
 }
 
-StepFactors part_way(const StepFactors& from, const StepFactors& to, double part) {
+StepFactors interpolate_factors(const StepFactors& from, const StepFactors& to, double part) {
   StepFactors factors = to;
   if (part < 1.0) {
     factors.case_factor = from.case_factor + part * (to.case_factor - from.case_factor);
@@ -81,7 +81,7 @@ std::vector<std::optional<std::size_t>> repeated_steps(const model::Model& model
   }
   std::vector<StepFactors> ends;
   StepFactors factors =
-      first_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
+      initial_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
   std::size_t first = 0; // since the last change of what is mounted
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
     const MountChanges changes = apply_actions(model.steps[s], factors);

@@ -20,16 +20,16 @@ struct StepFactors {
 /// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
 /// some step names it. `columns` are those of Scene::case_load; `contacts` behind the deck's are in
 /// force from the first step on.
-StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts);
+StepFactors initial_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts);
 
 /// A part of the way from one set of factors to another, 1: all of it; contacts as at its end.
-StepFactors part_way(const StepFactors& from, const StepFactors& to, double part);
+StepFactors interpolate_factors(const StepFactors& from, const StepFactors& to, double part);
 
 /// Whether some step sets the factor of a contact's fit.
-bool fit_is_named(const model::Model& model, base::ContactId contact);
+bool step_sets_fit(const model::Model& model, base::ContactId contact);
 
 /// Whether some step mounts a contact: it is absent before the first that does.
-bool mount_is_named(const model::Model& model, base::ContactId contact);
+bool step_mounts(const model::Model& model, base::ContactId contact);
 
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {

@@ -50,11 +50,11 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
 
 } // namespace
 
-StepSolver::StepSolver(const model::Model& model, const Scene& scene,
-                       const std::vector<BodyNet>& bodies, MountMemory* memory,
+StepSolver::StepSolver(const model::Model& model, const Discretisation& scene,
+                       const std::vector<SubstructuredBody>& bodies, MountOffsetMemory* memory,
                        ContactMemory* contact)
     : model_(model), scene_(scene), bodies_(bodies),
-      factors_(first_factors(model, scene.case_load.cols(), scene.contacts.size())),
+      factors_(initial_factors(model, scene.case_load.cols(), scene.contacts.size())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)),
@@ -70,17 +70,17 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
     }
   }
   if (!condensed.empty()) {
-    system_.emplace(std::move(condensed), scene.acting_rows(), scene.cracked.mesh.dim,
+    system_.emplace(std::move(condensed), scene.reduced_rows(), scene.cracked.mesh.dim,
                     static_cast<std::size_t>(u_.size()), sliding_contacts(scene),
                     contact == nullptr ? contact::PersistentRowSet{}
-                                       : contact->lasting(scene, bodies, condensed_));
+                                       : contact->persistent_rows(scene, bodies, condensed_));
   }
 }
 
 bool StepSolver::mount(std::size_t contact) {
   const bool declared = scene_.contacts[contact].gap.has_value();
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
-    const contact::ConstraintRow& row = scene_.row(r);
+    const contact::ConstraintRow& row = scene_.contact_row(r);
     // Declared fits and slips count from the bodies as they are now, so that what these have moved
     // so far is taken off (contact.8); a measured gap is that of the deformed bodies and keeps it.
     const bool taken = row.tangential || declared;
@@ -90,7 +90,7 @@ bool StepSolver::mount(std::size_t contact) {
   history_.begin(contact);
   closed_.clear(); // they say nothing of rows that are new
   return memory_ == nullptr ||
-         memory_->keep_or_take(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
+         memory_->store_or_restore(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
 
 bool StepSolver::act(const model::Step& step, base::Trouble& trouble) {
@@ -116,7 +116,7 @@ base::Vector StepSolver::prescribed() const {
   return scene_.case_displacement * factors_.case_factor;
 }
 
-contact::ContactSystem::IncrementProblem StepSolver::problem() const {
+contact::ContactSystem::IncrementProblem StepSolver::contact_problem() const {
   contact::ContactSystem::IncrementProblem d;
   const base::Vector fixed = prescribed();
   const int dim = scene_.cracked.mesh.dim;
@@ -127,7 +127,7 @@ contact::ContactSystem::IncrementProblem StepSolver::problem() const {
     }
     const model::Contact& contact = scene_.contacts[c];
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
-      const contact::ConstraintRow& row = scene_.row(r);
+      const contact::ConstraintRow& row = scene_.contact_row(r);
       d.rows.push_back(r);
       d.equality.push_back(contact.type == model::ContactType::bonded);
       // Prescribed displacements are no unknowns of condensed bodies: the gap has what they open.
@@ -141,7 +141,7 @@ contact::ContactSystem::IncrementProblem StepSolver::problem() const {
   d.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
   for (const std::size_t b : condensed_) {
     d.load.emplace_back(bodies_[b].external_load * factors_.case_factor);
-    d.motion.emplace_back(bodies_[b].is_whole()
+    d.motion.emplace_back(bodies_[b].is_uncondensed()
                               ? base::Vector(bodies_[b].case_motion * factors_.case_factor)
                               : base::Vector());
   }
@@ -155,7 +155,7 @@ contact::ContactSystem::IncrementProblem StepSolver::problem() const {
     }
     d.load_scale = std::max(d.load_scale, moved);
   }
-  history_.add_to(d);
+  history_.add_friction(d);
   return d;
 }
 
@@ -163,21 +163,21 @@ base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) cons
   base::Vector rest(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t r = rows[i];
-    const auto c = scene_.table.contact_of(r);
+    const auto c = scene_.table.contact_index(r);
     const base::ContactId contact(c);
     // A declared gap that no step names has the factor 1 on all of the path: nothing scales it.
-    const bool scaled = scene_.contacts[c].gap && fit_is_named(model_, contact);
+    const bool scaled = scene_.contacts[c].gap && step_sets_fit(model_, contact);
     rest[static_cast<Eigen::Index>(i)] =
-        offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.row(r).gap);
+        offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.contact_row(r).gap);
   }
   return rest;
 }
 
-std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
+std::string StepSolver::unsupported_motion(const base::Vector& mode, bool slides) const {
   Eigen::Index most = 0;
   mode.cwiseAbs().maxCoeff(&most);
   const std::size_t at = system_->body_of_mode(most);
-  const BodyNet& body = bodies_[condensed_[at]];
+  const SubstructuredBody& body = bodies_[condensed_[at]];
   const Eigen::Index first = system_->first_mode(at);
   // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
   // combination on all nodes tells which way it goes.
@@ -203,7 +203,7 @@ StepSolver::trouble_of(const contact::ContactSystem::IncrementSolution& solution
     break;
   case solve::ContactStatus::unheld_mode:
     return base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                  .why = unheld(s.unheld, solution.slides)};
+                                  .why = unsupported_motion(s.unheld, solution.slides)};
   case solve::ContactStatus::inconsistent:
     return base::OperationFailure{
         .kind = base::Outcome::not_solvable,
@@ -225,8 +225,8 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
     trouble = std::move(none);
     return false;
   }
-  if (base::Trouble far =
-          far_motion(scene_, bodies_, {*system_, condensed_, problem, solution}, prescribed())) {
+  if (base::Trouble far = excessive_motion(
+          scene_, bodies_, {*system_, condensed_, problem, solution}, prescribed())) {
     trouble = std::move(far);
     return false;
   }
@@ -249,7 +249,7 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
   closed_.assign(scene_.table.size(), true);
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t row = problem.rows[i];
-    const auto c = scene_.table.contact_of(row);
+    const auto c = scene_.table.contact_index(row);
     const std::size_t local = row - scene_.table.first[c];
     state.pair_lambda[c][static_cast<Eigen::Index>(local)] = s.lambda[static_cast<Eigen::Index>(i)];
     if (local < scene_.pairs[c].normal.size()) {
@@ -258,11 +258,11 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
     }
     closed_[row] = s.closed[i];
   }
-  state.resting = resting_forces(bodies_, condensed_, solution, u_.size());
+  state.resting = sliding_residual(bodies_, condensed_, solution, u_.size());
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-    state.friction.push_back(history_.pair(c));
+    state.friction.push_back(history_.pair_friction(c));
   }
-  tell_round_gaps(scene_, *system_, problem, solution, state.notes);
+  warn_of_facet_gaps(scene_, *system_, problem, solution, state.notes);
   return true;
 }
 
@@ -276,7 +276,7 @@ void StepSolver::balance(StepState& state) const {
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
       const double value =
           state.pair_lambda[c][static_cast<Eigen::Index>(r - scene_.table.first[c])];
-      for (const contact::RowEntry& entry : scene_.row(r).entries) {
+      for (const contact::RowEntry& entry : scene_.contact_row(r).entries) {
         state.contact.segment(static_cast<Eigen::Index>(entry.node.index()) * dim, dim) +=
             value * entry.weight.head(dim);
       }
@@ -323,7 +323,7 @@ void StepSolver::balance(StepState& state) const {
   if (!scene_.ties->rows().empty()) {
     state.tie = tie_forces(open - state.reaction);
   }
-  if (const std::optional<results::Note> note = note_of_resting(state.resting, state.contact)) {
+  if (const std::optional<results::Note> note = residual_note(state.resting, state.contact)) {
     state.notes.push_back(*note);
   }
   const double scale =
@@ -345,8 +345,8 @@ base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
   return tie;
 }
 
-void StepSolver::repeat(const model::Step& step, const base::Vector& u,
-                        const std::vector<bool>& closed) {
+void StepSolver::repeat_step(const model::Step& step, const base::Vector& u,
+                             const std::vector<bool>& closed) {
   apply_actions(step, factors_);
   u_ = u;
   closed_ = closed;
@@ -418,7 +418,7 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, base::Troubl
       pressed.push_back((lambda.array() > 0.0).any());
     }
     // u_ still has the end of the last step: what this step alone has moved counts.
-    tell_held_surfaces(scene_, problem(), {pressed, state.u - u_}, state.notes);
+    warn_of_held_rows(scene_, contact_problem(), {pressed, state.u - u_}, state.notes);
   }
   u_ = state.u;
   return state;

@@ -25,52 +25,53 @@ class StepSolver {
 public:
   /// `memory`: of what was mounted at the first length, or null: each length mounts anew.
   /// `contact`: what the last length has left of use, or null.
-  StepSolver(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-             MountMemory* memory = nullptr, ContactMemory* contact = nullptr);
+  StepSolver(const model::Model& model, const Discretisation& scene,
+             const std::vector<SubstructuredBody>& bodies, MountOffsetMemory* memory = nullptr,
+             ContactMemory* contact = nullptr);
 
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, base::Trouble& trouble);
 
   /// All that the next increment depends on.
-  struct Place {
+  struct StepSolverState {
     StepFactors factors;
     base::Vector offset;      ///< [row]
     std::vector<bool> closed; ///< [row] a start for the solution; may be empty
-    FrictionMemory friction;
+    FrictionState friction;
   };
-  [[nodiscard]] Place place() const;
-  void go_back(const Place& place);
+  [[nodiscard]] StepSolverState solver_state() const;
+  void restore_state(const StepSolverState& place);
   /// Is shown each solved increment.
   using Seen = std::function<void(const contact::ContactSystem::IncrementProblem&,
                                   const contact::ContactSystem::IncrementSolution&)>;
   /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
   /// nothing is recovered. Empty: refused.
   std::optional<contact::ContactSystem::IncrementSolution>
-  go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble);
+  solve_increments(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble);
   /// The state at the end of go_to, from its answer; empty: refused.
-  std::optional<StepState> recover(contact::ContactSystem::IncrementSolution solution,
-                                   base::Trouble& trouble);
+  std::optional<StepState> recover_state(contact::ContactSystem::IncrementSolution solution,
+                                         base::Trouble& trouble);
   /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
   /// displacements and closed rows.
-  void repeat(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
+  void repeat_step(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
   /// Rows [row] closed at the end of the last step; empty: not known.
-  [[nodiscard]] const std::vector<bool>& closed() const { return closed_; }
+  [[nodiscard]] const std::vector<bool>& closed_rows() const { return closed_; }
   /// Where the next step without friction begins to look for its closed rows, if it mounts nothing.
-  void begin_from(std::vector<bool> closed) { closed_ = std::move(closed); }
+  void set_start_rows(std::vector<bool> closed) { closed_ = std::move(closed); }
 
   /// What the last step asked of the contact system, with the closed rows it ended with.
-  [[nodiscard]] contact::ContactSystem::IncrementProblem problem() const;
+  [[nodiscard]] contact::ContactSystem::IncrementProblem contact_problem() const;
   /// Null when no body has externals; its bodies are `condensed()`, indices of the solver's.
-  [[nodiscard]] const contact::ContactSystem* system() const {
+  [[nodiscard]] const contact::ContactSystem* contact_system() const {
     return system_ ? &*system_ : nullptr;
   }
-  [[nodiscard]] const std::vector<std::size_t>& condensed() const { return condensed_; }
+  [[nodiscard]] const std::vector<std::size_t>& condensed_bodies() const { return condensed_; }
   /// The part of the gaps of these rows [rows] that neither fits nor loads scale.
   [[nodiscard]] base::Vector unscaled_gap(const std::vector<std::size_t>& rows) const;
   /// Which body moves how by a combination of modes [m] that is loaded and not held.
-  [[nodiscard]] std::string unheld(const base::Vector& mode, bool slides = false) const;
+  [[nodiscard]] std::string unsupported_motion(const base::Vector& mode, bool slides = false) const;
   [[nodiscard]] const StepFactors& factors() const { return factors_; }
-  [[nodiscard]] const base::Vector& offset() const { return offset_; } ///< [row] since MOUNT
+  [[nodiscard]] const base::Vector& mount_offset() const { return offset_; } ///< [row] since MOUNT
 
 private:
   bool act(const model::Step& step, base::Trouble& trouble);
@@ -80,31 +81,34 @@ private:
   /// none: refused.
   std::optional<contact::ContactSystem::IncrementSolution>
   walk(const StepFactors& from, const model::Step& step, StepState& state, base::Trouble& trouble);
-  struct Walk {
+  struct StepIncrementation {
     StepFactors from, to;
     contact::ContactSystem::IncrementProblem problem; ///< of the last increment
     contact::ContactSystem::IncrementSolution solution;
     int increments = 0, iterations = 0, pivots = 0;
     const Seen* seen = nullptr;
-    struct Reached {
+    struct ReachedIncrement {
       double at = 0.0; ///< part of the step
       solve::ExpectedForces forces;
     };
-    std::vector<Reached> reached = {}; ///< the last two increments
+    std::vector<ReachedIncrement> reached = {}; ///< the last two increments
   };
   /// Steps in which contacts rub: in as many increments as the card says, and once more in others
   /// to tell their error, or in ever more until it is small (manual, contact.25).
-  bool walk_rubbing(Walk& walk, const model::Step& step, StepState& state, base::Trouble& trouble);
+  bool walk_rubbing(StepIncrementation& walk, const model::Step& step, StepState& state,
+                    base::Trouble& trouble);
   /// In so many equal increments from where `start` stands.
-  bool march(Walk& walk, const Place& start, int increments, base::Trouble& trouble);
+  bool walk_load_path(StepIncrementation& walk, const StepSolverState& start, int increments,
+                      base::Trouble& trouble);
   [[nodiscard]] StepState begin_state() const;
   /// Displacements of all bodies and what follows from them; false: not in equilibrium.
   bool complete(std::vector<base::Vector> external, StepState& state, base::Trouble& trouble) const;
   /// One increment between two parts of the step, halved where it does not converge.
-  bool advance(Walk& walk, std::pair<double, double> part, int halvings);
-  [[nodiscard]] static solve::ExpectedForces expected_at(const Walk& walk, double part);
-  void remember(const Walk& walk);
-  void note_uniqueness(const Walk& walk, StepState& state);
+  bool advance(StepIncrementation& walk, std::pair<double, double> part, int halvings);
+  [[nodiscard]] static solve::ExpectedForces expected_at(const StepIncrementation& walk,
+                                                         double part);
+  void remember(const StepIncrementation& walk);
+  void note_uniqueness(const StepIncrementation& walk, StepState& state);
   /// Empty: the answer is one.
   [[nodiscard]] base::Trouble
   trouble_of(const contact::ContactSystem::IncrementSolution& solution) const;
@@ -115,8 +119,8 @@ private:
   [[nodiscard]] base::Vector tie_forces(const base::Vector& left_over) const;
 
   const model::Model& model_;
-  const Scene& scene_;
-  const std::vector<BodyNet>& bodies_;
+  const Discretisation& scene_;
+  const std::vector<SubstructuredBody>& bodies_;
   std::vector<std::size_t> condensed_; ///< bodies that have externals
   std::optional<contact::ContactSystem> system_;
   StepFactors factors_;
@@ -124,7 +128,7 @@ private:
   base::Vector u_;           ///< [dim * node] end of the last step
   std::vector<bool> closed_; ///< [row] end of the last step
   FrictionHistory history_;
-  MountMemory* memory_ = nullptr;
+  MountOffsetMemory* memory_ = nullptr;
   std::vector<bool> tested_; ///< contacts in force when uniqueness was tested last
   bool certain_ = false;     ///< that test's answer
 };

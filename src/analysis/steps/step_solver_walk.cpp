@@ -33,7 +33,8 @@ constexpr std::size_t most_rows_tested = 4000;
 
 // Shear of contacts that rub in two answers to the same problem: root mean square of what it
 // changes by over that of the shear, the largest of all contacts (manual, contact.25).
-double friction_change(const Scene& scene, const contact::ContactSystem::IncrementProblem& problem,
+double friction_change(const Discretisation& scene,
+                       const contact::ContactSystem::IncrementProblem& problem,
                        const contact::ContactSystem::IncrementSolution& a,
                        const contact::ContactSystem::IncrementSolution& b) {
   struct Sum {
@@ -42,8 +43,8 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Increme
   std::vector<Sum> sums(scene.pairs.size());
   for (const solve::FrictionRow& f : problem.friction) {
     const std::size_t row = problem.rows[static_cast<std::size_t>(f.tangent)];
-    const auto c = scene.table.contact_of(row);
-    const double area = scene.row(row).area;
+    const auto c = scene.table.contact_index(row);
+    const double area = scene.contact_row(row).area;
     const base::Vector& q = b.contact.lambda;
     for (const int t : {f.tangent, f.second}) {
       if (t >= 0) {
@@ -68,9 +69,10 @@ constexpr double least_slip = 1e-3;
 
 // The same of the work of friction, over the largest of all contacts, or of the largest way that a
 // row has slid, whichever changes by more. `solution` and `b` are of the later walk.
-double slip_change(const Scene& scene, const contact::ContactSystem::IncrementProblem& problem,
+double slip_change(const Discretisation& scene,
+                   const contact::ContactSystem::IncrementProblem& problem,
                    const contact::ContactSystem::IncrementSolution& solution,
-                   const FrictionMemory& a, const FrictionMemory& b) {
+                   const FrictionState& a, const FrictionState& b) {
   double motion = 0.0;
   for (const base::Vector& u : solution.u) {
     motion = std::max(motion, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
@@ -79,7 +81,7 @@ double slip_change(const Scene& scene, const contact::ContactSystem::IncrementPr
   for (const solve::FrictionRow& f : problem.friction) {
     const std::size_t row = problem.rows[static_cast<std::size_t>(f.normal)];
     // All that friction could pull: with the largest displacement a scale for its work.
-    force += f.mu * solution.contact.lambda[f.normal] * scene.row(row).area;
+    force += f.mu * solution.contact.lambda[f.normal] * scene.contact_row(row).area;
   }
   const double work = std::max(std::ranges::max(b.work), least_slip * force * motion);
   double most = 0.0;
@@ -90,7 +92,7 @@ double slip_change(const Scene& scene, const contact::ContactSystem::IncrementPr
   double now = 0.0;
   for (std::size_t r = 0; r < b.path.size(); ++r) {
     // Weighted slips over the area of their row are lengths.
-    const double area = scene.row(r).area;
+    const double area = scene.contact_row(r).area;
     before = std::max(before, a.path[r] / area);
     now = std::max(now, b.path[r] / area);
   }
@@ -154,7 +156,8 @@ std::optional<contact::ContactSystem::IncrementSolution> StepSolver::walk(const 
                                                                           const model::Step& step,
                                                                           StepState& state,
                                                                           base::Trouble& trouble) {
-  Walk way{.from = from, .to = factors_, .problem = problem(), .solution = {}};
+  StepIncrementation way{
+      .from = from, .to = factors_, .problem = contact_problem(), .solution = {}};
   const bool rubs = !way.problem.friction.empty();
   if (rubs) {
     if (!walk_rubbing(way, step, state, trouble)) {
@@ -176,8 +179,9 @@ std::optional<contact::ContactSystem::IncrementSolution> StepSolver::walk(const 
   return std::move(way.solution);
 }
 
-bool StepSolver::march(Walk& walk, const Place& start, int increments, base::Trouble& trouble) {
-  go_back(start);
+bool StepSolver::walk_load_path(StepIncrementation& walk, const StepSolverState& start,
+                                int increments, base::Trouble& trouble) {
+  restore_state(start);
   walk.increments = 0;
   walk.reached.clear();
   for (int k = 0; k < increments; ++k) {
@@ -191,9 +195,9 @@ bool StepSolver::march(Walk& walk, const Place& start, int increments, base::Tro
   return true;
 }
 
-bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& state,
+bool StepSolver::walk_rubbing(StepIncrementation& walk, const model::Step& step, StepState& state,
                               base::Trouble& trouble) {
-  const Place start = place();
+  const StepSolverState start = solver_state();
   const bool given = step.substeps > 0;
   Halving cut;
   if (given) {
@@ -202,7 +206,7 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
     cut = {.before = step.substeps == 1 ? 2 : step.substeps / 2, .now = step.substeps};
   }
   base::Trouble coarse;
-  const bool compared = march(walk, start, cut.before, coarse);
+  const bool compared = walk_load_path(walk, start, cut.before, coarse);
   // Where SUBSTEPS are given a coarser walk without answer leaves them without a known error only.
   if (!compared && !given) {
     trouble = coarse;
@@ -210,14 +214,14 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
   }
   for (;;) {
     const contact::ContactSystem::IncrementSolution last = std::move(walk.solution);
-    const FrictionMemory slipped = history_.memory();
-    if (!march(walk, start, cut.now, trouble)) {
+    const FrictionState slipped = history_.friction_state();
+    if (!walk_load_path(walk, start, cut.now, trouble)) {
       return false;
     }
     cut.change = compared ? friction_change(scene_, walk.problem, last, walk.solution) : 0.0;
-    cut.slip = compared
-                   ? slip_change(scene_, walk.problem, walk.solution, slipped, history_.memory())
-                   : 0.0;
+    cut.slip = compared ? slip_change(scene_, walk.problem, walk.solution, slipped,
+                                      history_.friction_state())
+                        : 0.0;
     const bool settled = cut.change <= shear_tolerance && cut.slip <= work_tolerance;
     if (given || settled || cut.now >= most_increments) {
       break;
@@ -231,21 +235,21 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
 }
 
 // In a straight line from the last two increments: most points go on as they did.
-solve::ExpectedForces StepSolver::expected_at(const Walk& walk, double part) {
+solve::ExpectedForces StepSolver::expected_at(const StepIncrementation& walk, double part) {
   if (walk.reached.empty()) {
     return {};
   }
-  const Walk::Reached& last = walk.reached.back();
-  const Walk::Reached& before = walk.reached.front();
+  const StepIncrementation::ReachedIncrement& last = walk.reached.back();
+  const StepIncrementation::ReachedIncrement& before = walk.reached.front();
   const double way = last.at - before.at;
   const double further = way > 0.0 ? (part - last.at) / way : 0.0;
   return {last.forces.lambda + further * (last.forces.lambda - before.forces.lambda),
           last.forces.alpha + further * (last.forces.alpha - before.forces.alpha)};
 }
 
-bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halvings) {
-  factors_ = part_way(walk.from, walk.to, part.second);
-  walk.problem = problem();
+bool StepSolver::advance(StepIncrementation& walk, std::pair<double, double> part, int halvings) {
+  factors_ = interpolate_factors(walk.from, walk.to, part.second);
+  walk.problem = contact_problem();
   walk.problem.expected = expected_at(walk, part.second);
   walk.solution = system_->solve(walk.problem, settings_of(model_));
   const solve::ContactSolution& s = walk.solution.contact;
@@ -273,20 +277,21 @@ bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halving
          advance(walk, {middle, part.second}, halvings + 1);
 }
 
-StepSolver::Place StepSolver::place() const {
-  return {factors_, offset_, closed_, history_.memory()};
+StepSolver::StepSolverState StepSolver::solver_state() const {
+  return {factors_, offset_, closed_, history_.friction_state()};
 }
 
-void StepSolver::go_back(const Place& place) {
+void StepSolver::restore_state(const StepSolverState& place) {
   factors_ = place.factors;
   offset_ = place.offset;
   closed_ = place.closed;
-  history_.go_back(place.friction);
+  history_.restore_state(place.friction);
 }
 
 std::optional<contact::ContactSystem::IncrementSolution>
-StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble) {
-  Walk way{.from = factors_, .to = to, .problem = {}, .solution = {}, .seen = &seen};
+StepSolver::solve_increments(const StepFactors& to, int increments, const Seen& seen,
+                             base::Trouble& trouble) {
+  StepIncrementation way{.from = factors_, .to = to, .problem = {}, .solution = {}, .seen = &seen};
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(way, {k / n, (k + 1) / n}, 0)) {
@@ -297,10 +302,11 @@ StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base:
   return std::move(way.solution);
 }
 
-std::optional<StepState> StepSolver::recover(contact::ContactSystem::IncrementSolution solution,
-                                             base::Trouble& trouble) {
+std::optional<StepState>
+StepSolver::recover_state(contact::ContactSystem::IncrementSolution solution,
+                          base::Trouble& trouble) {
   StepState state = begin_state();
-  if (!accept(solution, problem(), state, trouble) ||
+  if (!accept(solution, contact_problem(), state, trouble) ||
       !complete(std::move(solution.u), state, trouble)) {
     return std::nullopt;
   }
@@ -308,20 +314,20 @@ std::optional<StepState> StepSolver::recover(contact::ContactSystem::IncrementSo
 }
 
 // Where rows stand tangentially now: the slip of the next increment counts from here (contact.22).
-void StepSolver::remember(const Walk& walk) {
-  history_.take(walk.problem, walk.solution);
+void StepSolver::remember(const StepIncrementation& walk) {
+  history_.accept_increment(walk.problem, walk.solution);
   const base::Vector fixed = prescribed();
   for (const std::size_t row : walk.problem.rows) {
-    if (history_.rubs(row)) {
+    if (history_.has_friction(row)) {
       offset_[static_cast<Eigen::Index>(row)] =
           -system_->opening(row, walk.solution.u) -
-          row_opening(scene_.row(row), scene_.cracked.mesh.dim, fixed);
+          row_opening(scene_.contact_row(row), scene_.cracked.mesh.dim, fixed);
     }
   }
 }
 
 // A test that is sufficient only clears most; of the others the answer itself tells.
-void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
+void StepSolver::note_uniqueness(const StepIncrementation& walk, StepState& state) {
   if (tested_ != factors_.mounted) {
     // The test depends on the rows in force alone (solve.27): once for each set of mounted
     // contacts.

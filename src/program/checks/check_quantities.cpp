@@ -48,7 +48,7 @@ double reaction(const model::Model& model, Arguments& args, const results::Run& 
   const std::string step = args.name("a step");
   const Eigen::Index axis = axis_of(args.name("X, Y or Z"));
   const Place at = find_place(run, step, args.number());
-  if (const auto lost = analysis::lost_reaction(model, at.increment->mesh, set)) {
+  if (const auto lost = analysis::unassigned_reaction(model, at.increment->mesh, set)) {
     throw Missing(fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
                               "set with the whole edge there",
                               model.mesh.node_label[lost->index()]));

@@ -26,7 +26,7 @@ constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 // The test's own rates, or the law of $GROW.
 life::GrowthRateLaw reference_of(const model::Model& model, const model::GrowthTestReadings& test) {
   if (test.delta_k.empty()) {
-    return analysis::law_of(*model.growth);
+    return analysis::growth_law(*model.growth);
   }
   life::RateConstants constants;
   constants.delta_k = test.delta_k;

@@ -76,7 +76,7 @@ public:
   /// Every length. Without `forecast` only mistakes are looked for.
   void look(bool forecast) {
     if (analysis::grows_by_law(model_)) {
-      analysis::first_ways(model_, diagnostics);
+      analysis::initial_kinematics(model_, diagnostics);
       if (model_.mesh.dim == 2 && !diagnostics.has_errors()) {
         if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
           stations = stations_at_least(model_, *lines);
@@ -103,15 +103,16 @@ public:
         sized.emplace(model_);
         sized->cracks = growth::cracks_of_size(model_, lengths[i]);
       }
-      const std::unique_ptr<analysis::Length> length = analysis::Length::make(
-          {.model = sized ? *sized : model_, .cache = cache, .threads = threads_}, lengths[i], plan,
-          diagnostics);
+      const std::unique_ptr<analysis::CrackLengthAnalysis> length =
+          analysis::CrackLengthAnalysis::create(
+              {.model = sized ? *sized : model_, .cache = cache, .threads = threads_}, lengths[i],
+              plan, diagnostics);
       if (!length) {
         return;
       }
       const double scene_cpu = watch.cpu_time();
-      length->prepare();
-      const analysis::Scene& scene = length->scene();
+      length->number_freedoms();
+      const analysis::Discretisation& scene = length->discretisation();
       if (i == 0) {
         look_closely(scene, length->bodies());
       }
@@ -131,18 +132,19 @@ public:
 
 private:
   // What does not change from length to length, or hardly: seen once.
-  void look_closely(const analysis::Scene& scene, const std::vector<analysis::BodyNet>& bodies) {
+  void look_closely(const analysis::Discretisation& scene,
+                    const std::vector<analysis::SubstructuredBody>& bodies) {
     preview.nets = preview_nets(model_, scene);
     preview.quality = preview_quality(model_, scene);
     preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
     preview.pairs = preview_pairs(scene);
-    preview.bodies = analysis::held_modes(model_, scene, bodies);
+    preview.bodies = analysis::rigid_mode_support(model_, scene, bodies);
     preview.loads = sense::load_totals(model_);
     preview.mirrors = sense::find_mirrors(model_);
     for (results::MirrorPreview& mirror : preview.mirrors) {
       mirror.no_half = mirror.against.empty() ? sense::against_half(model_, mirror.axis) : "";
     }
-    unheld = analysis::unheld_loads(model_, scene, bodies);
+    unheld = analysis::unsupported_loads(model_, scene, bodies);
   }
 
   const model::Model& model_;

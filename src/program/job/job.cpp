@@ -119,7 +119,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     base::Diagnostics own;
     ProgressLine line(options.log_format, options.quiet);
     KSoFar so_far(model, folder);
-    solve.progress = [&](const analysis::Progress& progress) {
+    solve.progress = [&](const analysis::RunProgress& progress) {
       line.tell(progress);
       if (progress.stage.empty()) {
         so_far.finish(progress.increment);
@@ -148,7 +148,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
   const auto read_finer = [&](const std::map<std::string, deck::Refinement>& refine) {
     deck::ReadOptions finer = deck.options;
     finer.refine = refine;
-    const analysis::Recorded stretch(solve.recorder, "DECK", "meshes made finer");
+    const analysis::RecordedInterval stretch(solve.recorder, "DECK", "meshes made finer");
     return read_silently(options.deck, finer);
   };
   ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
@@ -225,8 +225,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
   results::Run& run = *solved.run;
-  std::optional<analysis::Recorded> checking(std::in_place, options.recorder.get(), "CHECKS",
-                                             "checks, warnings");
+  std::optional<analysis::RecordedInterval> checking(std::in_place, options.recorder.get(),
+                                                     "CHECKS", "checks, warnings");
   if (!run.increments.empty()) { // of the cracks as they begin
     std::vector<results::Note>& notes = run.increments.front().notes;
     const std::vector<results::Note> flaws = results::notes_of(deck.flaws);
@@ -234,7 +234,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   run.tests = invert_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
-  analysis::explain_lost_ligaments(run);
+  analysis::explain_broken_ligaments(run);
   add_warnings(*used.model, run, diagnostics);
   if (!solved.why_not.empty()) {
     diagnostics.warning({}, "W506", missed_tolerance(solved));
@@ -246,7 +246,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   run.cpu += cpu_before;
   checking.reset();
   {
-    const analysis::Recorded stretch(options.recorder.get(), "OUTPUT", "tables, pictures, report");
+    const analysis::RecordedInterval stretch(options.recorder.get(), "OUTPUT",
+                                             "tables, pictures, report");
     folder.write(deck.sources, *used.model, run, script_constants(deck));
   }
   RunOutcome outcome = judged(solved, run, log);

@@ -37,7 +37,7 @@ void TimeLeft::begin_increment(double now) {
   step_ = 0;
 }
 
-void TimeLeft::take(const analysis::Progress& progress, double now) {
+void TimeLeft::take(const analysis::RunProgress& progress, double now) {
   if (progress.increments > 0) {
     increments_ = progress.increments;
   }
@@ -96,7 +96,7 @@ void ProgressLine::show(const std::string& text) {
   width_ = width;
 }
 
-void ProgressLine::tell(const analysis::Progress& progress) {
+void ProgressLine::tell(const analysis::RunProgress& progress) {
   const double now = watch_.wall_time();
   left_.take(progress, now);
   open_end_ = progress.increments > 0 ? progress.open_end : open_end_;

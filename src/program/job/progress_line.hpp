@@ -14,7 +14,7 @@ namespace spricka::program {
 class TimeLeft {
 public:
   /// `now` [s] of any clock.
-  void take(const analysis::Progress& progress, double now);
+  void take(const analysis::RunProgress& progress, double now);
   /// [s]; empty until the first step or increment is finished.
   [[nodiscard]] std::optional<double> seconds(double now) const;
   [[nodiscard]] std::size_t increments() const { return increments_; }
@@ -42,7 +42,7 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void tell(const analysis::Progress& progress);
+  void tell(const analysis::RunProgress& progress);
 
 private:
   enum class Kind { none, terminal, lines, json };

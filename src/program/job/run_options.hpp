@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace spricka::analysis {
-class Recorder;
+class ProfileRecorder;
 }
 
 namespace spricka::program {
@@ -27,7 +27,7 @@ struct RunOptions {
   double seconds = 0.0;  ///< wall time after which no increment is begun; 0: no limit
   base::Stopwatch since; ///< when the program was started
   bool profile = false;  ///< tell what the run costs, processor by processor
-  std::shared_ptr<analysis::Recorder> recorder = {}; ///< takes it down; null: nobody does
+  std::shared_ptr<analysis::ProfileRecorder> recorder = {}; ///< takes it down; null: nobody does
   bool check_only = false;
   bool json = false; ///< check: the same as JSON
   LogFormat log_format = LogFormat::text;

@@ -34,7 +34,7 @@ std::size_t unknowns(const results::Run& run) {
 // Bars against what is asked for; `why_not` where no mesh can give it.
 results::ToleranceRound look_at(const model::Model& model, const results::Run& run,
                                 std::string& why_not) {
-  const analysis::Shortfall now =
+  const analysis::ToleranceShortfall now =
       model.mesh.dim == 3 ? analysis::front_shortfall(model, run) : analysis::shortfall(model, run);
   results::ToleranceRound round;
   round.unknowns = unknowns(run);
@@ -194,7 +194,7 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
                                        : fmt::format("{} rounds were not enough", most_rounds);
       break;
     }
-    finer = read_finer(plan.nets());
+    finer = read_finer(plan.refinements());
     if (!finer->model) {
       out.why_not = "the deck can't be meshed finer: " + finer->refusal.error;
       break;

@@ -26,13 +26,13 @@ constexpr double contact_width = 0.25;
 constexpr std::size_t sample_size = 4000;
 constexpr double number = 8.0; // bytes
 
-double externals_of(const analysis::Net& net) {
+double externals_of(const analysis::Substructure& net) {
   return static_cast<double>(net.map.externals());
 }
 
 // What contact rows weigh of the unknowns of a net, without the weights.
-solve::SparseColumns rows_on_net(const analysis::CondenseRequest& request,
-                                 const analysis::Net& net) {
+solve::SparseColumns rows_on_net(const analysis::CondensationRequest& request,
+                                 const analysis::Substructure& net) {
   solve::SparseColumns F;
   const int dim = request.mesh.dim;
   for (const contact::ConstraintRow* row : request.rows) {
@@ -82,7 +82,7 @@ struct Forecast::Needs {
   std::size_t unknowns = 0;
 };
 
-const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& request,
+const solve::FactorReport& Forecast::report_of(const analysis::CondensationRequest& request,
                                                const Piece& piece, Needs& needs) {
   const auto& [net, key, body, first_part] = piece;
   const auto at = known_.find(key);
@@ -106,9 +106,9 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& 
   std::vector<solve::DenseBlock> blocks;
   blocks.reserve(supers.size());
   for (const std::vector<std::int32_t>& super : supers) {
-    blocks.push_back({analysis::rows_on(net.map, super)});
+    blocks.push_back({analysis::equation_numbers(net.map, super)});
   }
-  const bool apart = analysis::keeps_apart(net.map, blocks);
+  const bool apart = analysis::keeps_parts_apart(net.map, blocks);
   if (apart) {
     supers.clear();
   }
@@ -116,9 +116,9 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& 
       net.weighed.empty() ? solve::SparseColumns() : rows_on_net(request, net);
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
-      apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks,
-                                            analysis::may_stay_factor(*body) ? &early_[*first_part]
-                                                                             : nullptr)
+      apart ? solve::Condensation::forecast(
+                  pattern, net.map.externals(), blocks,
+                  analysis::can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
             : solve::Condensation::forecast(std::move(pattern), net.map.externals(),
                                             solve::Ordering::automatic,
                                             net.weighed.empty() ? nullptr : &rows);
@@ -137,12 +137,12 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& 
 
 // Dense algebra of the condensed bodies: Cholesky of S, compliances of the rows, and a few
 // factorisations of the closed rows for each step.
-double Forecast::contact_flops(const std::vector<analysis::BodyNet>& bodies,
-                               const analysis::Scene& scene) const {
+double Forecast::contact_flops(const std::vector<analysis::SubstructuredBody>& bodies,
+                               const analysis::Discretisation& scene) const {
   const auto rows = static_cast<double>(scene.table.size());
   double flops = 0.0;
-  for (const analysis::BodyNet& body : bodies) {
-    const double m = body.is_whole() ? 0.0 : externals_of(body.region);
+  for (const analysis::SubstructuredBody& body : bodies) {
+    const double m = body.is_uncondensed() ? 0.0 : externals_of(body.region);
     flops += m * m * m / 3.0 + m * m * rows + m * rows * rows;
   }
   constexpr double factorisations = 4.0;
@@ -150,18 +150,19 @@ double Forecast::contact_flops(const std::vector<analysis::BodyNet>& bodies,
          factorisations * static_cast<double>(model_.steps.size()) * rows * rows * rows / 3.0;
 }
 
-void Forecast::add(const analysis::CondenseRequest& request,
-                   const std::vector<analysis::BodyNet>& bodies, const analysis::Scene& scene,
-                   double scene_cpu, results::LengthPreview& length) {
+void Forecast::add(const analysis::CondensationRequest& request,
+                   const std::vector<analysis::SubstructuredBody>& bodies,
+                   const analysis::Discretisation& scene, double scene_cpu,
+                   results::LengthPreview& length) {
   if (resident_ == 0.0) {
     resident_ = static_cast<double>(base::resident_memory());
   }
-  const std::vector<analysis::NetKeys> keys = analysis::hash_bodies(request, bodies);
+  const std::vector<analysis::SubstructureHashes> keys = analysis::hash_bodies(request, bodies);
   Needs needs;
   double contact_bytes = 0.0;
   const auto rows = static_cast<double>(scene.table.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const analysis::BodyNet& body = bodies[b];
+    const analysis::SubstructuredBody& body = bodies[b];
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       const double m = externals_of(*body.parts[p]);
       const solve::FactorReport& part =
@@ -177,7 +178,7 @@ void Forecast::add(const analysis::CondenseRequest& request,
     needs.solve_entries += own.factor_entries;
     needs.row_flops += own.row_flops;
     length.externals += static_cast<std::size_t>(m);
-    const double others = body.is_whole() ? own.row_memory : 3.0 * number * m * rows;
+    const double others = body.is_uncondensed() ? own.row_memory : 3.0 * number * m * rows;
     // Those of all bodies so far, and of this one.
     contact_bytes = std::max(contact_bytes, others + 2.0 * number * rows * rows);
   }
@@ -215,7 +216,7 @@ void Forecast::add(const analysis::CondenseRequest& request,
                    element_seconds_ * elements * (step_share * steps + output_share);
 
   std::set<analysis::HashKey> used;
-  for (const analysis::NetKeys& key : keys) {
+  for (const analysis::SubstructureHashes& key : keys) {
     used.insert(key.region);
     used.insert(key.parts.begin(), key.parts.end());
   }

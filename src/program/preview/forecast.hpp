@@ -22,21 +22,22 @@ public:
 
   /// Fills unknowns, fill, flops, memory and seconds of a length. `scene_cpu` [s] is what its mesh
   /// and contact rows took. Lengths in the order of the run.
-  void add(const analysis::CondenseRequest& request, const std::vector<analysis::BodyNet>& bodies,
-           const analysis::Scene& scene, double scene_cpu, results::LengthPreview& length);
+  void add(const analysis::CondensationRequest& request,
+           const std::vector<analysis::SubstructuredBody>& bodies,
+           const analysis::Discretisation& scene, double scene_cpu, results::LengthPreview& length);
 
 private:
   struct Needs; ///< of one length
   struct Piece {
-    const analysis::Net& net;
+    const analysis::Substructure& net;
     const analysis::HashKey& key;
-    const analysis::BodyNet* body;       ///< that whose region the net is; null for a part
-    const analysis::HashKey* first_part; ///< its key, if there is one
+    const analysis::SubstructuredBody* body; ///< that whose region the net is; null for a part
+    const analysis::HashKey* first_part;     ///< its key, if there is one
   };
-  const solve::FactorReport& report_of(const analysis::CondenseRequest& request, const Piece& piece,
-                                       Needs& needs);
-  [[nodiscard]] double contact_flops(const std::vector<analysis::BodyNet>& bodies,
-                                     const analysis::Scene& scene) const;
+  const solve::FactorReport& report_of(const analysis::CondensationRequest& request,
+                                       const Piece& piece, Needs& needs);
+  [[nodiscard]] double contact_flops(const std::vector<analysis::SubstructuredBody>& bodies,
+                                     const analysis::Discretisation& scene) const;
 
   const model::Model& model_;
   int threads_;

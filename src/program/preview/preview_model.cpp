@@ -25,8 +25,8 @@ std::string net_name(const model::Model& model, base::NetId net) {
   return name.empty() ? "(deck)" : name;
 }
 
-void count_freedoms(const analysis::Scene& scene, const std::vector<bool>& used, base::NetId net,
-                    results::NetPreview& preview) {
+void count_freedoms(const analysis::Discretisation& scene, const std::vector<bool>& used,
+                    base::NetId net, results::NetPreview& preview) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
@@ -81,7 +81,7 @@ void add_quality(const model::Model& model, const model::Mesh& mesh, const std::
 } // namespace
 
 std::vector<results::NetPreview> preview_nets(const model::Model& model,
-                                              const analysis::Scene& scene) {
+                                              const analysis::Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const std::vector<bool> used = model::nodes_in_use(mesh); // not those that cracks cut out
   std::vector<results::NetPreview> nets;
@@ -109,7 +109,7 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model,
 }
 
 std::vector<results::QualityPreview> preview_quality(const model::Model& model,
-                                                     const analysis::Scene& scene) {
+                                                     const analysis::Discretisation& scene) {
   std::vector<results::QualityPreview> list;
   std::vector<base::ElementId> host;
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
@@ -126,7 +126,7 @@ std::vector<results::QualityPreview> preview_quality(const model::Model& model,
   return list;
 }
 
-std::vector<results::PairPreview> preview_pairs(const analysis::Scene& scene) {
+std::vector<results::PairPreview> preview_pairs(const analysis::Discretisation& scene) {
   std::vector<results::PairPreview> list;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];
@@ -161,7 +161,8 @@ std::vector<results::PairPreview> preview_pairs(const analysis::Scene& scene) {
   return list;
 }
 
-results::LengthPreview preview_length(const model::Model& model, const analysis::Scene& scene) {
+results::LengthPreview preview_length(const model::Model& model,
+                                      const analysis::Discretisation& scene) {
   results::LengthPreview length;
   const mesh::CrackedMesh& cracked = scene.cracked;
   length.nodes = cracked.mesh.node_count();
@@ -187,7 +188,7 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
     length.a = length.a > 0.0 ? length.a : front.a;
     length.tips.push_back(std::move(preview));
   }
-  for (const analysis::FrontScene& at : scene.fronts) {
+  for (const analysis::FrontWithDomains& at : scene.fronts) {
     const mesh::CrackFront& front = at.front;
     results::FrontPreview preview;
     preview.name = analysis::front_name(model, scene, front);

@@ -11,16 +11,17 @@ namespace spricka::program {
 
 /// Nets with their elements by type and freedoms by class.
 std::vector<results::NetPreview> preview_nets(const model::Model& model,
-                                              const analysis::Scene& scene);
+                                              const analysis::Discretisation& scene);
 
 /// The worst elements of the host and of the crack patches.
 std::vector<results::QualityPreview> preview_quality(const model::Model& model,
-                                                     const analysis::Scene& scene);
+                                                     const analysis::Discretisation& scene);
 
 /// What the surfaces of each pair see of each other.
-std::vector<results::PairPreview> preview_pairs(const analysis::Scene& scene);
+std::vector<results::PairPreview> preview_pairs(const analysis::Discretisation& scene);
 
 /// Mesh, tips and patches of one length; forecasts stay empty.
-results::LengthPreview preview_length(const model::Model& model, const analysis::Scene& scene);
+results::LengthPreview preview_length(const model::Model& model,
+                                      const analysis::Discretisation& scene);
 
 } // namespace spricka::program

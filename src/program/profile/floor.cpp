@@ -26,14 +26,14 @@ namespace {
 constexpr double enough = 0.2;
 constexpr int most_times = 20;
 
-std::optional<analysis::Scene> first_scene(const model::Model& given) {
+std::optional<analysis::Discretisation> first_scene(const model::Model& given) {
   model::Model model = given;
   const double a = analysis::grows_by_law(model) ? 0.0 : growth::crack_lengths(model).front();
   if (model.mesh.dim == 3 && a > 0.0) {
     model.cracks = growth::cracks_of_size(model, a);
   }
   base::Diagnostics told_before;
-  return analysis::make_scene(model, a, {}, told_before);
+  return analysis::discretise(model, a, {}, told_before);
 }
 
 std::string trouble_of(const solve::FactorReport& report) {
@@ -43,9 +43,9 @@ std::string trouble_of(const solve::FactorReport& report) {
              : "its matrix is singular";
 }
 
-void once(const model::Model& model, const analysis::Scene& scene, Floor& floor) {
+void once(const model::Model& model, const analysis::Discretisation& scene, Floor& floor) {
   const base::Stopwatch assembling;
-  base::SymmetricCsc K = analysis::whole_stiffness(model, scene);
+  base::SymmetricCsc K = analysis::global_stiffness(model, scene);
   const double assembly = assembling.cpu_time();
   floor.equations = K.n;
   const solve::Condensation plain(std::move(K), 0);
@@ -75,7 +75,7 @@ void once(const model::Model& model, const analysis::Scene& scene, Floor& floor)
 Floor find_floor(const model::Model& model) {
   Floor floor;
   try {
-    const std::optional<analysis::Scene> scene = first_scene(model);
+    const std::optional<analysis::Discretisation> scene = first_scene(model);
     if (!scene) {
       floor.why_not = "its mesh cannot be made";
       return floor;

@@ -14,23 +14,24 @@ namespace spricka::program {
 
 namespace {
 
-void listen_to_mesher(const std::shared_ptr<analysis::Recorder>& recorder) {
+void listen_to_mesher(const std::shared_ptr<analysis::ProfileRecorder>& recorder) {
   mesh::mesher_listener() = [recorder](const mesh::MesherUsage& use) {
-    recorder->add(
+    recorder->add_work(
         results::MesherWork{.begin = use.begin, .end = use.end, .cpu = use.cpu, .peak = use.peak});
   };
 }
 
 } // namespace
 
-std::shared_ptr<analysis::Recorder> begin_profile() {
-  auto recorder = std::make_shared<analysis::Recorder>(base::Stopwatch(), base::cpu_seconds());
+std::shared_ptr<analysis::ProfileRecorder> begin_profile() {
+  auto recorder =
+      std::make_shared<analysis::ProfileRecorder>(base::Stopwatch(), base::cpu_seconds());
   listen_to_mesher(recorder);
   return recorder;
 }
 
-std::shared_ptr<analysis::Recorder> begin_profile_of_process(const base::Stopwatch& since) {
-  auto recorder = std::make_shared<analysis::Recorder>(since, 0.0);
+std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::Stopwatch& since) {
+  auto recorder = std::make_shared<analysis::ProfileRecorder>(since, 0.0);
   recorder->add_start(since);
   listen_to_mesher(recorder);
   return recorder;
@@ -46,7 +47,7 @@ double floors(const ProfileRecord& record) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-ProfileTexts end_profile(analysis::Recorder& recorder, const base::SourceTexts& sources,
+ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::SourceTexts& sources,
                          const model::Model& model, std::uintmax_t written) {
   mesh::mesher_listener() = nullptr; // the floor is no part of the run
   ProfileRecord record;

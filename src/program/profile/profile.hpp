@@ -16,8 +16,8 @@ inline constexpr const char* trace_name = "trace.json";
 
 /// Takes down from now on what a run costs, the requests to its mesher with it; of a run that began
 /// with the process what was before this, too.
-std::shared_ptr<analysis::Recorder> begin_profile();
-std::shared_ptr<analysis::Recorder> begin_profile_of_process(const base::Stopwatch& since);
+std::shared_ptr<analysis::ProfileRecorder> begin_profile();
+std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::Stopwatch& since);
 
 /// What a profile comes to.
 struct ProfileTexts {
@@ -26,7 +26,7 @@ struct ProfileTexts {
 };
 /// The run is over: `written` [bytes] stand in its folder. Finds the floor of the deck, which takes
 /// its time.
-ProfileTexts end_profile(analysis::Recorder& recorder, const base::SourceTexts& sources,
+ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::SourceTexts& sources,
                          const model::Model& model, std::uintmax_t written);
 
 } // namespace spricka::program

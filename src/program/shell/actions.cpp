@@ -143,7 +143,7 @@ base::Trouble do_length(const ShellCall& call) {
   trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.length(name_at(call, 1), a, c);
   if (!trouble) {
-    const analysis::CondenseLog& log = call.session.condensed();
+    const analysis::CondensationFigures& log = call.session.condensed();
     call.reply.messages +=
         fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
     tell_state(call);

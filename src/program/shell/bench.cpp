@@ -77,13 +77,13 @@ std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
                                              base::Diagnostics& diagnostics,
                                              base::Trouble& trouble) {
   std::unique_ptr<ShellBench> bench(new ShellBench(parts));
-  bench->length_ = analysis::Length::make({.model = parts.model,
-                                           .cache = parts.cache,
-                                           .threads = parts.threads,
-                                           .mounted = parts.memory,
-                                           .contact = &parts.contact,
-                                           .with_paths = &bench->shown_},
-                                          0.0, plan, diagnostics);
+  bench->length_ = analysis::CrackLengthAnalysis::create({.model = parts.model,
+                                                          .cache = parts.cache,
+                                                          .threads = parts.threads,
+                                                          .mounted = parts.memory,
+                                                          .contact = &parts.contact,
+                                                          .with_paths = &bench->shown_},
+                                                         0.0, plan, diagnostics);
   if (!bench->length_) {
     return nullptr;
   }
@@ -96,15 +96,15 @@ std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
 }
 
 void ShellBench::begin_run() {
-  const analysis::Scene& scene = length_->scene();
+  const analysis::Discretisation& scene = length_->discretisation();
   const mesh::CrackedMesh& cracked = scene.cracked;
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
-  increment.a = base::remove_round_off(length_->size_of_first());
+  increment.a = base::remove_round_off(length_->first_crack_size());
   increment.notes = results::notes_of(scene.notes);
   increment.mesh = cracked.mesh;
   increment.surface = analysis::outer_surface(increment.mesh);
-  analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
+  analysis::keep_removed_members(parts_.model.mesh, increment.mesh);
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
@@ -114,7 +114,7 @@ base::Trouble ShellBench::prepare() {
   if (!length_->condense(condensed_)) {
     return condensed_.trouble;
   }
-  fresh_ = length_->start();
+  fresh_ = length_->make_solver();
   solver_.reset();
   state_.reset();
   estimated_ = false;
@@ -127,9 +127,9 @@ base::Trouble ShellBench::close(const std::vector<std::size_t>& lines) {
   solver_.reset(); // it looks at the rows of the scene
   fresh_.reset();
   ++closings_;
-  length_->close_faces(lines);
+  length_->add_face_contact(lines);
   if (parts_.fills_memory && parts_.memory != nullptr) {
-    *parts_.memory = analysis::MountMemory(); // of steps that do not count
+    *parts_.memory = analysis::MountOffsetMemory(); // of steps that do not count
   }
   return prepare();
 }
@@ -153,7 +153,7 @@ base::Trouble ShellBench::advance(const std::vector<model::Step>& steps, Reached
                                     .why = fmt::format("step {}: {}", step.name, what)};
     }
     // Overlap in any step counts: all of them are solved anew with the faces as a pair.
-    reached.touching = length_->touching(reached.state->u);
+    reached.touching = length_->overlapping_lines(reached.state->u);
     if (!reached.touching.empty()) {
       return {};
     }
@@ -183,9 +183,9 @@ base::Trouble ShellBench::reach(const std::vector<model::Step>& way, Reached& re
 results::StepResult ShellBench::gather(const Reached& reached, const std::string& name) const {
   model::Step step;
   step.name = name;
-  results::StepResult out = length_->recover(step, *reached.state);
-  const model::Mesh& mesh = length_->scene().cracked.mesh;
-  analysis::fill_displacements(mesh, analysis::gone_places(parts_.model.mesh, mesh), out.u);
+  results::StepResult out = length_->recover_step(step, *reached.state);
+  const model::Mesh& mesh = length_->discretisation().cracked.mesh;
+  analysis::fill_displacements(mesh, analysis::removed_nodes(parts_.model.mesh, mesh), out.u);
   return out;
 }
 
@@ -231,7 +231,7 @@ base::Trouble ShellBench::go_on(const model::Step& step, const std::vector<model
 }
 
 base::Trouble ShellBench::estimate() {
-  const analysis::Scene& scene = length_->scene();
+  const analysis::Discretisation& scene = length_->discretisation();
   if (estimated_ || (scene.cracked.fronts.empty() && scene.fronts.empty())) {
     return {};
   }
@@ -241,13 +241,13 @@ base::Trouble ShellBench::estimate() {
     if (stopped()) {
       return interrupted();
     }
-    length_->add_bars(*state_, found);
+    length_->add_error_bars(*state_, found);
     if (stopped()) {
       return interrupted();
     }
     length_->add_sensitivities(*solver_, *state_, found);
   } else {
-    length_->add_of_fronts(*solver_, *state_, found);
+    length_->add_front_estimates(*solver_, *state_, found);
     if (stopped()) {
       return interrupted();
     }
@@ -318,11 +318,11 @@ base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
     if (trouble || closings_ != before) {
       continue; // faces met at the second end: the first is not the same any more
     }
-    analysis::LoadPaths& paths = length_->paths();
-    paths.keep(path_from, *at_from.solver, gather(at_from, "FROM"));
-    paths.keep(path_to, *at_to.solver, gather(at_to, "TO"));
-    found = paths.follow(*at_to.solver);
-    const std::vector<std::size_t> touching = paths.touching();
+    analysis::LoadPathSolver& paths = length_->load_paths();
+    paths.record_step(path_from, *at_from.solver, gather(at_from, "FROM"));
+    paths.record_step(path_to, *at_to.solver, gather(at_to, "TO"));
+    found = paths.solve_paths(*at_to.solver);
+    const std::vector<std::size_t> touching = paths.overlapping_lines();
     if (touching.empty()) {
       break;
     }

@@ -16,7 +16,7 @@ struct BenchParts {
   const model::Model& model; ///< its cracks have the lengths wanted
   analysis::CondensationCache& cache;
   analysis::ContactMemory& contact; ///< compliances that lengths share
-  analysis::MountMemory* memory =
+  analysis::MountOffsetMemory* memory =
       nullptr;               ///< of what was mounted at the first length; null: none is kept
   bool fills_memory = false; ///< this is the first length
   int threads = 1;
@@ -49,7 +49,7 @@ public:
   /// False when an operation failed so late that nothing is left to ask: make a new bench.
   [[nodiscard]] bool ready() const { return solver_ != nullptr; }
   /// Figures of the last condensation.
-  [[nodiscard]] const analysis::CondenseLog& condensed() const { return condensed_; }
+  [[nodiscard]] const analysis::CondensationFigures& condensed() const { return condensed_; }
 
   /// Error bars and sensitivities of the present state, once.
   base::Trouble estimate();
@@ -83,9 +83,9 @@ private:
 
   BenchParts parts_;
   model::Model shown_;
-  std::unique_ptr<analysis::Length> length_;
+  std::unique_ptr<analysis::CrackLengthAnalysis> length_;
   int closings_ = 0; ///< times that faces were closed
-  analysis::CondenseLog condensed_;
+  analysis::CondensationFigures condensed_;
   std::unique_ptr<analysis::StepSolver> fresh_; ///< at the unloaded state
   std::unique_ptr<analysis::StepSolver> solver_;
   std::optional<analysis::StepState> state_;

@@ -9,7 +9,7 @@
 namespace spricka::program {
 
 analysis::StepFactors ShellSession::factors_at_base(const OwnCards& cards) const {
-  analysis::StepFactors now = analysis::first_factors(
+  analysis::StepFactors now = analysis::initial_factors(
       *model_, static_cast<Eigen::Index>(model_->cases.size()), model_->contacts.size());
   for (std::size_t s = 0; s <= base_ && s < cards.steps.size(); ++s) {
     analysis::apply_actions(cards.steps[s], now);

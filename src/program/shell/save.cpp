@@ -277,7 +277,7 @@ model::Step all_factors(const ShellSession& session) {
   }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     if (model.contacts[c].gap &&
-        (now.fit[c] != 1.0 || analysis::fit_is_named(model, base::ContactId(c)))) {
+        (now.fit[c] != 1.0 || analysis::step_sets_fit(model, base::ContactId(c)))) {
       step.actions.emplace_back(model::ApplyFit{base::ContactId(c), now.fit[c]});
     }
   }
@@ -303,10 +303,10 @@ base::Trouble keep_beginning(const ShellSession& session, const std::vector<mode
   std::string rows;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const base::ContactId id(c);
-    if (acts_on<model::ApplyFit>(added, id) && !analysis::fit_is_named(model, id)) {
+    if (acts_on<model::ApplyFit>(added, id) && !analysis::step_sets_fit(model, id)) {
       rows += row_of(model, model::ApplyFit{id, 1.0});
     }
-    if (acts_on<model::MountContact>(added, id) && !analysis::mount_is_named(model, id) &&
+    if (acts_on<model::MountContact>(added, id) && !analysis::step_mounts(model, id) &&
         !acts_on<model::DismountContact>(beginning, id)) {
       rows += row_of(model, model::MountContact{id});
     }

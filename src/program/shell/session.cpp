@@ -152,7 +152,7 @@ base::Trouble ShellSession::open_model() {
                           base::format_messages(deck_->sources, diagnostics));
   }
   if (keeps_mounts(*model_)) { // what is mounted at the first length, by all steps
-    memory_ = std::make_unique<analysis::MountMemory>();
+    memory_ = std::make_unique<analysis::MountOffsetMemory>();
     std::unique_ptr<ShellBench> first;
     base::Trouble trouble = make_bench(true, first);
     trouble = trouble ? trouble : first->walk(model_->steps);

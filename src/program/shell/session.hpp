@@ -121,7 +121,9 @@ public:
   [[nodiscard]] const Defines& defines() const { return options_.defines; }
   [[nodiscard]] bool rubs() const; ///< a contact or crack with friction: the order counts
   /// Nets condensed and reused when the lengths changed last.
-  [[nodiscard]] const analysis::CondenseLog& condensed() const { return bench_->condensed(); }
+  [[nodiscard]] const analysis::CondensationFigures& condensed() const {
+    return bench_->condensed();
+  }
   [[nodiscard]] CrackSize size_of(std::size_t crack) const;
   /// Contacts, and the faces of cracks that may touch.
   [[nodiscard]] std::vector<std::string> pair_names() const;
@@ -158,7 +160,7 @@ private:
   std::shared_ptr<analysis::CondensationCache> cache_ =
       std::make_shared<analysis::CondensationCache>();
   std::unique_ptr<analysis::ContactMemory> contact_ = std::make_unique<analysis::ContactMemory>();
-  std::unique_ptr<analysis::MountMemory> memory_; ///< where $GROW says MOUNTED=FIRST
+  std::unique_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
   std::unique_ptr<ShellBench> bench_;
   std::size_t base_ = 0;
   std::vector<model::Step> after_;

@@ -34,7 +34,7 @@ base::Matrix dense_stiffness(const model::Model& model, const model::Mesh& mesh)
 
 // Closed contact rows, then supports, ties and nodes without elements as rows of constraints;
 // `contact`: which rows of the table.
-base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
+base::Matrix constraints(const analysis::Discretisation& scene, const base::Matrix& K,
                          const std::vector<bool>& closed, std::vector<std::size_t>& contact) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
@@ -45,7 +45,7 @@ base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
     }
     contact.push_back(r);
     base::Vector& row = rows.emplace_back(base::Vector::Zero(n));
-    for (const contact::RowEntry& entry : scene.row(r).entries) {
+    for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
       row.segment(static_cast<Eigen::Index>(entry.node.index()) * mesh.dim, mesh.dim) +=
           entry.weight.head(mesh.dim);
     }
@@ -72,7 +72,7 @@ base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
 
 // z and w as one dense solution with multipliers gives them.
 void compare_with_dense(SolvedScene& solved) {
-  const analysis::Scene& scene = solved.scene();
+  const analysis::Discretisation& scene = solved.scene();
   const base::Matrix K = dense_stiffness(solved.model(), scene.cracked.mesh);
   for (const estimate::IntensityAdjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
     ASSERT_TRUE(adjoint.is_available()) << adjoint.why_not;

@@ -125,7 +125,7 @@ TEST_P(Bars, HoldTheTruthOfAPressedJoint) {
 
 INSTANTIATE_TEST_SUITE_P(Types, Bars, testing::Values("TRIMC6", "QUAMC8", "QUAMC9"));
 
-TEST(ErrorBars, AreTheSameOnAnyNumberOfThreads) {
+TEST(TipErrorBars, AreTheSameOnAnyNumberOfThreads) {
   const std::string deck =
       strip("QUAMC8", 5, "$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX TYPE=BONDED GAP=0\n");
   const auto one = solve_text(deck, 1);
@@ -138,7 +138,7 @@ TEST(ErrorBars, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST(ErrorBars, AreRefusedWithTheirReasonOnce) {
+TEST(TipErrorBars, AreRefusedWithTheirReasonOnce) {
   std::string linear = whole("QUAMC8");
   linear.replace(
       linear.find("$ENDNET"), 7,
@@ -168,7 +168,7 @@ TEST(ErrorBars, AreRefusedWithTheirReasonOnce) {
 }
 
 // The sum of the bar's parts and its best value by $CHECK.
-TEST(ErrorBars, AreQuantitiesOfChecks) {
+TEST(TipErrorBars, AreQuantitiesOfChecks) {
   const std::string deck = whole("QUAMC9");
   const auto first = solve_text(deck);
   ASSERT_TRUE(first);

@@ -183,29 +183,29 @@ void judge(const std::string& deck, const Exact& exact) {
   expect_good(tally_of(*solved, exact));
 }
 
-TEST(FrontBars, PennyUnderTensionAndShear) {
+TEST(FrontErrorBars, PennyUnderTensionAndShear) {
   judge(buried(1.0, 1.0, 20.0, ""), penny);
 }
 
-TEST(FrontBars, PennyWithASmallTube) {
+TEST(FrontErrorBars, PennyWithASmallTube) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; bars of a penny: PennyUnderTensionAndShear";
   }
   judge(buried(1.0, 1.0, 20.0, "$TIPNET CRACK=C1 RADIUS=0.12"), penny);
 }
 
-TEST(FrontBars, PennyWithFewSectors) {
+TEST(FrontErrorBars, PennyWithFewSectors) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; bars of a penny: PennyUnderTensionAndShear";
   }
   judge(buried(1.0, 1.0, 20.0, "$TIPNET CRACK=C1 SECTORS=6"), penny);
 }
 
-TEST(FrontBars, EllipseUnderTensionAndBending) {
+TEST(FrontErrorBars, EllipseUnderTensionAndBending) {
   judge(buried(0.5, 1.0, 20.0, ""), ellipse(0.5));
 }
 
-TEST(FrontBars, PennyInHexahedraUnderALinearStress) {
+TEST(FrontErrorBars, PennyInHexahedraUnderALinearStress) {
   std::mt19937 dice(1);
   const auto solved = test::solve_text(in_hexahedra(1.0, "$TIPNET CRACK=C1 FINER=0.9", dice));
   ASSERT_TRUE(solved);
@@ -214,7 +214,7 @@ TEST(FrontBars, PennyInHexahedraUnderALinearStress) {
   EXPECT_LT(t.best, t.error / 16.0); // what is left is the mesh's: its estimate knows it
 }
 
-TEST(FrontBars, CracksInHexahedraUnderALinearStress) {
+TEST(FrontErrorBars, CracksInHexahedraUnderALinearStress) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; one of them: PennyInHexahedraUnderALinearStress";
   }
@@ -232,7 +232,7 @@ TEST(FrontBars, CracksInHexahedraUnderALinearStress) {
 
 // A block between walls that becomes colder, the more so the larger x is: the walls pull by
 // E alpha (1 + x) = 1 + x, and the sides are free.
-TEST(FrontBars, PennyInABlockThatCoolsBetweenWalls) {
+TEST(FrontErrorBars, PennyInABlockThatCoolsBetweenWalls) {
   std::string deck = buried(1.0, 1.0, 20.0, "");
   const auto replace = [&](const std::string& from, const std::string& to) { put(deck, from, to); };
   replace("E=1000 NU=0.3", "E=1000 NU=0.3 ALPHA=1e-3");
@@ -354,13 +354,13 @@ constexpr const char* sheared_strip =
     "$LOAD CASE=T TYPE=TRACTION\n  P.YMAX 0.5 2 {0}\n  P.YMIN -0.5 -2 {0}\n"
     "  P.XMAX 0 0.5 {0}\n  P.XMIN 0 -0.5 {0}\n";
 
-TEST(FrontBars, HotSpotAheadOfAFrontInASlice) {
+TEST(FrontErrorBars, HotSpotAheadOfAFrontInASlice) {
   const Tally t = tally_of_slice(0.25, hot_strip);
   EXPECT_GE(t.inside, 0.95 * t.all);
   EXPECT_LT(std::sqrt(t.best / t.all), 1e-3);
 }
 
-TEST(FrontBars, ThinSlicesByChance) {
+TEST(FrontErrorBars, ThinSlicesByChance) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; a slice: HotSpotAheadOfAFrontInASlice";
   }
@@ -374,7 +374,7 @@ TEST(FrontBars, ThinSlicesByChance) {
   EXPECT_GE(all.inside, 0.95 * all.all);
 }
 
-TEST(FrontBars, HotSpotsByChance) {
+TEST(FrontErrorBars, HotSpotsByChance) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; one of them: HotSpotAheadOfAFrontInASlice";
   }
@@ -397,7 +397,7 @@ TEST(FrontBars, HotSpotsByChance) {
 }
 
 // Half a penny under shear: x = 0 is held along y and z, where the whole one is antisymmetric.
-TEST(FrontBars, HalfAPennyThatEndsOnAPlaneOfAntisymmetry) {
+TEST(FrontErrorBars, HalfAPennyThatEndsOnAPlaneOfAntisymmetry) {
   std::string deck = buried(1.0, 1.0, 12.0, "$TIPNET CRACK=C1 FINER=0.8");
   put(deck, "X0=(-L)", "X0=0");
   put(deck, "LX=(2*L)", "LX=(L)");

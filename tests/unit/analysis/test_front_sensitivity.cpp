@@ -103,16 +103,16 @@ struct Grown {
   base::Vector K;
   double step = 0.0;
 };
-Grown grown(const std::string& text, std::optional<analysis::Axis> axis) {
+Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) {
   Grown out;
   test::SolvedScene::Changes changes;
   if (axis) {
-    changes.scene = [&](analysis::Scene& scene, const model::Model& model) {
-      const analysis::FrontAdvance advance(model, scene, base::CrackId(0), *axis);
-      out.step = advance.step();
-      scene.cracked.mesh = advance.moved().cracked.mesh;
-      scene.fronts = advance.moved().fronts;
-      scene.pairs = advance.moved().pairs;
+    changes.scene = [&](analysis::Discretisation& scene, const model::Model& model) {
+      const analysis::VirtualAxisExtension advance(model, scene, base::CrackId(0), *axis);
+      out.step = advance.axis_increment();
+      scene.cracked.mesh = advance.extended_model().cracked.mesh;
+      scene.fronts = advance.extended_model().fronts;
+      scene.pairs = advance.extended_model().pairs;
       for (std::size_t c = 0; c < model.cases.size(); ++c) {
         scene.case_load.col(static_cast<Eigen::Index>(c)) =
             fe::nodal_load(model, scene.cracked.mesh, model.cases[c]);
@@ -121,13 +121,13 @@ Grown grown(const std::string& text, std::optional<analysis::Axis> axis) {
   }
   test::SolvedScene solved(text, changes);
   if (const auto state = solved.solve(0)) {
-    out.K = analysis::front_values(solved.model(), solved.scene(), state->u, state->case_factor);
+    out.K = analysis::front_K_values(solved.model(), solved.scene(), state->u, state->case_factor);
     base::Vector lambda(static_cast<Eigen::Index>(solved.scene().table.size()));
     for (std::size_t c = 0; c < solved.scene().pairs.size(); ++c) {
       lambda.segment(static_cast<Eigen::Index>(solved.scene().table.first[c]),
                      state->pair_lambda[c].size()) = state->pair_lambda[c];
     }
-    out.K += analysis::front_rows_of_forces(solved.model(), solved.scene()) * lambda;
+    out.K += analysis::front_K_by_forces(solved.model(), solved.scene()) * lambda;
   }
   return out;
 }
@@ -144,10 +144,11 @@ TEST(FrontSensitivity, OfAxesAgreesWithDifferences) {
   const results::FrontResult& front = solved->step().fronts[0];
   ASSERT_TRUE(front.sensitivities.notes.empty()) << front.sensitivities.notes.front();
   const Grown now = grown(text, {});
-  for (const analysis::Axis axis : {analysis::Axis::a, analysis::Axis::c}) {
+  for (const analysis::EllipseAxis axis : {analysis::EllipseAxis::a, analysis::EllipseAxis::c}) {
     const Grown more = grown(text, axis);
     const results::FrontSensitivity* s =
-        find(front, axis == analysis::Axis::a ? results::Cause::length : results::Cause::axis, "C");
+        find(front,
+             axis == analysis::EllipseAxis::a ? results::Cause::length : results::Cause::axis, "C");
     ASSERT_NE(s, nullptr);
     ASSERT_EQ(more.K.size(), now.K.size());
     const base::Vector rate = (more.K - now.K) / more.step;

@@ -124,13 +124,13 @@ TEST(LoadMaps, LugOfSolidsAgreesWithDirectSolutions) {
   for (std::size_t s = 0; s < scene.model().steps.size(); ++s) {
     const std::optional<analysis::StepState> state = scene.solve(s);
     ASSERT_TRUE(state);
-    scene.length->paths().keep(s, *scene.solver,
-                               scene.length->recover(scene.model().steps[s], *state));
+    scene.length->load_paths().record_step(
+        s, *scene.solver, scene.length->recover_step(scene.model().steps[s], *state));
   }
   MapError worst;
   for (const model::LoadPathDefinition& card : scene.model().load_paths) {
     const MapError error =
-        compare_with_direct(scene.length->paths().pose(card, *scene.solver), dice);
+        compare_with_direct(scene.length->load_paths().path_problem(card, *scene.solver), dice);
     EXPECT_LT(error.force, 1e-9) << card.name;
     EXPECT_LT(error.breakpoint, 1e-9) << card.name;
     worst.add(error);

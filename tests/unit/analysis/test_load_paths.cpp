@@ -93,7 +93,7 @@ void compare_with_steps(const Solved& solved) {
   }
 }
 
-TEST(LoadPaths, LugAgreesWithThirtyOneLoads) {
+TEST(LoadPathSolver, LugAgreesWithThirtyOneLoads) {
   const bool full = test::full_size();
   const std::vector<double> ratios =
       full ? std::vector<double>{0.05, 0.1, 0.2, 0.3, 0.5, 0.8} : std::vector<double>{0.8};
@@ -110,7 +110,7 @@ TEST(LoadPaths, LugAgreesWithThirtyOneLoads) {
   }
 }
 
-TEST(LoadPaths, LoadAndFitTurnIntoEachOther) {
+TEST(LoadPathSolver, LoadAndFitTurnIntoEachOther) {
   // from press fit alone to load alone: one path is the whole map of both
   const std::optional<Solved> solved = solve_text(rings(press_fit, R"($STEP NAME=PRESS
   FIT FIT 1
@@ -136,7 +136,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
               1e-11 * tip.K1.highest());
 }
 
-TEST(LoadPaths, AClearanceThatNoFitScalesIsAThirdParameter) {
+TEST(LoadPathSolver, AClearanceThatNoFitScalesIsAThirdParameter) {
   const std::optional<Solved> solved =
       solve_text(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
                        R"($STEP NAME=LITTLE
@@ -162,7 +162,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
               0.2);
 }
 
-TEST(LoadPaths, ABodyInAClearanceJumpsWhereItsLoadTurns) {
+TEST(LoadPathSolver, ABodyInAClearanceJumpsWhereItsLoadTurns) {
   // at t = 0.5 all forces are zero and the pin crosses over to the other side
   const std::optional<Solved> solved =
       solve_text(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
@@ -195,7 +195,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   EXPECT_NEAR(up.tips[0].K1(0.125), increment.steps[3].tips[0].K1, 1e-11 * tip.K1.highest());
 }
 
-TEST(LoadPaths, ABodyThatComesLooseEndsThePath) {
+TEST(LoadPathSolver, ABodyThatComesLooseEndsThePath) {
   const std::optional<Solved> solved = solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=LOWER
   $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=4 LY=1 NX=4 NY=2
@@ -249,7 +249,7 @@ $CRACK NAME=C ANGLE=0 A0=5
                      from, to, more);
 }
 
-TEST(LoadPaths, WithoutContactKIsOneLine) {
+TEST(LoadPathSolver, WithoutContactKIsOneLine) {
   const std::optional<Solved> solved =
       solve_text(block(0.0, 1.0, "$LOADPATH NAME=UP FROM=A TO=B BEYOND=3\n"));
   ASSERT_TRUE(solved);
@@ -259,7 +259,7 @@ TEST(LoadPaths, WithoutContactKIsOneLine) {
   EXPECT_NEAR(path.tips[0].K1(2.5), 2.5 * solved->step(1).tips[0].K1, 1e-10 * path.tips[0].K1(2.5));
 }
 
-TEST(LoadPaths, ClosedCracksHaveNoK1) {
+TEST(LoadPathSolver, ClosedCracksHaveNoK1) {
   const auto run = [](const Folder& folder, const std::string& faces) {
     std::string deck = block(1.0, -1.0, R"($LOADPATH NAME=P FROM=A TO=B
 $CHECK

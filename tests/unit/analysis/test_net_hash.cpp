@@ -15,7 +15,7 @@ namespace {
 /// A bar of four bricks along x, of which the last two are the net.
 struct HalfBar : testing::Test {
   model::Model model;
-  analysis::Net net;
+  analysis::Substructure net;
 
   HalfBar() {
     mesh::BlockSpec spec;
@@ -56,7 +56,7 @@ struct HalfBar : testing::Test {
     return -1;
   }
   [[nodiscard]] analysis::HashKey tied(double slave, double master, double coefficient) const {
-    analysis::Net own = net;
+    analysis::Substructure own = net;
     const std::vector<fe::Tie> ties{{{{at(slave), 1.0}, {at(master), -coefficient}}}};
     own.map.ties = std::make_shared<const fe::ConstraintTransformation>(ties, free());
     return analysis::hash_net(model, model.mesh, own, {});

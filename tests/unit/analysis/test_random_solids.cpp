@@ -95,7 +95,7 @@ struct Attempt {
 };
 
 Attempt attempt(const std::string& deck, int threads,
-                analysis::Condensing condensing = analysis::Condensing::automatic) {
+                analysis::CondensationMode condensing = analysis::CondensationMode::automatic) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
@@ -215,7 +215,7 @@ TEST(RandomSolids, AreTheSameWholeAndCondensed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const RandomStack stack = random_stack(seed);
     const Attempt whole = attempt(stack.deck, 1);
-    const Attempt small = attempt(stack.deck, 1, analysis::Condensing::to_freedoms);
+    const Attempt small = attempt(stack.deck, 1, analysis::CondensationMode::to_freedoms);
     ASSERT_EQ(whole.run.has_value(), small.run.has_value());
     if (!whole.run) {
       const auto body = [](const Attempt& a) { // the direction has a sign of zero

@@ -39,7 +39,7 @@ $END
 )";
 }
 
-TEST(Scene, AForceOnALooseNodeIsRefused) {
+TEST(Discretisation, AForceOnALooseNodeIsRefused) {
   const Folder folder;
   const Outcome loose = run_text(folder, beam(""));
   EXPECT_EQ(loose.exit_code, 3) << loose.messages;
@@ -48,7 +48,7 @@ TEST(Scene, AForceOnALooseNodeIsRefused) {
   EXPECT_TRUE(has(loose, "tie the node by $MPC")) << loose.messages;
 }
 
-TEST(Scene, AForceOnATiedNodeArrives) {
+TEST(Discretisation, AForceOnATiedNodeArrives) {
   const Folder folder;
   const Outcome tied = run_text(folder, beam("$NSET NAME=PLATE\n  A.XMAX GRIP\n"
                                              "$MPC TYPE=RIGID SLAVE=PLATE\n"));
@@ -74,7 +74,7 @@ $END
 )";
 }
 
-TEST(Scene, AForceOnANodeThatAPatchReplacedIsRefused) {
+TEST(Discretisation, AForceOnANodeThatAPatchReplacedIsRefused) {
   const Folder folder;
   const std::string force = "$LOAD CASE=F TYPE=FORCE\n  AHEAD 0 1\n";
   const Outcome taken = run_text(folder, cracked_plate("3.8", force));
@@ -85,7 +85,7 @@ TEST(Scene, AForceOnANodeThatAPatchReplacedIsRefused) {
 }
 
 // The patch has more nodes on the rim than the plate had: a force on each would be another load.
-TEST(Scene, AForceOnNodesThatAPatchRefinesIsRefused) {
+TEST(Discretisation, AForceOnNodesThatAPatchRefinesIsRefused) {
   const Folder folder;
   const std::string force = "$LOAD CASE=F TYPE=FORCE\n  RIM 0 1\n";
   const Outcome rim = run_text(folder, cracked_plate("0.5", force));
@@ -96,7 +96,7 @@ TEST(Scene, AForceOnNodesThatAPatchRefinesIsRefused) {
   EXPECT_EQ(zero.exit_code, 0) << zero.messages;
 }
 
-TEST(Scene, ASupportOnANodeThatAPatchReplacedIsRefused) {
+TEST(Discretisation, ASupportOnANodeThatAPatchReplacedIsRefused) {
   const Folder folder;
   const std::string load = "$LOAD CASE=F TYPE=RESULTANT\n  YMAX 0 1\n";
   const std::string held = "$FREEDOM CLASS=SUPPRESSED DOF=X\n  AHEAD\n" + load;
@@ -125,7 +125,7 @@ Outcome stacked(const std::string& n, bool solid) {
                               load("PRESSURE", "TOP." + up + "MAX 5") + "$END\n");
 }
 
-TEST(Scene, TransitionsBetweenMeshesThatDoNotNestAreTold) {
+TEST(Discretisation, TransitionsBetweenMeshesThatDoNotNestAreTold) {
   for (const bool solid : {false, true}) {
     for (const std::string n : {"4", "8", "12"}) {
       const Outcome nested = stacked(n, solid);

@@ -216,7 +216,7 @@ void compare_with_moved_nodes(const std::string& deck) {
                                .at(0));
   const auto moved = [&motion](double by) {
     return SolvedScene::Changes{
-        {}, [&motion, by](analysis::Scene& scene, const model::Model& model) {
+        {}, [&motion, by](analysis::Discretisation& scene, const model::Model& model) {
           scene.cracked = estimate::move_tip_mesh(scene.cracked, motion, by);
           for (std::size_t c = 0; c < model.cases.size(); ++c) {
             scene.case_load.col(static_cast<Eigen::Index>(c)) =

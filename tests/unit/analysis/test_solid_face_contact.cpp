@@ -128,7 +128,7 @@ TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
 // The same K, with pressure and friction of the faces left out of the integrals.
 std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
                                                   const analysis::StepState& state) {
-  const analysis::FrontScene& at = solved.scene().fronts.front();
+  const analysis::FrontWithDomains& at = solved.scene().fronts.front();
   crack::FrontLoads loads;
   loads.given = analysis::front_loads(solved.model(), solved.scene(), at.fields, state.case_factor);
   return crack::front_intensity(solved.model(), solved.scene().cracked, at.front, at.fields, {},
@@ -136,7 +136,7 @@ std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
 }
 
 const SolvedScene::Changes closed_from_the_start{
-    .model = {}, .scene = [](analysis::Scene& scene, const model::Model& model) {
+    .model = {}, .scene = [](analysis::Discretisation& scene, const model::Model& model) {
       analysis::add_crack_face_pairs(model, {0}, scene);
     }};
 
@@ -147,7 +147,7 @@ TEST(SolidFaceContact, SlipsAgainstFriction) {
                      closed_from_the_start);
   const auto state = solved.solve(0);
   ASSERT_TRUE(state);
-  const results::StepResult found = solved.length->recover(solved.model().steps[0], *state);
+  const results::StepResult found = solved.length->recover_step(solved.model().steps[0], *state);
   const double k = 0.2 * k_shear;
   const auto rough = without_faces(solved, *state);
   double K2_off = 0.0;
@@ -178,7 +178,7 @@ TEST(SolidFaceContact, ClosesInItsMiddle) {
   SolvedScene solved(penny("", "$STEP NAME=S\n  LOAD RIM 1\n"), closed_from_the_start);
   const auto state = solved.solve(0);
   ASSERT_TRUE(state);
-  const results::StepResult found = solved.length->recover(solved.model().steps[0], *state);
+  const results::StepResult found = solved.length->recover_step(solved.model().steps[0], *state);
   for (const results::FrontPlace& place : found.fronts.front().points) {
     EXPECT_NEAR(place.K1, 0.4975, 0.02 * 0.4975);
     EXPECT_FALSE(place.closed);

@@ -232,7 +232,7 @@ TEST_P(FewStations, KnowTheirError) {
   EXPECT_LT(estimate, coarse / (corner == 0.0 ? 50.0 : 8.0)); // 256 and 16 in the limit
 }
 
-INSTANTIATE_TEST_SUITE_P(Rates, FewStations,
+INSTANTIATE_TEST_SUITE_P(LoadAndGapRates, FewStations,
                          testing::Combine(testing::Values(2.0, 3.0, 4.0),
                                           testing::Values(0.0, 0.1, 0.5, -0.3)));
 

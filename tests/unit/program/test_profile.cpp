@@ -266,13 +266,13 @@ TEST(Profile, CountsPlainFactorisations) {
 }
 
 TEST(Profile, ARecorderTakesDownStretchesAndLengths) {
-  analysis::Recorder recorder(base::Stopwatch(), base::cpu_seconds());
+  analysis::ProfileRecorder recorder(base::Stopwatch(), base::cpu_seconds());
   {
-    analysis::RecordedLength length(&recorder);
-    const analysis::Recorded stretch(&recorder, "TOPOLOGY", "cut");
-    length.solved(3.0);
+    analysis::RecordedCrackLength length(&recorder);
+    const analysis::RecordedInterval stretch(&recorder, "TOPOLOGY", "cut");
+    length.set_length(3.0);
   }
-  { const analysis::Recorded stretch(&recorder, "OUTPUT", "tables"); }
+  { const analysis::RecordedInterval stretch(&recorder, "OUTPUT", "tables"); }
   const Profile profile = recorder.finish();
   ASSERT_EQ(profile.stretches.size(), 2U);
   EXPECT_EQ(profile.stretches[0].length, 0U);

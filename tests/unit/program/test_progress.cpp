@@ -49,7 +49,7 @@ TEST(TimeLeft, CountsNothingThatWasTakenOver) {
 
 // Unloaded without friction a joint is as it was pressed: that state is not solved again, and its K
 // is there as soon as it is known.
-TEST(Progress, UnloadingIsNotSolvedAnew) {
+TEST(RunProgress, UnloadingIsNotSolvedAnew) {
   const std::string deck =
       test::cracked_hub("A0=4", "INTERFERENCE=0.01", "$STEP NAME=BACK\n  LOAD PULL 0\n");
   std::vector<std::size_t> steps; // that have K, at each call
@@ -59,7 +59,7 @@ TEST(Progress, UnloadingIsNotSolvedAnew) {
     steps.push_back(increment.steps.size());
     EXPECT_NE(increment.steps.back().tips.front().K1, 0.0);
   };
-  options.progress = [&](const analysis::Progress& progress) {
+  options.progress = [&](const analysis::RunProgress& progress) {
     to_solve = std::max(to_solve, progress.steps);
   };
   const std::optional<test::Solved> solved = test::solve_text(deck, options);

@@ -18,12 +18,12 @@ struct SolvedScene {
   /// Changes to the model as it was read, or to the scene as it was made.
   struct Changes {
     std::function<void(model::Model&)> model;
-    std::function<void(analysis::Scene&, const model::Model&)> scene;
+    std::function<void(analysis::Discretisation&, const model::Model&)> scene;
   };
 
   program::ReadyDeck deck;
   analysis::CondensationCache cache;
-  std::unique_ptr<analysis::Length> length; ///< null where the deck has no scene
+  std::unique_ptr<analysis::CrackLengthAnalysis> length; ///< null where the deck has no scene
   std::unique_ptr<analysis::StepSolver> solver;
 
   explicit SolvedScene(const std::string& text, const Changes& changes = {}) {
@@ -39,7 +39,8 @@ struct SolvedScene {
       changes.model(*deck.model);
     }
     const analysis::RegionPlan plan = analysis::plan_region(*deck.model, {0.0}, diagnostics);
-    std::optional<analysis::Scene> made = analysis::make_scene(*deck.model, 0.0, plan, diagnostics);
+    std::optional<analysis::Discretisation> made =
+        analysis::discretise(*deck.model, 0.0, plan, diagnostics);
     if (!made) {
       for (const base::Diagnostic& d : diagnostics.messages()) {
         ADD_FAILURE() << d.text;
@@ -49,16 +50,16 @@ struct SolvedScene {
     if (changes.scene) {
       changes.scene(*made, *deck.model);
     }
-    length = std::make_unique<analysis::Length>(
-        analysis::LengthParts{.model = *deck.model, .cache = cache}, std::move(*made));
-    analysis::CondenseLog log;
+    length = std::make_unique<analysis::CrackLengthAnalysis>(
+        analysis::CrackLengthContext{.model = *deck.model, .cache = cache}, std::move(*made));
+    analysis::CondensationFigures log;
     if (!length->condense(log)) {
       ADD_FAILURE() << log.trouble->why;
       return;
     }
-    solver = length->start();
+    solver = length->make_solver();
   }
-  [[nodiscard]] const analysis::Scene& scene() const { return length->scene(); }
+  [[nodiscard]] const analysis::Discretisation& scene() const { return length->discretisation(); }
   [[nodiscard]] const model::Model& model() const { return *deck.model; }
 
   /// The end of a step, the next of the deck; empty with a failure.
@@ -80,7 +81,7 @@ struct SolvedScene {
     if (!state) {
       return std::nullopt;
     }
-    results::StepResult out = length->recover(model().steps.at(step), *state);
+    results::StepResult out = length->recover_step(model().steps.at(step), *state);
     length->solve_adjoints(*solver);
     length->add_sensitivities(*solver, *state, out);
     return out;
@@ -90,8 +91,8 @@ struct SolvedScene {
   [[nodiscard]] base::Vec2 intensity(const estimate::IntensityAdjoint& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
-    if (solver->system() != nullptr) {
-      const contact::ContactSystem::IncrementProblem problem = solver->problem();
+    if (solver->contact_system() != nullptr) {
+      const contact::ContactSystem::IncrementProblem problem = solver->contact_problem();
       for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         gap[static_cast<Eigen::Index>(problem.rows[i])] = problem.gap[static_cast<Eigen::Index>(i)];
       }
