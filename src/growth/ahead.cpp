@@ -45,7 +45,7 @@ std::optional<double> meets(const Vec2& from, const Vec2& way, const Vec2& a, co
 
 } // namespace
 
-Surroundings::Surroundings(const model::Mesh& host) : host_(host) {
+PlaneBoundaryAhead::PlaneBoundaryAhead(const model::Mesh& host) : host_(host) {
   if (host.dim != 2) {
     return;
   }
@@ -62,7 +62,7 @@ Surroundings::Surroundings(const model::Mesh& host) : host_(host) {
   }
 }
 
-std::string Surroundings::name_of(const Piece& piece, const Vec2& at) const {
+std::string PlaneBoundaryAhead::name_of(const HostBoundaryEdge& piece, const Vec2& at) const {
   for (const model::FaceSet& set : host_.face_sets) {
     if (!set.name.empty() && std::ranges::find(set.faces, piece.face) != set.faces.end()) {
       return "edge set " + set.name;
@@ -81,13 +81,13 @@ std::string Surroundings::name_of(const Piece& piece, const Vec2& at) const {
   return fmt::format("the edge at ({:.6g}, {:.6g})", at.x(), at.y());
 }
 
-std::optional<Obstacle> Surroundings::edge_ahead(const mesh::CrackLine& line,
-                                                 const Heading& tip) const {
+std::optional<Obstacle> PlaneBoundaryAhead::edge_ahead(const mesh::CrackLine& line,
+                                                       const TipGrowthDirection& tip) const {
   const Vec2 from = plane(tip.x);
   const Vec2 way = plane(tip.direction);
-  const Piece* nearest = nullptr;
+  const HostBoundaryEdge* nearest = nullptr;
   double least = std::numeric_limits<double>::max();
-  for (const Piece& piece : pieces_) {
+  for (const HostBoundaryEdge& piece : pieces_) {
     // Edges of other nets do not bound the body that the crack is in.
     if (line.net.valid() && piece.net != line.net) {
       continue;
@@ -105,8 +105,9 @@ std::optional<Obstacle> Surroundings::edge_ahead(const mesh::CrackLine& line,
   return Obstacle{least, false, 0, name_of(*nearest, from + least * way)};
 }
 
-std::optional<Obstacle> Surroundings::crack_ahead(std::span<const mesh::CrackLine> lines,
-                                                  std::size_t own, const Heading& tip) {
+std::optional<Obstacle> PlaneBoundaryAhead::crack_ahead(std::span<const mesh::CrackLine> lines,
+                                                        std::size_t own,
+                                                        const TipGrowthDirection& tip) {
   const Vec2 from = plane(tip.x);
   const Vec2 way = plane(tip.direction);
   Obstacle found;

@@ -19,35 +19,36 @@ struct Obstacle {
 };
 
 /// A tip on its way: where it stands and where it heads to.
-struct Heading {
+struct TipGrowthDirection {
   base::Vec3 x = base::Vec3::Zero();
   base::Vec3 direction = base::Vec3::UnitX(); ///< unit
 };
 
 /// Edges of the host in the plane.
-class Surroundings {
+class PlaneBoundaryAhead {
 public:
-  explicit Surroundings(const model::Mesh& host);
+  explicit PlaneBoundaryAhead(const model::Mesh& host);
 
   /// The nearest edge of the crack's body straight ahead. A crack on a symmetry line runs along the
   /// edge there and meets the next one.
   [[nodiscard]] std::optional<Obstacle> edge_ahead(const mesh::CrackLine& line,
-                                                   const Heading& tip) const;
+                                                   const TipGrowthDirection& tip) const;
   /// The nearest other crack: straight ahead, or so near to the tip on either side that the two run
   /// together. `own` is the tip's line.
   [[nodiscard]] static std::optional<Obstacle> crack_ahead(std::span<const mesh::CrackLine> lines,
-                                                           std::size_t own, const Heading& tip);
+                                                           std::size_t own,
+                                                           const TipGrowthDirection& tip);
 
 private:
-  struct Piece {
+  struct HostBoundaryEdge {
     base::Vec2 a, b;
     base::NetId net;
     model::Face face;
   };
-  [[nodiscard]] std::string name_of(const Piece& piece, const base::Vec2& at) const;
+  [[nodiscard]] std::string name_of(const HostBoundaryEdge& piece, const base::Vec2& at) const;
 
   const model::Mesh& host_;
-  std::vector<Piece> pieces_;
+  std::vector<HostBoundaryEdge> pieces_;
 };
 
 } // namespace spricka::growth

@@ -96,7 +96,7 @@ bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>
   });
 }
 
-struct Builder {
+struct CrackLineBuilder {
   const model::Model& model;
   base::Diagnostics& diagnostics;
   std::vector<model::FreedomClass> cls;
@@ -119,7 +119,7 @@ struct Builder {
   }
 
   std::optional<mesh::CrackLine> free_line(const model::CrackDefinition& crack,
-                                           mesh::CrackLine line, const Arms& arms) {
+                                           mesh::CrackLine line, const TipLengths& arms) {
     const double a = arms.last;
     line.net = crack.net;
     line.points = crack.points;
@@ -180,7 +180,7 @@ struct Builder {
                                  : 0.0);
   }
 
-  std::optional<mesh::CrackLine> line(std::size_t number, Arms arms) {
+  std::optional<mesh::CrackLine> line(std::size_t number, TipLengths arms) {
     const model::CrackDefinition& crack = model.cracks[number];
     // A crack that does not grow, and one without a length of its own here, has its first length.
     if (!crack_grows(model, number) || arms.last <= 0.0) {
@@ -226,7 +226,7 @@ std::vector<double> crack_lengths(const model::Model& model) {
   return {0.0};
 }
 
-std::vector<model::CrackDefinition> cracks_of_size(const model::Model& model, double a) {
+std::vector<model::CrackDefinition> scale_cracks(const model::Model& model, double a) {
   std::vector<model::CrackDefinition> cracks = model.cracks;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     model::PlanarCrack& plane = cracks[i].plane;
@@ -248,17 +248,18 @@ bool crack_grows(const model::Model& model, std::size_t crack) {
 
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
                                                         base::Diagnostics& diagnostics) {
-  return crack_lines(model, std::vector<Arms>(model.cracks.size(), Arms{a, a, true}), diagnostics);
+  return crack_lines(model, std::vector<TipLengths>(model.cracks.size(), TipLengths{a, a, true}),
+                     diagnostics);
 }
 
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
-                                                        const std::vector<Arms>& arms,
+                                                        const std::vector<TipLengths>& arms,
                                                         base::Diagnostics& diagnostics) {
   std::vector<mesh::CrackLine> lines;
   if (model.mesh.dim == 3) {
     return lines; // cracks there are no lines (mesh/tube/cracks_in_solids.hpp)
   }
-  Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
+  CrackLineBuilder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   // All cracks are looked at, so that every error is told at once.
   bool complete = true;
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {

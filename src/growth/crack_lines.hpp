@@ -25,18 +25,18 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
 
 /// The lengths of a crack to both of its tips; one from the boundary has `last` only. Those of an
 /// embedded one are its halves, and grow apart by a law [length].
-struct Arms {
+struct TipLengths {
   double first = 0.0, last = 0.0;
   bool given = false; ///< by the deck, one length for both
 };
 /// The same, each crack with its own lengths [crack]; 0: its first length.
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
-                                                        const std::vector<Arms>& arms,
+                                                        const std::vector<TipLengths>& arms,
                                                         base::Diagnostics& diagnostics);
 
 /// The cracks in space where sizes are given: ellipses that grow have the semi-axis A = a, and C in
 /// its ratio to it; all as they are first when a = 0.
-std::vector<model::CrackDefinition> cracks_of_size(const model::Model& model, double a);
+std::vector<model::CrackDefinition> scale_cracks(const model::Model& model, double a);
 
 /// Whether $GROW names a crack, or all.
 bool crack_grows(const model::Model& model, std::size_t crack);

@@ -14,13 +14,13 @@ namespace {
 
 using base::Vec3;
 using model::PlanarCrack;
-using Arm = EllipseWays::Arm;
+using EllipseAxisEnd = EllipticalFront::EllipseAxisEnd;
 
 /// Axes that are parallel (cosine), and places on one wall (part of the longer axis).
 constexpr double same = 1e-6;
 
 /// An ellipse along an axis of the one it is seen from.
-struct Span {
+struct EllipseSpan {
   double place = 0.0;         ///< of its centre, from the other's [length]
   double half = 0.0;          ///< semi-axis [length]
   std::array<bool, 2> arms{}; ///< ends in the body: towards -, towards +
@@ -30,7 +30,7 @@ struct Span {
 
 /// An arm of the ellipse that two have become, and the tip that moves it.
 struct JointArm {
-  Arm arm;
+  EllipseAxisEnd arm;
   std::size_t mover = 0;
 };
 
@@ -39,11 +39,12 @@ std::size_t side(double sign) {
 }
 
 // The arm as one of an ellipse with parallel axes.
-Arm seen_from(const PlanarCrack& plane, const Arm& arm, const PlanarCrack& own) {
+EllipseAxisEnd seen_from(const PlanarCrack& plane, const EllipseAxisEnd& arm,
+                         const PlanarCrack& own) {
   const Vec3 way = arm.sign * (arm.on_a ? own.transverse_axis() : own.along);
   const double along = way.dot(plane.along);
   const double across = way.dot(plane.transverse_axis());
-  Arm seen = arm;
+  EllipseAxisEnd seen = arm;
   seen.on_a = std::abs(across) > std::abs(along);
   seen.sign = (seen.on_a ? across : along) > 0.0 ? 1.0 : -1.0;
   return seen;
@@ -55,14 +56,14 @@ bool are_parallel(const PlanarCrack& one, const PlanarCrack& other) {
 }
 
 /// Two ellipses by their numbers, seen from the first.
-class Meeting {
+class EllipseCoalescence {
 public:
-  Meeting(const EllipseWays::Ellipses& all, std::size_t one, std::size_t other)
+  EllipseCoalescence(const EllipticalFront::Ellipses& all, std::size_t one, std::size_t other)
       : all_(all), one_(one), other_(other), first_(all.cracks[one].plane) {}
 
   [[nodiscard]] std::optional<PlanarCrack> plane() const {
-    const std::optional<Span> a = span_of_both(true);
-    const std::optional<Span> c = span_of_both(false);
+    const std::optional<EllipseSpan> a = span_of_both(true);
+    const std::optional<EllipseSpan> c = span_of_both(false);
     if (!a || !c) {
       return std::nullopt;
     }
@@ -74,9 +75,9 @@ public:
   }
 
   // Arms of both become those of the first; where two tips stand for one the farther moves it.
-  [[nodiscard]] std::vector<Arm> arms() const {
+  [[nodiscard]] std::vector<EllipseAxisEnd> arms() const {
     const std::vector<JointArm> joint = joint_arms();
-    std::vector<Arm> arms = all_.arms;
+    std::vector<EllipseAxisEnd> arms = all_.arms;
     for (std::size_t tip = 0; tip < arms.size(); ++tip) {
       if (is_ours(arms[tip])) {
         const JointArm& stands_for = nearest(joint, seen(tip));
@@ -88,25 +89,25 @@ public:
   }
 
 private:
-  [[nodiscard]] bool is_ours(const Arm& arm) const {
+  [[nodiscard]] bool is_ours(const EllipseAxisEnd& arm) const {
     return arm.crack == one_ || arm.crack == other_;
   }
-  [[nodiscard]] const PlanarCrack& plane_of(const Arm& arm) const {
+  [[nodiscard]] const PlanarCrack& plane_of(const EllipseAxisEnd& arm) const {
     return all_.cracks[arm.crack].plane;
   }
-  [[nodiscard]] Arm seen(std::size_t tip) const {
+  [[nodiscard]] EllipseAxisEnd seen(std::size_t tip) const {
     return seen_from(first_, all_.arms[tip], plane_of(all_.arms[tip]));
   }
   [[nodiscard]] Vec3 axis(bool on_a) const {
     return on_a ? first_.transverse_axis() : first_.along;
   }
 
-  [[nodiscard]] Span span_of(std::size_t crack, bool on_a) const {
+  [[nodiscard]] EllipseSpan span_of(std::size_t crack, bool on_a) const {
     const PlanarCrack& plane = all_.cracks[crack].plane;
     const double cosine = std::abs(plane.along.dot(axis(on_a)));
-    Span span{.place = (plane.place - first_.place).dot(axis(on_a)),
-              .half = cosine > 0.5 ? plane.c : plane.a,
-              .arms = {}};
+    EllipseSpan span{.place = (plane.place - first_.place).dot(axis(on_a)),
+                     .half = cosine > 0.5 ? plane.c : plane.a,
+                     .arms = {}};
     for (std::size_t tip = 0; tip < all_.arms.size(); ++tip) {
       if (all_.arms[tip].crack == crack && seen(tip).on_a == on_a) {
         span.arms.at(side(seen(tip).sign)) = true;
@@ -117,16 +118,16 @@ private:
 
   // Both ends of the axis in the body: as far as both reach. One of them: from the wall that the
   // centre lies on, which must be the same for both.
-  [[nodiscard]] std::optional<Span> span_of_both(bool on_a) const {
-    const Span one = span_of(one_, on_a);
-    const Span other = span_of(other_, on_a);
+  [[nodiscard]] std::optional<EllipseSpan> span_of_both(bool on_a) const {
+    const EllipseSpan one = span_of(one_, on_a);
+    const EllipseSpan other = span_of(other_, on_a);
     if (one.paired() && other.paired()) {
       const double low = std::min(one.place - one.half, other.place - other.half);
       const double high = std::max(one.place + one.half, other.place + other.half);
-      return Span{0.5 * (low + high), 0.5 * (high - low), one.arms};
+      return EllipseSpan{0.5 * (low + high), 0.5 * (high - low), one.arms};
     }
-    const Span& wall = one.paired() ? other : one;
-    const Span& far = one.paired() ? one : other;
+    const EllipseSpan& wall = one.paired() ? other : one;
+    const EllipseSpan& far = one.paired() ? one : other;
     const bool two_walls = !far.paired();
     if (two_walls && (wall.arms != far.arms ||
                       std::abs(wall.place - far.place) > same * std::max(wall.half, far.half))) {
@@ -134,13 +135,13 @@ private:
     }
     const double sign = wall.arms[0] ? -1.0 : 1.0;
     const double reach = sign * (far.place - wall.place) + far.half;
-    return Span{wall.place, std::max(wall.half, reach), wall.arms};
+    return EllipseSpan{wall.place, std::max(wall.half, reach), wall.arms};
   }
 
   // How far a tip lies out along its arm, from the first one's centre.
   [[nodiscard]] double reach(std::size_t tip) const {
     const PlanarCrack& own = plane_of(all_.arms[tip]);
-    const Arm arm = seen(tip);
+    const EllipseAxisEnd arm = seen(tip);
     return arm.sign * (own.place - first_.place).dot(axis(arm.on_a)) +
            (all_.arms[tip].on_a ? own.a : own.c);
   }
@@ -148,14 +149,14 @@ private:
   [[nodiscard]] std::vector<JointArm> joint_arms() const {
     std::vector<JointArm> joint;
     for (const bool on_a : {true, false}) {
-      const std::optional<Span> span = span_of_both(on_a);
+      const std::optional<EllipseSpan> span = span_of_both(on_a);
       for (const double sign : {1.0, -1.0}) {
         if (span && span->arms.at(side(sign))) {
-          joint.push_back({Arm{.crack = one_,
-                               .on_a = on_a,
-                               .sign = sign,
-                               .paired = span->paired(),
-                               .shared = false},
+          joint.push_back({EllipseAxisEnd{.crack = one_,
+                                          .on_a = on_a,
+                                          .sign = sign,
+                                          .paired = span->paired(),
+                                          .shared = false},
                            farthest(on_a, sign)});
         }
       }
@@ -176,14 +177,14 @@ private:
 
   // The same end, or the other end of the axis, or another axis: an end that was between the two is
   // none any more.
-  static const JointArm& nearest(const std::vector<JointArm>& joint, const Arm& arm) {
+  static const JointArm& nearest(const std::vector<JointArm>& joint, const EllipseAxisEnd& arm) {
     const auto agreement = [&](const JointArm& with) {
       return (with.arm.on_a == arm.on_a ? 2 : 0) + (with.arm.sign == arm.sign ? 1 : 0);
     };
     return *std::ranges::max_element(joint, {}, agreement);
   }
 
-  const EllipseWays::Ellipses& all_;
+  const EllipticalFront::Ellipses& all_;
   std::size_t one_;
   std::size_t other_;
   PlanarCrack first_;
@@ -191,55 +192,55 @@ private:
 
 } // namespace
 
-std::size_t EllipseWays::mover_of(const std::vector<Arm>& arms, std::size_t tip) {
-  const auto found = std::ranges::find_if(arms, [&](const Arm& arm) {
+std::size_t EllipticalFront::mover_of(const std::vector<EllipseAxisEnd>& arms, std::size_t tip) {
+  const auto found = std::ranges::find_if(arms, [&](const EllipseAxisEnd& arm) {
     return !arm.shared && arm.crack == arms[tip].crack && arm.on_a == arms[tip].on_a &&
            arm.sign == arms[tip].sign;
   });
   return static_cast<std::size_t>(found - arms.begin());
 }
 
-std::optional<EllipseWays::Ellipses> EllipseWays::joined(Ellipses from, std::size_t one,
-                                                         std::size_t other) const {
+std::optional<EllipticalFront::Ellipses> EllipticalFront::joined(Ellipses from, std::size_t one,
+                                                                 std::size_t other) const {
   const bool both_grow =
-      std::ranges::any_of(from.arms, [&](const Arm& arm) { return arm.crack == other; });
+      std::ranges::any_of(from.arms, [&](const EllipseAxisEnd& arm) { return arm.crack == other; });
   if (!both_grow || !may_join(from.cracks[one], from.cracks[other]) ||
       !are_parallel(from.cracks[one].plane, from.cracks[other].plane)) {
     return std::nullopt;
   }
-  const Meeting meeting(from, one, other);
+  const EllipseCoalescence meeting(from, one, other);
   const std::optional<PlanarCrack> plane = meeting.plane();
   if (!plane) {
     return std::nullopt;
   }
-  std::vector<Arm> arms = meeting.arms();
+  std::vector<EllipseAxisEnd> arms = meeting.arms();
   from.arms = std::move(arms);
   from.cracks[one].plane = *plane;
-  let_go(from.cracks[other]);
+  mark_merged(from.cracks[other]);
   return from;
 }
 
-bool EllipseWays::joins(std::size_t tip, const Neighbour& other) const {
+bool EllipticalFront::joins(std::size_t tip, const NeighbourCrack& other) const {
   return joined(now_, now_.arms[tip].crack, other.crack).has_value();
 }
 
 // Of a crack that has become a part of another one its place alone; of one that has taken others up
 // also the arms that its tips, and theirs, stand for.
-void EllipseWays::settle(State& state) {
+void EllipticalFront::accept_trial(GrowthState& state) {
   now_ = trial_;
   stands_anew();
   state.lines.clear();
   for (const model::CrackDefinition& crack : now_.cracks) {
     std::vector<Vec3>& kept = state.lines.emplace_back();
     kept.push_back(crack.plane.place);
-    if (!is_gone(crack)) {
+    if (!is_merged(crack)) {
       kept.emplace_back(crack.plane.a, crack.plane.c, 0.0);
     }
   }
   for (std::size_t tip = 0; tip < now_.arms.size(); ++tip) {
-    const Arm& arm = now_.arms[tip];
-    const bool taken_up = std::ranges::any_of(tips_, [&](const GrowingTip& other) {
-      return other.line != arm.crack && is_gone(now_.cracks[other.line]) &&
+    const EllipseAxisEnd& arm = now_.arms[tip];
+    const bool taken_up = std::ranges::any_of(tips_, [&](const TrackedTip& other) {
+      return other.line != arm.crack && is_merged(now_.cracks[other.line]) &&
              now_.arms[static_cast<std::size_t>(&other - tips_.data())].crack == arm.crack;
     });
     if (taken_up) {
@@ -250,13 +251,13 @@ void EllipseWays::settle(State& state) {
   }
 }
 
-void EllipseWays::go_on(const State& state) {
+void EllipticalFront::resume_from(const GrowthState& state) {
   for (std::size_t c = 0; c < state.lines.size() && c < now_.cracks.size(); ++c) {
     const std::vector<Vec3>& kept = state.lines[c];
     PlanarCrack& plane = now_.cracks[c].plane;
     plane.place = kept.at(0);
     if (kept.size() == 1) {
-      let_go(now_.cracks[c]);
+      mark_merged(now_.cracks[c]);
       continue;
     }
     if (!(kept[1].x() > 0.0 && kept[1].y() > 0.0)) {
@@ -266,7 +267,7 @@ void EllipseWays::go_on(const State& state) {
     plane.c = kept[1].y();
     for (std::size_t i = 2; i < kept.size(); ++i) {
       const double end = kept[i].y();
-      now_.arms[index_below(kept[i].x(), now_.arms.size())] = {
+      now_.arms[checked_index(kept[i].x(), now_.arms.size())] = {
           .crack = c,
           .on_a = std::abs(end) > 1.5,
           .sign = end > 0.0 ? 1.0 : -1.0,

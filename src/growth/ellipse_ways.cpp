@@ -63,12 +63,12 @@ double end_angle(bool on_a, double sign) {
 
 } // namespace
 
-EllipseWays::EllipseWays(const model::Model& model) : FrontWays(model) {
+EllipticalFront::EllipticalFront(const model::Model& model) : FrontKinematics(model) {
   now_.cracks = model.cracks;
   find_tips();
 }
 
-void EllipseWays::find_tips() {
+void EllipticalFront::find_tips() {
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
     const model::CrackDefinition& crack = now_.cracks[c];
     if (!crack_grows(model_, c) || crack.kind != model::CrackDefinitionKind::ellipse) {
@@ -103,8 +103,8 @@ void EllipseWays::find_tips() {
 
 // The angle along the ellipse from an end on a surface to where it leaves the body, up to a
 // quarter.
-double EllipseWays::angle_inside(const model::CrackDefinition& crack, double end,
-                                 double sign) const {
+double EllipticalFront::angle_inside(const model::CrackDefinition& crack, double end,
+                                     double sign) const {
   const auto inside = [&](double angle) {
     return around_.inside(on_ellipse(crack, end + sign * angle), crack.net);
   };
@@ -123,9 +123,9 @@ double EllipseWays::angle_inside(const model::CrackDefinition& crack, double end
 }
 
 // An end whose other axis has one arm lies on the surface that the centre lies on.
-double EllipseWays::aim_of(const Ellipses& ellipses, const Arm& arm) const {
+double EllipticalFront::aim_of(const Ellipses& ellipses, const EllipseAxisEnd& arm) const {
   const double end = end_angle(arm.on_a, arm.sign);
-  for (const Arm& other : ellipses.arms) {
+  for (const EllipseAxisEnd& other : ellipses.arms) {
     if (other.crack == arm.crack && other.on_a != arm.on_a && !other.paired) {
       const double turn = std::sin(end_angle(other.on_a, other.sign) - end);
       const double sign = std::copysign(1.0, turn);
@@ -136,32 +136,32 @@ double EllipseWays::aim_of(const Ellipses& ellipses, const Arm& arm) const {
   return end;
 }
 
-CrackState EllipseWays::state_of(const Ellipses& ellipses) const {
+CrackGeometry EllipticalFront::state_of(const Ellipses& ellipses) const {
   const std::vector<model::CrackDefinition>& cracks = ellipses.cracks;
-  CrackState state{.lines = {}, .solids = cracks};
-  for (const Arm& arm : ellipses.arms) {
+  CrackGeometry state{.lines = {}, .solids = cracks};
+  for (const EllipseAxisEnd& arm : ellipses.arms) {
     state.aims.push_back(on_ellipse(cracks[arm.crack], aim_of(ellipses, arm)));
     state.fronts.push_back(arm.crack);
   }
   return state;
 }
 
-CrackState EllipseWays::here() {
+CrackGeometry EllipticalFront::current_state() {
   trial_ = now_;
   return state_of(trial_);
 }
 
-double EllipseWays::behind(std::size_t tip) const {
+double EllipticalFront::behind(std::size_t tip) const {
   const model::PlanarCrack& plane = now_.cracks[now_.arms[tip].crack].plane;
   return now_.arms[tip].on_a ? plane.a : plane.c;
 }
 
-double EllipseWays::longest_advance(std::size_t /*tip*/) const {
+double EllipticalFront::longest_advance(std::size_t /*tip*/) const {
   return std::numeric_limits<double>::infinity();
 }
 
-std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const {
-  const Arm& arm = now_.arms[tip];
+std::optional<FrontKinematics::SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const {
+  const EllipseAxisEnd& arm = now_.arms[tip];
   const model::CrackDefinition& crack = now_.cracks[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
   const auto in_body = [&](double phi) {
@@ -178,11 +178,12 @@ std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const 
   if (!from) {
     return std::nullopt;
   }
-  const auto left = around_.to_surface(on_ellipse(crack, *from), outwards(crack, *from), crack.net);
+  const auto left =
+      around_.surface_ahead(on_ellipse(crack, *from), outwards(crack, *from), crack.net);
   if (!left) {
     return std::nullopt;
   }
-  return Ligament{.behind = behind(tip), .left = left->distance};
+  return SurfaceLigament{.behind = behind(tip), .left = left->distance};
 }
 
 namespace {
@@ -190,8 +191,8 @@ namespace {
 // Whether the body is on the straight way from the middle of an ellipse to each place of it. What
 // lies behind a hole that the middle is at is no part of the crack; from a middle outside of the
 // body all places count that lie in it. [place]
-std::vector<bool> places_reached(const model::CrackDefinition& crack,
-                                 const SolidSurroundings& around, int places) {
+std::vector<bool> places_reached(const model::CrackDefinition& crack, const SolidBodyQuery& around,
+                                 int places) {
   constexpr int looks_along = 20;
   const Vec3& middle = crack.plane.place;
   const auto inside = [&](int k, int i) {
@@ -215,7 +216,8 @@ std::vector<bool> places_reached(const model::CrackDefinition& crack,
 
 } // namespace
 
-std::optional<FrontWays::Ligament> EllipseWays::left_in_corner(std::size_t tip) const {
+std::optional<FrontKinematics::SurfaceLigament>
+EllipticalFront::left_in_corner(std::size_t tip) const {
   constexpr int places = 3600; // what is left may be small
   const std::size_t number = now_.arms[tip].crack;
   for (std::size_t other = 0; other < now_.arms.size(); ++other) {
@@ -225,30 +227,30 @@ std::optional<FrontWays::Ligament> EllipseWays::left_in_corner(std::size_t tip) 
   }
   const model::CrackDefinition& crack = now_.cracks[number];
   const std::vector<bool> reached = places_reached(crack, around_, places);
-  Ligament longest{.behind = behind(tip), .left = 0.0};
+  SurfaceLigament longest{.behind = behind(tip), .left = 0.0};
   for (int k = 0; k < places; ++k) {
     const double phi = 2.0 * std::numbers::pi * k / places;
     const Vec3 x = on_ellipse(crack, phi);
     const auto left = reached[static_cast<std::size_t>(k)]
-                          ? around_.to_surface(x, outwards(crack, phi), crack.net)
+                          ? around_.surface_ahead(x, outwards(crack, phi), crack.net)
                           : std::nullopt;
     if (left && left->distance > longest.left) {
-      longest = Ligament{.behind = (x - crack.plane.place).norm(), .left = left->distance};
+      longest = SurfaceLigament{.behind = (x - crack.plane.place).norm(), .left = left->distance};
     }
   }
   return longest;
 }
 
-bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const {
-  const Arm& arm = now_.arms[tip];
+bool EllipticalFront::goes_on_behind(std::size_t tip, const SurfaceLigament& before) const {
+  const EllipseAxisEnd& arm = now_.arms[tip];
   model::CrackDefinition crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.behind + before.left);
   const std::vector<bool> reached = places_reached(crack, around_, looks_round);
   return std::ranges::find(reached, true) != reached.end();
 }
 
-std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) const {
-  const Arm& arm = now_.arms[tip];
+std::optional<FrontKinematics::NeighbourCrack> EllipticalFront::neighbour(std::size_t tip) const {
+  const EllipseAxisEnd& arm = now_.arms[tip];
   const model::CrackDefinition& own = now_.cracks[arm.crack];
   const Vec3 end = on_ellipse(own, end_angle(arm.on_a, arm.sign));
   double nearest = std::numeric_limits<double>::infinity();
@@ -259,7 +261,7 @@ std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) cons
       continue;
     }
     const auto look = [&](const Vec3& x) {
-      if ((x - end).norm() < nearest && around_.joins(end, x, own.net)) {
+      if ((x - end).norm() < nearest && around_.is_line_inside(end, x, own.net)) {
         nearest = (x - end).norm();
         other = c;
       }
@@ -275,23 +277,24 @@ std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) cons
   if (other == arm.crack) {
     return std::nullopt;
   }
-  return Neighbour{.gap = nearest, .crack = other};
+  return NeighbourCrack{.gap = nearest, .crack = other};
 }
 
-std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Advance& advance,
-                                                base::Diagnostics& diagnostics) {
+std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& /*state*/,
+                                                             const TrialAdvance& advance,
+                                                             base::Diagnostics& diagnostics) {
   trial_ = now_;
   for (std::size_t tip = 0; tip < now_.arms.size(); ++tip) {
-    const Arm& arm = now_.arms[tip];
+    const EllipseAxisEnd& arm = now_.arms[tip];
     if (arm.shared) {
       continue;
     }
     model::PlanarCrack& plane = trial_.cracks[arm.crack].plane;
     double by = advance.by[tip];
-    if (advance.leap > 0.0) {
-      const std::optional<Ligament> before = ligament(tip);
+    if (advance.breakthrough > 0.0) {
+      const std::optional<SurfaceLigament> before = ligament(tip);
       if (before && by >= before->left * (1.0 - 1e-9)) {
-        by = axis_behind * advance.leap * (before->behind + before->left) - before->behind;
+        by = axis_behind * advance.breakthrough * (before->behind + before->left) - before->behind;
       }
     }
     double& axis = arm.on_a ? plane.a : plane.c;
@@ -317,8 +320,8 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
 }
 
 // How far the front moves outwards at x for a unit of an arm.
-double EllipseWays::moved_by(const Arm& arm, const model::CrackDefinition& crack,
-                             const Vec3& x) const {
+double EllipticalFront::moved_by(const EllipseAxisEnd& arm, const model::CrackDefinition& crack,
+                                 const Vec3& x) const {
   const double phi = angle_at(crack, x);
   const Vec3 along = arm.on_a ? crack.plane.transverse_axis() : crack.plane.along;
   const double by_axis = arm.on_a ? std::sin(phi) : std::cos(phi);
@@ -326,8 +329,8 @@ double EllipseWays::moved_by(const Arm& arm, const model::CrackDefinition& crack
   return way * along.dot(outwards(crack, phi));
 }
 
-void EllipseWays::place(std::vector<TipStation>& found) const {
-  const std::vector<Arm>& arms = trial_.arms;
+void EllipticalFront::locate_tips(std::vector<TipStation>& found) const {
+  const std::vector<EllipseAxisEnd>& arms = trial_.arms;
   for (std::size_t c = 0; c < trial_.cracks.size(); ++c) {
     std::vector<std::size_t> own;
     for (std::size_t tip = 0; tip < arms.size(); ++tip) {
@@ -356,7 +359,7 @@ void EllipseWays::place(std::vector<TipStation>& found) const {
       const double of_arm = std::clamp(std::isfinite(arm[i]) ? arm[i] : most, 0.0, most);
       // Where the end of the axis is the place itself the two are one to round-off.
       if (at.rate > 0.0 && std::abs(of_arm - at.rate) > same_rate * at.rate) {
-        at.lever = of_arm / at.rate;
+        at.extent_rate_ratio = of_arm / at.rate;
         at.rate = of_arm;
       }
     }
@@ -364,13 +367,14 @@ void EllipseWays::place(std::vector<TipStation>& found) const {
   for (std::size_t tip = 0; tip < arms.size(); ++tip) {
     if (arms[tip].shared) { // its place is that of the tip that moves it
       const TipStation& own = found[mover_of(arms, tip)];
-      found[tip].lever = own.lever;
+      found[tip].extent_rate_ratio = own.extent_rate_ratio;
       found[tip].rate = own.rate;
     }
   }
 }
 
-CrackState EllipseWays::straight_on(const State& /*state*/, double /*advance*/) const {
+CrackGeometry EllipticalFront::extend_straight(const GrowthState& /*state*/,
+                                               double /*advance*/) const {
   return state_of(now_);
 }
 

@@ -13,21 +13,22 @@ namespace spricka::growth {
 /// by half of the difference. Two in one plane with parallel axes that meet go on as one that
 /// reaches as far as both. An end that has gone through the surface stands for the place where
 /// the front is nearest to it.
-class EllipseWays final : public FrontWays {
+class EllipticalFront final : public FrontKinematics {
 public:
-  explicit EllipseWays(const model::Model& model);
+  explicit EllipticalFront(const model::Model& model);
 
-  void go_on(const State& state) override;
-  [[nodiscard]] CrackState here() override;
-  [[nodiscard]] double first_arm(std::size_t tip) const override { return first_arm_[tip]; }
-  std::optional<CrackState> advanced(const State& state, const Advance& advance,
-                                     base::Diagnostics& diagnostics) override;
-  void place(std::vector<TipStation>& found) const override;
-  void settle(State& state) override;
-  [[nodiscard]] CrackState straight_on(const State& state, double advance) const override;
+  void resume_from(const GrowthState& state) override;
+  [[nodiscard]] CrackGeometry current_state() override;
+  [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
+  std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
+                                              base::Diagnostics& diagnostics) override;
+  void locate_tips(std::vector<TipStation>& found) const override;
+  void accept_trial(GrowthState& state) override;
+  [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
+                                              double advance) const override;
 
   /// An end of an axis.
-  struct Arm {
+  struct EllipseAxisEnd {
     std::size_t crack = 0;
     bool on_a = false;   ///< of the axis A, else of C
     double sign = 1.0;   ///< towards `across` or `along`, or away from it
@@ -36,31 +37,31 @@ public:
   };
   struct Ellipses {
     std::vector<model::CrackDefinition> cracks;
-    std::vector<Arm> arms; ///< [tip]
+    std::vector<EllipseAxisEnd> arms; ///< [tip]
   };
 
 private:
-  [[nodiscard]] std::optional<Ligament> ligament(std::size_t tip) const override;
-  [[nodiscard]] std::optional<Ligament> left_in_corner(std::size_t tip) const override;
-  [[nodiscard]] bool goes_on_behind(std::size_t tip, const Ligament& before) const override;
-  [[nodiscard]] std::optional<Neighbour> neighbour(std::size_t tip) const override;
-  [[nodiscard]] bool joins(std::size_t tip, const Neighbour& other) const override;
+  [[nodiscard]] std::optional<SurfaceLigament> ligament(std::size_t tip) const override;
+  [[nodiscard]] std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool goes_on_behind(std::size_t tip, const SurfaceLigament& before) const override;
+  [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
+  [[nodiscard]] bool joins(std::size_t tip, const NeighbourCrack& other) const override;
   [[nodiscard]] double behind(std::size_t tip) const override;
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
   void find_tips();
-  [[nodiscard]] CrackState state_of(const Ellipses& ellipses) const;
+  [[nodiscard]] CrackGeometry state_of(const Ellipses& ellipses) const;
   /// The parametric angle at which K of an arm is taken.
-  [[nodiscard]] double aim_of(const Ellipses& ellipses, const Arm& arm) const;
+  [[nodiscard]] double aim_of(const Ellipses& ellipses, const EllipseAxisEnd& arm) const;
   [[nodiscard]] double angle_inside(const model::CrackDefinition& crack, double end,
                                     double sign) const;
   /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
   /// which the two have become.
-  static std::size_t mover_of(const std::vector<Arm>& arms, std::size_t tip);
+  static std::size_t mover_of(const std::vector<EllipseAxisEnd>& arms, std::size_t tip);
   /// One ellipse in the place of two, under the name of the first; empty: there is none.
   [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
                                                std::size_t other) const;
-  [[nodiscard]] double moved_by(const Arm& arm, const model::CrackDefinition& crack,
+  [[nodiscard]] double moved_by(const EllipseAxisEnd& arm, const model::CrackDefinition& crack,
                                 const base::Vec3& x) const;
 
   std::vector<double> first_arm_; ///< [tip] of the deck's crack, whatever it has become

@@ -67,25 +67,26 @@ std::vector<std::vector<std::size_t>> runs_of(const std::vector<bool>& stays, bo
 
 } // namespace
 
-double FreeWays::advance_at(const Growing& of, double number, const std::vector<double>& by) {
+double FreeFrontShape::advance_at(const GrowingFront& of, double number,
+                                  const std::vector<double>& by) {
   const auto first = static_cast<std::size_t>(number);
   const double part = number - static_cast<double>(first);
   const std::size_t count = of.tips.size();
   return (1.0 - part) * by[of.tips[first % count]] + part * by[of.tips[(first + 1) % count]];
 }
 
-std::vector<FreeWays::PointRun> FreeWays::staying(std::size_t growing, double gap,
-                                                  const std::vector<double>& by) const {
-  const Growing& of = now_.growing[growing];
+std::vector<FreeFrontShape::PointRun> FreeFrontShape::staying(std::size_t growing, double gap,
+                                                              const std::vector<double>& by) const {
+  const GrowingFront& of = now_.growing[growing];
   std::vector<bool> points;
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
-    const std::optional<Ligament>& before = ligaments_[of.tips[i]];
-    points.push_back(!before ||
-                     (before->part() > gap && (by.empty() || before->left > by[of.tips[i]])));
+    const std::optional<SurfaceLigament>& before = ligaments_[of.tips[i]];
+    points.push_back(!before || (before->left_fraction() > gap &&
+                                 (by.empty() || before->left > by[of.tips[i]])));
   }
   std::vector<PointRun> found;
   std::size_t fewest = of.tips.size();
-  for (const std::vector<std::size_t>& run : runs_of(points, of.arc.closed())) {
+  for (const std::vector<std::size_t>& run : runs_of(points, of.arc.is_closed())) {
     fewest = std::min(fewest, run.size());
     found.emplace_back(run.begin(), run.end());
   }
@@ -96,20 +97,21 @@ std::vector<FreeWays::PointRun> FreeWays::staying(std::size_t growing, double ga
   return staying_between(growing, gap, by);
 }
 
-std::vector<FreeWays::PointRun> FreeWays::staying_between(std::size_t growing, double gap,
-                                                          const std::vector<double>& by) const {
-  const Growing& of = now_.growing[growing];
+std::vector<FreeFrontShape::PointRun>
+FreeFrontShape::staying_between(std::size_t growing, double gap,
+                                const std::vector<double>& by) const {
+  const GrowingFront& of = now_.growing[growing];
   const auto number_of = [](std::size_t place) {
     return static_cast<double>(place) / static_cast<double>(looks_between);
   };
   std::vector<bool> places;
   for (std::size_t k = 0; k < between_[growing].size(); ++k) {
-    const std::optional<Ligament>& before = between_[growing][k];
-    places.push_back(!before || (before->part() > gap &&
+    const std::optional<SurfaceLigament>& before = between_[growing][k];
+    places.push_back(!before || (before->left_fraction() > gap &&
                                  (by.empty() || before->left > advance_at(of, number_of(k), by))));
   }
   std::vector<PointRun> found;
-  for (const std::vector<std::size_t>& run : runs_of(places, of.arc.closed())) {
+  for (const std::vector<std::size_t>& run : runs_of(places, of.arc.is_closed())) {
     if (run.size() <= looks_between) {
       continue;
     }
@@ -122,17 +124,17 @@ std::vector<FreeWays::PointRun> FreeWays::staying_between(std::size_t growing, d
   return found;
 }
 
-std::vector<FreeWays::NextFront> FreeWays::next_fronts(std::size_t growing,
-                                                       const Advance& advance) const {
-  const Growing& of = now_.growing[growing];
-  const bool through = advance.leap > 0.0 && advance.meets == 0;
-  const double gap = through ? left_out * gone_through * advance.leap : -1.0;
+std::vector<FreeFrontShape::NextFront>
+FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) const {
+  const GrowingFront& of = now_.growing[growing];
+  const bool through = advance.breakthrough > 0.0 && advance.meets == 0;
+  const double gap = through ? left_out * gone_through * advance.breakthrough : -1.0;
   std::vector<PointRun> runs = staying(growing, gap, through ? advance.by : std::vector<double>());
-  if ((turns() && runs.size() > 1) || runs.size() * fewest_points > of.tips.size()) {
+  if ((can_kink() && runs.size() > 1) || runs.size() * fewest_points > of.tips.size()) {
     return {}; // heights of a wake are those behind one; and all have points
   }
   std::vector<std::size_t> tips = of.tips;
-  if (runs.size() > 1 && of.arc.closed()) { // from the first of them on
+  if (runs.size() > 1 && of.arc.is_closed()) { // from the first of them on
     const auto first = static_cast<std::ptrdiff_t>(runs[0].front());
     std::rotate(tips.begin(), tips.begin() + first, tips.end());
   }
@@ -141,10 +143,10 @@ std::vector<FreeWays::NextFront> FreeWays::next_fronts(std::size_t growing,
   for (std::size_t r = 0; r < runs.size(); ++r) {
     NextFront& front = fronts.emplace_back();
     front.tips = shared[r];
-    front.next.closed = of.arc.closed() && runs.size() == 1 && runs[r].size() == of.tips.size();
+    front.next.closed = of.arc.is_closed() && runs.size() == 1 && runs[r].size() == of.tips.size();
     std::vector<mesh::FrontFrame> from;
     for (const double number : runs[r]) {
-      const mesh::FrontFrame& at = from.emplace_back(of.between(number));
+      const mesh::FrontFrame& at = from.emplace_back(of.frame_between(number));
       const double by = advance_at(of, number, advance.by);
       const auto tip = static_cast<std::size_t>(std::lround(number)) % of.tips.size();
       front.next.points.emplace_back(at.x + by * way_on(at, of.tips[tip], by));
@@ -154,16 +156,16 @@ std::vector<FreeWays::NextFront> FreeWays::next_fronts(std::size_t growing,
   return fronts;
 }
 
-bool FreeWays::draw(const NextPoints& next, Growing& of) {
+bool FreeFrontShape::draw(const NextPoints& next, GrowingFront& of) {
   model::CrackDefinition& crack = trial_.cracks[of.crack];
   std::optional<model::CrackDefinition> drawn;
   if (next.points.size() >= fewest_points) {
     drawn = crack_through(crack, next.points, next.closed, around_);
   }
-  if (drawn && turns()) {
-    leave_wake(of.crack, next, *drawn);
+  if (drawn && can_kink()) {
+    leave_front_history(of.crack, next, *drawn);
   }
-  std::optional<FrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
+  std::optional<BodyFrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
   if (!arc) {
     return false;
   }
@@ -173,15 +175,15 @@ bool FreeWays::draw(const NextPoints& next, Growing& of) {
   return true;
 }
 
-bool FreeWays::draw_all(std::size_t growing, const Advance& advance) {
-  const Growing& before = now_.growing[growing];
+bool FreeFrontShape::draw_all(std::size_t growing, const TrialAdvance& advance) {
+  const GrowingFront& before = now_.growing[growing];
   const std::vector<NextFront> fronts = next_fronts(growing, advance);
   for (const NextFront& front : fronts) {
-    Growing of{before.crack, front.tips, before.arc};
+    GrowingFront of{before.crack, front.tips, before.arc};
     if (!draw(front.next, of)) {
       return false;
     }
-    if (advance.leap == 0.0 && front.next.points.size() == of.tips.size()) {
+    if (advance.breakthrough == 0.0 && front.next.points.size() == of.tips.size()) {
       go_round(before, advance.by, of);
     }
     trial_.growing.push_back(std::move(of));
@@ -189,9 +191,9 @@ bool FreeWays::draw_all(std::size_t growing, const Advance& advance) {
   return !fronts.empty();
 }
 
-bool FreeWays::draw_together(std::size_t crack) {
-  std::vector<Growing*> parts;
-  for (Growing& of : trial_.growing) {
+bool FreeFrontShape::draw_together(std::size_t crack) {
+  std::vector<GrowingFront*> parts;
+  for (GrowingFront& of : trial_.growing) {
     if (of.crack == crack) {
       parts.push_back(&of);
     }
@@ -216,12 +218,12 @@ bool FreeWays::draw_together(std::size_t crack) {
   }
   drawn.points = std::move(points);
   // As a run that goes on finds them.
-  std::vector<FrontArc> arcs = arcs_in_body(drawn, around_);
+  std::vector<BodyFrontArc> arcs = arcs_in_body(drawn, around_);
   if (arcs.size() != parts.size()) {
     return false;
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto middle = [](const FrontArc& arc) {
+    const auto middle = [](const BodyFrontArc& arc) {
       return arc.curve.at(0.5 * arc.curve.length()).x;
     };
     const double apart = (middle(arcs[i]) - middle(parts[i]->arc)).norm();
@@ -235,15 +237,16 @@ bool FreeWays::draw_together(std::size_t crack) {
 
 // Rates found later count along the front, whose points slide on it to stay evenly spread: each has
 // gone its advance at right angles to the mean of the front's directions before and behind.
-void FreeWays::go_round(const Growing& from, const std::vector<double>& by, Growing& of) {
-  if (of.arc.closed() != from.arc.closed()) {
+void FreeFrontShape::go_round(const GrowingFront& from, const std::vector<double>& by,
+                              GrowingFront& of) {
+  if (of.arc.is_closed() != from.arc.is_closed()) {
     return;
   }
   for (int round = 0; round < rounds; ++round) {
-    NextPoints next{.points = {}, .closed = of.arc.closed()};
+    NextPoints next{.points = {}, .closed = of.arc.is_closed()};
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
-      const mesh::FrontFrame before = from.frame(i);
-      const mesh::FrontFrame behind = of.frame(i);
+      const mesh::FrontFrame before = from.frame_at(i);
+      const mesh::FrontFrame behind = of.frame_at(i);
       const std::size_t tip = of.tips[i];
       const Vec3 way = (way_on(before, tip, by[tip]) + behind.m).normalized();
       const double missed = by[tip] - (behind.x - before.x).dot(way);

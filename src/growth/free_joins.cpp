@@ -19,63 +19,63 @@ constexpr double notch = 0.4;
 
 } // namespace
 
-MeetingFront FreeWays::meeting(const Growing& of, const Growing& other, double reach,
-                               const std::vector<double>& by) const {
-  MeetingFront front{.points = {}, .tips = of.tips, .stays = {}, .closed = of.arc.closed()};
+CoalescingFront FreeFrontShape::meeting(const GrowingFront& of, const GrowingFront& other,
+                                        double reach, const std::vector<double>& by) const {
+  CoalescingFront front{.points = {}, .tips = of.tips, .stays = {}, .closed = of.arc.is_closed()};
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
-    const mesh::FrontFrame at = of.frame(i);
+    const mesh::FrontFrame at = of.frame_at(i);
     front.stays.push_back((other.arc.nearest(at.x) - at.x).norm() > reach);
     front.points.emplace_back(at.x + (by.empty() ? 0.0 : by[of.tips[i]]) * at.m);
   }
   return front;
 }
 
-std::optional<JoinedFront> FreeWays::joined(std::size_t tip, const Neighbour& other,
-                                            const Advance& advance) const {
-  const Growing& one = place_of(tip).of;
-  const auto two = std::ranges::find(now_.growing, other.crack, &Growing::crack);
+std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const NeighbourCrack& other,
+                                                     const TrialAdvance& advance) const {
+  const GrowingFront& one = place_of(tip).of;
+  const auto two = std::ranges::find(now_.growing, other.crack, &GrowingFront::crack);
   const model::CrackDefinition& crack = now_.cracks[one.crack];
   const auto fronts_of = [&](std::size_t number) {
-    return std::ranges::count(now_.growing, number, &Growing::crack);
+    return std::ranges::count(now_.growing, number, &GrowingFront::crack);
   };
   if (fronts_of(one.crack) != 1 || fronts_of(other.crack) != 1 ||
       !may_join(crack, now_.cracks[other.crack])) {
     return std::nullopt;
   }
-  const double reach = advance.leap * (other.gap + notch * behind(tip));
-  MeetingFront here = meeting(one, *two, reach, advance.by);
-  MeetingFront there = meeting(*two, one, reach, advance.by);
+  const double reach = advance.breakthrough * (other.gap + notch * behind(tip));
+  CoalescingFront here = meeting(one, *two, reach, advance.by);
+  CoalescingFront there = meeting(*two, one, reach, advance.by);
   if (crack.plane.normal.dot(now_.cracks[other.crack].plane.normal) < 0.0) {
-    there.turn_over();
+    there.reverse_order();
   }
-  return join_fronts(here, there);
+  return coalesce_fronts(here, there);
 }
 
-bool FreeWays::joins(std::size_t tip, const Neighbour& other) const {
-  return joined(tip, other, {.by = {}, .leap = 1.0}).has_value();
+bool FreeFrontShape::joins(std::size_t tip, const NeighbourCrack& other) const {
+  return joined(tip, other, {.by = {}, .breakthrough = 1.0}).has_value();
 }
 
 // The crack of the tip goes on with the front of both, the other one is gone.
-bool FreeWays::join(const Advance& advance) {
-  const std::optional<Neighbour> other = neighbour(advance.tip);
+bool FreeFrontShape::join(const TrialAdvance& advance) {
+  const std::optional<NeighbourCrack> other = neighbour(advance.tip);
   if (!other || other->crack + 1 != advance.meets) {
     return false;
   }
-  const std::optional<JoinedFront> both = joined(advance.tip, *other, advance);
+  const std::optional<CoalescedFront> both = joined(advance.tip, *other, advance);
   if (!both) {
     return false;
   }
-  const Place at = place_of(advance.tip);
-  const auto one = std::ranges::find(trial_.growing, at.of.crack, &Growing::crack);
+  const TipOnFront at = place_of(advance.tip);
+  const auto one = std::ranges::find(trial_.growing, at.of.crack, &GrowingFront::crack);
   // Within both, where they met: what lies between counts as cracked.
-  const mesh::FrontFrame tip = at.frame();
+  const mesh::FrontFrame tip = at.tip_frame();
   trial_.cracks[one->crack].plane.place = tip.x + 0.5 * other->gap * tip.m;
   one->tips = both->tips;
   if (!draw({both->points, both->closed}, *one)) {
     return false;
   }
-  let_go(trial_.cracks[other->crack]);
-  std::erase_if(trial_.growing, [&](const Growing& of) { return of.crack == other->crack; });
+  mark_merged(trial_.cracks[other->crack]);
+  std::erase_if(trial_.growing, [&](const GrowingFront& of) { return of.crack == other->crack; });
   return true;
 }
 

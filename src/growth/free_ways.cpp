@@ -28,35 +28,35 @@ constexpr double hardly_turned = 0.7;
 
 } // namespace
 
-FrontKind FreeWays::kind_of(const FrontArc& arc) {
+FrontKind FreeFrontShape::kind_of(const BodyFrontArc& arc) {
   const double turned = arc.curve.at(0.0).m.dot(arc.curve.at(arc.curve.length()).m);
-  return arc.closed()             ? FrontKind::closed
+  return arc.is_closed()          ? FrontKind::closed
          : turned > hardly_turned ? FrontKind::straight
                                   : FrontKind::round;
 }
 
-FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
+FreeFrontShape::FreeFrontShape(const model::Model& model) : FrontKinematics(model) {
   now_.cracks = model.cracks;
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
     const model::CrackDefinition& crack = now_.cracks[c];
     if (!crack_grows(model_, c)) {
       continue;
     }
-    std::vector<FrontArc> arcs = arcs_in_body(crack, around_);
-    if (turns() && arcs.size() > 1) {
+    std::vector<BodyFrontArc> arcs = arcs_in_body(crack, around_);
+    if (can_kink() && arcs.size() > 1) {
       continue; // heights of a wake are those behind one
     }
     std::size_t number = 0;
-    for (FrontArc& arc : arcs) {
-      const std::size_t count = arc.closed() ? closed_points : open_points;
-      Growing& of = now_.growing.emplace_back(Growing{c, {}, std::move(arc)});
+    for (BodyFrontArc& arc : arcs) {
+      const std::size_t count = arc.is_closed() ? closed_points : open_points;
+      GrowingFront& of = now_.growing.emplace_back(GrowingFront{c, {}, std::move(arc)});
       for (std::size_t i = 0; i < count; ++i) {
         of.tips.push_back(tips_.size() + i);
       }
       for (std::size_t i = 0; i < count; ++i) {
         tips_.push_back(
             {.name = fmt::format("{}.{}", crack.name, ++number), .line = c, .at_first = false});
-        first_arm_.push_back((of.frame(i).x - crack.plane.place).norm());
+        first_arm_.push_back((of.frame_at(i).x - crack.plane.place).norm());
       }
     }
   }
@@ -65,9 +65,9 @@ FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
   find_ligaments();
 }
 
-FreeWays::Place FreeWays::place_of(std::size_t tip) const {
+FreeFrontShape::TipOnFront FreeFrontShape::place_of(std::size_t tip) const {
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
-    const Growing& of = now_.growing[g];
+    const GrowingFront& of = now_.growing[g];
     const auto at = std::ranges::find(of.tips, tip);
     if (at != of.tips.end()) {
       return {of, g, static_cast<std::size_t>(at - of.tips.begin())};
@@ -76,13 +76,13 @@ FreeWays::Place FreeWays::place_of(std::size_t tip) const {
   return {now_.growing.front(), 0, 0}; // every tip has a front
 }
 
-CrackState FreeWays::state_of(const Fronts& fronts) const {
-  CrackState state{.lines = {}, .solids = fronts.cracks};
+CrackGeometry FreeFrontShape::state_of(const MovingFronts& fronts) const {
+  CrackGeometry state{.lines = {}, .solids = fronts.cracks};
   state.aims.resize(tips_.size(), Vec3::Zero());
   state.fronts.resize(tips_.size());
-  for (const Growing& of : fronts.growing) {
+  for (const GrowingFront& of : fronts.growing) {
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
-      state.aims[of.tips[i]] = of.frame(i).x;
+      state.aims[of.tips[i]] = of.frame_at(i).x;
       state.fronts[of.tips[i]] = of.crack;
     }
   }
@@ -93,8 +93,8 @@ CrackState FreeWays::state_of(const Fronts& fronts) const {
 // none, and it has become a part of another; and one how many fronts it has in its wake. Its
 // place, the tips, each with the number of its front, the fronts of the wake with the normals of
 // the last, and the points follow.
-void FreeWays::go_on(const State& state) {
-  const std::vector<Growing> first = std::move(now_.growing);
+void FreeFrontShape::resume_from(const GrowthState& state) {
+  const std::vector<GrowingFront> first = std::move(now_.growing);
   now_.growing.clear();
   for (std::size_t c = 0; c < state.lines.size(); ++c) {
     model::CrackDefinition& crack = now_.cracks[c];
@@ -102,17 +102,17 @@ void FreeWays::go_on(const State& state) {
     std::vector<std::vector<std::size_t>> tips; // [front]
     if (kept.empty()) {
       std::ranges::copy_if(first, std::back_inserter(now_.growing),
-                           [&](const Growing& of) { return of.crack == c; });
+                           [&](const GrowingFront& of) { return of.crack == c; });
     } else {
-      const std::size_t count = index_below(kept[0].y(), kept.size());
+      const std::size_t count = checked_index(kept[0].y(), kept.size());
       crack.kind = model::CrackDefinitionKind::drawn;
       crack.points.clear();
       if (count > 0) {
         crack.plane.closed = kept[0].x() != 0.0;
         crack.plane.place = kept.at(1);
         for (std::size_t i = 0; i < count; ++i) {
-          tips.resize(index_below(kept.at(2 + i).y(), count) + 1);
-          tips.back().push_back(index_below(kept.at(2 + i).x(), tips_.size()));
+          tips.resize(checked_index(kept.at(2 + i).y(), count) + 1);
+          tips.back().push_back(checked_index(kept.at(2 + i).x(), tips_.size()));
         }
         auto at = kept.begin() + 2 + static_cast<std::ptrdiff_t>(count);
         const auto take = [&](std::size_t many) {
@@ -124,8 +124,8 @@ void FreeWays::go_on(const State& state) {
           return std::vector<Vec3>(from, at);
         };
         crack.front_history = {};
-        for (std::size_t left = index_below(kept[0].z(), kept.size()); left > 0; --left) {
-          const std::size_t many = index_below(take(1).front().x(), kept.size());
+        for (std::size_t left = checked_index(kept[0].z(), kept.size()); left > 0; --left) {
+          const std::size_t many = checked_index(take(1).front().x(), kept.size());
           crack.front_history.fronts.push_back(take(many));
           crack.front_history.normals.resize(many);
         }
@@ -133,8 +133,8 @@ void FreeWays::go_on(const State& state) {
         crack.points.assign(at, kept.end());
       }
     }
-    std::vector<FrontArc> arcs =
-        tips.empty() ? std::vector<FrontArc>() : arcs_in_body(crack, around_);
+    std::vector<BodyFrontArc> arcs =
+        tips.empty() ? std::vector<BodyFrontArc>() : arcs_in_body(crack, around_);
     for (std::size_t i = 0; i < std::min(arcs.size(), tips.size()); ++i) {
       now_.growing.push_back({c, std::move(tips[i]), std::move(arcs[i])});
     }
@@ -143,62 +143,63 @@ void FreeWays::go_on(const State& state) {
   find_ligaments();
 }
 
-CrackState FreeWays::here() {
+CrackGeometry FreeFrontShape::current_state() {
   trial_ = now_;
   std::ranges::fill(part_, 0.0);
   return state_of(trial_);
 }
 
-double FreeWays::behind(std::size_t tip) const {
-  const Place at = place_of(tip);
-  return (at.frame().x - now_.cracks[at.of.crack].plane.place).norm();
+double FreeFrontShape::behind(std::size_t tip) const {
+  const TipOnFront at = place_of(tip);
+  return (at.tip_frame().x - now_.cracks[at.of.crack].plane.place).norm();
 }
 
-double FreeWays::longest_advance(std::size_t tip) const {
+double FreeFrontShape::longest_advance(std::size_t tip) const {
   return longest_part * behind(tip);
 }
 
-bool FreeWays::goes_on_behind(std::size_t tip, const Ligament& /*before*/) const {
+bool FreeFrontShape::goes_on_behind(std::size_t tip, const SurfaceLigament& /*before*/) const {
   const std::size_t fronts = staying(place_of(tip).growing, left_out * gone_through, {}).size();
-  return fronts == 1 || (fronts > 1 && !turns()); // heights of the wake are those behind one
+  return fronts == 1 || (fronts > 1 && !can_kink()); // heights of the wake are those behind one
 }
 
-std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
-  const Place at = place_of(tip);
-  const Vec3 x = at.frame().x;
-  std::optional<Neighbour> nearest;
-  for (const Growing& other : now_.growing) {
+std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::size_t tip) const {
+  const TipOnFront at = place_of(tip);
+  const Vec3 x = at.tip_frame().x;
+  std::optional<NeighbourCrack> nearest;
+  for (const GrowingFront& other : now_.growing) {
     const Vec3 there = other.arc.nearest(x);
     const double gap = (there - x).norm();
     if (other.crack != at.of.crack && (!nearest || gap < nearest->gap) &&
-        around_.joins(x, there, now_.cracks[other.crack].net)) {
-      nearest = Neighbour{.gap = gap, .crack = other.crack};
+        around_.is_line_inside(x, there, now_.cracks[other.crack].net)) {
+      nearest = NeighbourCrack{.gap = gap, .crack = other.crack};
     }
   }
   return nearest;
 }
 
-FrontRates FreeWays::waves_of(const Growing& of) const {
+FrontRates FreeFrontShape::waves_of(const GrowingFront& of) const {
   FrontRates front;
   front.stiffness = exponent() / of.arc.curve.length();
   front.kind = kind_of(of.arc);
   return front;
 }
 
-double FreeWays::exponent() const {
+double FreeFrontShape::exponent() const {
   const double m = model_.growth->constants.m;
   return m > 0.0 ? m : usual_exponent;
 }
 
-FrontRates FreeWays::rates_of(const Growing& of, const State& state) const {
+FrontRates FreeFrontShape::rates_of(const GrowingFront& of, const GrowthState& state) const {
   FrontRates front = waves_of(of);
-  const Station& here = state.stations.back();
+  const SolvedStation& here = state.stations.back();
   const std::size_t count = state.stations.size();
   // A leap has nothing in common with what was before.
-  const Station* before = count > 1 && here.leapt == 0 ? &state.stations[count - 2] : nullptr;
+  const SolvedStation* before =
+      count > 1 && here.breakthroughs == 0 ? &state.stations[count - 2] : nullptr;
   for (const std::size_t tip : of.tips) {
     front.rate.push_back(here.tips[tip].rate);
-    front.owed.push_back(here.tips[tip].owed);
+    front.deferred_advance.push_back(here.tips[tip].deferred_advance);
     if (before != nullptr) {
       front.rate_before.push_back(before->tips[tip].rate);
       front.last.push_back(here.tips[tip].a - before->tips[tip].a);
@@ -207,8 +208,8 @@ FrontRates FreeWays::rates_of(const Growing& of, const State& state) const {
   return front;
 }
 
-bool FreeWays::relax(const State& state, std::vector<double>& by) const {
-  for (const Growing& of : now_.growing) {
+bool FreeFrontShape::smooth_front(const GrowthState& state, std::vector<double>& by) const {
+  for (const GrowingFront& of : now_.growing) {
     const FrontRates front = rates_of(of, state);
     double sum = 0.0;
     double rates = 0.0;
@@ -219,7 +220,7 @@ bool FreeWays::relax(const State& state, std::vector<double>& by) const {
     if (!(rates > 0.0) || !std::isfinite(rates)) {
       continue;
     }
-    const std::vector<double> own = front.advances(sum / static_cast<double>(of.tips.size()));
+    const std::vector<double> own = front.point_advances(sum / static_cast<double>(of.tips.size()));
     for (std::size_t i = 0; i < own.size(); ++i) {
       by[of.tips[i]] = own[i];
     }
@@ -227,25 +228,26 @@ bool FreeWays::relax(const State& state, std::vector<double>& by) const {
   return true;
 }
 
-void FreeWays::let_die(std::vector<double>& owed, const std::vector<double>& by) const {
-  for (const Growing& of : now_.growing) {
+void FreeFrontShape::damp_deferred(std::vector<double>& owed, const std::vector<double>& by) const {
+  for (const GrowingFront& of : now_.growing) {
     FrontRates front = waves_of(of);
     double mean = 0.0;
     for (const std::size_t tip : of.tips) {
-      front.owed.push_back(owed[tip]);
+      front.deferred_advance.push_back(owed[tip]);
       mean += by[tip] / static_cast<double>(of.tips.size());
     }
-    const std::vector<double> left = front.left_of_owed(mean);
+    const std::vector<double> left = front.remaining_deferred(mean);
     for (std::size_t i = 0; i < left.size(); ++i) {
       owed[of.tips[i]] = left[i];
     }
   }
 }
 
-std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advance& advance,
-                                             base::Diagnostics& diagnostics) {
+std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /*state*/,
+                                                            const TrialAdvance& advance,
+                                                            base::Diagnostics& diagnostics) {
   trial_ = now_;
-  for (std::size_t tip = 0; turns() && tip < tips_.size(); ++tip) {
+  for (std::size_t tip = 0; can_kink() && tip < tips_.size(); ++tip) {
     part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, advance.by[tip]);
   }
   trial_.growing.clear();
@@ -269,8 +271,8 @@ std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advan
   return state_of(trial_);
 }
 
-void FreeWays::place(std::vector<TipStation>& found) const {
-  for (const Growing& of : trial_.growing) {
+void FreeFrontShape::locate_tips(std::vector<TipStation>& found) const {
+  for (const GrowingFront& of : trial_.growing) {
     place_turns(of, found);
     std::vector<double> rate;
     for (const std::size_t tip : of.tips) {
@@ -280,32 +282,32 @@ void FreeWays::place(std::vector<TipStation>& found) const {
       continue;
     }
     const std::vector<double> smooth =
-        smooth_along(rate, kind_of(of.arc), exponent() * scatter_of_K);
+        smooth_rates(rate, kind_of(of.arc), exponent() * scatter_of_K);
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       TipStation& at = found[of.tips[i]];
       if (at.rate > 0.0) {
-        at.lever = smooth[i] / at.rate;
+        at.extent_rate_ratio = smooth[i] / at.rate;
         at.rate = smooth[i];
       }
     }
   }
 }
 
-void FreeWays::settle(State& state) {
+void FreeFrontShape::accept_trial(GrowthState& state) {
   now_ = trial_;
   stands_anew();
   find_turning(state);
   find_ligaments();
-  for (const Growing& of : now_.growing) {
-    const std::vector<double> astray = rates_of(of, state).astray();
+  for (const GrowingFront& of : now_.growing) {
+    const std::vector<double> astray = rates_of(of, state).uncertain_fraction();
     for (std::size_t i = 0; i < astray.size(); ++i) {
-      double& part = state.stations.back().tips[of.tips[i]].astray;
+      double& part = state.stations.back().tips[of.tips[i]].uncertain_fraction;
       part = std::max(part, std::abs(astray[i]));
     }
   }
   state.lines.assign(now_.cracks.size(), {});
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
-    if (is_gone(now_.cracks[c])) {
+    if (is_merged(now_.cracks[c])) {
       state.lines[c].emplace_back(Vec3::Zero());
     }
   }
@@ -317,14 +319,14 @@ void FreeWays::settle(State& state) {
 }
 
 // As go_on reads it.
-void FreeWays::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
+void FreeFrontShape::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
   const model::CrackDefinition& crack = now_.cracks[number];
   if (crack.kind != model::CrackDefinitionKind::drawn) {
     return;
   }
   double front = 0.0;
   std::vector<Vec3> tips;
-  for (const Growing& of : now_.growing) {
+  for (const GrowingFront& of : now_.growing) {
     for (const std::size_t tip : of.tips) {
       if (of.crack == number) {
         tips.emplace_back(static_cast<double>(tip), front, 0.0);
@@ -344,7 +346,8 @@ void FreeWays::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
   kept.insert(kept.end(), crack.points.begin(), crack.points.end());
 }
 
-CrackState FreeWays::straight_on(const State& /*state*/, double /*advance*/) const {
+CrackGeometry FreeFrontShape::extend_straight(const GrowthState& /*state*/,
+                                              double /*advance*/) const {
   return state_of(now_);
 }
 

@@ -38,33 +38,33 @@ mesh::FrontCurve whole_front(const model::CrackDefinition& crack) {
     }
   }
   const bool closed = ellipse || plane.closed;
-  mesh::FrontCurve curve(points, normals_of(crack, points), closed);
+  mesh::FrontCurve curve(points, crack_normals(crack, points), closed);
   double outwards = 0.0;
   for (const Vec3& x : points) {
     outwards += curve.at(curve.nearest_length(x)).m.dot(x - plane.place);
   }
   if (outwards < 0.0) {
     std::ranges::reverse(points);
-    curve = mesh::FrontCurve(points, normals_of(crack, points), closed);
+    curve = mesh::FrontCurve(points, crack_normals(crack, points), closed);
   }
   return curve;
 }
 
 // Places of a front one after another that lie in the body, the first and the last.
-struct Run {
+struct InsideRange {
   int begin = 0, last = 0;
 };
 
 // All runs there are; of a closed front one may go on over its end.
-std::vector<Run> runs_of(const std::vector<bool>& in, bool closed) {
+std::vector<InsideRange> runs_of(const std::vector<bool>& in, bool closed) {
   const int n = static_cast<int>(in.size());
   const auto is_in = [&](int i) { return in[static_cast<std::size_t>((i + n) % n)]; };
-  std::vector<Run> runs;
+  std::vector<InsideRange> runs;
   for (int i = 0; i < n; ++i) {
     if (!is_in(i) || (i == 0 ? closed && is_in(-1) : is_in(i - 1))) {
       continue;
     }
-    Run run{i, i};
+    InsideRange run{i, i};
     if (closed && i == 0) { // lengths along it count up from 0
       run = {n, n};
     }
@@ -78,18 +78,18 @@ std::vector<Run> runs_of(const std::vector<bool>& in, bool closed) {
 
 } // namespace
 
-base::Vec3 FrontArc::nearest(const base::Vec3& x) const {
+base::Vec3 BodyFrontArc::nearest(const base::Vec3& x) const {
   const double s = curve.nearest_length(x); // of an open curve beyond its ends, too
-  return curve.at(closed() ? s : std::clamp(s, 0.0, curve.length())).x;
+  return curve.at(is_closed() ? s : std::clamp(s, 0.0, curve.length())).x;
 }
 
-double FrontArc::place(double number, std::size_t count) const {
-  const std::size_t parts = closed() ? count : count - 1;
+double BodyFrontArc::arc_position(double number, std::size_t count) const {
+  const std::size_t parts = is_closed() ? count : count - 1;
   return curve.length() * number / static_cast<double>(parts);
 }
 
-std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
-                                   const SolidSurroundings& around) {
+std::vector<BodyFrontArc> arcs_in_body(const model::CrackDefinition& crack,
+                                       const SolidBodyQuery& around) {
   const mesh::FrontCurve whole = whole_front(crack);
   const bool closed = whole.closed();
   const int n = closed ? looks_along : looks_along + 1;
@@ -100,7 +100,7 @@ std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
   for (int i = 0; i < n; ++i) {
     in.push_back(in_body(s_of(i)));
   }
-  std::vector<FrontArc> arcs;
+  std::vector<BodyFrontArc> arcs;
   if (std::ranges::all_of(in, [](bool inside) { return inside; })) {
     arcs.push_back({whole});
     return arcs;
@@ -113,7 +113,7 @@ std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
     }
     return inside;
   };
-  for (const Run& run : runs_of(in, closed)) {
+  for (const InsideRange& run : runs_of(in, closed)) {
     const bool from_end = !closed && run.begin == 0;
     const bool to_end = !closed && run.last == n - 1;
     const double s0 = from_end ? 0.0 : border(s_of(run.begin), s_of(run.begin - 1));
@@ -122,22 +122,22 @@ std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
     for (int i = 0; i <= points_of_front; ++i) {
       points.push_back(whole.at(s0 + (s1 - s0) * i / points_of_front).x);
     }
-    std::vector<Vec3> normals = normals_of(crack, points);
+    std::vector<Vec3> normals = crack_normals(crack, points);
     arcs.push_back({mesh::FrontCurve(std::move(points), std::move(normals), false)});
   }
   return arcs;
 }
 
-std::optional<FrontArc> arc_in_body(const model::CrackDefinition& crack,
-                                    const SolidSurroundings& around) {
-  std::vector<FrontArc> arcs = arcs_in_body(crack, around);
+std::optional<BodyFrontArc> arc_in_body(const model::CrackDefinition& crack,
+                                        const SolidBodyQuery& around) {
+  std::vector<BodyFrontArc> arcs = arcs_in_body(crack, around);
   return arcs.size() == 1 ? std::optional(std::move(arcs.front())) : std::nullopt;
 }
 
 std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition& before,
                                                     const std::vector<Vec3>& points, bool closed,
-                                                    const SolidSurroundings& around) {
-  const mesh::FrontCurve curve(points, normals_of(before, points), closed);
+                                                    const SolidBodyQuery& around) {
+  const mesh::FrontCurve curve(points, crack_normals(before, points), closed);
   model::CrackDefinition crack = before;
   crack.kind = model::CrackDefinitionKind::drawn;
   crack.plane.closed = closed;

@@ -12,29 +12,29 @@
 namespace spricka::growth {
 
 /// What of a crack's front lies in the body.
-struct FrontArc {
+struct BodyFrontArc {
   mesh::FrontCurve curve; ///< m points out of the crack
 
-  [[nodiscard]] bool closed() const { return curve.closed(); }
+  [[nodiscard]] bool is_closed() const { return curve.closed(); }
   /// The place of a point of `count` spread evenly along it, or between two of them [length].
-  [[nodiscard]] double place(double number, std::size_t count) const;
+  [[nodiscard]] double arc_position(double number, std::size_t count) const;
   /// Its place that is nearest to x.
   [[nodiscard]] base::Vec3 nearest(const base::Vec3& x) const;
 };
 
 /// The parts of a front that are in the body, in the order along it.
-std::vector<FrontArc> arcs_in_body(const model::CrackDefinition& crack,
-                                   const SolidSurroundings& around);
+std::vector<BodyFrontArc> arcs_in_body(const model::CrackDefinition& crack,
+                                       const SolidBodyQuery& around);
 
 /// The only part; empty: there is none, or more than one.
-std::optional<FrontArc> arc_in_body(const model::CrackDefinition& crack,
-                                    const SolidSurroundings& around);
+std::optional<BodyFrontArc> arc_in_body(const model::CrackDefinition& crack,
+                                        const SolidBodyQuery& around);
 
 /// A crack whose front goes through these points, in the order of an arc's, and straight on out of
 /// the body at the ends of an open one. Empty: it does not come out.
 std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition& before,
                                                     const std::vector<base::Vec3>& points,
-                                                    bool closed, const SolidSurroundings& around);
+                                                    bool closed, const SolidBodyQuery& around);
 
 /// Where places of a front (`from`) go to, without those that would pass one another, where a notch
 /// closes: the ends of an open front stay.

@@ -14,13 +14,13 @@ namespace {
 
 // Of 17 points of an open front, and of 32 of a closed one; of more, where two fronts have become
 // one, as many more; of fewer, where one has become two, as many less.
-struct Fit {
+struct FrontFitOrders {
   int round = 0; ///< degree of the polynomial, of a front that turns
   int straight = 0;
   int harmonics = 0;
 };
-constexpr Fit rates{.round = 8, .straight = 4, .harmonics = 12};
-constexpr Fit turns{.round = 8, .straight = 2, .harmonics = 10};
+constexpr FrontFitOrders rates{.round = 8, .straight = 4, .harmonics = 12};
+constexpr FrontFitOrders turns{.round = 8, .straight = 2, .harmonics = 10};
 constexpr int points_open = 17;
 constexpr int points_closed = 32;
 /// Ends of a front through a plate answer to falling behind more steeply than a wave of an endless
@@ -61,7 +61,7 @@ struct Waves {
 
 // The polynomial or the harmonics that fit values [point] along an arc best, at its points; the
 // values themselves where there are too few.
-std::vector<double> fitted(const base::Vector& values, FrontKind kind, const Fit& fit) {
+std::vector<double> fitted(const base::Vector& values, FrontKind kind, const FrontFitOrders& fit) {
   const bool closed = kind == FrontKind::closed;
   const int degree = kind == FrontKind::straight ? fit.straight : fit.round;
   const Eigen::Index n = values.size();
@@ -100,11 +100,11 @@ double decayed_rise(double z) {
 
 } // namespace
 
-std::vector<double> FrontRates::advances(double mean) const {
+std::vector<double> FrontRates::point_advances(double mean) const {
   const auto n = static_cast<Eigen::Index>(rate.size());
   const Waves waves(n, kind == FrontKind::closed);
   const base::Vector now = vector_of(rate) / vector_of(rate).mean();
-  const base::Vector due = vector_of(owed).array() - vector_of(owed).mean();
+  const base::Vector due = vector_of(deferred_advance).array() - vector_of(deferred_advance).mean();
   const base::Vector share = waves.heights(now);
   const base::Vector missed = waves.heights(due);
   const double steep = kind == FrontKind::straight ? of_ends * stiffness : stiffness;
@@ -136,25 +136,26 @@ std::vector<double> FrontRates::advances(double mean) const {
   return by;
 }
 
-std::vector<double> FrontRates::left_of_owed(double mean) const {
-  const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
+std::vector<double> FrontRates::remaining_deferred(double mean) const {
+  const Waves waves(static_cast<Eigen::Index>(deferred_advance.size()), kind == FrontKind::closed);
   const base::Vector dying = (-mean * waves.decay(stiffness)).array().exp();
-  const base::Vector left = waves.shape * dying.cwiseProduct(waves.heights(vector_of(owed)));
+  const base::Vector left =
+      waves.shape * dying.cwiseProduct(waves.heights(vector_of(deferred_advance)));
   return {left.begin(), left.end()};
 }
 
-std::vector<double> FrontRates::astray() const {
-  const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
+std::vector<double> FrontRates::uncertain_fraction() const {
+  const Waves waves(static_cast<Eigen::Index>(deferred_advance.size()), kind == FrontKind::closed);
   const base::Vector part =
-      waves.shape * waves.decay(stiffness).cwiseProduct(waves.heights(vector_of(owed)));
+      waves.shape * waves.decay(stiffness).cwiseProduct(waves.heights(vector_of(deferred_advance)));
   if (kind == FrontKind::straight) {
     const base::Vector weight = vector_of(rate);
-    return std::vector<double>(owed.size(), part.dot(weight) / weight.sum());
+    return std::vector<double>(deferred_advance.size(), part.dot(weight) / weight.sum());
   }
   return {part.begin(), part.end()};
 }
 
-std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind,
+std::vector<double> smooth_rates(const std::vector<double>& values, FrontKind kind,
                                  double scatter) {
   if (std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
     return values;
@@ -167,7 +168,7 @@ std::vector<double> smooth_along(const std::vector<double>& values, FrontKind ki
   return {found.begin(), found.end()};
 }
 
-std::vector<double> smooth_turns(const std::vector<double>& angles, FrontKind kind) {
+std::vector<double> smooth_angles(const std::vector<double>& angles, FrontKind kind) {
   return fitted(vector_of(angles), kind, turns);
 }
 

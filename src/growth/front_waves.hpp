@@ -14,29 +14,29 @@ enum class FrontKind { closed, round, straight };
 /// logarithms as the polynomial of degree 8 (round; straight: 4) or by twelve harmonics (closed)
 /// that fits best; and what that leaves, as far as it is more than `scatter` (rms of a logarithm):
 /// waves that rates did not know would stay for ever (growth.16).
-std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind, double scatter);
+std::vector<double> smooth_rates(const std::vector<double>& values, FrontKind kind, double scatter);
 
 /// The same of angles [point] as they are.
-std::vector<double> smooth_turns(const std::vector<double>& angles, FrontKind kind);
+std::vector<double> smooth_angles(const std::vector<double>& angles, FrontKind kind);
 
 /// What is known of a front that goes on.
 struct FrontRates {
-  std::vector<double> rate;        ///< [point]
-  std::vector<double> rate_before; ///< [point] one advance ago; empty: not known
-  std::vector<double> last;        ///< [point] that advance [length]
-  std::vector<double> owed;        ///< [point] what is to be made up for [length]
-  double stiffness = 0.0;          ///< exponent of the law over the length of the arc [1/length]
+  std::vector<double> rate;             ///< [point]
+  std::vector<double> rate_before;      ///< [point] one advance ago; empty: not known
+  std::vector<double> last;             ///< [point] that advance [length]
+  std::vector<double> deferred_advance; ///< [point] what is to be made up for [length]
+  double stiffness = 0.0; ///< exponent of the law over the length of the arc [1/length]
   FrontKind kind = FrontKind::closed;
 
   /// Its advances [point] by `mean` on the whole, of the second order in it, each wave on its way
   /// to the shape that it tends to (growth.13) [length].
-  [[nodiscard]] std::vector<double> advances(double mean) const;
+  [[nodiscard]] std::vector<double> point_advances(double mean) const;
   /// What is still owed [point] after an advance by `mean`, whose waves die away [length].
-  [[nodiscard]] std::vector<double> left_of_owed(double mean) const;
+  [[nodiscard]] std::vector<double> remaining_deferred(double mean) const;
   /// Part by which rates [point] are wrong where the front is not where it is owed to be; of a
   /// straight front that of their sum, on which cycles are counted: its ends swing about where they
   /// should be.
-  [[nodiscard]] std::vector<double> astray() const;
+  [[nodiscard]] std::vector<double> uncertain_fraction() const;
 };
 
 } // namespace spricka::growth

@@ -32,53 +32,55 @@ constexpr double one_plane = 1e-6;
 
 } // namespace
 
-FrontWays::FrontWays(const model::Model& model) : model_(model), around_(model.mesh) {}
+FrontKinematics::FrontKinematics(const model::Model& model) : model_(model), around_(model.mesh) {}
 
-double FrontWays::length_left(const State& state, std::size_t tip) const {
+double FrontKinematics::remaining_ligament(const GrowthState& state, std::size_t tip) const {
   return model_.growth->last_length.value_or(std::numeric_limits<double>::infinity()) -
          state.stations.back().tips[tip].a;
 }
 
-WayLimit FrontWays::limit(const State& state, std::size_t tip, double share, double ds) const {
-  WayLimit limit{.ds =
-                     std::min({ds, length_left(state, tip) / share, longest_advance(tip) / share})};
+AdvanceLimit FrontKinematics::step_limit(const GrowthState& state, std::size_t tip, double share,
+                                         double ds) const {
+  AdvanceLimit limit{
+      .ds = std::min({ds, remaining_ligament(state, tip) / share, longest_advance(tip) / share})};
   limit_by_front(tip, share, limit);
-  const std::optional<Ligament> before = ligament(tip);
-  if (limit.end || limit.leap || !before) {
+  const std::optional<SurfaceLigament> before = ligament(tip);
+  if (limit.end || limit.breakthrough || !before) {
     return limit;
   }
-  const double gap = leap_early_ ? gone_through_refused : gone_through;
-  if (before->part() < gap && goes_on_behind(tip, *before)) {
-    limit.leap = before->left / share;
-  } else if (before->part() < nothing_left) {
-    limit.end = WayEnd{"EDGE", fmt::format("{} reaches the surface: {:.3g} is left of the "
-                                           "ligament, in which K grows without bound",
-                                           tips_[tip].name, before->left)};
+  const double gap = must_break_through_early_ ? gone_through_refused : gone_through;
+  if (before->left_fraction() < gap && goes_on_behind(tip, *before)) {
+    limit.breakthrough = before->left / share;
+  } else if (before->left_fraction() < nothing_left) {
+    limit.end = GrowthStop{"EDGE", fmt::format("{} reaches the surface: {:.3g} is left of the "
+                                               "ligament, in which K grows without bound",
+                                               tips_[tip].name, before->left)};
   }
   limit.ds = std::min(limit.ds, part_to_surface * before->left / share);
   return limit;
 }
 
-void FrontWays::limit_by_front(std::size_t tip, double share, WayLimit& limit) const {
-  const std::optional<Neighbour> other = neighbour(tip);
+void FrontKinematics::limit_by_front(std::size_t tip, double share, AdvanceLimit& limit) const {
+  const std::optional<NeighbourCrack> other = neighbour(tip);
   if (!other) {
     return;
   }
   limit.ds = std::min(limit.ds, part_to_front * other->gap / share);
   const double met = fronts_met * behind(tip);
-  if (other->gap < (leap_early_ ? gone_through_refused * behind(tip) : met) && joins(tip, *other)) {
-    limit.leap = own_part_of_gap * other->gap / share;
+  if (other->gap < (must_break_through_early_ ? gone_through_refused * behind(tip) : met) &&
+      joins(tip, *other)) {
+    limit.breakthrough = own_part_of_gap * other->gap / share;
     limit.meets = other->crack + 1;
   } else if (other->gap < met) {
-    limit.end = WayEnd{"LINK-UP",
-                       fmt::format("{} meets crack {}: {:.3g} is left between them",
-                                   tips_[tip].name, model_.cracks[other->crack].name, other->gap)};
+    limit.end = GrowthStop{"LINK-UP", fmt::format("{} meets crack {}: {:.3g} is left between them",
+                                                  tips_[tip].name, model_.cracks[other->crack].name,
+                                                  other->gap)};
   }
 }
 
 // What may differ between two cracks that join is nothing that counts behind that.
-bool FrontWays::may_join(const model::CrackDefinition& one,
-                         const model::CrackDefinition& other) const {
+bool FrontKinematics::may_join(const model::CrackDefinition& one,
+                               const model::CrackDefinition& other) const {
   const model::PlanarCrack& a = one.plane;
   const model::PlanarCrack& b = other.plane;
   const Vec3 way = b.place - a.place;
@@ -96,33 +98,36 @@ bool FrontWays::may_join(const model::CrackDefinition& one,
          one.faces_in_contact == other.faces_in_contact;
 }
 
-std::optional<WayEnd> FrontWays::refused(const State& /*state*/, bool leapt,
-                                         const std::string& why) {
-  std::optional<Ligament> least;
+std::optional<GrowthStop> FrontKinematics::reject_advance(const GrowthState& /*state*/, bool leapt,
+                                                          const std::string& why) {
+  std::optional<SurfaceLigament> least;
   std::size_t at = 0;
   bool meets = false;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    std::optional<Ligament> before = ligament(tip);
+    std::optional<SurfaceLigament> before = ligament(tip);
     before = before ? before : left_in_corner(tip);
-    if (before && (!least || before->part() < least->part())) {
+    if (before && (!least || before->left_fraction() < least->left_fraction())) {
       least = before;
       at = tip;
     }
-    const std::optional<Neighbour> other = leapt || leap_early_ ? std::nullopt : neighbour(tip);
+    const std::optional<NeighbourCrack> other =
+        leapt || must_break_through_early_ ? std::nullopt : neighbour(tip);
     meets =
         meets || (other && other->gap < gone_through_refused * behind(tip) && joins(tip, *other));
   }
-  const bool through = least && least->part() < gone_through_refused && goes_on_behind(at, *least);
-  if (!leapt && !leap_early_ && (through || meets)) {
-    leap_early_ = true;
+  const bool through =
+      least && least->left_fraction() < gone_through_refused && goes_on_behind(at, *least);
+  if (!leapt && !must_break_through_early_ && (through || meets)) {
+    must_break_through_early_ = true;
     return std::nullopt;
   }
-  if (least && least->part() < next_to_nothing_left) {
-    return WayEnd{"EDGE", fmt::format("{} is {:.3g} from the surface, and no front can be meshed "
-                                      "in what is left: {}",
-                                      tips_[at].name, least->left, why)};
+  if (least && least->left_fraction() < next_to_nothing_left) {
+    return GrowthStop{"EDGE",
+                      fmt::format("{} is {:.3g} from the surface, and no front can be meshed "
+                                  "in what is left: {}",
+                                  tips_[at].name, least->left, why)};
   }
-  return WayEnd{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
+  return GrowthStop{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
 }
 
 } // namespace spricka::growth

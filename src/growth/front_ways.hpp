@@ -13,27 +13,27 @@
 namespace spricka::growth {
 
 /// Whether a crack has become a part of another one: it is drawn, by no points.
-inline bool is_gone(const model::CrackDefinition& crack) {
+inline bool is_merged(const model::CrackDefinition& crack) {
   return crack.kind == model::CrackDefinitionKind::drawn && crack.points.empty();
 }
 
 /// Makes it one.
-inline void let_go(model::CrackDefinition& crack) {
+inline void mark_merged(model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::drawn;
   crack.points.clear();
 }
 
 /// Cracks in space, whatever shape their fronts take: how far it is to surfaces and other fronts,
 /// when a front goes through in one go, and when it ends there.
-class FrontWays : public Ways {
+class FrontKinematics : public CrackKinematics {
 public:
-  [[nodiscard]] const std::vector<GrowingTip>& tips() const override { return tips_; }
-  [[nodiscard]] bool turns() const override { return false; }
-  [[nodiscard]] double length_left(const State& state, std::size_t tip) const override;
-  [[nodiscard]] WayLimit limit(const State& state, std::size_t tip, double share,
-                               double ds) const override;
-  [[nodiscard]] std::optional<WayEnd> refused(const State& state, bool leapt,
-                                              const std::string& why) override;
+  [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
+  [[nodiscard]] bool can_kink() const override { return false; }
+  [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
+  [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
+                                        double ds) const override;
+  [[nodiscard]] std::optional<GrowthStop> reject_advance(const GrowthState& state, bool leapt,
+                                                         const std::string& why) override;
 
 protected:
   /// A ligament that is less of the way to the surface is gone through in one go: a front so near
@@ -42,30 +42,31 @@ protected:
   /// Gap between two fronts that counts as closed, as a part of the way behind.
   static constexpr double fronts_met = 0.1;
 
-  explicit FrontWays(const model::Model& model);
+  explicit FrontKinematics(const model::Model& model);
 
   /// The way to the surface before a tip.
-  struct Ligament {
+  struct SurfaceLigament {
     double behind = 0.0; ///< how far the crack reaches back from the tip [length]
     double left = 0.0;   ///< from there to the surface [length]
-    [[nodiscard]] double part() const { return left / (behind + left); }
+    [[nodiscard]] double left_fraction() const { return left / (behind + left); }
   };
   /// The nearest place of another crack.
-  struct Neighbour {
+  struct NeighbourCrack {
     double gap = 0.0; ///< [length]
     std::size_t crack = 0;
   };
   /// Empty: no surface is ahead.
-  [[nodiscard]] virtual std::optional<Ligament> ligament(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<SurfaceLigament> ligament(std::size_t tip) const = 0;
   /// The longest way to any surface from places of a tip's front that has gone round a corner of
   /// the body, so that none of its tips has one ahead. Empty: it has not.
-  [[nodiscard]] virtual std::optional<Ligament> left_in_corner(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const = 0;
   /// Whether something of the front is left in the body once a tip has gone through the surface.
-  [[nodiscard]] virtual bool goes_on_behind(std::size_t tip, const Ligament& before) const = 0;
+  [[nodiscard]] virtual bool goes_on_behind(std::size_t tip,
+                                            const SurfaceLigament& before) const = 0;
   /// Empty: there is no other crack.
-  [[nodiscard]] virtual std::optional<Neighbour> neighbour(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<NeighbourCrack> neighbour(std::size_t tip) const = 0;
   /// Whether the two go on as one crack where a tip meets another one.
-  [[nodiscard]] virtual bool joins(std::size_t tip, const Neighbour& other) const = 0;
+  [[nodiscard]] virtual bool joins(std::size_t tip, const NeighbourCrack& other) const = 0;
   /// From the crack's place to a tip [length].
   [[nodiscard]] virtual double behind(std::size_t tip) const = 0;
   /// The longest advance of a tip [length].
@@ -76,16 +77,17 @@ protected:
                               const model::CrackDefinition& other) const;
 
   /// A state counts: what could not be meshed at the last one says nothing any more.
-  void stands_anew() { leap_early_ = false; }
+  void stands_anew() { must_break_through_early_ = false; }
 
   const model::Model& model_;
-  SolidSurroundings around_;
-  std::vector<GrowingTip> tips_;
+  SolidBodyQuery around_;
+  std::vector<TrackedTip> tips_;
 
 private:
-  void limit_by_front(std::size_t tip, double share, WayLimit& limit) const;
+  void limit_by_front(std::size_t tip, double share, AdvanceLimit& limit) const;
 
-  bool leap_early_ = false; ///< nearer to the surface, or to another front, nothing can be meshed
+  bool must_break_through_early_ =
+      false; ///< nearer to the surface, or to another front, nothing can be meshed
 };
 
 } // namespace spricka::growth

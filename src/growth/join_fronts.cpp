@@ -10,15 +10,15 @@ namespace {
 enum class Meets { nowhere, at_first, at_last, inside, in_several };
 
 // The one run of points that do not stay: the number of its first and how many.
-struct Gap {
+struct MeetingPointRange {
   Meets where = Meets::nowhere;
   std::size_t begin = 0, count = 0;
   [[nodiscard]] std::size_t middle() const { return begin + count / 2; }
 };
 
-Gap gap_of(const MeetingFront& front) {
+MeetingPointRange gap_of(const CoalescingFront& front) {
   const std::size_t n = front.stays.size();
-  Gap gap;
+  MeetingPointRange gap;
   std::size_t runs = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool before = i > 0 ? front.stays[i - 1] : !front.closed || front.stays[n - 1];
@@ -40,7 +40,8 @@ Gap gap_of(const MeetingFront& front) {
 }
 
 // Points `from` to before `to`, of a closed front over its end, behind what is joined so far.
-void append(const MeetingFront& front, std::size_t from, std::size_t to, JoinedFront& joined) {
+void append(const CoalescingFront& front, std::size_t from, std::size_t to,
+            CoalescedFront& joined) {
   const std::size_t n = front.points.size();
   for (std::size_t i = from; i < to; ++i) {
     joined.tips.push_back(front.tips[i % n]);
@@ -50,27 +51,28 @@ void append(const MeetingFront& front, std::size_t from, std::size_t to, JoinedF
   }
 }
 
-void append_all(const MeetingFront& front, std::size_t from, JoinedFront& joined) {
+void append_all(const CoalescingFront& front, std::size_t from, CoalescedFront& joined) {
   append(front, from, from + front.points.size(), joined);
 }
 
 } // namespace
 
-void MeetingFront::turn_over() {
+void CoalescingFront::reverse_order() {
   std::ranges::reverse(points);
   std::ranges::reverse(tips);
   std::reverse(stays.begin(), stays.end());
 }
 
-std::optional<JoinedFront> join_fronts(const MeetingFront& one, const MeetingFront& other) {
-  const Gap a = gap_of(one);
-  const Gap b = gap_of(other);
+std::optional<CoalescedFront> coalesce_fronts(const CoalescingFront& one,
+                                              const CoalescingFront& other) {
+  const MeetingPointRange a = gap_of(one);
+  const MeetingPointRange b = gap_of(other);
   const bool open = !one.closed && !other.closed;
   if ((one.closed && !other.closed) ||
       (open && a.where == Meets::at_first && b.where == Meets::at_last)) {
-    return join_fronts(other, one);
+    return coalesce_fronts(other, one);
   }
-  JoinedFront joined;
+  CoalescedFront joined;
   if (one.closed && other.closed && a.where == Meets::inside && b.where == Meets::inside) {
     joined.closed = true;
     append_all(one, a.middle(), joined);

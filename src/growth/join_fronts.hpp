@@ -10,18 +10,18 @@ namespace spricka::growth {
 
 /// A front that meets another one: its points in the order of t = m x b, and which of them stay.
 /// The others are where the two meet.
-struct MeetingFront {
+struct CoalescingFront {
   std::vector<base::Vec3> points;
   std::vector<std::size_t> tips; ///< [point]
   std::vector<bool> stays;       ///< [point]
   bool closed = false;
 
   /// The same front in the order for a normal that points the other way.
-  void turn_over();
+  void reverse_order();
 };
 
 /// The front of both cracks together.
-struct JoinedFront {
+struct CoalescedFront {
   std::vector<base::Vec3> points; ///< those that stay
   std::vector<std::size_t> tips;  ///< all of both, in the order along it
   bool closed = false;
@@ -30,6 +30,7 @@ struct JoinedFront {
 /// From where one front stops the other goes on: two closed ones become one, a closed one opens the
 /// middle of one between surfaces, two beside one another on a surface follow each other. Empty:
 /// they meet otherwise, and what is left would be several fronts.
-std::optional<JoinedFront> join_fronts(const MeetingFront& one, const MeetingFront& other);
+std::optional<CoalescedFront> coalesce_fronts(const CoalescingFront& one,
+                                              const CoalescingFront& other);
 
 } // namespace spricka::growth

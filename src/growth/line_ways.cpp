@@ -54,9 +54,9 @@ const base::Vec3& tip_point(const mesh::CrackLine& line, bool at_first) {
 
 } // namespace
 
-std::vector<GrowingTip> growing_tips(const model::Model& model,
+std::vector<TrackedTip> growing_tips(const model::Model& model,
                                      const std::vector<mesh::CrackLine>& lines) {
-  std::vector<GrowingTip> tips;
+  std::vector<TrackedTip> tips;
   const auto add = [&](std::string name, std::size_t line, bool at_first) {
     tips.push_back({.name = std::move(name), .line = line, .at_first = at_first});
   };
@@ -74,19 +74,19 @@ std::vector<GrowingTip> growing_tips(const model::Model& model,
   return tips;
 }
 
-LineWays::LineWays(const model::Model& model, std::vector<mesh::CrackLine> lines)
+PlanarTips::PlanarTips(const model::Model& model, std::vector<mesh::CrackLine> lines)
     : model_(model), lines_(std::move(lines)), tips_(growing_tips(model, lines_)),
       around_(model.mesh) {}
 
-const model::CrackGrowthSettings& LineWays::rules() const {
+const model::CrackGrowthSettings& PlanarTips::rules() const {
   return *model_.growth;
 }
 
-bool LineWays::turns() const {
+bool PlanarTips::can_kink() const {
   return rules().direction != model::GrowthDirection::path;
 }
 
-void LineWays::go_on(const State& state) {
+void PlanarTips::resume_from(const GrowthState& state) {
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
     if (state.lines[i].size() < 2) {
       throw std::out_of_range("a crack without a line");
@@ -95,30 +95,31 @@ void LineWays::go_on(const State& state) {
   }
 }
 
-CrackState LineWays::here() {
+CrackGeometry PlanarTips::current_state() {
   trial_ = lines_;
   return {.lines = trial_};
 }
 
-double LineWays::first_arm(std::size_t tip) const {
+double PlanarTips::initial_extent(std::size_t tip) const {
   const mesh::CrackLine& line = lines_[tips_[tip].line];
   return (line.embedded ? 0.5 : 1.0) * length_of(line.points);
 }
 
-Heading LineWays::heading_of(const State& state, std::size_t tip) const {
-  const GrowingTip& t = tips_[tip];
+TipGrowthDirection PlanarTips::heading_of(const GrowthState& state, std::size_t tip) const {
+  const TrackedTip& t = tips_[tip];
   const mesh::CrackLine& line = lines_[t.line];
   // Where cracks turn, the way on is that found at the last station; else the crack's own.
-  const double angle = state.stations.empty() || !turns() ? angle_of(last_part(line, t.at_first))
-                                                          : state.stations.back().tips[tip].heading;
+  const double angle = state.stations.empty() || !can_kink()
+                           ? angle_of(last_part(line, t.at_first))
+                           : state.stations.back().tips[tip].heading;
   return {tip_point(line, t.at_first), unit(angle)};
 }
 
 // To AMAX and to the last node of a path.
-double LineWays::length_left(const State& state, std::size_t tip) const {
+double PlanarTips::remaining_ligament(const GrowthState& state, std::size_t tip) const {
   const mesh::CrackLine& line = lines_[tips_[tip].line];
   double longest = rules().last_length.value_or(std::numeric_limits<double>::infinity());
-  if (!line.path.empty() && !turns()) {
+  if (!line.path.empty() && !can_kink()) {
     std::vector<base::Vec3> path;
     for (const base::NodeId n : line.path) {
       path.push_back(model_.mesh.x[n.index()]);
@@ -128,18 +129,19 @@ double LineWays::length_left(const State& state, std::size_t tip) const {
   return longest - state.stations.back().tips[tip].a;
 }
 
-WayLimit LineWays::limit(const State& state, std::size_t tip, double share, double ds) const {
-  const GrowingTip& t = tips_[tip];
+AdvanceLimit PlanarTips::step_limit(const GrowthState& state, std::size_t tip, double share,
+                                    double ds) const {
+  const TrackedTip& t = tips_[tip];
   const TipStation& here = state.stations.back().tips[tip];
-  WayLimit limit{.ds = ds};
-  const double left = length_left(state, tip);
+  AdvanceLimit limit{.ds = ds};
+  const double left = remaining_ligament(state, tip);
   if (left <= 1e-9 * here.a) { // AMAX has ended it before
     limit.end =
-        WayEnd{"PATH END", fmt::format("the path of {} ends at a = {:.6g}", t.name, here.a)};
+        GrowthStop{"PATH END", fmt::format("the path of {} ends at a = {:.6g}", t.name, here.a)};
     return limit;
   }
   limit.ds = std::min(limit.ds, left / share);
-  if (turns() && state.stations.size() > 1) {
+  if (can_kink() && state.stations.size() > 1) {
     const TipStation& before = state.stations[state.stations.size() - 2].tips[tip];
     const double turned = std::remainder(here.heading - before.heading, 2.0 * std::numbers::pi);
     const double curvature = std::abs(turned) / std::max(here.a - before.a, 1e-300);
@@ -152,44 +154,46 @@ WayLimit LineWays::limit(const State& state, std::size_t tip, double share, doub
   return limit;
 }
 
-void LineWays::limit_by_obstacles(const State& state, std::size_t tip, double share,
-                                  WayLimit& limit) const {
-  const GrowingTip& t = tips_[tip];
+void PlanarTips::limit_by_obstacles(const GrowthState& state, std::size_t tip, double share,
+                                    AdvanceLimit& limit) const {
+  const TrackedTip& t = tips_[tip];
   const double a = state.stations.back().tips[tip].a;
-  const Heading heading = heading_of(state, tip);
+  const TipGrowthDirection heading = heading_of(state, tip);
   if (const auto edge = around_.edge_ahead(lines_[t.line], heading)) {
     if (edge->distance <= through * a) {
-      limit.end = WayEnd{"EDGE", fmt::format("{} reaches {}: {:.3g} is left of the ligament, in "
-                                             "which K grows without bound",
-                                             t.name, edge->what, edge->distance)};
+      limit.end =
+          GrowthStop{"EDGE", fmt::format("{} reaches {}: {:.3g} is left of the ligament, in "
+                                         "which K grows without bound",
+                                         t.name, edge->what, edge->distance)};
       return;
     }
     limit.ds = std::min(limit.ds, of_way_to_edge * edge->distance / share);
   }
-  if (const auto crack = Surroundings::crack_ahead(lines_, t.line, heading)) {
+  if (const auto crack = PlaneBoundaryAhead::crack_ahead(lines_, t.line, heading)) {
     if (crack->distance <= through * a) {
-      limit.end = WayEnd{"LINK-UP", fmt::format("{} meets {}: {:.3g} is left between them", t.name,
-                                                crack->what, crack->distance)};
+      limit.end = GrowthStop{"LINK-UP", fmt::format("{} meets {}: {:.3g} is left between them",
+                                                    t.name, crack->what, crack->distance)};
       return;
     }
     limit.ds = std::min(limit.ds, of_way_to_crack * crack->distance / share);
   }
 }
 
-std::optional<CrackState> LineWays::advanced(const State& state, const Advance& advance,
-                                             base::Diagnostics& diagnostics) {
-  if (turns()) {
+std::optional<CrackGeometry> PlanarTips::advance_cracks(const GrowthState& state,
+                                                        const TrialAdvance& advance,
+                                                        base::Diagnostics& diagnostics) {
+  if (can_kink()) {
     std::vector<mesh::CrackLine> lines = lines_;
     for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
       extend(state, tip, advance.by[tip], lines[tips_[tip].line]);
     }
     trial_ = std::move(lines);
-    return CrackState{.lines = trial_};
+    return CrackGeometry{.lines = trial_};
   }
   // On ways that the deck draws, lines are cut anew to the arms; zero stands for the first length.
-  std::vector<Arms> arms(model_.cracks.size());
+  std::vector<TipLengths> arms(model_.cracks.size());
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    Arms& of = arms[lines_[tips_[tip].line].crack.index()];
+    TipLengths& of = arms[lines_[tips_[tip].line].crack.index()];
     (tips_[tip].at_first ? of.first : of.last) =
         state.stations.back().tips[tip].a + advance.by[tip];
   }
@@ -198,11 +202,12 @@ std::optional<CrackState> LineWays::advanced(const State& state, const Advance& 
     return std::nullopt;
   }
   trial_ = std::move(*lines);
-  return CrackState{.lines = trial_};
+  return CrackGeometry{.lines = trial_};
 }
 
 // An arc that goes on with the curvature of the last advance, as a polyline with small kinks.
-void LineWays::extend(const State& state, std::size_t tip, double by, mesh::CrackLine& line) const {
+void PlanarTips::extend(const GrowthState& state, std::size_t tip, double by,
+                        mesh::CrackLine& line) const {
   const bool at_first = tips_[tip].at_first;
   if (by <= 0.0) {
     return;
@@ -242,9 +247,9 @@ void LineWays::extend(const State& state, std::size_t tip, double by, mesh::Crac
   }
 }
 
-void LineWays::place(std::vector<TipStation>& found) const {
+void PlanarTips::locate_tips(std::vector<TipStation>& found) const {
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    const GrowingTip& t = tips_[tip];
+    const TrackedTip& t = tips_[tip];
     const mesh::CrackLine& line = trial_[t.line];
     found[tip].heading = angle_of(last_part(line, t.at_first)) + found[tip].turn;
     found[tip].x = tip_point(line, t.at_first).x();
@@ -252,7 +257,7 @@ void LineWays::place(std::vector<TipStation>& found) const {
   }
 }
 
-void LineWays::settle(State& state) {
+void PlanarTips::accept_trial(GrowthState& state) {
   lines_ = trial_;
   state.lines.clear();
   for (const mesh::CrackLine& line : lines_) {
@@ -260,15 +265,15 @@ void LineWays::settle(State& state) {
   }
 }
 
-std::optional<WayEnd> LineWays::refused(const State& /*state*/, bool /*leapt*/,
-                                        const std::string& why) {
-  return WayEnd{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
+std::optional<GrowthStop> PlanarTips::reject_advance(const GrowthState& /*state*/, bool /*leapt*/,
+                                                     const std::string& why) {
+  return GrowthStop{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
 }
 
-CrackState LineWays::straight_on(const State& state, double advance) const {
+CrackGeometry PlanarTips::extend_straight(const GrowthState& state, double advance) const {
   std::vector<mesh::CrackLine> lines = lines_;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    const Heading heading = heading_of(state, tip);
+    const TipGrowthDirection heading = heading_of(state, tip);
     const auto edge = around_.edge_ahead(lines_[tips_[tip].line], heading);
     // A look ahead must not leave the body.
     const double by = edge ? std::min(advance, 0.9 * edge->distance) : advance;

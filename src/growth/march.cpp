@@ -24,13 +24,14 @@ constexpr double little = 0.03; ///< that is left, as a part of the arm
 
 } // namespace
 
-March::March(const model::Model& model, Law law, std::unique_ptr<Ways> ways, State state)
-    : model_(model), law_(std::move(law)), ways_(std::move(ways)), state_(std::move(state)) {
+GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
+                                   std::unique_ptr<CrackKinematics> ways, GrowthState state)
+    : model_(model), law_(std::move(law)), kinematics_(std::move(ways)), state_(std::move(state)) {
   // A run that goes on stands where its last station was; whether that was the end follows anew.
   if (state_.stations.empty()) {
     state_.step = first_step;
   } else {
-    ways_->go_on(state_);
+    kinematics_->resume_from(state_);
     if (state_.stations.front().tips.size() != tips().size()) {
       throw std::out_of_range("stations of other tips");
     }
@@ -38,26 +39,27 @@ March::March(const model::Model& model, Law law, std::unique_ptr<Ways> ways, Sta
   }
 }
 
-March::March(const model::Model& model, Law law, std::vector<mesh::CrackLine> lines, State state)
-    : March(model, std::move(law), std::make_unique<LineWays>(model, std::move(lines)),
-            std::move(state)) {}
+GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
+                                   std::vector<mesh::CrackLine> lines, GrowthState state)
+    : GrowthIntegrator(model, std::move(law), std::make_unique<PlanarTips>(model, std::move(lines)),
+                       std::move(state)) {}
 
-const model::CrackGrowthSettings& March::rules() const {
+const model::CrackGrowthSettings& GrowthIntegrator::rules() const {
   return *model_.growth;
 }
 
 // Parts of the next advance by tip: rates extrapolated to its middle (Adams and Bashforth), once
 // there are two stations.
-std::vector<double> March::shares() const {
-  const std::vector<Station>& all = state_.stations;
+std::vector<double> GrowthIntegrator::shares() const {
+  const std::vector<SolvedStation>& all = state_.stations;
   std::vector<double> share;
-  const auto of = [](const Station& station, std::size_t tip) {
-    return station.tips[tip].rate / station.rate();
+  const auto of = [](const SolvedStation& station, std::size_t tip) {
+    return station.tips[tip].rate / station.growth_rate();
   };
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     double p = of(all.back(), tip);
     if (all.size() > 1 && p > 0.0) {
-      const Station& before = all[all.size() - 2];
+      const SolvedStation& before = all[all.size() - 2];
       const double h = all.back().s - before.s;
       // A guess of the advance of s: obstacles and lengths that cut it are looked at afterwards.
       const double next = all.back().s * (std::exp(state_.step) - 1.0);
@@ -77,28 +79,28 @@ std::vector<double> March::shares() const {
   return share;
 }
 
-std::optional<CrackState> March::next(base::Diagnostics& diagnostics) {
+std::optional<CrackGeometry> GrowthIntegrator::propose_step(base::Diagnostics& diagnostics) {
   if (end_) {
     return std::nullopt;
   }
   if (state_.stations.empty()) {
-    return ways_->here();
+    return kinematics_->current_state();
   }
   if (!plan()) {
     return std::nullopt;
   }
-  Advance advance{.by = advance_};
+  TrialAdvance advance{.by = advance_};
   if (leaping_ > 0) {
-    advance.leap = leap_factor_;
+    advance.breakthrough = breakthrough_factor_;
     advance.tip = leaping_ - 1;
     advance.meets = meets_;
   }
-  return ways_->advanced(state_, advance, diagnostics);
+  return kinematics_->advance_cracks(state_, advance, diagnostics);
 }
 
-bool March::plan() {
+bool GrowthIntegrator::plan() {
   const std::vector<double> share = shares();
-  const Station& here = state_.stations.back();
+  const SolvedStation& here = state_.stations.back();
   const std::optional<double> ds = next_advance(share);
   if (!ds) {
     return false;
@@ -107,17 +109,17 @@ bool March::plan() {
   bool to_last_length = false;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const double by = share[tip] * *ds;
-    const double left = ways_->length_left(state_, tip);
+    const double left = kinematics_->remaining_ligament(state_, tip);
     // The last length is met exactly, and no advance is left over that is only round-off.
     const bool to_the_end = by >= left * (1.0 - 1e-9);
     to_last_length = to_last_length || to_the_end;
     // What earlier advances missed is made up for, within bounds that keep the tip going on.
     // A leap is as long as its ligament.
-    const double owed = leaping_ > 0 ? 0.0 : here.tips[tip].owed;
+    const double owed = leaping_ > 0 ? 0.0 : here.tips[tip].deferred_advance;
     const double all = std::clamp(by + owed, 0.5 * by, 2.0 * by);
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
-  if (leaping_ == 0 && ways_->relax(state_, advance_)) {
+  if (leaping_ == 0 && kinematics_->smooth_front(state_, advance_)) {
     stop_at_last_length(to_last_length);
   }
   return true;
@@ -126,17 +128,17 @@ bool March::plan() {
 // A front that relaxes goes farther at some places, and less far at others, than was planned: all
 // of it goes as far as the first tip may, which meets its last length exactly. Half of a little
 // that is left, again and again, would have no end.
-void March::stop_at_last_length(bool planned) {
+void GrowthIntegrator::stop_at_last_length(bool planned) {
   std::size_t first = 0;
   double most = 0.0;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-    const double part = advance_[tip] / ways_->length_left(state_, tip);
+    const double part = advance_[tip] / kinematics_->remaining_ligament(state_, tip);
     if (part > most) {
       most = part;
       first = tip;
     }
   }
-  const double left = ways_->length_left(state_, first);
+  const double left = kinematics_->remaining_ligament(state_, first);
   const bool the_last = planned && left < little * state_.stations.back().tips[first].a;
   if (most <= 0.0 || (most < nearly_there && !the_last)) {
     return;
@@ -148,8 +150,8 @@ void March::stop_at_last_length(bool planned) {
 }
 
 // The advance of all together; empty: the growth ends here.
-std::optional<double> March::next_advance(const std::vector<double>& share) {
-  const Station& here = state_.stations.back();
+std::optional<double> GrowthIntegrator::next_advance(const std::vector<double>& share) {
+  const SolvedStation& here = state_.stations.back();
   // No arm may grow by more than the step; what each tip demands only makes it shorter.
   double ds = 1e300;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
@@ -167,14 +169,15 @@ std::optional<double> March::next_advance(const std::vector<double>& share) {
     if (rules().largest_advance) {
       ds = std::min(ds, *rules().largest_advance / share[tip]);
     }
-    const WayLimit limit = ways_->limit(state_, tip, share[tip], ds);
+    const AdvanceLimit limit = kinematics_->step_limit(state_, tip, share[tip], ds);
     if (limit.end) {
       end_at_station(limit.end->word, limit.end->reason);
       return std::nullopt;
     }
     ds = limit.ds;
-    if (limit.leap && *limit.leap < leap.value_or(std::numeric_limits<double>::infinity())) {
-      leap = limit.leap;
+    if (limit.breakthrough &&
+        *limit.breakthrough < leap.value_or(std::numeric_limits<double>::infinity())) {
+      leap = limit.breakthrough;
       leaping_ = tip + 1;
       meets_ = limit.meets;
     }
@@ -182,19 +185,19 @@ std::optional<double> March::next_advance(const std::vector<double>& share) {
   return leap.value_or(ds);
 }
 
-void March::end_at_station(std::string word, std::string reason) {
-  end_ = End{std::move(word), std::move(reason), state_.stations.back().s};
+void GrowthIntegrator::end_at_station(std::string word, std::string reason) {
+  end_ = GrowthEnd{std::move(word), std::move(reason), state_.stations.back().s};
 }
 
-bool March::take(std::vector<TipStation> found) {
-  Station station;
-  station.leapt = leaping_;
+bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
+  SolvedStation station;
+  station.breakthroughs = leaping_;
   station.met = meets_;
-  ways_->place(found);
+  kinematics_->locate_tips(found);
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     TipStation& here = found[tip];
     // The arms are the clock of the growth: summed from advances, not measured on polylines.
-    here.a = state_.stations.empty() ? ways_->first_arm(tip)
+    here.a = state_.stations.empty() ? kinematics_->initial_extent(tip)
                                      : state_.stations.back().tips[tip].a + advance_[tip];
     station.s += here.a;
   }
@@ -209,8 +212,8 @@ bool March::take(std::vector<TipStation> found) {
   }
   leaping_ = 0;
   meets_ = 0;
-  leap_factor_ = 1.0;
-  ways_->settle(state_);
+  breakthrough_factor_ = 1.0;
+  kinematics_->accept_trial(state_);
   look_for_end();
   return true;
 }

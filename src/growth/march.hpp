@@ -17,7 +17,7 @@
 /// it is over (manual, growth.2 to growth.6).
 namespace spricka::growth {
 
-struct End {
+struct GrowthEnd {
   /// AMAX, CYCLES, KC, NET SECTION, EDGE, LINK-UP, THRESHOLD, CLOSED, ARREST, CURL, PATH END, MESH,
   /// STATIONS
   std::string word;
@@ -25,32 +25,34 @@ struct End {
   double s = 0.0;     ///< sum of the arms there
 };
 
-class March {
+class GrowthIntegrator {
 public:
   /// `law`: empty where the stations' rates are those of a spectrum. `ways`: of the cracks as they
   /// are first. `state`: of a run that goes on, else new.
-  March(const model::Model& model, Law law, std::unique_ptr<Ways> ways, State state);
+  GrowthIntegrator(const model::Model& model, Law law, std::unique_ptr<CrackKinematics> ways,
+                   GrowthState state);
   /// The same for cracks in the plane.
-  March(const model::Model& model, Law law, std::vector<mesh::CrackLine> lines, State state);
+  GrowthIntegrator(const model::Model& model, Law law, std::vector<mesh::CrackLine> lines,
+                   GrowthState state);
 
   /// The cracks to be solved next; empty when the growth has ended.
-  std::optional<CrackState> next(base::Diagnostics& diagnostics);
+  std::optional<CrackGeometry> propose_step(base::Diagnostics& diagnostics);
   /// Takes what was found there: K, rates, turns and plastic parts by tip. False: the advance was
   /// too long for the tolerance and does not count.
-  bool take(std::vector<TipStation> found);
+  bool accept_station(std::vector<TipStation> found);
   /// The cracks of `next` could not be meshed: a shorter advance, or the end.
-  void shorten(const std::string& why);
+  void shorten_step(const std::string& why);
 
-  [[nodiscard]] const std::vector<GrowingTip>& tips() const { return ways_->tips(); }
-  [[nodiscard]] const State& state() const { return state_; }
-  [[nodiscard]] const std::optional<End>& end() const { return end_; }
+  [[nodiscard]] const std::vector<TrackedTip>& tips() const { return kinematics_->tips(); }
+  [[nodiscard]] const GrowthState& growth_state() const { return state_; }
+  [[nodiscard]] const std::optional<GrowthEnd>& end() const { return end_; }
   /// Functions between the stations; a view of this object.
-  [[nodiscard]] Trajectory trajectory() const { return {state_.stations, law_, 4}; }
+  [[nodiscard]] GrowthTrajectory trajectory() const { return {state_.stations, law_, 4}; }
   /// Estimated error of the cycles, as a part of them.
-  [[nodiscard]] double error() const;
+  [[nodiscard]] double cycle_error() const;
   /// Cracks straight on from the last station by so much at each growing tip, for a look ahead.
-  [[nodiscard]] CrackState straight_on(double advance) const {
-    return ways_->straight_on(state_, advance);
+  [[nodiscard]] CrackGeometry extend_straight(double advance) const {
+    return kinematics_->extend_straight(state_, advance);
   }
 
 private:
@@ -64,7 +66,8 @@ private:
   [[nodiscard]] double turn_missed() const;
   [[nodiscard]] double drift() const;
   void settle();
-  [[nodiscard]] std::optional<End> crossing(const Trajectory& between, double s0, double s1) const;
+  [[nodiscard]] std::optional<GrowthEnd> crossing(const GrowthTrajectory& between, double s0,
+                                                  double s1) const;
   void look_for_end();
   void look_for_no_end();
   void nothing_grows();
@@ -74,13 +77,13 @@ private:
 
   const model::Model& model_;
   Law law_;
-  std::unique_ptr<Ways> ways_;
+  std::unique_ptr<CrackKinematics> kinematics_;
   std::vector<double> advance_; ///< [tip] that leads to the state on trial
   std::size_t leaping_ = 0;     ///< the tip, from 1, that goes through a surface; 0: none
   std::size_t meets_ = 0;       ///< the crack, from 1, that its front joins on that way; 0: none
-  double leap_factor_ = 1.0;    ///< larger where the last leap could not be meshed
-  State state_;
-  std::optional<End> end_;
+  double breakthrough_factor_ = 1.0; ///< larger where the last leap could not be meshed
+  GrowthState state_;
+  std::optional<GrowthEnd> end_;
 };
 
 } // namespace spricka::growth

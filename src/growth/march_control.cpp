@@ -47,7 +47,7 @@ constexpr double rest = 1e-9;
 constexpr std::size_t enough_stations = 1000;
 
 // Whether no tip has a K above 0 at the largest load.
-bool closed(const Station& station) {
+bool closed(const SolvedStation& station) {
   return std::ranges::all_of(station.tips,
                              [](const TipStation& tip) { return !(tip.K_max > 0.0); });
 }
@@ -55,8 +55,8 @@ bool closed(const Station& station) {
 } // namespace
 
 // Of the last interval, as a part of the cycles that count there; not a number with two stations.
-double March::cycles_missed() const {
-  const std::vector<Station>& all = state_.stations;
+double GrowthIntegrator::cycles_missed() const {
+  const std::vector<SolvedStation>& all = state_.stations;
   const std::size_t n = all.size();
   if (n < 3) {
     return std::numeric_limits<double>::quiet_NaN();
@@ -64,15 +64,15 @@ double March::cycles_missed() const {
   const double s0 = all[n - 2].s;
   const double s1 = all[n - 1].s;
   const std::size_t points = std::min<std::size_t>(n, 4);
-  const double fine = Trajectory(all, law_, points).cycles(s0, s1);
-  const double coarse = Trajectory(all, law_, points - 1).cycles(s0, s1);
-  const double before = Trajectory(all, law_, 4).cycles(all.front().s, s0);
+  const double fine = GrowthTrajectory(all, law_, points).cycles(s0, s1);
+  const double coarse = GrowthTrajectory(all, law_, points - 1).cycles(s0, s1);
+  const double before = GrowthTrajectory(all, law_, 4).cycles(all.front().s, s0);
   return std::abs(fine - coarse) / std::max(fine, small_part * before);
 }
 
 // What the heading turned more than the advance was bent for; not a number at the first.
-double March::turn_missed() const {
-  const std::vector<Station>& all = state_.stations;
+double GrowthIntegrator::turn_missed() const {
+  const std::vector<SolvedStation>& all = state_.stations;
   double most = 0.0;
   for (std::size_t tip = 0; all.size() > 1 && tip < tips().size(); ++tip) {
     if (advance_[tip] <= 0.0) {
@@ -97,48 +97,48 @@ double March::turn_missed() const {
 
 // What the rates, the new ones too, make of the last advance: the integral of the shares by the
 // parabola through three stations, or by the trapezoidal rule. The next advance makes up for it.
-void March::settle() {
-  std::vector<Station>& all = state_.stations;
+void GrowthIntegrator::settle() {
+  std::vector<SolvedStation>& all = state_.stations;
   const std::size_t n = all.size();
-  if (n < 2 || tips().size() < 2 || !(all.back().rate() > 0.0) ||
-      !std::isfinite(all.back().rate())) {
+  if (n < 2 || tips().size() < 2 || !(all.back().growth_rate() > 0.0) ||
+      !std::isfinite(all.back().growth_rate())) {
     return;
   }
-  if (all.back().leapt > 0) {
+  if (all.back().breakthroughs > 0) {
     return; // shares before and behind have nothing in common
   }
   std::vector<double> owed;
   for (const TipStation& tip : all[n - 2].tips) {
-    owed.push_back(tip.owed);
+    owed.push_back(tip.deferred_advance);
   }
-  ways_->let_die(owed, advance_);
+  kinematics_->damp_deferred(owed, advance_);
   const double h = all[n - 1].s - all[n - 2].s;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-    const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].rate(); };
+    const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].growth_rate(); };
     double made = 0.5 * h * (share(n - 2) + share(n - 1));
-    if (n > 2 && all[n - 2].leapt == 0) {
+    if (n > 2 && all[n - 2].breakthroughs == 0) {
       const double before = all[n - 2].s - all[n - 3].s;
       const double bend =
           ((share(n - 1) - share(n - 2)) / h - (share(n - 2) - share(n - 3)) / before) /
           (h + before);
       made -= h * h * h / 6.0 * bend;
     }
-    all[n - 1].tips[tip].owed = owed[tip] + made - advance_[tip];
+    all[n - 1].tips[tip].deferred_advance = owed[tip] + made - advance_[tip];
   }
 }
 
 // What is owed after the last advance, as a part of the cycles.
-double March::drift() const {
-  const Station& here = state_.stations.back();
+double GrowthIntegrator::drift() const {
+  const SolvedStation& here = state_.stations.back();
   double most = 0.0;
   for (const TipStation& tip : here.tips) {
-    most = std::max(most, law_of_length * std::abs(tip.owed) / tip.a);
+    most = std::max(most, law_of_length * std::abs(tip.deferred_advance) / tip.a);
   }
   return most;
 }
 
 // Judges the last advance and sets the next step.
-bool March::good_enough() {
+bool GrowthIntegrator::good_enough() {
   const std::size_t n = state_.stations.size();
   if (n < 2) {
     return true;
@@ -167,16 +167,16 @@ bool March::good_enough() {
   judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
   judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
   // Behind the first kink of a front headings miss by the root of the advance, however short.
-  const double scatter = ways_->turn_scatter();
-  if (ways_->turns() && (scatter == 0.0 || n > 2)) {
+  const double scatter = kinematics_->kink_scatter();
+  if (kinematics_->can_kink() && (scatter == 0.0 || n > 2)) {
     judge(turn_missed(), aimed_miss + scatter, largest_miss + scatter, n > 2 ? 2.0 : 1.0);
   }
-  const Station& last = state_.stations[n - 2];
-  const Station& here = state_.stations[n - 1];
-  const std::optional<End> end = crossing(trajectory(), last.s, here.s);
+  const SolvedStation& last = state_.stations[n - 2];
+  const SolvedStation& here = state_.stations[n - 1];
+  const std::optional<GrowthEnd> end = crossing(trajectory(), last.s, here.s);
   if (end && n > 2) { // the end is on this interval: is its place sure?
-    const Trajectory other(state_.stations, law_, std::min<std::size_t>(n, 4) - 1);
-    const std::optional<End> again = crossing(other, last.s, here.s);
+    const GrowthTrajectory other(state_.stations, law_, std::min<std::size_t>(n, 4) - 1);
+    const std::optional<GrowthEnd> again = crossing(other, last.s, here.s);
     good = good && again && std::abs(again->s - end->s) <= same_end * here.s;
     factor = std::min(factor, std::max(0.3, 1.1 * (end->s - last.s) / (here.s - last.s)));
   } else if (end) {
@@ -191,17 +191,18 @@ bool March::good_enough() {
   return good;
 }
 
-void March::shorten(const std::string& why) {
+void GrowthIntegrator::shorten_step(const std::string& why) {
   ++state_.rejected;
-  if (leaping_ > 0 && leap_factor_ < longest_leap) {
-    leap_factor_ *= longer_leap;
+  if (leaping_ > 0 && breakthrough_factor_ < longest_leap) {
+    breakthrough_factor_ *= longer_leap;
     return;
   }
   state_.step *= 0.5;
   if (leaping_ == 0 && state_.step >= 0.5 * shortest_step && !state_.stations.empty()) {
     return;
   }
-  if (const std::optional<WayEnd> end = ways_->refused(state_, leaping_ > 0, why)) {
+  if (const std::optional<GrowthStop> end =
+          kinematics_->reject_advance(state_, leaping_ > 0, why)) {
     end_at_station(end->word, end->reason);
   } else {
     state_.step = shortest_step;
@@ -210,14 +211,15 @@ void March::shorten(const std::string& why) {
 
 // The first place between two stations where K reaches the toughness, the ligament its plastic
 // limit, or nothing grows any more.
-std::optional<End> March::crossing(const Trajectory& between, double s0, double s1) const {
-  std::optional<End> first;
+std::optional<GrowthEnd> GrowthIntegrator::crossing(const GrowthTrajectory& between, double s0,
+                                                    double s1) const {
+  std::optional<GrowthEnd> first;
   const auto consider = [&](std::optional<double> s, const char* word, std::string reason) {
     if (s && (!first || *s < first->s)) {
-      first = End{word, std::move(reason), *s};
+      first = GrowthEnd{word, std::move(reason), *s};
     }
   };
-  const Station& last = state_.stations.back();
+  const SolvedStation& last = state_.stations.back();
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const TipStation& here = last.tips[tip];
     if (const auto K_c = rules().constants.k_c; K_c && here.K_max >= *K_c) {
@@ -225,27 +227,29 @@ std::optional<End> March::crossing(const Trajectory& between, double s0, double 
                fmt::format("K of {} reaches KC", tips()[tip].name));
     }
     if (rules().flow_stress && here.plastic >= 1.0) {
-      consider(first_crossing([&](double s) { return between.plastic(tip, s) - 1.0; }, s0, s1),
+      consider(first_crossing([&](double s) { return between.plastic_load_ratio(tip, s) - 1.0; },
+                              s0, s1),
                "NET SECTION",
                fmt::format("the ligament ahead of {} reaches its plastic limit", tips()[tip].name));
     }
   }
-  if (!(last.rate() > 0.0)) {
+  if (!(last.growth_rate() > 0.0)) {
     const bool shut = closed(last);
-    consider(first_crossing([&](double s) { return between.rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
-             shut ? "CLOSED" : "THRESHOLD",
-             shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
-                  : "no crack grows any more: delta K has fallen to the threshold");
+    consider(
+        first_crossing([&](double s) { return between.growth_rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
+        shut ? "CLOSED" : "THRESHOLD",
+        shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
+             : "no crack grows any more: delta K has fallen to the threshold");
   }
   return first;
 }
 
 // Once a station counts: whether the growth has ended at it or before it.
-void March::look_for_end() {
-  const std::vector<Station>& all = state_.stations;
-  const Station& here = all.back();
+void GrowthIntegrator::look_for_end() {
+  const std::vector<SolvedStation>& all = state_.stations;
+  const SolvedStation& here = all.back();
   const double s0 = all.size() > 1 ? all[all.size() - 2].s : here.s;
-  const Trajectory between = trajectory();
+  const GrowthTrajectory between = trajectory();
   end_.reset();
   if (all.size() == 1) {
     for (std::size_t tip = 0; tip < tips().size(); ++tip) {
@@ -258,7 +262,7 @@ void March::look_for_end() {
                         tips()[tip].name));
       }
     }
-    if (!end_ && !(here.rate() > 0.0)) {
+    if (!end_ && !(here.growth_rate() > 0.0)) {
       nothing_grows();
     }
     return;
@@ -274,8 +278,8 @@ void March::look_for_end() {
     const double last = end_ ? end_->s : here.s;
     const double s_first = all.front().s;
     if (between.cycles(s_first, last) >= *rules().cycles) {
-      if (const auto s = between.after(s_first, *rules().cycles)) {
-        end_ = End{"CYCLES", fmt::format("{:.6g} cycles are over", *rules().cycles), *s};
+      if (const auto s = between.after_cycles(s_first, *rules().cycles)) {
+        end_ = GrowthEnd{"CYCLES", fmt::format("{:.6g} cycles are over", *rules().cycles), *s};
       }
     }
   }
@@ -284,7 +288,7 @@ void March::look_for_end() {
   }
 }
 
-void March::nothing_grows() {
+void GrowthIntegrator::nothing_grows() {
   if (closed(state_.stations.back())) {
     end_at_station("CLOSED", "no crack grows: none opens at the largest load, K1 is not above 0");
   } else {
@@ -293,7 +297,7 @@ void March::nothing_grows() {
 }
 
 // All that a tip has turned by since the first station [rad], left positive.
-double March::turned(std::size_t tip) const {
+double GrowthIntegrator::turned(std::size_t tip) const {
   double sum = 0.0;
   for (std::size_t i = 1; i < state_.stations.size(); ++i) {
     sum += std::remainder(state_.stations[i].tips[tip].heading -
@@ -304,7 +308,7 @@ double March::turned(std::size_t tip) const {
 }
 
 // More where DA is so small that the way across the body takes them.
-std::size_t March::most_stations() const {
+std::size_t GrowthIntegrator::most_stations() const {
   if (!rules().largest_advance) {
     return enough_stations;
   }
@@ -319,15 +323,15 @@ std::size_t March::most_stations() const {
 }
 
 // Growth that goes on and leads nowhere.
-void March::look_for_no_end() {
-  const std::vector<Station>& all = state_.stations;
+void GrowthIntegrator::look_for_no_end() {
+  const std::vector<SolvedStation>& all = state_.stations;
   double fastest = 0.0;
-  for (const Station& station : all) {
-    fastest = std::max(fastest, station.rate());
+  for (const SolvedStation& station : all) {
+    fastest = std::max(fastest, station.growth_rate());
   }
-  if (std::isfinite(fastest) && all.back().rate() < rest * fastest) {
+  if (std::isfinite(fastest) && all.back().growth_rate() < rest * fastest) {
     end_at_station("ARREST", fmt::format("the growth has come to rest: it is {:.1e} of the fastest",
-                                         all.back().rate() / fastest));
+                                         all.back().growth_rate() / fastest));
   }
   for (std::size_t tip = 0; tip < tips().size() && !end_; ++tip) {
     if (std::abs(turned(tip)) > 2.0 * std::numbers::pi) {
@@ -340,25 +344,25 @@ void March::look_for_no_end() {
   }
 }
 
-double March::error() const {
-  const std::vector<Station>& all = state_.stations;
+double GrowthIntegrator::cycle_error() const {
+  const std::vector<SolvedStation>& all = state_.stations;
   const std::size_t points = std::min<std::size_t>(all.size(), 4);
   if (points < 3) {
     return all.size() == 1 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
   }
-  const Trajectory fine(all, law_, points);
-  const Trajectory coarse(all, law_, points - 1);
+  const GrowthTrajectory fine(all, law_, points);
+  const GrowthTrajectory coarse(all, law_, points - 1);
   const double last = end_ ? end_->s : all.back().s;
   double missed = 0.0;
   for (std::size_t i = 0; i + 1 < all.size() && all[i].s < last; ++i) {
     const double to = std::min(all[i + 1].s, last);
-    if (all[i + 1].leapt > 0) { // K is known at both ends of it only
+    if (all[i + 1].breakthroughs > 0) { // K is known at both ends of it only
       missed += part_of_leap * fine.cycles(all[i].s, to);
       continue;
     }
     double astray = 0.0; // a front that is not where it is owed to be
     for (const TipStation& tip : all[i + 1].tips) {
-      astray = std::max(astray, tip.astray);
+      astray = std::max(astray, tip.uncertain_fraction);
     }
     const double cycles = fine.cycles(all[i].s, to);
     missed += std::abs(cycles - coarse.cycles(all[i].s, to)) + astray * cycles;

@@ -18,14 +18,14 @@ namespace {
 constexpr double beyond = 0.03;
 constexpr double on_line = 1e-7; // of the ligament
 
-struct Cut {
+struct LigamentCut {
   std::vector<base::ElementId> elements; ///< on the right of it, with a node on it
   std::vector<bool> on;                  ///< [node]
 };
 
 // Elements are left or right of the ligament by their middle; nodes of both are the cut. Where all
 // lie on one side (half a model) the nodes on the line are.
-Cut cut_along(const model::Mesh& mesh, const Ligament& ligament) {
+LigamentCut cut_along(const model::Mesh& mesh, const NetSectionLigament& ligament) {
   const base::Vec2 way = ligament.direction.head<2>();
   const auto across = [&](const base::Vec3& x) {
     return mesh::cross(way, (x - ligament.from).head<2>());
@@ -46,7 +46,7 @@ Cut cut_along(const model::Mesh& mesh, const Ligament& ligament) {
       side[n.index()] = static_cast<char>(side[n.index()] | (right[e] ? 2 : 1));
     }
   }
-  Cut cut;
+  LigamentCut cut;
   cut.on.assign(mesh.node_count(), false);
   const auto mark = [&](bool half) {
     bool any = false;
@@ -73,9 +73,10 @@ Cut cut_along(const model::Mesh& mesh, const Ligament& ligament) {
 
 } // namespace
 
-double plastic_part(const model::Model& model, const model::Mesh& mesh, const Ligament& ligament,
-                    const base::Vector& u, double flow_stress) {
-  const Cut cut = cut_along(mesh, ligament);
+double plastic_load_ratio(const model::Model& model, const model::Mesh& mesh,
+                          const NetSectionLigament& ligament, const base::Vector& u,
+                          double flow_stress) {
+  const LigamentCut cut = cut_along(mesh, ligament);
   if (cut.elements.empty()) {
     return 0.0;
   }

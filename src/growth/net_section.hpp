@@ -7,7 +7,7 @@
 namespace spricka::growth {
 
 /// The material straight ahead of a tip, up to the next edge.
-struct Ligament {
+struct NetSectionLigament {
   base::NodeId tip;
   base::Vec3 from = base::Vec3::Zero();      ///< the tip
   base::Vec3 direction = base::Vec3::Zero(); ///< unit
@@ -18,7 +18,8 @@ struct Ligament {
 /// (N/p / N_p)^2 + |M/p| / M_p = 1, N_p = s t c and M_p = s t c^2 / 4 of a rectangle (manual,
 /// growth.6); at 1 all of it yields at the flow stress s. From the internal forces of the elements
 /// on one side of it at displacements u [dim * node]; shear does not count.
-double plastic_part(const model::Model& model, const model::Mesh& mesh, const Ligament& ligament,
-                    const base::Vector& u, double flow_stress);
+double plastic_load_ratio(const model::Model& model, const model::Mesh& mesh,
+                          const NetSectionLigament& ligament, const base::Vector& u,
+                          double flow_stress);
 
 } // namespace spricka::growth

@@ -41,9 +41,9 @@ std::span<const Tetrahedron> tetrahedra(int corners) {
                         : std::span<const Tetrahedron>(of_brick);
 }
 
-class Section {
+class RemainingSection {
 public:
-  Section(const CutBodies& in, const mesh::CrackFront& front)
+  RemainingSection(const CrackedBodies& in, const mesh::CrackFront& front)
       : in_(in), mesh_(in.cracked.mesh), groups_(mesh_.node_count()) {
     const mesh::FrontFrame frame = front.curve->at(0.0);
     origin_ = frame.x;
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  struct Piece {
+  struct CutTriangle {
     std::array<Vec2, 3> x;
     double area = 0.0;
     std::size_t node = 0; ///< of its element
@@ -230,7 +230,7 @@ private:
   // A dependent node of the cut belongs to where its masters are, and its forces go there.
   void join_ties(const fe::ConstraintTransformation& ties) {
     std::vector<bool> of_cut(mesh_.node_count(), false);
-    for (const Piece& cut : cuts_) {
+    for (const CutTriangle& cut : cuts_) {
       of_cut[groups_.root(cut.node)] = true;
     }
     for (const fe::ConstraintTransformation::DependentRow& row : ties.rows()) {
@@ -251,18 +251,18 @@ private:
     for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
       on_cut_[n] = side_[n] == 3 && groups_.root(n) == group;
     }
-    std::erase_if(cuts_, [&](const Piece& cut) { return groups_.root(cut.node) != group; });
+    std::erase_if(cuts_, [&](const CutTriangle& cut) { return groups_.root(cut.node) != group; });
     double area = 0.0;
-    for (const Piece& cut : cuts_) {
+    for (const CutTriangle& cut : cuts_) {
       area += cut.area;
     }
-    for (const Piece& cut : cuts_) {
+    for (const CutTriangle& cut : cuts_) {
       divide(cut, static_cast<int>(std::ceil(std::sqrt(least_pieces * cut.area / area))));
     }
   }
 
   // Into n^2 triangles: |v| bends within those on the neutral line.
-  void divide(const Piece& cut, int n) {
+  void divide(const CutTriangle& cut, int n) {
     const Vec2 u = (cut.x[1] - cut.x[0]) / n;
     const Vec2 v = (cut.x[2] - cut.x[0]) / n;
     const double area = cut.area / (n * n);
@@ -277,7 +277,7 @@ private:
     }
   }
 
-  const CutBodies& in_;
+  const CrackedBodies& in_;
   const model::Mesh& mesh_;
   Vec3 origin_, normal_, first_, second_; ///< of the section, axes unit
   std::vector<double> height_;            ///< [node] above the plane
@@ -285,7 +285,7 @@ private:
   std::vector<char> side_;                ///< [node] 1: in elements above, 2: below
   std::vector<bool> on_cut_;              ///< [node]
   base::DisjointSets groups_;             ///< of nodes that hang together
-  std::vector<Piece> cuts_;
+  std::vector<CutTriangle> cuts_;
   std::vector<SectionPiece> pieces_;
   std::vector<ElementId> below_;
 };
@@ -294,8 +294,8 @@ private:
 
 // The least D(e, k) with N e + q k = 1: quadratic problems whose weights are those of the one
 // before, 1/|v|, until D stays. Pieces on the neutral line have the weight of some tiny v.
-double plastic_part(const std::vector<SectionPiece>& section, const SectionLoad& on,
-                    double flow_stress) {
+double plastic_load_ratio(const std::vector<SectionPiece>& section, const SectionLoad& on,
+                          double flow_stress) {
   double area = 0.0;
   for (const SectionPiece& piece : section) {
     area += piece.area;
@@ -337,12 +337,12 @@ double plastic_part(const std::vector<SectionPiece>& section, const SectionLoad&
   return 1.0 / (flow_stress * least);
 }
 
-double plastic_part(const CutBodies& in, const mesh::CrackFront& front, const base::Vector& u,
-                    double flow_stress) {
+double plastic_load_ratio(const CrackedBodies& in, const mesh::CrackFront& front,
+                          const base::Vector& u, double flow_stress) {
   if (front.curve == nullptr) {
     return 0.0;
   }
-  Section section(in, front);
+  RemainingSection section(in, front);
   // At nodes of the cut the internal forces of what lies below do not sum to zero: they are what
   // the rest carries.
   base::Vector own = base::Vector::Zero(u.size());
@@ -351,7 +351,7 @@ double plastic_part(const CutBodies& in, const mesh::CrackFront& front, const ba
   in.ties.transfer_to_masters(f);
   SectionLoad load = section.load(f);
   section.complete(load);
-  return plastic_part(section.pieces(), load, flow_stress);
+  return plastic_load_ratio(section.pieces(), load, flow_stress);
 }
 
 } // namespace spricka::growth

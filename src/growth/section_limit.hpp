@@ -26,11 +26,11 @@ struct SectionLoad {
 /// The load over what the section carries where all of it flows at +-s: the largest
 /// (N e + q k) / (s D(e, k)), D = integral of |e + k r| dA (manual, growth.6a). By the pieces'
 /// middles.
-double plastic_part(const std::vector<SectionPiece>& section, const SectionLoad& on,
-                    double flow_stress);
+double plastic_load_ratio(const std::vector<SectionPiece>& section, const SectionLoad& on,
+                          double flow_stress);
 
 /// Bodies with a crack in them.
-struct CutBodies {
+struct CrackedBodies {
   const model::Model& model;
   const mesh::CrackedMesh& cracked;
   const fe::ConstraintTransformation& ties;
@@ -41,7 +41,7 @@ struct CutBodies {
 /// together, cut through the elements' corners, with its mirror image where supports are a plane of
 /// symmetry. Forces are the internal ones of the elements below it at displacements u [3 * node].
 /// 0: the front has nothing before it.
-double plastic_part(const CutBodies& in, const mesh::CrackFront& front, const base::Vector& u,
-                    double flow_stress);
+double plastic_load_ratio(const CrackedBodies& in, const mesh::CrackFront& front,
+                          const base::Vector& u, double flow_stress);
 
 } // namespace spricka::growth

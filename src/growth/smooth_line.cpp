@@ -77,7 +77,7 @@ SmoothCurve::SmoothCurve(std::vector<Vec3> points)
   }
 }
 
-Vec3 SmoothCurve::derivative(const Place& p) const {
+Vec3 SmoothCurve::derivative(const CurvePosition& p) const {
   const std::size_t i = p.interval;
   const double h = knot_[i + 1] - knot_[i];
   const Vec3 chord = (points_[i + 1] - points_[i]) / h;
@@ -97,7 +97,7 @@ double SmoothCurve::speed_integral(std::size_t interval, double t) const {
   return sum;
 }
 
-SmoothCurve::Place SmoothCurve::find(double s) const {
+SmoothCurve::CurvePosition SmoothCurve::find(double s) const {
   // The ends belong to the first and the last interval.
   const auto above = std::upper_bound(arc_.begin() + 1, arc_.end() - 1, s);
   const auto i = static_cast<std::size_t>(above - arc_.begin()) - 1;
@@ -118,7 +118,7 @@ Vec3 SmoothCurve::at(double s) const {
     const double end = s < 0.0 ? 0.0 : length();
     return (s < 0.0 ? points_.front() : points_.back()) + (s - end) * tangent(end);
   }
-  const Place p = find(s);
+  const CurvePosition p = find(s);
   const std::size_t i = p.interval;
   const double h = knot_[i + 1] - knot_[i];
   const double a = (h - p.t) / h;
@@ -135,7 +135,7 @@ double SmoothCurve::curvature(double s) const {
   if (s < 0.0 || s > length()) {
     return 0.0;
   }
-  const Place p = find(s);
+  const CurvePosition p = find(s);
   const double h = knot_[p.interval + 1] - knot_[p.interval];
   const Vec3 second = (1.0 - p.t / h) * moment_[p.interval] + p.t / h * moment_[p.interval + 1];
   const Vec3 first = derivative(p);

@@ -20,12 +20,12 @@ public:
   [[nodiscard]] double curvature(double s) const;   ///< [1/length] magnitude; 0 beyond the ends
 
 private:
-  struct Place {
+  struct CurvePosition {
     std::size_t interval;
     double t; ///< from the interval's first knot
   };
-  [[nodiscard]] Place find(double s) const;
-  [[nodiscard]] base::Vec3 derivative(const Place& p) const;
+  [[nodiscard]] CurvePosition find(double s) const;
+  [[nodiscard]] base::Vec3 derivative(const CurvePosition& p) const;
   [[nodiscard]] double speed_integral(std::size_t interval, double t) const;
 
   std::vector<base::Vec3> points_;

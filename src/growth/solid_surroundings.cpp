@@ -7,8 +7,8 @@
 
 namespace spricka::growth {
 
-std::optional<SolidSurroundings::Ahead>
-SolidSurroundings::to_surface(const base::Vec3& x, const base::Vec3& way, base::NetId net) const {
+std::optional<SolidBodyQuery::SurfaceAhead>
+SolidBodyQuery::surface_ahead(const base::Vec3& x, const base::Vec3& way, base::NetId net) const {
   constexpr double on_it = 1e-7; // of the element: the surface that x lies on is not ahead
   const std::optional<base::ElementId> at = host_.element_at(x, net);
   if (!at) {
@@ -17,16 +17,17 @@ SolidSurroundings::to_surface(const base::Vec3& x, const base::Vec3& way, base::
   const mesh::SurfaceGeometry& surface = host_.body_surface(*at).geometry(mesh::KeptBorders::none);
   for (const mesh::SurfaceHit& hit : mesh::find_hits(surface, x, way, surface.diagonal())) {
     if (hit.along > on_it * host_.extent(*at).edge) {
-      return Ahead{.distance = hit.along,
-                   .piece = surface.smooth_piece(hit.place.face),
-                   .sine = std::abs(hit.place.normal.dot(way))};
+      return SurfaceAhead{.distance = hit.along,
+                          .piece = surface.smooth_piece(hit.place.face),
+                          .sine = std::abs(hit.place.normal.dot(way))};
     }
   }
   return std::nullopt;
 }
 
-std::optional<std::size_t>
-SolidSurroundings::piece_at(const base::Vec3& x, const base::Vec3& within, base::NetId net) const {
+std::optional<std::size_t> SolidBodyQuery::surface_piece(const base::Vec3& x,
+                                                         const base::Vec3& within,
+                                                         base::NetId net) const {
   const std::optional<base::ElementId> at = host_.element_at(within, net);
   if (!at) {
     return std::nullopt;
@@ -35,8 +36,8 @@ SolidSurroundings::piece_at(const base::Vec3& x, const base::Vec3& within, base:
   return surface.smooth_piece(surface.nearest_place(x).face);
 }
 
-bool SolidSurroundings::joins(const base::Vec3& one, const base::Vec3& other,
-                              base::NetId net) const {
+bool SolidBodyQuery::is_line_inside(const base::Vec3& one, const base::Vec3& other,
+                                    base::NetId net) const {
   constexpr int looks = 16;
   constexpr double off = 0.05; // of the way: coarse facets lie off a round surface
   std::optional<base::ElementId> at = host_.element_at(one, net);

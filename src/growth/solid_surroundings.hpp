@@ -9,31 +9,32 @@ namespace spricka::growth {
 
 /// The body that a crack in space grows in: which places are inside of it, and how far it is to its
 /// surface.
-class SolidSurroundings {
+class SolidBodyQuery {
 public:
-  explicit SolidSurroundings(const model::Mesh& host) : host_(host) {}
+  explicit SolidBodyQuery(const model::Mesh& host) : host_(host) {}
 
   /// Whether a place lies in a body of the net (invalid: any), its surface included.
   [[nodiscard]] bool inside(const base::Vec3& x, base::NetId net) const {
     return host_.element_at(x, net).has_value();
   }
   /// The surface ahead: how far, which of its pieces between sharp edges, how steeply met.
-  struct Ahead {
+  struct SurfaceAhead {
     double distance = 0.0;
     std::size_t piece = 0;
     double sine = 1.0; ///< of the angle between the way and the surface there
   };
   /// The surface along `way` (unit) of the body that x lies in; empty: x lies in none, or on the
   /// surface that `way` leaves it by.
-  [[nodiscard]] std::optional<Ahead> to_surface(const base::Vec3& x, const base::Vec3& way,
-                                                base::NetId net) const;
+  [[nodiscard]] std::optional<SurfaceAhead>
+  surface_ahead(const base::Vec3& x, const base::Vec3& way, base::NetId net) const;
   /// The piece of the surface that x lies on, or is nearest to, of the body round `within`; empty:
   /// that lies in none.
-  [[nodiscard]] std::optional<std::size_t> piece_at(const base::Vec3& x, const base::Vec3& within,
-                                                    base::NetId net) const;
+  [[nodiscard]] std::optional<std::size_t>
+  surface_piece(const base::Vec3& x, const base::Vec3& within, base::NetId net) const;
   /// Whether the body is on the straight way between two places in it or at its surface: no hole
   /// parts them.
-  [[nodiscard]] bool joins(const base::Vec3& one, const base::Vec3& other, base::NetId net) const;
+  [[nodiscard]] bool is_line_inside(const base::Vec3& one, const base::Vec3& other,
+                                    base::NetId net) const;
 
 private:
   mesh::SolidHost host_;

@@ -9,17 +9,29 @@ namespace spricka::growth {
 namespace {
 
 // The order of values in restart files; files with more or fewer are refused by their length.
-constexpr std::array tip_values{&TipStation::a,         &TipStation::K_max,  &TipStation::K_min,
-                                &TipStation::K2_max,    &TipStation::rate,   &TipStation::turn,
-                                &TipStation::heading,   &TipStation::x,      &TipStation::y,
-                                &TipStation::z,         &TipStation::lever,  &TipStation::plastic,
-                                &TipStation::owed,      &TipStation::astray, &TipStation::first_max,
-                                &TipStation::first_min, &TipStation::passes, &TipStation::change};
+constexpr std::array tip_values{&TipStation::a,
+                                &TipStation::K_max,
+                                &TipStation::K_min,
+                                &TipStation::K2_max,
+                                &TipStation::rate,
+                                &TipStation::turn,
+                                &TipStation::heading,
+                                &TipStation::x,
+                                &TipStation::y,
+                                &TipStation::z,
+                                &TipStation::extent_rate_ratio,
+                                &TipStation::plastic,
+                                &TipStation::deferred_advance,
+                                &TipStation::uncertain_fraction,
+                                &TipStation::first_max,
+                                &TipStation::first_min,
+                                &TipStation::passes,
+                                &TipStation::change};
 
 /// Reads an array from its beginning; whether it held enough is known at the end.
-class Reader {
+class StateArrayReader {
 public:
-  Reader(const Arrays& arrays, const std::string& name) {
+  StateArrayReader(const Arrays& arrays, const std::string& name) {
     const auto found = arrays.find(name);
     values_ = found != arrays.end() ? &found->second : nullptr;
     good_ = values_ != nullptr;
@@ -46,16 +58,16 @@ private:
 
 } // namespace
 
-Arrays to_arrays(const State& state) {
+Arrays to_arrays(const GrowthState& state) {
   Arrays out;
   std::vector<double>& control = out["control"];
   control = {static_cast<double>(state.stations.size()),
              static_cast<double>(state.stations.empty() ? 0 : state.stations.front().tips.size()),
              state.step, static_cast<double>(state.rejected)};
   std::vector<double>& stations = out["stations"];
-  for (const Station& station : state.stations) {
+  for (const SolvedStation& station : state.stations) {
     stations.push_back(station.s);
-    stations.push_back(static_cast<double>(station.leapt));
+    stations.push_back(static_cast<double>(station.breakthroughs));
     stations.push_back(static_cast<double>(station.met));
     for (const TipStation& tip : station.tips) {
       for (const auto value : tip_values) {
@@ -74,19 +86,19 @@ Arrays to_arrays(const State& state) {
   return out;
 }
 
-std::size_t index_below(double number, std::size_t count) {
+std::size_t checked_index(double number, std::size_t count) {
   if (!(number >= 0.0 && number < static_cast<double>(count))) {
     throw std::out_of_range("an index that names nothing");
   }
   return static_cast<std::size_t>(number);
 }
 
-std::optional<State> state_of(const Arrays& arrays) {
-  State state;
-  Reader control(arrays, "control");
-  Reader stations(arrays, "stations");
-  Reader counts(arrays, "line_points");
-  Reader points(arrays, "points");
+std::optional<GrowthState> from_arrays(const Arrays& arrays) {
+  GrowthState state;
+  StateArrayReader control(arrays, "control");
+  StateArrayReader stations(arrays, "stations");
+  StateArrayReader counts(arrays, "line_points");
+  StateArrayReader points(arrays, "points");
   const std::size_t count = control.count();
   const std::size_t tips = control.count();
   state.step = control.next();
@@ -96,9 +108,9 @@ std::optional<State> state_of(const Arrays& arrays) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    Station station;
+    SolvedStation station;
     station.s = stations.next();
-    station.leapt = stations.count();
+    station.breakthroughs = stations.count();
     station.met = stations.count();
     station.tips.resize(tips);
     for (TipStation& tip : station.tips) {

@@ -12,8 +12,8 @@ namespace spricka::growth {
 
 /// All that growth by a law knows between two stations: with it a run goes on as if it had never
 /// stopped, to the bit.
-struct State {
-  std::vector<Station> stations;              ///< so far
+struct GrowthState {
+  std::vector<SolvedStation> stations;        ///< so far
   std::vector<std::vector<base::Vec3>> lines; ///< [crack] at the last station
   double step = 0.0;                          ///< of the next advance: logarithm of an arm's ratio
   int rejected = 0;                           ///< solutions that lay too far ahead
@@ -21,11 +21,11 @@ struct State {
 
 /// As named arrays for a restart file, and back; empty if they are not those of a state.
 using Arrays = std::map<std::string, std::vector<double>>;
-Arrays to_arrays(const State& state);
-std::optional<State> state_of(const Arrays& arrays);
+Arrays to_arrays(const GrowthState& state);
+std::optional<GrowthState> from_arrays(const Arrays& arrays);
 
 /// A number among those that a crack kept in State::lines which is an index below `count`. Throws
 /// std::out_of_range for any other: files may be damaged.
-std::size_t index_below(double number, std::size_t count);
+std::size_t checked_index(double number, std::size_t count);
 
 } // namespace spricka::growth

@@ -18,7 +18,7 @@ constexpr int degree = 9;
 
 } // namespace
 
-double Station::rate() const {
+double SolvedStation::growth_rate() const {
   double sum = 0.0;
   for (const TipStation& tip : tips) {
     sum += tip.rate;
@@ -26,15 +26,17 @@ double Station::rate() const {
   return sum;
 }
 
-Trajectory::Trajectory(const std::vector<Station>& stations, Law law, std::size_t points)
+GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations, Law law,
+                                   std::size_t points)
     : stations_(stations), law_(std::move(law)), points_(std::min(points, stations.size())) {
-  for (const Station& station : stations_) {
-    levers_ = levers_ || std::ranges::any_of(
-                             station.tips, [](const TipStation& tip) { return tip.lever != 1.0; });
+  for (const SolvedStation& station : stations_) {
+    levers_ = levers_ || std::ranges::any_of(station.tips, [](const TipStation& tip) {
+                return tip.extent_rate_ratio != 1.0;
+              });
   }
 }
 
-std::size_t Trajectory::interval(double s) const {
+std::size_t GrowthTrajectory::interval(double s) const {
   std::size_t i = 0;
   while (i + 2 < stations_.size() && s > stations_[i + 1].s) {
     ++i;
@@ -42,16 +44,16 @@ std::size_t Trajectory::interval(double s) const {
   return i;
 }
 
-std::pair<std::size_t, std::size_t> Trajectory::smooth_about(std::size_t interval) const {
+std::pair<std::size_t, std::size_t> GrowthTrajectory::smooth_about(std::size_t interval) const {
   const std::size_t n = stations_.size();
-  if (interval + 1 < n && stations_[interval + 1].leapt > 0) {
+  if (interval + 1 < n && stations_[interval + 1].breakthroughs > 0) {
     return {interval, interval + 2};
   }
   std::size_t low = interval;
   std::size_t high = std::min(interval + 2, n);
-  for (; low > 0 && stations_[low].leapt == 0; --low) {
+  for (; low > 0 && stations_[low].breakthroughs == 0; --low) {
   }
-  for (; high < n && stations_[high].leapt == 0; ++high) {
+  for (; high < n && stations_[high].breakthroughs == 0; ++high) {
   }
   return {low, high};
 }
@@ -59,8 +61,8 @@ std::pair<std::size_t, std::size_t> Trajectory::smooth_about(std::size_t interva
 // Lagrange's polynomial in ln s through the stations about an interval, of those from `low` to
 // before `high`.
 template <class Value>
-double Trajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
-                               std::size_t high) const {
+double GrowthTrajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
+                                     std::size_t high) const {
   const auto [from, to] = smooth_about(interval);
   low = std::max(low, from);
   high = std::min(high, to);
@@ -83,48 +85,49 @@ double Trajectory::interpolate(std::size_t interval, double s, Value value, std:
   return sum;
 }
 
-double Trajectory::K_max(std::size_t tip, double s) const {
+double GrowthTrajectory::K_max(std::size_t tip, double s) const {
   const std::size_t i = interval(s);
   // Closed cracks have no logarithm: then K itself is interpolated, at all s alike.
   const bool positive = std::ranges::all_of(
-      stations_, [&](const Station& station) { return station.tips[tip].K_max > 0.0; });
+      stations_, [&](const SolvedStation& station) { return station.tips[tip].K_max > 0.0; });
   if (positive) {
     return std::exp(interpolate(
-        i, s, [&](const Station& station) { return std::log(station.tips[tip].K_max); }, 0,
+        i, s, [&](const SolvedStation& station) { return std::log(station.tips[tip].K_max); }, 0,
         stations_.size()));
   }
   return interpolate(
-      i, s, [&](const Station& station) { return station.tips[tip].K_max; }, 0, stations_.size());
+      i, s, [&](const SolvedStation& station) { return station.tips[tip].K_max; }, 0,
+      stations_.size());
 }
 
-double Trajectory::plastic(std::size_t tip, double s) const {
+double GrowthTrajectory::plastic_load_ratio(std::size_t tip, double s) const {
   return interpolate(
-      interval(s), s, [&](const Station& station) { return station.tips[tip].plastic; }, 0,
+      interval(s), s, [&](const SolvedStation& station) { return station.tips[tip].plastic; }, 0,
       stations_.size());
 }
 
 // Straight between the stations: it changes slowly, and never below 0.
-double Trajectory::lever(std::size_t tip, std::size_t i, double s) const {
-  const double left = stations_[i].tips[tip].lever;
+double GrowthTrajectory::extent_rate_ratio(std::size_t tip, std::size_t i, double s) const {
+  const double left = stations_[i].tips[tip].extent_rate_ratio;
   if (i + 1 == stations_.size()) {
     return left;
   }
   const double part = (s - stations_[i].s) / (stations_[i + 1].s - stations_[i].s);
-  return left + part * (stations_[i + 1].tips[tip].lever - left);
+  return left + part * (stations_[i + 1].tips[tip].extent_rate_ratio - left);
 }
 
-double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
+double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
   if (law_) {
     const double K = K_max(tip, s);
     // K_min may be below 0 and has no logarithm: its ratio to K_max is interpolated.
     const double R = interpolate(
         i, s,
-        [&](const Station& station) {
+        [&](const SolvedStation& station) {
           const TipStation& t = station.tips[tip];
           return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
         },
         0, stations_.size());
-    return levers_ ? lever(tip, i, s) * law_(K, R * K) : law_(K, R * K);
+    return levers_ ? extent_rate_ratio(tip, i, s) * law_(K, R * K) : law_(K, R * K);
   }
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
   const auto usual = [&](std::size_t k) {
@@ -146,10 +149,11 @@ double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
     return here * (stations_[high].s - s) / (stations_[high].s - stations_[i].s);
   }
   return std::exp(interpolate(
-      i, s, [&](const Station& station) { return std::log(station.tips[tip].rate); }, low, high));
+      i, s, [&](const SolvedStation& station) { return std::log(station.tips[tip].rate); }, low,
+      high));
 }
 
-double Trajectory::rate(double s) const {
+double GrowthTrajectory::growth_rate(double s) const {
   const std::size_t i = interval(s);
   double sum = 0.0;
   for (std::size_t tip = 0; tip < stations_.front().tips.size(); ++tip) {
@@ -158,18 +162,18 @@ double Trajectory::rate(double s) const {
   return sum;
 }
 
-double Trajectory::arm(std::size_t tip, double s) const {
+double GrowthTrajectory::crack_extent(std::size_t tip, double s) const {
   const std::size_t i = interval(s);
   if (stations_.size() == 1) {
     return stations_[0].tips[tip].a;
   }
-  const Station& left = stations_[i];
-  const Station& right = stations_[i + 1];
+  const SolvedStation& left = stations_[i];
+  const SolvedStation& right = stations_[i + 1];
   const double h = right.s - left.s;
   const double t = (s - left.s) / h;
   // Where rates give no slope that of the chord is taken.
-  const auto share = [&](const Station& station) {
-    const double all = station.rate();
+  const auto share = [&](const SolvedStation& station) {
+    const double all = station.growth_rate();
     return all > 0.0 && std::isfinite(all) ? station.tips[tip].rate / all
                                            : (right.tips[tip].a - left.tips[tip].a) / h;
   };
@@ -180,16 +184,16 @@ double Trajectory::arm(std::size_t tip, double s) const {
   return left.tips[tip].a + t * difference + t * (1.0 - t) * ((1.0 - t) * a + t * b);
 }
 
-double Trajectory::gauss(double s0, double s1) const {
+double GrowthTrajectory::gauss(double s0, double s1) const {
   const double half = 0.5 * (s1 - s0);
   double sum = 0.0;
   for (const auto& [xi, weight] : shape::line_rule(degree)) {
-    sum += weight * half / rate(0.5 * (s0 + s1) + xi[0] * half);
+    sum += weight * half / growth_rate(0.5 * (s0 + s1) + xi[0] * half);
   }
   return sum;
 }
 
-double Trajectory::cycles(double s0, double s1) const {
+double GrowthTrajectory::cycles(double s0, double s1) const {
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < stations_.size(); ++i) {
     const double from = std::max(s0, stations_[i].s);
@@ -202,7 +206,7 @@ double Trajectory::cycles(double s0, double s1) const {
   return sum;
 }
 
-std::optional<double> Trajectory::after(double s0, double cycles) const {
+std::optional<double> GrowthTrajectory::after_cycles(double s0, double cycles) const {
   const double last = stations_.back().s;
   if (this->cycles(s0, last) < cycles) {
     return std::nullopt;

@@ -11,33 +11,34 @@ namespace spricka::growth {
 
 /// What is known of one tip at a station.
 struct TipStation {
-  double a = 0.0;       ///< its arm: first length and all it has grown [length]
-  double K_max = 0.0;   ///< given to the law [stress * length^0.5]
-  double K_min = 0.0;   ///< given to the law
-  double K2_max = 0.0;  ///< before the turn
-  double rate = 0.0;    ///< of its arm [length per cycle or per pass]
-  double lever = 1.0;   ///< that over the rate where K is, if the arm ends elsewhere
-  double turn = 0.0;    ///< the way on against the crack's last part [rad]
-  double heading = 0.0; ///< the way on, from +x [rad]
+  double a = 0.0;                 ///< its arm: first length and all it has grown [length]
+  double K_max = 0.0;             ///< given to the law [stress * length^0.5]
+  double K_min = 0.0;             ///< given to the law
+  double K2_max = 0.0;            ///< before the turn
+  double rate = 0.0;              ///< of its arm [length per cycle or per pass]
+  double extent_rate_ratio = 1.0; ///< that over the rate where K is, if the arm ends elsewhere
+  double turn = 0.0;              ///< the way on against the crack's last part [rad]
+  double heading = 0.0;           ///< the way on, from +x [rad]
   double x = 0.0, y = 0.0, z = 0.0;
-  double owed = 0.0;    ///< what the rates found since would have made of the arm more [length]
-  double astray = 0.0;  ///< part of its rate that may be wrong for what is owed
-  double plastic = 0.0; ///< force and moment over the ligament, over their plastic limit
+  double deferred_advance =
+      0.0; ///< what the rates found since would have made of the arm more [length]
+  double uncertain_fraction = 0.0; ///< part of its rate that may be wrong for what is owed
+  double plastic = 0.0;            ///< force and moment over the ligament, over their plastic limit
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
   /// itself, and what still changed in the last one over the largest K.
   double first_max = 0.0, first_min = 0.0, passes = 0.0, change = 0.0;
 };
 
 /// All growing tips at one state of the cracks.
-struct Station {
+struct SolvedStation {
   double s = 0.0; ///< sum of the arms
   std::vector<TipStation> tips;
   /// The tip (counted from 1) that has gone through a surface on the way to it; no polynomial leads
   /// over that. 0: none has.
-  std::size_t leapt = 0;
+  std::size_t breakthroughs = 0;
   std::size_t met = 0; ///< the crack (counted from 1) that this tip's has joined on that way
 
-  [[nodiscard]] double rate() const; ///< ds per cycle
+  [[nodiscard]] double growth_rate() const; ///< ds per cycle
 };
 
 /// da/dN at K_max, K_min; where it is empty (a spectrum) the stations' rates are interpolated.
@@ -45,19 +46,19 @@ using Law = std::function<double(double K_max, double K_min)>;
 
 /// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min over
 /// K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
-class Trajectory {
+class GrowthTrajectory {
 public:
   /// stations [>= 1], s ascending; `points` of each polynomial, at most as many as there are.
-  Trajectory(const std::vector<Station>& stations, Law law, std::size_t points);
+  GrowthTrajectory(const std::vector<SolvedStation>& stations, Law law, std::size_t points);
 
-  [[nodiscard]] double rate(double s) const; ///< ds per cycle
+  [[nodiscard]] double growth_rate(double s) const; ///< ds per cycle
   [[nodiscard]] double K_max(std::size_t tip, double s) const;
-  [[nodiscard]] double plastic(std::size_t tip, double s) const;
-  [[nodiscard]] double arm(std::size_t tip, double s) const;
+  [[nodiscard]] double plastic_load_ratio(std::size_t tip, double s) const;
+  [[nodiscard]] double crack_extent(std::size_t tip, double s) const;
   /// Cycles from s0 to s1, both within the stations: Gauss on parts of each interval (growth.4).
   [[nodiscard]] double cycles(double s0, double s1) const;
   /// Where so many cycles from s0 lead; empty: beyond the last station.
-  [[nodiscard]] std::optional<double> after(double s0, double cycles) const;
+  [[nodiscard]] std::optional<double> after_cycles(double s0, double cycles) const;
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
@@ -66,11 +67,11 @@ private:
   template <class Value>
   double interpolate(std::size_t interval, double s, Value value, std::size_t low,
                      std::size_t high) const;
-  [[nodiscard]] double lever(std::size_t tip, std::size_t interval, double s) const;
+  [[nodiscard]] double extent_rate_ratio(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double gauss(double s0, double s1) const;
 
-  const std::vector<Station>& stations_;
+  const std::vector<SolvedStation>& stations_;
   Law law_;
   std::size_t points_;
   bool levers_ = false; ///< some arm does not grow as its place does

@@ -44,7 +44,8 @@ std::vector<Vec3> line_of(const mesh::FrontCurve& front) {
 
 } // namespace
 
-std::vector<Vec3> normals_of(const model::CrackDefinition& crack, const std::vector<Vec3>& points) {
+std::vector<Vec3> crack_normals(const model::CrackDefinition& crack,
+                                const std::vector<Vec3>& points) {
   std::vector<Vec3> normals(points.size(), crack.plane.normal);
   if (!crack.front_history.fronts.empty()) {
     std::ranges::transform(points, normals.begin(), [&](const Vec3& x) {
@@ -55,15 +56,15 @@ std::vector<Vec3> normals_of(const model::CrackDefinition& crack, const std::vec
   return normals;
 }
 
-model::FrontHistory wake_with(const model::CrackDefinition& before, const mesh::FrontCurve& front,
-                              const mesh::FrontCurve& made) {
+model::FrontHistory extend_history(const model::CrackDefinition& before,
+                                   const mesh::FrontCurve& front, const mesh::FrontCurve& made) {
   model::FrontHistory wake = before.front_history;
   if (wake.fronts.empty()) {
     wake.fronts.push_back(line_of(front));
   }
   const std::vector<Vec3> old = wake.fronts.back();
   const std::vector<Vec3> line = line_of(made);
-  const std::vector<Vec3> old_normals = normals_of(before, line);
+  const std::vector<Vec3> old_normals = crack_normals(before, line);
   std::vector<Vec3> ways;
   double most = 0.0;
   for (const Vec3& x : line) {

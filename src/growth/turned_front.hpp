@@ -9,13 +9,13 @@
 namespace spricka::growth {
 
 /// The crack's normals b at points of its front.
-std::vector<base::Vec3> normals_of(const model::CrackDefinition& crack,
-                                   const std::vector<base::Vec3>& points);
+std::vector<base::Vec3> crack_normals(const model::CrackDefinition& crack,
+                                      const std::vector<base::Vec3>& points);
 
 /// The wake of a crack whose front has gone on: `before`, with its front there, from the surface on
 /// straight on, and the front that it has made. Its normals are those of the way between the two,
 /// or as they were where the front has not moved.
-model::FrontHistory wake_with(const model::CrackDefinition& before, const mesh::FrontCurve& front,
-                              const mesh::FrontCurve& made);
+model::FrontHistory extend_history(const model::CrackDefinition& before,
+                                   const mesh::FrontCurve& front, const mesh::FrontCurve& made);
 
 } // namespace spricka::growth

@@ -14,14 +14,14 @@ namespace spricka::growth {
 
 /// A place of a crack that grows at a rate of its own: a tip in the plane, an end of an axis of an
 /// ellipse or a point of a front in space.
-struct GrowingTip {
+struct TrackedTip {
   std::string name;      ///< "C1", "C1.2", "C1.A"
   std::size_t line = 0;  ///< of CrackState::lines in the plane, else of solids
   bool at_first = false; ///< in the plane: at the first point of its line, else at the last
 };
 
 /// All cracks as they are at one moment.
-struct CrackState {
+struct CrackGeometry {
   std::vector<mesh::CrackLine> lines;           ///< [crack] in the plane
   std::vector<model::CrackDefinition> solids{}; ///< [crack] in space
   /// [tip] in space: K is taken where the front is nearest to this place.
@@ -31,76 +31,82 @@ struct CrackState {
 };
 
 /// The growth cannot go on: one word and a sentence (March, End).
-struct WayEnd {
+struct GrowthStop {
   std::string word;
   std::string reason;
 };
 
 /// What the next advance of all may be, as far as one tip is asked.
-struct WayLimit {
+struct AdvanceLimit {
   double ds = 0.0; ///< sum of the advances [length]
   /// Sum with which this tip goes through all that is left before it: so near to the surface no
   /// front can be meshed, and the next one lies behind.
-  std::optional<double> leap{};
+  std::optional<double> breakthrough{};
   /// The crack (counted from 1) that a leap joins it with; 0: it leads through a surface.
   std::size_t meets = 0;
-  std::optional<WayEnd> end{};
+  std::optional<GrowthStop> end{};
 };
 
 /// From the last station to the next.
-struct Advance {
-  std::vector<double> by; ///< [tip] [length]
-  double leap = 0.0;      ///< 0: no leap
-  std::size_t tip = 0;    ///< that leaps
-  std::size_t meets = 0;  ///< as WayLimit
+struct TrialAdvance {
+  std::vector<double> by;    ///< [tip] [length]
+  double breakthrough = 0.0; ///< 0: no leap
+  std::size_t tip = 0;       ///< that leaps
+  std::size_t meets = 0;     ///< as WayLimit
 };
 
 /// The ways cracks can go: how far it is to where they meet something, and what they are after an
 /// advance. March asks it where to go next; it knows nothing of cycles.
-class Ways {
+class CrackKinematics {
 public:
-  Ways() = default;
-  Ways(const Ways&) = delete;
-  Ways& operator=(const Ways&) = delete;
-  virtual ~Ways() = default;
+  CrackKinematics() = default;
+  CrackKinematics(const CrackKinematics&) = delete;
+  CrackKinematics& operator=(const CrackKinematics&) = delete;
+  virtual ~CrackKinematics() = default;
 
-  [[nodiscard]] virtual const std::vector<GrowingTip>& tips() const = 0;
+  [[nodiscard]] virtual const std::vector<TrackedTip>& tips() const = 0;
   /// Whether the way on follows from K.
-  [[nodiscard]] virtual bool turns() const = 0;
+  [[nodiscard]] virtual bool can_kink() const = 0;
   /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
-  [[nodiscard]] virtual double turn_scatter() const { return 0.0; }
+  [[nodiscard]] virtual double kink_scatter() const { return 0.0; }
   /// Goes on from the last station of an earlier run.
-  virtual void go_on(const State& state) = 0;
+  virtual void resume_from(const GrowthState& state) = 0;
   /// The cracks as they are at the last station that counts; then the state on trial.
-  [[nodiscard]] virtual CrackState here() = 0;
+  [[nodiscard]] virtual CrackGeometry current_state() = 0;
   /// The arm of a tip before anything has grown [length].
-  [[nodiscard]] virtual double first_arm(std::size_t tip) const = 0;
+  [[nodiscard]] virtual double initial_extent(std::size_t tip) const = 0;
   /// What a tip can grow from the last station on, at most [length].
-  [[nodiscard]] virtual double length_left(const State& state, std::size_t tip) const = 0;
+  [[nodiscard]] virtual double remaining_ligament(const GrowthState& state,
+                                                  std::size_t tip) const = 0;
   /// How far all may go (`ds` at most) for the sake of a tip that takes `share` of it.
-  [[nodiscard]] virtual WayLimit limit(const State& state, std::size_t tip, double share,
-                                       double ds) const = 0;
+  [[nodiscard]] virtual AdvanceLimit step_limit(const GrowthState& state, std::size_t tip,
+                                                double share, double ds) const = 0;
   /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
   /// false: there is no such front.
-  virtual bool relax(const State& /*state*/, std::vector<double>& /*by*/) const { return false; }
+  virtual bool smooth_front(const GrowthState& /*state*/, std::vector<double>& /*by*/) const {
+    return false;
+  }
   /// What is left of `owed` [tip] when the last station's tips have advanced `by` [tip]: waves of
   /// such a front die away by themselves.
-  virtual void let_die(std::vector<double>& /*owed*/, const std::vector<double>& /*by*/) const {}
+  virtual void damp_deferred(std::vector<double>& /*owed*/,
+                             const std::vector<double>& /*by*/) const {}
   /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
   /// errors: there are none. `leap` > 0: through what is left, and so much farther than needed.
-  virtual std::optional<CrackState> advanced(const State& state, const Advance& advance,
-                                             base::Diagnostics& diagnostics) = 0;
+  virtual std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
+                                                      const TrialAdvance& advance,
+                                                      base::Diagnostics& diagnostics) = 0;
   /// What K at its places means for the tips of the state on trial: where they stand and head to
   /// (in the plane), how their arms grow with the rates found (TipStation::lever).
-  virtual void place(std::vector<TipStation>& found) const = 0;
+  virtual void locate_tips(std::vector<TipStation>& found) const = 0;
   /// The state on trial counts: it is the last station's from now on, kept in `state`.
-  virtual void settle(State& state) = 0;
+  virtual void accept_trial(GrowthState& state) = 0;
   /// The advance asked for last cannot be made, however short (a leap: however long); `why`. Empty:
   /// to be asked again, there is another way.
-  [[nodiscard]] virtual std::optional<WayEnd> refused(const State& state, bool leapt,
-                                                      const std::string& why) = 0;
+  [[nodiscard]] virtual std::optional<GrowthStop>
+  reject_advance(const GrowthState& state, bool leapt, const std::string& why) = 0;
   /// Cracks straight on from the last station by so much at each tip, for a look ahead.
-  [[nodiscard]] virtual CrackState straight_on(const State& state, double advance) const = 0;
+  [[nodiscard]] virtual CrackGeometry extend_straight(const GrowthState& state,
+                                                      double advance) const = 0;
 };
 
 } // namespace spricka::growth

@@ -48,7 +48,7 @@ public:
         on_the_way_(requested_steps(model, false)) {}
 
   bool run() {
-    std::unique_ptr<growth::Ways> ways = initial_kinematics(model_, diagnostics_);
+    std::unique_ptr<growth::CrackKinematics> ways = initial_kinematics(model_, diagnostics_);
     if (!ways) {
       return false;
     }
@@ -58,9 +58,9 @@ public:
       law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
-    growth::March march = restore_checked([&] {
-      return growth::March(model_, law, std::move(ways),
-                           kept ? state_from(*kept) : growth::State());
+    growth::GrowthIntegrator march = restore_checked([&] {
+      return growth::GrowthIntegrator(model_, law, std::move(ways),
+                                      kept ? state_from(*kept) : growth::GrowthState());
     });
     GrowthRegion region(model_, march);
     if (kept) {
@@ -79,7 +79,7 @@ public:
       }
       // Mistakes of a state that is tried count only if it is the first.
       trial_ = {};
-      const std::optional<growth::CrackState> next = next_state(march, region);
+      const std::optional<growth::CrackGeometry> next = next_state(march, region);
       if (march.end()) {
         break;
       }
@@ -94,7 +94,7 @@ public:
           break;
         }
         const std::string why = why_not_solved();
-        march.shorten(why);
+        march.shorten_step(why);
         LogWriter(run_.log).add_line("GROW", fmt::format("a shorter advance: {}", why));
         trial_trouble_.reset();
       }
@@ -121,8 +121,8 @@ private:
     }
   }
 
-  growth::State state_from(const results::NamedArrays& arrays) {
-    std::optional<growth::State> state = growth::state_of(arrays.reals);
+  growth::GrowthState state_from(const results::NamedArrays& arrays) {
+    std::optional<growth::GrowthState> state = growth::from_arrays(arrays.reals);
     if (!state) {
       throw archive::FileTrouble("E560", "the restart file holds no state of a growth");
     }
@@ -131,9 +131,9 @@ private:
     return std::move(*state);
   }
 
-  void keep(const growth::March& march, const GrowthRegion& region) {
+  void keep(const growth::GrowthIntegrator& march, const GrowthRegion& region) {
     results::NamedArrays state;
-    state.reals = growth::to_arrays(march.state());
+    state.reals = growth::to_arrays(march.growth_state());
     solver_.save_state(state);
     region.save_state(state);
     measure_.save_state(state);
@@ -146,9 +146,10 @@ private:
   }
 
   // Where to solve next; empty: no state can be made there.
-  std::optional<growth::CrackState> next_state(growth::March& march, GrowthRegion& region) {
+  std::optional<growth::CrackGeometry> next_state(growth::GrowthIntegrator& march,
+                                                  GrowthRegion& region) {
     const RecordedInterval stretch(options_.recorder, "GROW", "where to solve next");
-    std::optional<growth::CrackState> next = march.next(trial_);
+    std::optional<growth::CrackGeometry> next = march.propose_step(trial_);
     if (next && next->solids.empty() && !march.end()) { // bodies of solids stay whole
       region.update_region(next->lines, march, run_.log);
     }
@@ -156,8 +157,9 @@ private:
   }
 
   // Solves, measures, and lets the march judge; false: not solvable there.
-  bool station(const growth::CrackState& cracks, GrowthRegion& region, growth::March& march) {
-    const bool first = march.state().stations.empty();
+  bool station(const growth::CrackGeometry& cracks, GrowthRegion& region,
+               growth::GrowthIntegrator& march) {
+    const bool first = march.growth_state().stations.empty();
     RecordedCrackLength length(options_.recorder);
     std::optional<results::Increment> increment =
         solver_.solve({cracks, 0.0, first ? stress_steps(model_, false) : on_the_way_,
@@ -188,7 +190,7 @@ private:
       return false;
     }
     // True all the same: the march has noted that it went too far and asks for a nearer state.
-    if (!march.take(std::move(*found))) {
+    if (!march.accept_station(std::move(*found))) {
       const std::string where =
           cracks.solids.empty() ? fmt::format("a = {:.6g}", increment->a) : "this front";
       log.add_line("GROW", where + " lies too far ahead for the tolerance: solved again nearer");
@@ -198,18 +200,18 @@ private:
     solver_.accept_state();
     length.mark_increment();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
-    const growth::Station& here = march.state().stations.back();
+    const growth::SolvedStation& here = march.growth_state().stations.back();
     set_front_sizes(model_, cracks, march.tips(), here, *increment);
     length.set_length(increment->a);
     run_.increments.push_back(std::move(*increment));
-    const growth::Trajectory so_far = march.trajectory();
+    const growth::GrowthTrajectory so_far = march.trajectory();
     log.add_line("GROW",
                  fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "
                              "{:.6g}",
-                             march.state().stations.size(), here.tips.front().a,
+                             march.growth_state().stations.size(), here.tips.front().a,
                              here.tips.front().K_min, here.tips.front().K_max,
                              here.tips.front().rate,
-                             so_far.cycles(march.state().stations.front().s, here.s)));
+                             so_far.cycles(march.growth_state().stations.front().s, here.s)));
     hand_on_warnings();
     keep(march, region);
     if (options_.progress) {
@@ -241,7 +243,7 @@ private:
     return "no mesh";
   }
 
-  void finish(const growth::March& march) {
+  void finish(const growth::GrowthIntegrator& march) {
     const RecordedInterval stretch(options_.recorder, "GROW", "lives");
     results::Increment& last = run_.increments.back();
     const std::vector<bool> pictured = stress_steps(model_, true);
@@ -254,9 +256,9 @@ private:
     run_.growth = growth_records(model_, march, measure_);
     run_.growth->scaled = scaled_lives(model_, run_, march, measure_);
     LogWriter(run_.log).add_line(
-        "GROW",
-        fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
-                    run_.growth->reason, march.state().stations.size(), march.state().rejected));
+        "GROW", fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
+                            run_.growth->reason, march.growth_state().stations.size(),
+                            march.growth_state().rejected));
     std::ranges::copy(measure_.warnings(), std::back_inserter(run_.warnings));
     for (std::string& text : life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});

@@ -137,7 +137,7 @@ std::optional<results::LoadPath> growth_load_path(const model::Model& model,
 
 std::optional<std::vector<growth::TipStation>>
 GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
-                                   const std::vector<growth::GrowingTip>& growing) {
+                                   const std::vector<growth::TrackedTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
   upside_down_ = true;
   const bool history = at.followed && at.followed->none.empty();
@@ -149,7 +149,7 @@ GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
     if (!at.cracks.solids.empty()) {
-      growth::GrowingTip tip = growing[i];
+      growth::TrackedTip tip = growing[i];
       tip.line = at.cracks.fronts[i]; // the crack that its own has become a part of
       if (!by_front(at, tip, at.cracks.aims[i], found[i])) {
         return std::nullopt;
@@ -355,10 +355,10 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const std::str
 void GrowthRateEvaluator::plastic(const results::Increment& increment,
                                   const mesh::CrackFront& front, const mesh::CrackLine& line,
                                   growth::TipStation& found) const {
-  const growth::Heading heading{front.tip_point().x, front.tip_point().growth};
+  const growth::TipGrowthDirection heading{front.tip_point().x, front.tip_point().growth};
   // Without an edge ahead there is no ligament that could yield.
   if (const auto edge = around_.edge_ahead(line, heading)) {
-    found.plastic = growth::plastic_part(
+    found.plastic = growth::plastic_load_ratio(
         model_, increment.mesh,
         {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
         increment.steps[largest_load_step(model_)].u, *model_.growth->flow_stress);

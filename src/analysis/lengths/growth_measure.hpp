@@ -29,7 +29,7 @@ struct SolvedCrackState {
   const results::Increment& increment;
   const std::vector<mesh::CrackFront>& tips;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
-  const growth::CrackState& cracks;
+  const growth::CrackGeometry& cracks;
   const std::optional<LoadHistoryResult>& followed; ///< where friction makes K a history
   const std::optional<OverlapResults>& free;        ///< faces that may overlap, where they close
   const results::LoadPath* path;                    ///< path_of_growth(), null: it has none
@@ -57,7 +57,7 @@ public:
 
   /// By tip. Empty: `trouble` says why there is no growth to be told.
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
-  evaluate_tips(const SolvedCrackState& at, const std::vector<growth::GrowingTip>& growing);
+  evaluate_tips(const SolvedCrackState& at, const std::vector<growth::TrackedTip>& growing);
 
   [[nodiscard]] const base::Trouble& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
@@ -108,7 +108,7 @@ private:
   [[nodiscard]] double at_smallest(const SolvedCrackState& at, const results::TipResult& tip,
                                    const base::Vec2& part);
   /// Of a tip in space, whose K is that of the place nearest to `aim`.
-  bool by_front(const SolvedCrackState& at, const growth::GrowingTip& tip, const base::Vec3& aim,
+  bool by_front(const SolvedCrackState& at, const growth::TrackedTip& tip, const base::Vec3& aim,
                 growth::TipStation& found);
   bool by_front_spectrum(const SolvedCrackState& at, const std::string& crack,
                          const base::Vec3& aim, growth::TipStation& found);
@@ -149,7 +149,7 @@ private:
   const model::Model& model_;
   life::GrowthRateLaw law_;
   std::optional<life::CountedSpectrum> spectrum_;
-  growth::Surroundings around_;
+  growth::PlaneBoundaryAhead around_;
   base::Trouble trouble_;
   bool upside_down_ = false;
   std::set<results::Warning> warnings_;

@@ -17,12 +17,12 @@ namespace spricka::analysis {
 
 namespace {
 
-results::LifePoint point_at(const growth::Trajectory& between, double s, double cycles,
+results::LifePoint point_at(const growth::GrowthTrajectory& between, double s, double cycles,
                             std::size_t tips) {
   results::LifePoint point;
   point.cycles = cycles;
   for (std::size_t tip = 0; tip < tips; ++tip) {
-    point.a.push_back(base::remove_round_off(between.arm(tip, s)));
+    point.a.push_back(base::remove_round_off(between.crack_extent(tip, s)));
   }
   return point;
 }
@@ -65,7 +65,7 @@ results::GrowingTip record_of(const std::string& name, const growth::TipStation&
 
 } // namespace
 
-results::Growth growth_records(const model::Model& model, const growth::March& march,
+results::Growth growth_records(const model::Model& model, const growth::GrowthIntegrator& march,
                                const GrowthRateEvaluator& measure) {
   results::Growth out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
@@ -78,11 +78,11 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
                   : measure.counted_on_K() ? "K, which turns within the loads"
                                            : "loads";
   }
-  for (const growth::GrowingTip& tip : march.tips()) {
+  for (const growth::TrackedTip& tip : march.tips()) {
     out.tips.push_back(tip.name);
   }
-  const std::vector<growth::Station>& stations = march.state().stations;
-  const growth::Trajectory between = march.trajectory();
+  const std::vector<growth::SolvedStation>& stations = march.growth_state().stations;
+  const growth::GrowthTrajectory between = march.trajectory();
   const double end = march.end() ? march.end()->s : stations.back().s;
   double cycles = 0.0;
   double at_station = 0.0; // also behind the end
@@ -92,10 +92,10 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     station.increment = static_cast<int>(i) + 1;
     at_station += i > 0 ? between.cycles(stations[i - 1].s, stations[i].s) : 0.0;
     station.cycles = at_station;
-    if (stations[i].leapt > 0) {
+    if (stations[i].breakthroughs > 0) {
       const std::size_t met = stations[i].met;
       out.passages.push_back(fmt::format(
-          "{} {} between stations {} and {}, at {:.6g} {}", out.tips[stations[i].leapt - 1],
+          "{} {} between stations {} and {}, at {:.6g} {}", out.tips[stations[i].breakthroughs - 1],
           met > 0
               ? fmt::format("meets crack {}, and the two go on as one", model.cracks[met - 1].name)
               : "goes through a surface",
@@ -123,12 +123,12 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     out.ended = march.end()->word;
     out.reason = march.end()->reason;
   }
-  out.error = march.error();
+  out.error = march.cycle_error();
   return out;
 }
 
-void set_front_sizes(const model::Model& model, const growth::CrackState& cracks,
-                     const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
+void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cracks,
+                     const std::vector<growth::TrackedTip>& tips, const growth::SolvedStation& here,
                      results::Increment& increment) {
   if (cracks.solids.empty() || model.growth->shape != model::FrontShapeRule::free) {
     return;

@@ -10,13 +10,13 @@
 namespace spricka::analysis {
 
 /// What a march found, as records: stations, the dense curve up to the end, how it ended.
-results::Growth growth_records(const model::Model& model, const growth::March& march,
+results::Growth growth_records(const model::Model& model, const growth::GrowthIntegrator& march,
                                const GrowthRateEvaluator& measure);
 
 /// Sizes of fronts that K shapes: each has the length of its first tip, as stations and N(a) do.
 /// Others keep theirs.
-void set_front_sizes(const model::Model& model, const growth::CrackState& cracks,
-                     const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
+void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cracks,
+                     const std::vector<growth::TrackedTip>& tips, const growth::SolvedStation& here,
                      results::Increment& increment);
 
 } // namespace spricka::analysis

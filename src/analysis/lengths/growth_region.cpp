@@ -29,10 +29,12 @@ double length_of(const mesh::CrackLine& line) {
 
 } // namespace
 
-GrowthRegion::GrowthRegion(const model::Model& model, const growth::March&) : model_(model) {}
+GrowthRegion::GrowthRegion(const model::Model& model, const growth::GrowthIntegrator&)
+    : model_(model) {}
 
 // Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
-void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growth::March& march) {
+void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
+                          const growth::GrowthIntegrator& march) {
   plan_ = {};
   add_to_region(model_, lines, plan_);
   double longest = 0.0;
@@ -44,12 +46,13 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growt
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     // Closer together near the tips, where the next stations will be.
-    add_to_region(model_, march.straight_on(reach * part * part).lines, plan_);
+    add_to_region(model_, march.extend_straight(reach * part * part).lines, plan_);
   }
 }
 
 void GrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
-                                 const growth::March& march, std::vector<results::LogLine>& log) {
+                                 const growth::GrowthIntegrator& march,
+                                 std::vector<results::LogLine>& log) {
   RegionPlan here;
   add_to_region(model_, lines, here);
   // A region that holds all that this length touches stays, so that the rest is not condensed

@@ -13,11 +13,11 @@ namespace spricka::analysis {
 /// touch. Where a crack leaves it a new one is chosen, and what that costs is told.
 class GrowthRegion {
 public:
-  GrowthRegion(const model::Model& model, const growth::March& march);
+  GrowthRegion(const model::Model& model, const growth::GrowthIntegrator& march);
 
   /// Before these cracks are solved: are they still within?
-  void update_region(const std::vector<mesh::CrackLine>& lines, const growth::March& march,
-                     std::vector<results::LogLine>& log);
+  void update_region(const std::vector<mesh::CrackLine>& lines,
+                     const growth::GrowthIntegrator& march, std::vector<results::LogLine>& log);
   /// Behind the solution that came after a new choice: its line in the log.
   void log_cost(std::vector<results::LogLine>& log);
 
@@ -28,7 +28,7 @@ public:
   void restore_state(const results::NamedArrays& arrays);
 
 private:
-  void choose(const std::vector<mesh::CrackLine>& lines, const growth::March& march);
+  void choose(const std::vector<mesh::CrackLine>& lines, const growth::GrowthIntegrator& march);
 
   const model::Model& model_;
   RegionPlan plan_;

@@ -64,7 +64,7 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
   return ligament_can_yield(model, no);
 }
 
-bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
+bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& ways,
                       base::Diagnostics& diagnostics) {
   const auto no = [&](const std::string& why) {
     diagnostics.error(model.growth->span, "E431", why);
@@ -85,7 +85,7 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
       return no(fmt::format("SHAPE=ELLIPSE: crack {} is drawn by points", crack.name));
     }
     if (std::ranges::none_of(ways.tips(),
-                             [&](const growth::GrowingTip& tip) { return tip.line == c; })) {
+                             [&](const growth::TrackedTip& tip) { return tip.line == c; })) {
       const bool turns = model.growth->direction != model::GrowthDirection::path;
       return no(fmt::format("crack {} has no front in the body{}", crack.name,
                             turns ? ", or several, of which only DIRECTION=PATH can move more "
@@ -97,10 +97,10 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
     return no("$GROW: no crack grows");
   }
   for (std::size_t tip = 0; tip < ways.tips().size(); ++tip) {
-    if (model.growth->last_length && ways.first_arm(tip) >= *model.growth->last_length) {
+    if (model.growth->last_length && ways.initial_extent(tip) >= *model.growth->last_length) {
       return no(fmt::format("AMAX = {:.6g} is not longer than {} is at first, {:.6g}",
                             *model.growth->last_length, ways.tips()[tip].name,
-                            ways.first_arm(tip)));
+                            ways.initial_extent(tip)));
     }
   }
   return ligament_can_yield(model, no);
@@ -219,14 +219,14 @@ std::vector<std::string> life_concerns(const results::Growth& growth,
   return warnings;
 }
 
-std::unique_ptr<growth::Ways> initial_kinematics(const model::Model& model,
-                                                 base::Diagnostics& diagnostics) {
+std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
+                                                            base::Diagnostics& diagnostics) {
   if (model.mesh.dim == 3) {
-    std::unique_ptr<growth::Ways> ways;
+    std::unique_ptr<growth::CrackKinematics> ways;
     if (model.growth->shape == model::FrontShapeRule::ellipse) {
-      ways = std::make_unique<growth::EllipseWays>(model);
+      ways = std::make_unique<growth::EllipticalFront>(model);
     } else {
-      ways = std::make_unique<growth::FreeWays>(model);
+      ways = std::make_unique<growth::FreeFrontShape>(model);
     }
     return growth_can_begin(model, *ways, diagnostics) ? std::move(ways) : nullptr;
   }
@@ -234,7 +234,7 @@ std::unique_ptr<growth::Ways> initial_kinematics(const model::Model& model,
   if (!lines || !growth_can_begin(model, *lines, diagnostics)) {
     return nullptr;
   }
-  return std::make_unique<growth::LineWays>(model, std::move(*lines));
+  return std::make_unique<growth::PlanarTips>(model, std::move(*lines));
 }
 
 } // namespace spricka::analysis

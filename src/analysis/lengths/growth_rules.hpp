@@ -20,12 +20,12 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
                       base::Diagnostics& diagnostics);
 
 /// The same for cracks in space, whose ways know the tips.
-bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
+bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& ways,
                       base::Diagnostics& diagnostics);
 
 /// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.
-std::unique_ptr<growth::Ways> initial_kinematics(const model::Model& model,
-                                                 base::Diagnostics& diagnostics);
+std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
+                                                            base::Diagnostics& diagnostics);
 
 /// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
 /// the rows of a table.

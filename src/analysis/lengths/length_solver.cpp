@@ -151,8 +151,8 @@ void CrackStateSolver::measure_sections(const Discretisation& scene,
   }
   const base::Vector& u = increment.steps[largest_load_step(model_)].u;
   for (const FrontWithDomains& at : scene.fronts) {
-    plastic_.push_back(growth::plastic_part({model_, scene.cracked, *scene.ties, scene.cls},
-                                            at.front, u, *model_.growth->flow_stress));
+    plastic_.push_back(growth::plastic_load_ratio({model_, scene.cracked, *scene.ties, scene.cls},
+                                                  at.front, u, *model_.growth->flow_stress));
   }
 }
 

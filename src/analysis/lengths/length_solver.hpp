@@ -25,10 +25,10 @@ namespace spricka::analysis {
 
 /// One state of the cracks to be solved.
 struct CrackStateRequest {
-  growth::CrackState cracks;  ///< in space none: those of the deck
-  double a = 0.0;             ///< for the record; 0: that of the first tip
-  std::vector<bool> pictured; ///< [step] stresses are recovered
-  bool bars = true;           ///< error bars of K, and sensitivities
+  growth::CrackGeometry cracks; ///< in space none: those of the deck
+  double a = 0.0;               ///< for the record; 0: that of the first tip
+  std::vector<bool> pictured;   ///< [step] stresses are recovered
+  bool bars = true;             ///< error bars of K, and sensitivities
 };
 
 /// Solves all steps for one state of the cracks after another; what one leaves for the next (nets

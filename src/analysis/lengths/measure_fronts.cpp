@@ -198,7 +198,7 @@ std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPath& path,
                        : std::nullopt;
 }
 
-bool GrowthRateEvaluator::by_front(const SolvedCrackState& at, const growth::GrowingTip& tip,
+bool GrowthRateEvaluator::by_front(const SolvedCrackState& at, const growth::TrackedTip& tip,
                                    const base::Vec3& aim, growth::TipStation& found) {
   const std::string& crack = at.cracks.solids[tip.line].name;
   const results::StepResult& high = at.increment.steps[largest_load_step(model_)];

@@ -49,10 +49,9 @@ std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
 
 // Rates of all stations, whose K is on `paths` [station], with K on a line from K0 at t = 0 to the
 // K of the largest load.
-std::optional<std::vector<growth::Station>> on_line(const std::vector<results::LoadPath>& paths,
-                                                    std::vector<growth::Station> stations,
-                                                    const GrowthRateEvaluator& measure,
-                                                    bool through_zero) {
+std::optional<std::vector<growth::SolvedStation>>
+on_line(const std::vector<results::LoadPath>& paths, std::vector<growth::SolvedStation> stations,
+        const GrowthRateEvaluator& measure, bool through_zero) {
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     for (growth::TipStation& tip : stations[i].tips) {
@@ -62,31 +61,32 @@ std::optional<std::vector<growth::Station>> on_line(const std::vector<results::L
       }
       const double K0 = through_zero ? 0.0 : (*K1)(0.0);
       const base::PiecewiseLinear line({0.0, top}, {K0}, {((*K1)(top)-K0) / top});
-      tip.rate = tip.lever * measure.spectrum()->growth_per_pass(measure.law(), line);
+      tip.rate = tip.extent_rate_ratio * measure.spectrum()->growth_per_pass(measure.law(), line);
     }
-    if (!(stations[i].rate() > 0.0)) {
+    if (!(stations[i].growth_rate() > 0.0)) {
       return std::nullopt;
     }
   }
   return stations;
 }
 
-std::optional<results::ScaledLife> life(const std::string& name, const growth::March& march,
-                                        const growth::Trajectory& other) {
-  const std::vector<growth::Station>& stations = march.state().stations;
+std::optional<results::ScaledLife> life(const std::string& name,
+                                        const growth::GrowthIntegrator& march,
+                                        const growth::GrowthTrajectory& other) {
+  const std::vector<growth::SolvedStation>& stations = march.growth_state().stations;
   const double end = march.end() ? march.end()->s : stations.back().s;
-  const growth::Trajectory between = march.trajectory();
+  const growth::GrowthTrajectory between = march.trajectory();
   results::ScaledLife out;
   out.name = name;
   double cycles = 0.0;
-  out.curve.push_back({0.0, {between.arm(0, stations.front().s)}});
+  out.curve.push_back({0.0, {between.crack_extent(0, stations.front().s)}});
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     const double last = std::min(stations[i + 1].s, end);
     double before = stations[i].s;
     for (int k = 1; k <= points_of_interval && before < last; ++k) {
       const double s = stations[i].s + (last - stations[i].s) * k / points_of_interval;
       cycles += other.cycles(before, s);
-      out.curve.push_back({cycles, {between.arm(0, s)}});
+      out.curve.push_back({cycles, {between.crack_extent(0, s)}});
       before = s;
     }
   }
@@ -98,10 +98,10 @@ std::optional<results::ScaledLife> life(const std::string& name, const growth::M
 } // namespace
 
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
-                                              const growth::March& march,
+                                              const growth::GrowthIntegrator& march,
                                               const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledLife> out;
-  std::vector<growth::Station> stations = march.state().stations;
+  std::vector<growth::SolvedStation> stations = march.growth_state().stations;
   // Of several tips in the plane the rates would change each other's arms; along fronts they are
   // taken on the fronts that the true K has made.
   const bool comparable = march.tips().size() == 1 || model.mesh.dim == 3;
@@ -117,7 +117,7 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
   if (!measure.spectrum()) {
     const auto r = ratio_of(loads[model.growth->kmin.index()], loads[model.growth->kmax.index()]);
     if (r) {
-      for (growth::Station& station : stations) {
+      for (growth::SolvedStation& station : stations) {
         for (growth::TipStation& tip : station.tips) {
           tip.K_min = *r * tip.K_max;
         }
@@ -125,7 +125,7 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
       const growth::Law law = [&](double K_max, double K_min) {
         return measure.law().growth_rate(K_max, K_min);
       };
-      add(life("scaled", march, growth::Trajectory(stations, law, 4)));
+      add(life("scaled", march, growth::GrowthTrajectory(stations, law, 4)));
     }
     return out;
   }
@@ -143,11 +143,11 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
   const base::Vector& to = loads[model.load_paths[path].to.index()];
   if (from.norm() == 0.0 && to.norm() > 0.0) {
     if (const auto scaled = on_line(paths, stations, measure, true)) {
-      add(life("scaled", march, growth::Trajectory(*scaled, {}, 4)));
+      add(life("scaled", march, growth::GrowthTrajectory(*scaled, {}, 4)));
     }
   }
   if (const auto line = on_line(paths, stations, measure, false)) {
-    add(life("line", march, growth::Trajectory(*line, {}, 4)));
+    add(life("line", march, growth::GrowthTrajectory(*line, {}, 4)));
   }
   return out;
 }

@@ -18,7 +18,7 @@ inline constexpr int points_of_interval = 16;
 /// such a line), loads that no factor joins, growth of several tips in the plane or with friction.
 /// In space it goes through the same fronts.
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
-                                              const growth::March& march,
+                                              const growth::GrowthIntegrator& march,
                                               const GrowthRateEvaluator& measure);
 
 } // namespace spricka::analysis

@@ -50,15 +50,15 @@ void compare_extremes(const model::Model& model, results::Run& run) {
 }
 
 // The cracks of one increment; empty, with errors: they do not fit.
-std::optional<growth::CrackState> cracks_of(const model::Model& model, double a,
-                                            base::Diagnostics& diagnostics) {
+std::optional<growth::CrackGeometry> cracks_of(const model::Model& model, double a,
+                                               base::Diagnostics& diagnostics) {
   auto lines = growth::crack_lines(model, a, diagnostics);
   if (!lines) {
     return std::nullopt;
   }
-  growth::CrackState cracks{.lines = std::move(*lines)};
+  growth::CrackGeometry cracks{.lines = std::move(*lines)};
   if (model.mesh.dim == 3 && a > 0.0) {
-    cracks.solids = growth::cracks_of_size(model, a);
+    cracks.solids = growth::scale_cracks(model, a);
   }
   return cracks;
 }
@@ -99,7 +99,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     }
     RecordedCrackLength length(options.recorder);
     const IncrementStart mark(run.log);
-    std::optional<growth::CrackState> cracks = cracks_of(model, lengths[i], diagnostics);
+    std::optional<growth::CrackGeometry> cracks = cracks_of(model, lengths[i], diagnostics);
     if (!cracks) {
       return false;
     }

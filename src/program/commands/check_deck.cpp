@@ -101,7 +101,7 @@ public:
       std::optional<model::Model> sized; // in space
       if (model_.mesh.dim == 3 && lengths[i] > 0.0) {
         sized.emplace(model_);
-        sized->cracks = growth::cracks_of_size(model_, lengths[i]);
+        sized->cracks = growth::scale_cracks(model_, lengths[i]);
       }
       const std::unique_ptr<analysis::CrackLengthAnalysis> length =
           analysis::CrackLengthAnalysis::create(

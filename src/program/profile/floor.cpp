@@ -30,7 +30,7 @@ std::optional<analysis::Discretisation> first_scene(const model::Model& given) {
   model::Model model = given;
   const double a = analysis::grows_by_law(model) ? 0.0 : growth::crack_lengths(model).front();
   if (model.mesh.dim == 3 && a > 0.0) {
-    model.cracks = growth::cracks_of_size(model, a);
+    model.cracks = growth::scale_cracks(model, a);
   }
   base::Diagnostics told_before;
   return analysis::discretise(model, a, {}, told_before);

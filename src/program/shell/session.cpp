@@ -64,7 +64,7 @@ void begin_growth(model::Model& model) {
     return;
   }
   if (model.mesh.dim == 3) {
-    model.cracks = growth::cracks_of_size(model, model.growth->lengths.front());
+    model.cracks = growth::scale_cracks(model, model.growth->lengths.front());
     return;
   }
   const std::vector<base::CrackId>& grow = model.growth->cracks;

@@ -291,14 +291,14 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
   ASSERT_EQ(solved->run.growth->ended, "AMAX") << solved->run.growth->reason;
   using Range = std::function<double(const base::PiecewiseLinear&)>;
   const auto life = [&](const Range& range) {
-    std::vector<growth::Station> stations;
+    std::vector<growth::SolvedStation> stations;
     for (const results::Increment& increment : solved->run.increments) {
       growth::TipStation tip;
       tip.a = increment.a;
       tip.K_max = range(increment.paths.front().tips.front().K1);
       stations.push_back({increment.a, {tip}});
     }
-    const growth::Trajectory between(
+    const growth::GrowthTrajectory between(
         stations, [](double K, double) { return 1e-13 * K * K * K; }, 4);
     return between.cycles(stations.front().s, stations.back().s);
   };

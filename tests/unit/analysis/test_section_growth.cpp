@@ -64,7 +64,7 @@ double by_statics(double a, double c) {
     }
   }
   const double N = 100.0 * width * thickness;
-  return growth::plastic_part(section, {N, {0.0, 0.5 * thickness * N}}, flow);
+  return growth::plastic_load_ratio(section, {N, {0.0, 0.5 * thickness * N}}, flow);
 }
 
 TEST(SectionGrowth, EndsAtThePlasticLimitOfTheSection) {

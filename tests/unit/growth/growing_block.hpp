@@ -77,15 +77,15 @@ inline double paris(double K_max, double K_min) {
 }
 
 // K1 at a place of the crack.
-using KAt = std::function<double(const growth::CrackState& cracks, const Vec3& x)>;
+using KAt = std::function<double(const growth::CrackGeometry& cracks, const Vec3& x)>;
 
-inline void run(growth::March& march, const KAt& K_at, const growth::Law& law = paris) {
+inline void run(growth::GrowthIntegrator& march, const KAt& K_at, const growth::Law& law = paris) {
   for (int k = 0; k < 300 && !march.end(); ++k) {
     base::Diagnostics diagnostics;
-    const auto cracks = march.next(diagnostics);
+    const auto cracks = march.propose_step(diagnostics);
     if (!cracks) {
       if (!march.end()) {
-        march.shorten("no front");
+        march.shorten_step("no front");
       }
       continue;
     }
@@ -98,7 +98,7 @@ inline void run(growth::March& march, const KAt& K_at, const growth::Law& law = 
       found[tip].K_max = K_at(*cracks, x);
       found[tip].rate = law(found[tip].K_max, 0.0);
     }
-    march.take(std::move(found));
+    march.accept_station(std::move(found));
   }
   ASSERT_TRUE(march.end()) << "no end after 300 stations";
 }

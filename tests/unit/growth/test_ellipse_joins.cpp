@@ -21,48 +21,49 @@ constexpr double grown = 1.5;       // from 1
 constexpr double nearly = 0.03;
 
 struct Grown {
-  growth::State state;
-  growth::CrackState last;
+  growth::GrowthState state;
+  growth::CrackGeometry last;
   std::string end;
   std::size_t met = 0; ///< times
 
   [[nodiscard]] const model::PlanarCrack& plane() const {
-    return last.solids[growth::is_gone(last.solids[0]) ? 1 : 0].plane;
+    return last.solids[growth::is_merged(last.solids[0]) ? 1 : 0].plane;
   }
 };
 
 Grown grow(Block& block) {
   block.model.growth->last_length = last_length;
-  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::EllipticalFront>(block.model), {});
   Grown out;
-  run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3&) {
     out.last = cracks;
     return 1.0;
   });
-  for (const growth::Station& station : march.state().stations) {
+  for (const growth::SolvedStation& station : march.growth_state().stations) {
     out.met += station.met > 0 ? 1 : 0;
   }
   out.end = march.end()->word;
-  out.state = march.state();
+  out.state = march.growth_state();
   return out;
 }
 
 void expect_one(const Grown& both) {
   EXPECT_EQ(both.end, "AMAX");
   EXPECT_EQ(both.met, 1U);
-  EXPECT_NE(growth::is_gone(both.last.solids[0]), growth::is_gone(both.last.solids[1]));
+  EXPECT_NE(growth::is_merged(both.last.solids[0]), growth::is_merged(both.last.solids[1]));
 }
 
 // What is kept makes the same cracks and places again.
 void expect_kept(const Block& block, const Grown& before) {
-  growth::EllipseWays ways(block.model);
-  ways.go_on(before.state);
-  const growth::CrackState again = ways.here();
+  growth::EllipticalFront ways(block.model);
+  ways.resume_from(before.state);
+  const growth::CrackGeometry again = ways.current_state();
   ASSERT_EQ(again.aims.size(), before.last.aims.size());
   for (std::size_t i = 0; i < again.aims.size(); ++i) {
     EXPECT_EQ(again.aims[i], before.last.aims[i]);
     EXPECT_EQ(again.fronts[i], before.last.fronts[i]);
-    EXPECT_EQ(ways.first_arm(i), growth::EllipseWays(block.model).first_arm(i));
+    EXPECT_EQ(ways.initial_extent(i), growth::EllipticalFront(block.model).initial_extent(i));
   }
 }
 

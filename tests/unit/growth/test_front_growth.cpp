@@ -34,7 +34,7 @@ double K_of_ellipse(double a, double c, double phi) {
          std::pow(std::pow(std::sin(phi), 2) + std::pow(a / c * std::cos(phi), 2), 0.25);
 }
 
-double K_at_ellipse(const growth::CrackState& cracks, const Vec3& x) {
+double K_at_ellipse(const growth::CrackGeometry& cracks, const Vec3& x) {
   const model::PlanarCrack& p = cracks.solids[0].plane;
   const Vec3 off = x - p.place;
   const double phi = std::atan2(off.y() / p.a, off.x() / p.c);
@@ -57,16 +57,17 @@ std::array<double, 3> integrated(double a, double c, double last) {
   return {a, c, cycles};
 }
 
-double cycles_of(const growth::March& march) {
-  return march.trajectory().cycles(march.state().stations.front().s, march.end()->s);
+double cycles_of(const growth::GrowthIntegrator& march) {
+  return march.trajectory().cycles(march.growth_state().stations.front().s, march.end()->s);
 }
 
 // An embedded ellipse has four arms, which grow alike, and its life is that of two numbers.
-TEST(EllipseWays, EmbeddedEllipseAsTwoNumbers) {
+TEST(EllipticalFront, EmbeddedEllipseAsTwoNumbers) {
   Block block({-20, -20, -20}, {20, 20, 20}, 4);
   block.ellipse(Vec3::Zero(), 0.5, 1.0);
   block.model.growth->last_length = 1.5;
-  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::EllipticalFront>(block.model), {});
   ASSERT_EQ(march.tips().size(), 4U);
   EXPECT_EQ(march.tips()[0].name, "C.A1");
   EXPECT_EQ(march.tips()[3].name, "C.C2");
@@ -74,16 +75,17 @@ TEST(EllipseWays, EmbeddedEllipseAsTwoNumbers) {
   const auto [a, c, cycles] = integrated(0.5, 1.0, 1.5);
   EXPECT_EQ(march.end()->word, "AMAX");
   EXPECT_NEAR(cycles_of(march) / cycles, 1.0, 1e-3);
-  EXPECT_NEAR(march.state().stations.back().tips[0].a / a, 1.0, 1e-3);
+  EXPECT_NEAR(march.growth_state().stations.back().tips[0].a / a, 1.0, 1e-3);
 }
 
 // A quarter of it in the corner of a block has two arms, and the same life but for what lies
 // between the ends of the axes and the places ten degrees inside where K counts.
-TEST(EllipseWays, CornerCrackHasAnArmForEachAxis) {
+TEST(EllipticalFront, CornerCrackHasAnArmForEachAxis) {
   Block block({0, 0, -20}, {20, 20, 20}, 4);
   block.ellipse(Vec3::Zero(), 0.5, 1.0);
   block.model.growth->last_length = 1.5;
-  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::EllipticalFront>(block.model), {});
   ASSERT_EQ(march.tips().size(), 2U);
   EXPECT_EQ(march.tips()[0].name, "C.A");
   EXPECT_EQ(march.tips()[1].name, "C.C");
@@ -92,17 +94,18 @@ TEST(EllipseWays, CornerCrackHasAnArmForEachAxis) {
 }
 
 // K larger on one side of the centre moves it: both ends of the axis keep their own rates.
-TEST(EllipseWays, ArmsOfOneAxisGrowApart) {
+TEST(EllipticalFront, ArmsOfOneAxisGrowApart) {
   Block block({-20, -20, -20}, {20, 20, 20}, 4);
   block.ellipse(Vec3::Zero(), 1.0, 1.0);
   block.model.growth->last_length = 1.3;
-  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
-  growth::CrackState last;
-  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::EllipticalFront>(block.model), {});
+  growth::CrackGeometry last;
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3& x) {
     last = cracks;
     return x.x() > 0.5 ? std::cbrt(3.0) : 1.0;
   });
-  const std::vector<TipStation>& tips = march.state().stations.back().tips;
+  const std::vector<TipStation>& tips = march.growth_state().stations.back().tips;
   ASSERT_EQ(tips.size(), 4U);
   EXPECT_NEAR(tips[2].a, 1.3, 1e-9);
   EXPECT_NEAR(tips[3].a, 1.1, 1e-6);
@@ -117,16 +120,16 @@ TEST(EllipseWays, ArmsOfOneAxisGrowApart) {
 template <class Ways> void through_the_plate() {
   Block block({0, 0, -20}, {20, 2, 20}, 4); // the plate is 2 thick along y
   block.ellipse(Vec3::Zero(), 1.0, 1.0);
-  growth::March march(block.model, paris, std::make_unique<Ways>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris, std::make_unique<Ways>(block.model), {});
   std::vector<Vec3> ends;
-  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3& x) {
     ends = cracks.aims;
     return 1.0 + 0.01 * x.y();
   });
   EXPECT_EQ(march.end()->word, "EDGE");
   std::size_t leaps = 0;
-  for (const growth::Station& station : march.state().stations) {
-    leaps += station.leapt > 0 ? 1 : 0;
+  for (const growth::SolvedStation& station : march.growth_state().stations) {
+    leaps += station.breakthroughs > 0 ? 1 : 0;
   }
   EXPECT_GE(leaps, 1U);
   double far = 0.0;
@@ -134,26 +137,27 @@ template <class Ways> void through_the_plate() {
     far = std::max(far, x.x());
   }
   EXPECT_GT(far, 0.8 * 20.0);
-  EXPECT_GT(march.error(), 0.0);
+  EXPECT_GT(march.cycle_error(), 0.0);
 }
-TEST(EllipseWays, CornerCrackGoesThroughTheFarFace) {
-  through_the_plate<growth::EllipseWays>();
+TEST(EllipticalFront, CornerCrackGoesThroughTheFarFace) {
+  through_the_plate<growth::EllipticalFront>();
 }
-TEST(FreeWays, CornerCrackGoesThroughTheFarFace) {
-  through_the_plate<growth::FreeWays>();
+TEST(FreeFrontShape, CornerCrackGoesThroughTheFarFace) {
+  through_the_plate<growth::FreeFrontShape>();
 }
 
 // The same K all round: a circle grows as one, in the body and from a corner.
-TEST(FreeWays, CircleStaysACircle) {
+TEST(FreeFrontShape, CircleStaysACircle) {
   for (const bool corner : {false, true}) {
     const double low = corner ? 0.0 : -20.0;
     Block block({low, low, -20}, {20, 20, 20}, 4);
     block.ellipse(Vec3::Zero(), 1.0, 1.0);
     block.model.growth->last_length = 2.0;
-    growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+    growth::GrowthIntegrator march(block.model, paris,
+                                   std::make_unique<growth::FreeFrontShape>(block.model), {});
     ASSERT_EQ(march.tips().size(), corner ? 17U : 32U);
-    growth::CrackState last;
-    run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+    growth::CrackGeometry last;
+    run(march, [&](const growth::CrackGeometry& cracks, const Vec3&) {
       last = cracks;
       return 1.0;
     });
@@ -167,14 +171,15 @@ TEST(FreeWays, CircleStaysACircle) {
 
 // An ellipse on its way to a circle: K of the ellipse that the front's own half-axes make. Five
 // advances of a tenth of c (G22: a/c = 0.708 +- 0.005).
-TEST(FreeWays, EllipseBecomesRounder) {
+TEST(FreeFrontShape, EllipseBecomesRounder) {
   Block block({-20, -20, -20}, {20, 20, 20}, 4);
   block.ellipse(Vec3::Zero(), 0.5, 1.0);
   block.model.growth->last_length = 1.5;
-  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::FreeFrontShape>(block.model), {});
   double a = 0.0;
   double c = 0.0;
-  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3& x) {
     a = c = 0.0;
     for (const Vec3& aim : cracks.aims) {
       a = std::max(a, std::abs(aim.y()));
@@ -190,7 +195,7 @@ TEST(FreeWays, EllipseBecomesRounder) {
 // Two cracks that K is the same along all round grow as circles, meet, and go on as one, whose far
 // sides know nothing of that; the notch between them fills.
 struct Meeting {
-  growth::CrackState last;
+  growth::CrackGeometry last;
   std::vector<std::size_t> met;
   std::string end;
   double error = 0.0;
@@ -198,23 +203,24 @@ struct Meeting {
 
 Meeting two_that_meet(Block& block, double last_length) {
   block.model.growth->last_length = last_length;
-  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::FreeFrontShape>(block.model), {});
   Meeting out;
-  run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3&) {
     out.last = cracks;
     return 1.0;
   });
-  for (const growth::Station& station : march.state().stations) {
+  for (const growth::SolvedStation& station : march.growth_state().stations) {
     if (station.met > 0) {
       out.met.push_back(station.met);
     }
   }
   out.end = march.end()->word;
-  out.error = march.error();
+  out.error = march.cycle_error();
   return out;
 }
 
-TEST(FreeWays, TwoCirclesGoOnAsOne) {
+TEST(FreeFrontShape, TwoCirclesGoOnAsOne) {
   for (const double normal : {1.0, -1.0}) { // of the second: faces up or down
     Block block({-20, -20, -20}, {20, 20, 20}, 4);
     block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
@@ -225,8 +231,8 @@ TEST(FreeWays, TwoCirclesGoOnAsOne) {
     ASSERT_EQ(both.met.size(), 1U);
     EXPECT_GT(both.error, 0.0);
     const std::size_t gone = both.met[0] - 1;
-    EXPECT_TRUE(growth::is_gone(both.last.solids[gone]));
-    EXPECT_FALSE(growth::is_gone(both.last.solids[1 - gone]));
+    EXPECT_TRUE(growth::is_merged(both.last.solids[gone]));
+    EXPECT_FALSE(growth::is_merged(both.last.solids[1 - gone]));
     ASSERT_EQ(both.last.aims.size(), 64U);
     double far = 0.0;
     double waist = 1e300;
@@ -245,7 +251,7 @@ TEST(FreeWays, TwoCirclesGoOnAsOne) {
 }
 
 // On a free surface the front behind leads from the far end of one to the far end of the other.
-TEST(FreeWays, TwoSurfaceCracksGoOnAsOne) {
+TEST(FreeFrontShape, TwoSurfaceCracksGoOnAsOne) {
   Block block({-20, 0, -20}, {20, 20, 20}, 4);
   block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
   block.ellipse({1.3, 0, 0}, 1.0, 1.0, "C2");
@@ -265,7 +271,7 @@ TEST(FreeWays, TwoSurfaceCracksGoOnAsOne) {
 }
 
 // Cracks in two planes do not become one.
-TEST(FreeWays, CracksInTwoPlanesEndWhereTheyMeet) {
+TEST(FreeFrontShape, CracksInTwoPlanesEndWhereTheyMeet) {
   Block block({-20, -20, -20}, {20, 20, 20}, 4);
   block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
   block.ellipse({1.3, 0, 0.01}, 1.0, 1.0, "C2");
@@ -275,7 +281,8 @@ TEST(FreeWays, CracksInTwoPlanesEndWhereTheyMeet) {
 // Points that stay, of fronts that meet at one place; none where they meet at two.
 TEST(JoinFronts, OneFrontOrNone) {
   const auto front = [](bool closed, std::vector<bool> stays, std::size_t first) {
-    growth::MeetingFront out{.points = {}, .tips = {}, .stays = std::move(stays), .closed = closed};
+    growth::CoalescingFront out{
+        .points = {}, .tips = {}, .stays = std::move(stays), .closed = closed};
     for (std::size_t i = 0; i < out.stays.size(); ++i) {
       out.points.emplace_back(static_cast<double>(first + i), 0, 0);
       out.tips.push_back(first + i);
@@ -284,7 +291,7 @@ TEST(JoinFronts, OneFrontOrNone) {
   };
   const auto ring = front(true, {true, false, false, true, true, true}, 0);
   const auto other_ring = front(true, {false, true, true, true, true, false}, 10);
-  const auto rings = growth::join_fronts(ring, other_ring);
+  const auto rings = growth::coalesce_fronts(ring, other_ring);
   ASSERT_TRUE(rings);
   EXPECT_TRUE(rings->closed);
   EXPECT_EQ(rings->tips, (std::vector<std::size_t>{2, 3, 4, 5, 0, 1, 10, 11, 12, 13, 14, 15}));
@@ -292,18 +299,20 @@ TEST(JoinFronts, OneFrontOrNone) {
   const auto left = front(false, {true, true, true, false}, 20);
   const auto right = front(false, {false, true, true, true}, 30);
   for (const bool turned : {false, true}) {
-    const auto open = turned ? growth::join_fronts(right, left) : growth::join_fronts(left, right);
+    const auto open =
+        turned ? growth::coalesce_fronts(right, left) : growth::coalesce_fronts(left, right);
     ASSERT_TRUE(open);
     EXPECT_FALSE(open->closed);
     EXPECT_EQ(open->tips, (std::vector<std::size_t>{20, 21, 22, 23, 30, 31, 32, 33}));
   }
-  const auto through = growth::join_fronts(front(false, {true, true, false, true, true}, 40), ring);
+  const auto through =
+      growth::coalesce_fronts(front(false, {true, true, false, true, true}, 40), ring);
   ASSERT_TRUE(through);
   EXPECT_FALSE(through->closed);
   EXPECT_EQ(through->tips.size(), 11U);
-  EXPECT_FALSE(growth::join_fronts(ring, left));
-  EXPECT_FALSE(growth::join_fronts(left, front(false, {true, true, false}, 50)));
-  EXPECT_FALSE(growth::join_fronts(front(true, {true, false, true, false}, 60), other_ring));
+  EXPECT_FALSE(growth::coalesce_fronts(ring, left));
+  EXPECT_FALSE(growth::coalesce_fronts(left, front(false, {true, true, false}, 50)));
+  EXPECT_FALSE(growth::coalesce_fronts(front(true, {true, false, true, false}, 60), other_ring));
 }
 
 // A run that goes on from a station asks for the same front as one that never stopped.
@@ -311,15 +320,15 @@ template <class Ways> void goes_on_alike() {
   Block block({0, 0, -20}, {20, 2, 20}, 4);
   block.ellipse(Vec3::Zero(), 0.7, 1.0);
   block.model.growth->last_length = 4.0;
-  growth::March whole(block.model, paris, std::make_unique<Ways>(block.model), {});
+  growth::GrowthIntegrator whole(block.model, paris, std::make_unique<Ways>(block.model), {});
   base::Diagnostics none;
   for (int k = 0; k < 8; ++k) {
-    const auto cracks = whole.next(none);
+    const auto cracks = whole.propose_step(none);
     ASSERT_TRUE(cracks);
-    const auto state = growth::state_of(growth::to_arrays(whole.state()));
+    const auto state = growth::from_arrays(growth::to_arrays(whole.growth_state()));
     ASSERT_TRUE(state);
-    growth::March again(block.model, paris, std::make_unique<Ways>(block.model), *state);
-    const auto same = again.next(none);
+    growth::GrowthIntegrator again(block.model, paris, std::make_unique<Ways>(block.model), *state);
+    const auto same = again.propose_step(none);
     ASSERT_TRUE(same);
     ASSERT_EQ(same->aims.size(), cracks->aims.size());
     for (std::size_t i = 0; i < same->aims.size(); ++i) {
@@ -334,33 +343,34 @@ template <class Ways> void goes_on_alike() {
       found[tip].K_max = 1.0 + 0.1 * x.y();
       found[tip].rate = paris(found[tip].K_max, 0.0);
     }
-    whole.take(std::move(found));
+    whole.accept_station(std::move(found));
   }
 }
-TEST(EllipseWays, GoesOnAlike) {
-  goes_on_alike<growth::EllipseWays>();
+TEST(EllipticalFront, GoesOnAlike) {
+  goes_on_alike<growth::EllipticalFront>();
 }
-TEST(FreeWays, GoesOnAlike) {
-  goes_on_alike<growth::FreeWays>();
+TEST(FreeFrontShape, GoesOnAlike) {
+  goes_on_alike<growth::FreeFrontShape>();
 }
 
 // Also behind the station where two cracks have become one.
-TEST(FreeWays, GoesOnAlikeAsOne) {
+TEST(FreeFrontShape, GoesOnAlikeAsOne) {
   Block block({-20, -20, -20}, {20, 20, 20}, 4);
   block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
   block.ellipse({1.3, 0, 0}, 1.0, 1.0, "C2");
   block.model.growth->last_length = 2.5;
-  growth::March whole(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  growth::GrowthIntegrator whole(block.model, paris,
+                                 std::make_unique<growth::FreeFrontShape>(block.model), {});
   base::Diagnostics none;
   std::size_t behind = 0;
   for (int k = 0; k < 60 && behind < 3; ++k) {
-    const auto cracks = whole.next(none);
+    const auto cracks = whole.propose_step(none);
     ASSERT_TRUE(cracks);
-    const auto state = growth::state_of(growth::to_arrays(whole.state()));
+    const auto state = growth::from_arrays(growth::to_arrays(whole.growth_state()));
     ASSERT_TRUE(state);
-    growth::March again(block.model, paris, std::make_unique<growth::FreeWays>(block.model),
-                        *state);
-    const auto same = again.next(none);
+    growth::GrowthIntegrator again(block.model, paris,
+                                   std::make_unique<growth::FreeFrontShape>(block.model), *state);
+    const auto same = again.propose_step(none);
     ASSERT_TRUE(same);
     for (std::size_t i = 0; i < same->aims.size(); ++i) {
       EXPECT_EQ(same->aims[i], cracks->aims[i]) << "station " << k;
@@ -371,8 +381,8 @@ TEST(FreeWays, GoesOnAlikeAsOne) {
       found[tip].K_max = 1.0 + 0.01 * cracks->aims[tip].y();
       found[tip].rate = paris(found[tip].K_max, 0.0);
     }
-    whole.take(std::move(found));
-    behind += behind > 0 || whole.state().stations.back().met > 0 ? 1 : 0;
+    whole.accept_station(std::move(found));
+    behind += behind > 0 || whole.growth_state().stations.back().met > 0 ? 1 : 0;
   }
   EXPECT_EQ(behind, 3U);
 }

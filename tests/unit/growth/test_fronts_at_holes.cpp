@@ -33,14 +33,14 @@ Block plate_with(const std::vector<std::array<double, 2>>& right_and_left) {
 
 struct Grown {
   std::string end, reason;
-  growth::CrackState last;
+  growth::CrackGeometry last;
 };
 
 template <class Ways> Grown grown(Block block, double last_length) {
   block.model.growth->last_length = last_length;
-  growth::March march(block.model, test::paris, std::make_unique<Ways>(block.model), {});
+  growth::GrowthIntegrator march(block.model, test::paris, std::make_unique<Ways>(block.model), {});
   Grown out;
-  run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3&) {
     out.last = cracks;
     return 1.0;
   });
@@ -55,7 +55,7 @@ template <class Ways> void grow_apart() {
   const Grown both = grown<Ways>(plate_with({{0.6, 0.5}, {0.5, 0.4}}), 2.6);
   EXPECT_EQ(both.end, "AMAX") << both.reason;
   for (const model::CrackDefinition& crack : both.last.solids) {
-    EXPECT_FALSE(growth::is_gone(crack));
+    EXPECT_FALSE(growth::is_merged(crack));
   }
   for (std::size_t i = 0; i < both.last.aims.size(); ++i) {
     const double side = both.last.fronts[i] == 0 ? 1.0 : -1.0;
@@ -64,17 +64,17 @@ template <class Ways> void grow_apart() {
 }
 
 TEST(FrontsAtHoles, FreeOnesOnBothSidesDoNotMeet) {
-  grow_apart<growth::FreeWays>();
+  grow_apart<growth::FreeFrontShape>();
 }
 
 TEST(FrontsAtHoles, EllipsesOnBothSidesDoNotMeet) {
-  grow_apart<growth::EllipseWays>();
+  grow_apart<growth::EllipticalFront>();
 }
 
 // Its other half is in the body behind the bore as the ligament on its own side is cut: that does
 // not go on.
 TEST(FrontsAtHoles, EllipseEndsWithItsOwnLigament) {
-  const Grown one = grown<growth::EllipseWays>(plate_with({{4.0, 2.4}}), 100.0);
+  const Grown one = grown<growth::EllipticalFront>(plate_with({{4.0, 2.4}}), 100.0);
   EXPECT_EQ(one.end, "EDGE") << one.reason;
 }
 
@@ -106,7 +106,7 @@ Block stiffened_plate() {
 TEST(FrontsAtHoles, CrackUnderAWebBecomesThree) {
   Block block = stiffened_plate();
   block.ellipse({0, 0, 0}, 1.0, 1.0);
-  const Grown three = grown<growth::FreeWays>(block, 6.0);
+  const Grown three = grown<growth::FreeFrontShape>(block, 6.0);
   EXPECT_EQ(three.end, "AMAX") << three.reason;
   std::array<int, 3> places{};
   for (const Vec3& x : three.last.aims) {

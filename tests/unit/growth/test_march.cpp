@@ -75,19 +75,19 @@ struct Plate {
 };
 
 using Measure =
-    std::function<void(const growth::March& march, const std::vector<mesh::CrackLine>& lines,
-                       std::vector<TipStation>& tips)>;
+    std::function<void(const growth::GrowthIntegrator& march,
+                       const std::vector<mesh::CrackLine>& lines, std::vector<TipStation>& tips)>;
 
-void run(growth::March& march, const Measure& measure) {
+void run(growth::GrowthIntegrator& march, const Measure& measure) {
   base::Diagnostics diagnostics;
   for (int k = 0; k < 200 && !march.end(); ++k) {
-    const auto lines = march.next(diagnostics);
+    const auto lines = march.propose_step(diagnostics);
     if (!lines) {
       break;
     }
     std::vector<TipStation> found(march.tips().size());
     measure(march, lines->lines, found);
-    march.take(std::move(found));
+    march.accept_station(std::move(found));
   }
   EXPECT_FALSE(diagnostics.has_errors());
   ASSERT_TRUE(march.end()) << "no end after 200 stations";
@@ -97,31 +97,31 @@ double tip_x(const mesh::CrackLine& line) {
   return line.points.back().x();
 }
 
-double cycles_of(const growth::March& march) {
-  return march.trajectory().cycles(march.state().stations.front().s, march.end()->s);
+double cycles_of(const growth::GrowthIntegrator& march) {
+  return march.trajectory().cycles(march.growth_state().stations.front().s, march.end()->s);
 }
 
 // Benchmark G01: da/dN = 1e-11 dK^3, dS = 100, beta = 1.12, a from 1 to 10.
-TEST(March, LifeOfTheBenchmark) {
+TEST(GrowthIntegrator, LifeOfTheBenchmark) {
   Plate plate(0.0, 100.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->last_length = 10.0;
   const growth::Law paris = [](double K_max, double K_min) {
     return 1e-11 * std::pow(K_max - K_min, 3);
   };
-  growth::March march(plate.model, paris, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, paris, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 112.0 * std::sqrt(pi * tip_x(lines[0]));
     tips[0].rate = paris(tips[0].K_max, 0.0);
   });
   EXPECT_EQ(march.end()->word, "AMAX");
   EXPECT_NEAR(cycles_of(march) / 17480.85136, 1.0, 1e-6);
-  EXPECT_LE(march.state().stations.size(), 12U);
+  EXPECT_LE(march.growth_state().stations.size(), 12U);
 }
 
 // Edge crack by Tada's formula: stations as far apart as the tolerance lets them be, the error
 // within it and within what the march says of itself.
-TEST(March, KeepsItsTolerance) {
+TEST(GrowthIntegrator, KeepsItsTolerance) {
   const auto K = [](double a) {
     const double r = a / 20.0;
     const double c = std::cos(0.5 * pi * r);
@@ -142,41 +142,41 @@ TEST(March, KeepsItsTolerance) {
     plate.crack("C", 0.0, 1.0);
     plate.model.growth->last_length = 16.0;
     plate.model.growth->tolerance = tolerance;
-    growth::March march(plate.model, paris, plate.lines(), {});
+    growth::GrowthIntegrator march(plate.model, paris, plate.lines(), {});
     run(march, [&](const auto&, const auto& lines, auto& tips) {
       tips[0].K_max = K(tip_x(lines[0]));
       tips[0].rate = paris(tips[0].K_max, 0.0);
     });
     const double missed = std::abs(cycles_of(march) / exact - 1.0);
     EXPECT_LE(missed, tolerance);
-    EXPECT_LE(missed, march.error());
-    EXPECT_LE(march.error(), 10.0 * tolerance);
-    EXPECT_LE(march.state().stations.size(), 30U);
-    EXPECT_GE(march.state().stations.size(), fewer);
-    fewer = march.state().stations.size();
+    EXPECT_LE(missed, march.cycle_error());
+    EXPECT_LE(march.cycle_error(), 10.0 * tolerance);
+    EXPECT_LE(march.growth_state().stations.size(), 30U);
+    EXPECT_GE(march.growth_state().stations.size(), fewer);
+    fewer = march.growth_state().stations.size();
   }
 }
 
 // Two arms that grow at their own rates, rate_i = c_i a_i: exponentials with a known ratio.
-TEST(March, TipsGrowAtTheirOwnRates) {
+TEST(GrowthIntegrator, TipsGrowAtTheirOwnRates) {
   Plate plate(-100.0, 200.0, 50.0, 10);
   plate.crack("C", -1.0, 1.0);
   plate.model.growth->last_length = 6.0;
-  growth::March march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].rate = 1e-4 * -lines[0].points.front().x();
     tips[1].rate = 2e-4 * tip_x(lines[0]);
     tips[0].K_max = tips[1].K_max = 1.0;
   });
   ASSERT_EQ(march.end()->word, "AMAX");
-  const growth::Station& last = march.state().stations.back();
+  const growth::SolvedStation& last = march.growth_state().stations.back();
   EXPECT_NEAR(last.tips[1].a, 6.0, 1e-9);
   EXPECT_NEAR(cycles_of(march) / (std::log(6.0) / 2e-4), 1.0, 1e-3);
   EXPECT_NEAR(last.tips[0].a / std::sqrt(6.0), 1.0, 1e-3);
 }
 
 // K rises past the toughness: the end lies where it reaches it, not at a station.
-TEST(March, EndsAtToughness) {
+TEST(GrowthIntegrator, EndsAtToughness) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->constants.k_c = 500.0;
@@ -184,7 +184,7 @@ TEST(March, EndsAtToughness) {
     return K_max < 500.0 ? 1e-9 * std::pow(K_max, 3) / (500.0 - K_max)
                          : std::numeric_limits<double>::infinity();
   };
-  growth::March march(plate.model, forman, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, forman, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 100.0 * std::sqrt(tip_x(lines[0]));
     tips[0].rate = forman(tips[0].K_max, 0.0);
@@ -195,12 +195,12 @@ TEST(March, EndsAtToughness) {
   EXPECT_NEAR(cycles_of(march) / (1e3 * (1000.0 * 0.8 - 100.0 * std::log(25.0))), 1.0, 1e-4);
 }
 
-TEST(March, EndsAfterItsCycles) {
+TEST(GrowthIntegrator, EndsAfterItsCycles) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->cycles = 1e4;
   const growth::Law law = [](double K_max, double) { return 1e-4 * K_max * K_max; };
-  growth::March march(plate.model, law, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, law, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::sqrt(tip_x(lines[0]));
     tips[0].rate = law(tips[0].K_max, 0.0);
@@ -210,11 +210,11 @@ TEST(March, EndsAfterItsCycles) {
 }
 
 // K falls with the length, as behind a hole: growth stops where its range reaches the threshold.
-TEST(March, EndsAtTheThreshold) {
+TEST(GrowthIntegrator, EndsAtTheThreshold) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   const growth::Law law = [](double K_max, double) { return K_max > 0.5 ? 1e-4 * K_max : 0.0; };
-  growth::March march(plate.model, law, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, law, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0 / tip_x(lines[0]);
     tips[0].rate = law(tips[0].K_max, 0.0);
@@ -224,11 +224,11 @@ TEST(March, EndsAtTheThreshold) {
   EXPECT_NEAR(cycles_of(march) / 1.5e4, 1.0, 1e-3); // integral of a / 1e-4 from 1 to 2
 }
 
-TEST(March, NothingGrows) {
+TEST(GrowthIntegrator, NothingGrows) {
   Plate plate(0.0, 10.0, 5.0, 10);
   plate.crack("C", 0.0, 1.0);
   for (const double K : {1.0, 0.0}) {
-    growth::March march(plate.model, {}, plate.lines(), {});
+    growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
     run(march, [&](const auto&, const auto&, auto& tips) { tips[0].K_max = K; });
     EXPECT_EQ(march.end()->word, K > 0.0 ? "THRESHOLD" : "CLOSED");
     EXPECT_EQ(cycles_of(march), 0.0);
@@ -236,11 +236,11 @@ TEST(March, NothingGrows) {
 }
 
 // K falls to 0 at twice the length and stays there: the crack closes for good.
-TEST(March, EndsWhereTheCrackCloses) {
+TEST(GrowthIntegrator, EndsWhereTheCrackCloses) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   const growth::Law law = [](double K_max, double) { return K_max > 0.0 ? 1e-4 : 0.0; };
-  growth::March march(plate.model, law, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, law, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::max(0.0, 2.0 - tip_x(lines[0]));
     tips[0].rate = law(tips[0].K_max, 0.0);
@@ -250,10 +250,10 @@ TEST(March, EndsWhereTheCrackCloses) {
 }
 
 // Rates that fall without end and never to 0.
-TEST(March, ComesToRest) {
+TEST(GrowthIntegrator, ComesToRest) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
-  growth::March march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-3 * std::exp(-10.0 * (tip_x(lines[0]) - 1.0));
@@ -263,12 +263,12 @@ TEST(March, ComesToRest) {
 }
 
 // Round and round a spiral from radius 20 inward: nothing but the turn ends it.
-TEST(March, EndsWhereTheCrackCurls) {
+TEST(GrowthIntegrator, EndsWhereTheCrackCurls) {
   Plate plate(-40.0, 100.0, 50.0, 20);
   plate.crack("C", -40.0, 2.0);
   plate.model.growth->direction = model::GrowthDirection::hoop;
   plate.model.growth->largest_advance = 2.0;
-  growth::March march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
   run(march, [](const auto&, const auto& lines, auto& tips) {
     const std::vector<Vec3>& p = lines[0].points;
     const Vec3 radius = p.back() - Vec3(2.0, 20.0, 0.0);
@@ -284,7 +284,7 @@ TEST(March, EndsWhereTheCrackCurls) {
   EXPECT_GT(march.end()->s, 42.0 + 2.0 * pi * 20.0 * std::exp(-2.0 * pi * 0.05));
 }
 
-TEST(March, MeetsTheEdge) {
+TEST(GrowthIntegrator, MeetsTheEdge) {
   Plate plate(0.0, 10.0, 5.0, 10);
   plate.crack("C", 0.0, 1.0, 0.3);
   model::FaceSet right;
@@ -293,7 +293,7 @@ TEST(March, MeetsTheEdge) {
     right.faces.push_back({base::ElementId(e), 1});
   }
   plate.model.mesh.face_sets.push_back(right);
-  growth::March march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
   run(march, [](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-3 / (10.0 - tip_x(lines[0]));
@@ -304,11 +304,11 @@ TEST(March, MeetsTheEdge) {
 }
 
 // Two cracks on one line grow towards each other.
-TEST(March, CracksLinkUp) {
+TEST(GrowthIntegrator, CracksLinkUp) {
   Plate plate(0.0, 20.0, 5.0, 10);
   plate.crack("LEFT", 0.0, 2.0);
   plate.crack("RIGHT", 8.0, 14.0);
-  growth::March march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
   run(march, [](const auto&, const auto&, auto& tips) {
     for (TipStation& tip : tips) {
       tip.K_max = 1.0;
@@ -316,14 +316,14 @@ TEST(March, CracksLinkUp) {
     }
   });
   EXPECT_EQ(march.end()->word, "LINK-UP");
-  const growth::Station& last = march.state().stations.back();
+  const growth::SolvedStation& last = march.growth_state().stations.back();
   EXPECT_LT(last.tips[1].x - last.tips[0].x, 0.12);
   EXPECT_GT(last.tips[1].x, last.tips[0].x);
 }
 
 // A crack whose heading is known everywhere: it must follow the circle, and better with shorter
 // advances, by the second order.
-TEST(March, FollowsACurve) {
+TEST(GrowthIntegrator, FollowsACurve) {
   std::vector<double> off;
   for (const double da : {1.0, 0.5}) {
     Plate plate(-18.0, 100.0, 50.0, 20);
@@ -331,7 +331,7 @@ TEST(March, FollowsACurve) {
     plate.model.growth->direction = model::GrowthDirection::hoop;
     plate.model.growth->largest_advance = da;
     plate.model.growth->last_length = 40.0;
-    growth::March march(plate.model, {}, plate.lines(), {});
+    growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
     run(march, [](const auto&, const auto& lines, auto& tips) {
       // circles about (2, 20): the way on at any point is across its radius
       const std::vector<Vec3>& p = lines[0].points;
@@ -343,7 +343,7 @@ TEST(March, FollowsACurve) {
       tips[0].rate = 1e-4;
     });
     ASSERT_EQ(march.end()->word, "AMAX");
-    const growth::TipStation& last = march.state().stations.back().tips[0];
+    const growth::TipStation& last = march.growth_state().stations.back().tips[0];
     off.push_back(std::abs(std::hypot(last.x - 2.0, last.y - 20.0) - 20.0));
   }
   EXPECT_LT(off[0], 0.05);
@@ -351,7 +351,7 @@ TEST(March, FollowsACurve) {
 }
 
 // A state written out and read back goes on to the same numbers, to the bit.
-TEST(March, GoesOnFromItsState) {
+TEST(GrowthIntegrator, GoesOnFromItsState) {
   const growth::Law paris = [](double K_max, double K_min) {
     return 1e-10 * std::pow(K_max - K_min, 3);
   };
@@ -364,40 +364,41 @@ TEST(March, GoesOnFromItsState) {
   Plate plate(0.0, 100.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->last_length = 10.0;
-  growth::March whole(plate.model, paris, plate.lines(), {});
+  growth::GrowthIntegrator whole(plate.model, paris, plate.lines(), {});
   run(whole, measure);
-  growth::March first(plate.model, paris, plate.lines(), {});
+  growth::GrowthIntegrator first(plate.model, paris, plate.lines(), {});
   base::Diagnostics diagnostics;
   for (int k = 0; k < 4; ++k) {
     std::vector<TipStation> found(1);
-    measure(first, first.next(diagnostics)->lines, found);
-    first.take(std::move(found));
+    measure(first, first.propose_step(diagnostics)->lines, found);
+    first.accept_station(std::move(found));
   }
-  const auto read = growth::state_of(growth::to_arrays(first.state()));
+  const auto read = growth::from_arrays(growth::to_arrays(first.growth_state()));
   ASSERT_TRUE(read);
-  growth::March second(plate.model, paris, plate.lines(), *read);
+  growth::GrowthIntegrator second(plate.model, paris, plate.lines(), *read);
   run(second, measure);
-  ASSERT_EQ(second.state().stations.size(), whole.state().stations.size());
-  for (std::size_t i = 0; i < whole.state().stations.size(); ++i) {
-    EXPECT_EQ(second.state().stations[i].s, whole.state().stations[i].s);
-    EXPECT_EQ(second.state().stations[i].tips[0].K_max, whole.state().stations[i].tips[0].K_max);
+  ASSERT_EQ(second.growth_state().stations.size(), whole.growth_state().stations.size());
+  for (std::size_t i = 0; i < whole.growth_state().stations.size(); ++i) {
+    EXPECT_EQ(second.growth_state().stations[i].s, whole.growth_state().stations[i].s);
+    EXPECT_EQ(second.growth_state().stations[i].tips[0].K_max,
+              whole.growth_state().stations[i].tips[0].K_max);
   }
   EXPECT_EQ(cycles_of(second), cycles_of(whole));
 }
 
-TEST(March, RefusesArraysThatAreNoState) {
-  growth::State state;
+TEST(GrowthIntegrator, RefusesArraysThatAreNoState) {
+  growth::GrowthState state;
   state.stations.push_back({1.0, {TipStation{}}});
   state.lines.push_back({Vec3::Zero(), Vec3::UnitX()});
   growth::Arrays arrays = growth::to_arrays(state);
-  ASSERT_TRUE(growth::state_of(arrays));
+  ASSERT_TRUE(growth::from_arrays(arrays));
   arrays["stations"].pop_back();
-  EXPECT_FALSE(growth::state_of(arrays));
+  EXPECT_FALSE(growth::from_arrays(arrays));
   arrays = growth::to_arrays(state);
   arrays["line_points"][0] = 3.0;
-  EXPECT_FALSE(growth::state_of(arrays));
+  EXPECT_FALSE(growth::from_arrays(arrays));
   arrays.erase("control");
-  EXPECT_FALSE(growth::state_of(arrays));
+  EXPECT_FALSE(growth::from_arrays(arrays));
 }
 
 } // namespace

@@ -33,10 +33,10 @@ TEST(SectionLimit, RectangleUnderForceAndMoment) {
   const double M_p = s * 0.25 * 2.0 * 25.0;
   for (const double n : {0.0, 0.2, 0.6, 1.0}) {
     const double m = 1.0 - n * n; // on the limit
-    EXPECT_NEAR(growth::plastic_part(section, {n * N_p, {m * M_p, 0.0}}, s), 1.0, 1e-4) << n;
+    EXPECT_NEAR(growth::plastic_load_ratio(section, {n * N_p, {m * M_p, 0.0}}, s), 1.0, 1e-4) << n;
     EXPECT_NEAR(
-        growth::plastic_part(section, {-0.5 * n * N_p, {0.0, 0.5 * m * M_p * 2.0 / 5.0}}, s), 0.5,
-        1e-4)
+        growth::plastic_load_ratio(section, {-0.5 * n * N_p, {0.0, 0.5 * m * M_p * 2.0 / 5.0}}, s),
+        0.5, 1e-4)
         << n;
   }
 }
@@ -54,24 +54,25 @@ TEST(SectionLimit, CircleUnderAMomentAskew) {
     }
   }
   const double M_p = 4.0 / 3.0; // s 4 R^3 / 3
-  EXPECT_NEAR(growth::plastic_part(section, {0.0, {0.6 * M_p, -0.8 * M_p}}, 1.0), 1.0, 1e-3);
+  EXPECT_NEAR(growth::plastic_load_ratio(section, {0.0, {0.6 * M_p, -0.8 * M_p}}, 1.0), 1.0, 1e-3);
 }
 
 // A force beside the middle: moments about any origin give the same.
 TEST(SectionLimit, DoesNotDependOnTheOrigin) {
   std::vector<SectionPiece> section = rectangle(4.0, 3.0, 60);
-  const double here = growth::plastic_part(section, {2.0, {1.0, -0.7}}, 1.0);
+  const double here = growth::plastic_load_ratio(section, {2.0, {1.0, -0.7}}, 1.0);
   const Vec2 shift(10.0, -4.0);
   for (SectionPiece& piece : section) {
     piece.at += shift;
   }
-  const double there = growth::plastic_part(section, {2.0, Vec2(1.0, -0.7) + 2.0 * shift}, 1.0);
+  const double there =
+      growth::plastic_load_ratio(section, {2.0, Vec2(1.0, -0.7) + 2.0 * shift}, 1.0);
   EXPECT_NEAR(there / here, 1.0, 1e-6);
 }
 
 TEST(SectionLimit, NothingCarriesNothing) {
-  EXPECT_EQ(growth::plastic_part(rectangle(1.0, 1.0, 4), {}, 1.0), 0.0);
-  EXPECT_EQ(growth::plastic_part(std::vector<SectionPiece>(), {1.0, Vec2::Zero()}, 1.0), 0.0);
+  EXPECT_EQ(growth::plastic_load_ratio(rectangle(1.0, 1.0, 4), {}, 1.0), 0.0);
+  EXPECT_EQ(growth::plastic_load_ratio(std::vector<SectionPiece>(), {1.0, Vec2::Zero()}, 1.0), 0.0);
 }
 
 } // namespace

@@ -30,22 +30,24 @@ struct Grown {
 // To its end, each station begun anew from what the one before has kept.
 Grown grow(Block& block, double bend) {
   Grown grown;
-  growth::State state;
+  growth::GrowthState state;
   base::Diagnostics none;
   for (int k = 0; k < 200 && grown.end.empty(); ++k) {
-    growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), state);
-    growth::March again(block.model, paris, std::make_unique<growth::FreeWays>(block.model),
-                        growth::state_of(growth::to_arrays(state)).value_or(growth::State()));
+    growth::GrowthIntegrator march(block.model, paris,
+                                   std::make_unique<growth::FreeFrontShape>(block.model), state);
+    growth::GrowthIntegrator again(
+        block.model, paris, std::make_unique<growth::FreeFrontShape>(block.model),
+        growth::from_arrays(growth::to_arrays(state)).value_or(growth::GrowthState()));
     while (!march.end()) {
-      const auto cracks = march.next(none);
-      const auto same = again.next(none);
+      const auto cracks = march.propose_step(none);
+      const auto same = again.propose_step(none);
       EXPECT_EQ(cracks.has_value(), same.has_value());
       if (!cracks) {
         if (march.end()) {
           break;
         }
-        march.shorten("no front");
-        again.shorten("no front");
+        march.shorten_step("no front");
+        again.shorten_step("no front");
         continue;
       }
       EXPECT_EQ(same->aims, cracks->aims) << "station " << k;
@@ -54,13 +56,13 @@ Grown grow(Block& block, double bend) {
         found[tip].K_max = 1.0 + bend * cracks->aims[tip].y();
         found[tip].rate = paris(found[tip].K_max, 0.0);
       }
-      again.take(found);
-      if (march.take(std::move(found))) {
+      again.accept_station(found);
+      if (march.accept_station(std::move(found))) {
         grown.aims.push_back(cracks->aims);
         break;
       }
     }
-    state = march.state();
+    state = march.growth_state();
     grown.end = march.end() ? march.end()->word : "";
     grown.reason = march.end() ? march.end()->reason : "";
   }
@@ -191,10 +193,11 @@ TEST(SplitFronts, WavesDieAway) {
   crack.points.pop_back();
   block.model.growth->last_length = 7.0;
   block.model.growth->tolerance = 0.02;
-  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::FreeFrontShape>(block.model), {});
   double swing = 0.0;
   double first = 0.0;
-  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+  run(march, [&](const growth::CrackGeometry& cracks, const Vec3& x) {
     double sum = 0.0;
     double low = 1e300;
     double high = 0.0;
@@ -222,7 +225,7 @@ TEST(SplitFronts, ThroughCrackOfTheDeckHasTwoFronts) {
   expect_two_fronts(grown.aims.back(), 0.0);
   // What a front that turns leaves behind is kept for one: none of two begins.
   block.model.growth->direction = model::GrowthDirection::hoop;
-  EXPECT_TRUE(growth::FreeWays(block.model).tips().empty());
+  EXPECT_TRUE(growth::FreeFrontShape(block.model).tips().empty());
 }
 
 } // namespace

@@ -24,7 +24,7 @@ Block block_with_penny() {
 }
 
 /// Turns by the kink at its first front, then straight on.
-std::vector<TipStation> found_at(const growth::CrackState& cracks, bool first) {
+std::vector<TipStation> found_at(const growth::CrackGeometry& cracks, bool first) {
   std::vector<TipStation> found(cracks.aims.size());
   for (std::size_t tip = 0; tip < found.size(); ++tip) {
     found[tip].K_max = 100.0;
@@ -40,14 +40,15 @@ double off_cone(const Vec3& x) {
 
 TEST(TurningFronts, APennyBecomesACone) {
   const Block block = block_with_penny();
-  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
-  growth::CrackState last;
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::FreeFrontShape>(block.model), {});
+  growth::CrackGeometry last;
   for (bool first = true; !march.end(); first = false) {
     base::Diagnostics diagnostics;
-    const auto cracks = march.next(diagnostics);
+    const auto cracks = march.propose_step(diagnostics);
     ASSERT_TRUE(cracks);
     last = *cracks;
-    march.take(found_at(*cracks, first));
+    march.accept_station(found_at(*cracks, first));
   }
   EXPECT_EQ(march.end()->word, "AMAX");
   for (const Vec3& x : last.aims) {
@@ -55,7 +56,7 @@ TEST(TurningFronts, APennyBecomesACone) {
     EXPECT_NEAR((x - x.normalized()).norm(), 0.5, 0.03); // from the first front
   }
   const model::FrontHistory& wake = last.solids[0].front_history;
-  ASSERT_EQ(wake.fronts.size(), march.state().stations.size());
+  ASSERT_EQ(wake.fronts.size(), march.growth_state().stations.size());
   for (const std::vector<Vec3>& front : wake.fronts) {
     EXPECT_EQ(front.front(), front.back());
     for (const Vec3& x : front) {
@@ -72,19 +73,19 @@ TEST(TurningFronts, APennyBecomesACone) {
 
 TEST(TurningFronts, GoOnAsTheyWere) {
   const Block block = block_with_penny();
-  const auto ways = [&] { return std::make_unique<growth::FreeWays>(block.model); };
-  growth::March march(block.model, paris, ways(), {});
+  const auto ways = [&] { return std::make_unique<growth::FreeFrontShape>(block.model); };
+  growth::GrowthIntegrator march(block.model, paris, ways(), {});
   base::Diagnostics diagnostics;
   for (int k = 0; k < 3; ++k) {
-    const auto cracks = march.next(diagnostics);
+    const auto cracks = march.propose_step(diagnostics);
     ASSERT_TRUE(cracks);
-    march.take(found_at(*cracks, k == 0));
+    march.accept_station(found_at(*cracks, k == 0));
   }
-  const auto kept = growth::state_of(growth::to_arrays(march.state()));
+  const auto kept = growth::from_arrays(growth::to_arrays(march.growth_state()));
   ASSERT_TRUE(kept);
-  growth::March again(block.model, paris, ways(), *kept);
-  const auto one = march.next(diagnostics);
-  const auto other = again.next(diagnostics);
+  growth::GrowthIntegrator again(block.model, paris, ways(), *kept);
+  const auto one = march.propose_step(diagnostics);
+  const auto other = again.propose_step(diagnostics);
   ASSERT_TRUE(one && other);
   EXPECT_EQ(one->aims, other->aims);
   EXPECT_EQ(one->solids[0].points, other->solids[0].points);
@@ -94,12 +95,13 @@ TEST(TurningFronts, GoOnAsTheyWere) {
 
 TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
   const Block block = block_with_penny();
-  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  growth::GrowthIntegrator march(block.model, paris,
+                                 std::make_unique<growth::FreeFrontShape>(block.model), {});
   for (int k = 0; k < 40 && !march.end(); ++k) {
     base::Diagnostics diagnostics;
-    const auto cracks = march.next(diagnostics);
+    const auto cracks = march.propose_step(diagnostics);
     if (cracks) {
-      march.take(found_at(*cracks, true)); // further at each front
+      march.accept_station(found_at(*cracks, true)); // further at each front
     }
   }
   ASSERT_TRUE(march.end());
