@@ -98,19 +98,20 @@ std::string named_file(const grammar::Card& card, const base::SourceTexts& sourc
 }
 
 // "$LOAD uses F = 80000; it was F = 75000": the first that differs.
-std::string of_uses(const CardMark& before, const CardMark& now) {
+std::string of_uses(const CardFingerprint& before, const CardFingerprint& now) {
   return fmt::format("${} uses {}; the earlier run had {}", now.name,
                      now.uses.empty() ? "no parameter" : now.uses,
                      before.uses.empty() ? "none" : before.uses);
 }
 
-bool same(const CardMark& a, const CardMark& b) {
+bool same(const CardFingerprint& a, const CardFingerprint& b) {
   return a.name == b.name && a.hash == b.hash && a.uses == b.uses;
 }
 
 } // namespace
 
-std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model::Model& model) {
+std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck,
+                                               const model::Model& model) {
   base::SourceTexts sources;
   base::Diagnostics known; // the deck has been read: it has no mistakes
   const deck::LoadedDeck loaded = deck::load_deck(deck, sources, known);
@@ -120,12 +121,12 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
     std::ranges::transform(key, key.begin(), upper);
     parameters[key] = {name, value};
   }
-  std::vector<CardMark> marks;
+  std::vector<CardFingerprint> marks;
   for (const grammar::Card& card : loaded.cards) {
     if (std::ranges::find(no_matter, card.name) != no_matter.end()) {
       continue;
     }
-    CardMark mark;
+    CardFingerprint mark;
     mark.name = card.name;
     std::string text = canonical(sources.text(card.header)) + '\n';
     if (card.data.valid()) {
@@ -133,9 +134,9 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
     }
     if (const std::string file = named_file(card, sources); !file.empty()) {
       // A card that brings a file in changes with what the file holds.
-      text += texts_of_import(file);
+      text += imported_texts(file);
     }
-    mark.hash = hash_of(text);
+    mark.hash = hash_bytes(text);
     mark.uses = uses(text, parameters);
     mark.file = std::filesystem::path(sources.file_name(card.name_span.file)).filename().string();
     mark.line = static_cast<int>(sources.locate(card.name_span.file, card.name_span.begin).line);
@@ -145,8 +146,8 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
   return marks;
 }
 
-std::optional<CardDifference> first_difference(const std::vector<CardMark>& before,
-                                               const std::vector<CardMark>& now) {
+std::optional<CardDifference> first_difference(const std::vector<CardFingerprint>& before,
+                                               const std::vector<CardFingerprint>& now) {
   std::size_t i = 0;
   while (i < before.size() && i < now.size() && same(before[i], now[i])) {
     ++i;
@@ -154,9 +155,9 @@ std::optional<CardDifference> first_difference(const std::vector<CardMark>& befo
   if (i == before.size() && i == now.size()) {
     return std::nullopt;
   }
-  const auto in = [&](const std::vector<CardMark>& cards, const CardMark& wanted) {
+  const auto in = [&](const std::vector<CardFingerprint>& cards, const CardFingerprint& wanted) {
     return std::any_of(cards.begin() + static_cast<std::ptrdiff_t>(std::min(i, cards.size())),
-                       cards.end(), [&](const CardMark& c) { return same(c, wanted); });
+                       cards.end(), [&](const CardFingerprint& c) { return same(c, wanted); });
   };
   const base::SourceSpan end = now.empty() ? base::SourceSpan{} : now.back().span;
   const bool missing =
@@ -178,19 +179,19 @@ std::optional<CardDifference> first_difference(const std::vector<CardMark>& befo
                                     now[i].name, before[i].name, before[i].line, before[i].file)};
 }
 
-std::vector<CardMark> only(const std::vector<CardMark>& cards,
-                           const std::vector<std::string>& names) {
-  std::vector<CardMark> kept;
-  std::ranges::copy_if(cards, std::back_inserter(kept), [&](const CardMark& c) {
+std::vector<CardFingerprint> select_cards(const std::vector<CardFingerprint>& cards,
+                                          const std::vector<std::string>& names) {
+  std::vector<CardFingerprint> kept;
+  std::ranges::copy_if(cards, std::back_inserter(kept), [&](const CardFingerprint& c) {
     return std::ranges::find(names, c.name) != names.end();
   });
   return kept;
 }
 
-std::vector<CardMark> without(const std::vector<CardMark>& cards,
-                              const std::vector<std::string>& names) {
-  std::vector<CardMark> kept;
-  std::ranges::copy_if(cards, std::back_inserter(kept), [&](const CardMark& c) {
+std::vector<CardFingerprint> exclude_cards(const std::vector<CardFingerprint>& cards,
+                                           const std::vector<std::string>& names) {
+  std::vector<CardFingerprint> kept;
+  std::ranges::copy_if(cards, std::back_inserter(kept), [&](const CardFingerprint& c) {
     return std::ranges::find(names, c.name) == names.end();
   });
   return kept;

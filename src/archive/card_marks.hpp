@@ -12,7 +12,7 @@
 namespace spricka::archive {
 
 /// A card that results depend on.
-struct CardMark {
+struct CardFingerprint {
   std::string name; ///< without the $
   std::string hash; ///< of its text without comments and superfluous blanks, and of files it names
   std::string uses; ///< parameters in it with their values, "F = 75000, R = 36"
@@ -24,20 +24,21 @@ struct CardMark {
 /// All cards with their includes' but those that change no solution ($TEST, $OUTPUT, $CHECK,
 /// $RESTART, $CONTROL, $TASK, $SWEEP) or only carry others ($PARAMETER, $INCLUDE, $END). The deck
 /// is read anew. Throws std::system_error where that fails.
-std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model::Model& model);
+std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck,
+                                               const model::Model& model);
 
 /// The first card that is another one, was added or is missing; empty: all are the same.
 struct CardDifference {
   base::SourceSpan span; ///< in the deck `now`, of its last card where one is missing at the end
   std::string text;      ///< "$LOAD uses F = 80000, it was F = 75000"
 };
-std::optional<CardDifference> first_difference(const std::vector<CardMark>& before,
-                                               const std::vector<CardMark>& now);
+std::optional<CardDifference> first_difference(const std::vector<CardFingerprint>& before,
+                                               const std::vector<CardFingerprint>& now);
 
 /// Those of these names only, in their order; or all but those.
-std::vector<CardMark> only(const std::vector<CardMark>& cards,
-                           const std::vector<std::string>& names);
-std::vector<CardMark> without(const std::vector<CardMark>& cards,
-                              const std::vector<std::string>& names);
+std::vector<CardFingerprint> select_cards(const std::vector<CardFingerprint>& cards,
+                                          const std::vector<std::string>& names);
+std::vector<CardFingerprint> exclude_cards(const std::vector<CardFingerprint>& cards,
+                                           const std::vector<std::string>& names);
 
 } // namespace spricka::archive

@@ -70,13 +70,13 @@ std::string increment_bytes(const results::Increment& increment,
   results::Store store = results::Store::in_memory();
   results::write_increment(store.root(), increment);
   results::write_arrays(store.root().group("state"), state);
-  return std::string(store.bytes());
+  return std::string(store.finish_bytes());
 }
 
 // What an increment names of the deck that the deck does not have; or what flaw_of() finds. Hashes
 // tell files that were changed by chance, not those that were made.
 std::string flaw_in_deck(const results::Increment& increment, const model::Model& model) {
-  if (std::string flaw = results::flaw_of(increment); !flaw.empty()) {
+  if (std::string flaw = results::find_increment_flaw(increment); !flaw.empty()) {
     return flaw;
   }
   const auto beyond = [](const auto& ids, std::size_t count) {
@@ -101,17 +101,18 @@ std::string flaw_in_deck(const results::Increment& increment, const model::Model
 CheckpointList read_list_file(const fs::path& file) {
   const std::string bytes = read_framed(file, "state");
   try {
-    return read_list(results::Store::from_bytes(bytes).root());
+    return read_checkpoint_list(results::Store::from_bytes(bytes).root());
   } catch (const results::StoreError& trouble) {
-    throw FileTrouble("E560", fmt::format("{}: {}", file.string(), trouble.what()));
+    throw FileFailure("E560", fmt::format("{}: {}", file.string(), trouble.what()));
   }
 }
 
 } // namespace
 
-Checkpoint::Checkpoint(CheckpointPlace place, const fs::path& deck,
+Checkpoint::Checkpoint(CheckpointOptions place, const fs::path& deck,
                        const base::SourceTexts& sources, const model::Model& model)
-    : place_(std::move(place)), sources_(sources), model_(model), cards_(card_marks(deck, model)) {
+    : place_(std::move(place)), sources_(sources), model_(model),
+      cards_(card_fingerprints(deck, model)) {
   if (!place_.read.empty()) {
     found_ = read_newest();
   }
@@ -128,13 +129,13 @@ Checkpoint::~Checkpoint() {
 
 void Checkpoint::listen(Listener listener) {
   listener_ = std::move(listener);
-  for (const auto& [code, text] : told_) {
+  for (const auto& [code, text] : reported_) {
     listener_(code, text);
   }
 }
 
 void Checkpoint::tell(const std::string& code, const std::string& text) {
-  told_.emplace_back(code, text);
+  reported_.emplace_back(code, text);
   if (listener_) {
     listener_(code, text);
   }
@@ -149,45 +150,45 @@ void Checkpoint::open_to_write() {
       continue;
     }
     try {
-      for (const KeptEntry& e : read_list_file(list).entries) {
+      for (const CheckpointEntry& e : read_list_file(list).entries) {
         before_.push_back(e.file);
       }
-    } catch (const FileTrouble& trouble) {
+    } catch (const FileFailure& trouble) {
       // A list that is damaged is ours and may be replaced; what is no list at all is not.
       if (trouble.code() == "E564") {
-        throw FileTrouble("E564", std::string(trouble.what()) + ", and is not overwritten");
+        throw FileFailure("E564", std::string(trouble.what()) + ", and is not overwritten");
       }
     }
   }
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw FileTrouble("E563", fmt::format("{}: {}", folder.string(), error.message()));
+    throw FileFailure("E563", fmt::format("{}: {}", folder.string(), error.message()));
   }
   lock_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) {
-    throw FileTrouble("E563", fmt::format("{}: {}", folder.string(), std::strerror(errno)));
+    throw FileFailure("E563", fmt::format("{}: {}", folder.string(), std::strerror(errno)));
   }
   // Where a file system has no locks the run goes on: only another holder is a reason to refuse.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw FileTrouble("E563", fmt::format("{}: another run is writing it", place_.write.string()));
+    throw FileFailure("E563", fmt::format("{}: another run is writing it", place_.write.string()));
   }
 }
 
 // The newest list whose increments are all there and whole; with AT those up to it.
 CheckpointList Checkpoint::read_newest() {
-  std::optional<FileTrouble> first_trouble;
+  std::optional<FileFailure> first_trouble;
   for (const fs::path& file : {place_.read, list_before(place_.read)}) {
     try {
       CheckpointList list = read_list_file(file);
-      for (const KeptEntry& e : list.entries) {
+      for (const CheckpointEntry& e : list.entries) {
         // Increments behind AT are not used: they may be damaged or gone.
         if (place_.at && e.number > *place_.at) {
           continue;
         }
         const fs::path part = folder_of(place_.read) / e.file;
-        if (hash_of(read_framed(part, "increment")) != e.hash) {
-          throw FileTrouble("E560", part.string() + ": not the one that the list means");
+        if (hash_bytes(read_framed(part, "increment")) != e.hash) {
+          throw FileFailure("E560", part.string() + ": not the one that the list means");
         }
       }
       if (first_trouble) {
@@ -195,40 +196,41 @@ CheckpointList Checkpoint::read_newest() {
                                  first_trouble->what(), file.string()));
       }
       return list;
-    } catch (const FileTrouble& trouble) {
+    } catch (const FileFailure& trouble) {
       if (!first_trouble) {
         first_trouble = trouble;
       }
     }
   }
-  throw FileTrouble(*first_trouble);
+  throw FileFailure(*first_trouble);
 }
 
-const KeptEntry* Checkpoint::find(int number) const {
-  const auto entry = std::ranges::find_if(
-      found_.entries, [&](const KeptEntry& e) { return e.round == round_ && e.number == number; });
+const CheckpointEntry* Checkpoint::find(int number) const {
+  const auto entry = std::ranges::find_if(found_.entries, [&](const CheckpointEntry& e) {
+    return e.round == round_ && e.number == number;
+  });
   return entry == found_.entries.end() ? nullptr : &*entry;
 }
 
-bool Checkpoint::has(int number) const {
+bool Checkpoint::has_increment(int number) const {
   return find(number) != nullptr;
 }
 
-double Checkpoint::asked(int number) const {
+double Checkpoint::requested_length(int number) const {
   return find(number)->asked;
 }
 
-KeptIncrement Checkpoint::look_at(int number) const {
-  const KeptEntry& entry = *find(number);
+StoredIncrement Checkpoint::load_increment(int number) const {
+  const CheckpointEntry& entry = *find(number);
   const fs::path file = folder_of(place_.read) / entry.file;
   const std::string bytes = read_framed(file, "increment");
-  KeptIncrement kept;
+  StoredIncrement kept;
   try {
     const results::Store store = results::Store::from_bytes(bytes);
     kept.increment = results::read_increment(store.root());
     kept.state = results::read_arrays(store.root().group("state"));
   } catch (const results::StoreError& trouble) {
-    throw FileTrouble("E560", fmt::format("{}: {}", file.string(), trouble.what()));
+    throw FileFailure("E560", fmt::format("{}: {}", file.string(), trouble.what()));
   }
   kept.log = entry.log;
   kept.cpu = entry.cpu;
@@ -237,18 +239,18 @@ KeptIncrement Checkpoint::look_at(int number) const {
     kept.increment.steps.pop_back();
   }
   if (const std::string flaw = flaw_in_deck(kept.increment, model_); !flaw.empty()) {
-    throw FileTrouble("E560",
+    throw FileFailure("E560",
                       fmt::format("{}: it names what is not there: {}", file.string(), flaw));
   }
   return kept;
 }
 
 // Into another file, or without its last steps, it is written anew.
-void Checkpoint::take(int number) {
-  const KeptEntry& entry = *find(number);
+void Checkpoint::accept_increment(int number) {
+  const CheckpointEntry& entry = *find(number);
   std::string bytes;
   if (writes() && dropped_steps_ > 0) {
-    const KeptIncrement kept = look_at(number);
+    const StoredIncrement kept = load_increment(number);
     bytes = increment_bytes(kept.increment, kept.state);
   } else if (writes() && place_.read != place_.write) {
     bytes = read_framed(folder_of(place_.read) / entry.file, "increment");
@@ -261,14 +263,14 @@ void Checkpoint::take(int number) {
     ++on_disk_;
     return;
   }
-  entries_.back().hash = hash_of(bytes);
+  entries_.back().hash = hash_bytes(bytes);
   entries_.back().file = file_name(entry.round, entry.number, entries_.back().hash);
-  pending_.push_back({entries_.back().file, framed("increment", bytes)});
-  pending_list_ = framed("state", list_bytes());
+  pending_.push_back({entries_.back().file, add_frame_line("increment", bytes)});
+  pending_list_ = add_frame_line("state", list_bytes());
 }
 
 void Checkpoint::solve_from(int number, const std::string& why) {
-  const auto later = [&](const KeptEntry& e) {
+  const auto later = [&](const CheckpointEntry& e) {
     return e.round > round_ || (e.round == round_ && e.number >= number);
   };
   // Increments behind it were made from what it leaves: they go with it.
@@ -277,12 +279,12 @@ void Checkpoint::solve_from(int number, const std::string& why) {
                            place_.read.string(), gone, gone == 1 ? " is" : "s are", number, why));
 }
 
-void Checkpoint::keep(double asked, SolvedIncrement done) {
+void Checkpoint::store_increment(double asked, SolvedIncrement done) {
   walls_.push_back(done.wall);
   if (!writes()) {
     return;
   }
-  KeptEntry entry;
+  CheckpointEntry entry;
   entry.round = round_;
   entry.number = done.increment.number;
   entry.asked = asked;
@@ -290,12 +292,12 @@ void Checkpoint::keep(double asked, SolvedIncrement done) {
   entry.wall = done.wall;
   const std::string bytes = increment_bytes(done.increment, done.state);
   entry.log = std::move(done.log);
-  entry.hash = hash_of(bytes);
+  entry.hash = hash_bytes(bytes);
   entry.file = file_name(entry.round, entry.number, entry.hash);
   const std::scoped_lock lock(guard_);
-  pending_.push_back({entry.file, framed("increment", bytes)});
+  pending_.push_back({entry.file, add_frame_line("increment", bytes)});
   entries_.push_back(std::move(entry));
-  pending_list_ = framed("state", list_bytes());
+  pending_list_ = add_frame_line("state", list_bytes());
   if (entries_.back().number % place_.every == 0) {
     put_on_disk();
   }
@@ -313,7 +315,7 @@ bool Checkpoint::out_of_time() const {
   return place_.since.wall_time() + next > place_.seconds;
 }
 
-std::string Checkpoint::limit() const {
+std::string Checkpoint::limit_text() const {
   return fmt::format("--time {:.6g}", place_.seconds);
 }
 
@@ -328,17 +330,17 @@ std::size_t Checkpoint::flush() {
 std::string Checkpoint::list_bytes() const {
   results::Store store = results::Store::in_memory();
   results::StoreGroup root = store.root();
-  root.describe("format", "spricka state");
+  root.set_attribute("format", "spricka state");
   describe_origin(root, model_);
   store_deck(root, sources_, model_);
-  write_list(root, {cards_, entries_, growth_rules(model_), growth_ends(model_)});
-  return std::string(store.bytes());
+  write_checkpoint_list(root, {cards_, entries_, growth_rules(model_), growth_ends(model_)});
+  return std::string(store.finish_bytes());
 }
 
 // Increments first: a list names only what is there. The list before stays until the new one is.
 void Checkpoint::put_on_disk() {
   const fs::path folder = folder_of(place_.write);
-  for (const Pending& p : pending_) {
+  for (const PendingFile& p : pending_) {
     write_safely(folder / p.file, p.bytes);
   }
   pending_.clear();
@@ -359,7 +361,7 @@ void Checkpoint::put_on_disk() {
   sweep_folder();
   // What this list names is what the next list may not sweep away.
   before_.clear();
-  for (const KeptEntry& e : entries_) {
+  for (const CheckpointEntry& e : entries_) {
     before_.push_back(e.file);
   }
 }
@@ -372,7 +374,7 @@ void Checkpoint::sweep_folder() const {
     const std::string name = entry.path().filename().string();
     const bool listed =
         std::ranges::find(before_, name) != before_.end() ||
-        std::ranges::any_of(entries_, [&](const KeptEntry& e) { return e.file == name; });
+        std::ranges::any_of(entries_, [&](const CheckpointEntry& e) { return e.file == name; });
     if (!listed && is_ours(entry.path())) {
       old.push_back(entry.path());
     }

@@ -21,7 +21,7 @@
 namespace spricka::archive {
 
 /// An increment with what the loop carried behind it.
-struct KeptIncrement {
+struct StoredIncrement {
   results::Increment increment;
   results::NamedArrays state;
   std::vector<results::LogLine> log;
@@ -36,7 +36,7 @@ struct SolvedIncrement {
   double cpu = 0.0, wall = 0.0; ///< [s]
 };
 
-struct CheckpointPlace {
+struct CheckpointOptions {
   std::filesystem::path read;  ///< empty: from the start
   std::filesystem::path write; ///< empty: nothing is kept
   std::optional<int> at;       ///< last increment to take over; empty: all
@@ -46,7 +46,7 @@ struct CheckpointPlace {
 };
 
 /// Why a state does not fit the deck: shown at its place, Outcome::deck_error.
-struct Misfit {
+struct CheckpointMismatch {
   std::string code;
   base::SourceSpan span;
   std::string text;
@@ -55,83 +55,83 @@ struct Misfit {
 class Checkpoint {
 public:
   /// Opens both places. Throws FileTrouble for files that cannot be used.
-  Checkpoint(CheckpointPlace place, const std::filesystem::path& deck,
+  Checkpoint(CheckpointOptions place, const std::filesystem::path& deck,
              const base::SourceTexts& sources, const model::Model& model);
   ~Checkpoint();
   Checkpoint(const Checkpoint&) = delete;
   Checkpoint& operator=(const Checkpoint&) = delete;
 
   /// Whether the state fits the deck. To be asked first, once.
-  [[nodiscard]] std::optional<Misfit> misfit();
+  [[nodiscard]] std::optional<CheckpointMismatch> find_mismatch();
   using Listener = std::function<void(const std::string& code, const std::string& text)>;
   /// Called with all that is told, so far and from now on.
   void listen(Listener listener);
   /// What was passed over or left out, each with its code.
-  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& told() const {
-    return told_;
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& reported() const {
+    return reported_;
   }
 
   /// A run begins; with $TIPNET TOL there are several.
   void begin_round() { ++round_; }
   /// Whether increment `number` of this round is there to be taken.
-  [[nodiscard]] bool has(int number) const;
+  [[nodiscard]] bool has_increment(int number) const;
   /// The crack length that increment was asked for.
-  [[nodiscard]] double asked(int number) const;
+  [[nodiscard]] double requested_length(int number) const;
   /// The increment of this round, which has(number). Throws FileTrouble.
-  [[nodiscard]] KeptIncrement look_at(int number) const;
+  [[nodiscard]] StoredIncrement load_increment(int number) const;
   /// It stands for what a run from the start would have solved: it is listed again.
-  void take(int number);
+  void accept_increment(int number);
   /// This increment and all after it will be solved, not taken; says why.
   void solve_from(int number, const std::string& why);
 
   /// Keeps an increment that was solved, on disk when `every` says so. Throws FileTrouble E563.
-  void keep(double asked, SolvedIncrement done);
+  void store_increment(double asked, SolvedIncrement done);
   /// Whether the next increment would probably not be finished in time: as long as the longer of
   /// the last two. Never before one was solved, so that every session gets further.
   [[nodiscard]] bool out_of_time() const;
   /// Puts on disk what is not there yet; from any thread. The number of increments that are kept.
   std::size_t flush();
-  [[nodiscard]] std::size_t taken() const { return taken_; }
-  [[nodiscard]] const std::filesystem::path& taken_from() const { return place_.read; }
+  [[nodiscard]] std::size_t accepted_count() const { return taken_; }
+  [[nodiscard]] const std::filesystem::path& source_file() const { return place_.read; }
   /// Seconds and increments of the limit in words, for messages.
-  [[nodiscard]] std::string limit() const;
+  [[nodiscard]] std::string limit_text() const;
   [[nodiscard]] bool writes() const { return !place_.write.empty(); }
   [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
 
 private:
-  struct Pending {
+  struct PendingFile {
     std::string file, bytes;
   };
 
   [[nodiscard]] CheckpointList read_newest();
   [[nodiscard]] std::string list_bytes() const;
-  std::optional<Misfit> misfit_of_steps();
-  std::optional<Misfit> misfit_of_growth() const;
+  std::optional<CheckpointMismatch> misfit_of_steps();
+  std::optional<CheckpointMismatch> misfit_of_growth() const;
   void open_to_write();
   void put_on_disk();
   void sweep_folder() const;
-  [[nodiscard]] const KeptEntry* find(int number) const;
+  [[nodiscard]] const CheckpointEntry* find(int number) const;
   void tell(const std::string& code, const std::string& text);
 
-  CheckpointPlace place_;
+  CheckpointOptions place_;
   const base::SourceTexts& sources_;
   const model::Model& model_;
-  std::vector<CardMark> cards_; ///< of the deck now
-  CheckpointList found_;        ///< in the file that is read
+  std::vector<CardFingerprint> cards_; ///< of the deck now
+  CheckpointList found_;               ///< in the file that is read
   int round_ = 0;
   std::vector<double> walls_;     ///< [s] of increments solved in this session
   std::size_t dropped_steps_ = 0; ///< of the earlier deck, at its end
-  std::vector<std::pair<std::string, std::string>> told_;
+  std::vector<std::pair<std::string, std::string>> reported_;
   Listener listener_;
 
-  std::mutex guard_;                ///< of all below
-  std::vector<KeptEntry> entries_;  ///< to be listed
-  std::vector<Pending> pending_;    ///< listed, not yet on disk
-  std::string pending_list_;        ///< that lists them: HDF5 is used by one thread only
-  std::size_t taken_ = 0;           ///< from an earlier run
-  std::size_t on_disk_ = 0;         ///< entries in the list on disk
-  std::vector<std::string> before_; ///< files of the list before
-  int lock_ = -1;                   ///< folder, locked against a second run
+  std::mutex guard_;                     ///< of all below
+  std::vector<CheckpointEntry> entries_; ///< to be listed
+  std::vector<PendingFile> pending_;     ///< listed, not yet on disk
+  std::string pending_list_;             ///< that lists them: HDF5 is used by one thread only
+  std::size_t taken_ = 0;                ///< from an earlier run
+  std::size_t on_disk_ = 0;              ///< entries in the list on disk
+  std::vector<std::string> before_;      ///< files of the list before
+  int lock_ = -1;                        ///< folder, locked against a second run
 };
 
 } // namespace spricka::archive

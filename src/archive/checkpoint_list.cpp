@@ -14,13 +14,13 @@ namespace spricka::archive {
 
 namespace {
 
-results::Table card_table(const std::vector<CardMark>& cards) {
+results::ColumnTable card_table(const std::vector<CardFingerprint>& cards) {
   std::vector<std::string> name;
   std::vector<std::string> hash;
   std::vector<std::string> uses;
   std::vector<std::string> file;
   std::vector<std::int64_t> line;
-  for (const CardMark& card : cards) {
+  for (const CardFingerprint& card : cards) {
     name.push_back(card.name);
     hash.push_back(card.hash);
     uses.push_back(card.uses);
@@ -31,7 +31,7 @@ results::Table card_table(const std::vector<CardMark>& cards) {
 }
 
 template <class T>
-const std::vector<T>& column(const results::Table& table, std::size_t c, const char* name) {
+const std::vector<T>& column(const results::ColumnTable& table, std::size_t c, const char* name) {
   const std::vector<T>* values = c < table.columns.size() && table.columns[c].name == name
                                      ? std::get_if<std::vector<T>>(&table.columns[c].values)
                                      : nullptr;
@@ -41,8 +41,8 @@ const std::vector<T>& column(const results::Table& table, std::size_t c, const c
   return *values;
 }
 
-std::vector<CardMark> cards_from(const results::Table& table) {
-  std::vector<CardMark> cards(table.rows());
+std::vector<CardFingerprint> cards_from(const results::ColumnTable& table) {
+  std::vector<CardFingerprint> cards(table.rows());
   for (std::size_t i = 0; i < cards.size(); ++i) {
     cards[i].name = column<std::string>(table, 0, "name")[i];
     cards[i].hash = column<std::string>(table, 1, "hash")[i];
@@ -53,7 +53,7 @@ std::vector<CardMark> cards_from(const results::Table& table) {
   return cards;
 }
 
-void write_entries(results::StoreGroup group, const std::vector<KeptEntry>& entries) {
+void write_entries(results::StoreGroup group, const std::vector<CheckpointEntry>& entries) {
   std::vector<std::int64_t> round;
   std::vector<std::int64_t> number;
   std::vector<double> asked;
@@ -63,7 +63,7 @@ void write_entries(results::StoreGroup group, const std::vector<KeptEntry>& entr
   std::vector<double> wall;
   std::vector<std::int64_t> lines;
   std::vector<results::LogLine> log;
-  for (const KeptEntry& e : entries) {
+  for (const CheckpointEntry& e : entries) {
     round.push_back(e.round);
     number.push_back(e.number);
     asked.push_back(e.asked);
@@ -74,24 +74,24 @@ void write_entries(results::StoreGroup group, const std::vector<KeptEntry>& entr
     lines.push_back(static_cast<std::int64_t>(e.log.size()));
     log.insert(log.end(), e.log.begin(), e.log.end());
   }
-  group.write("increments", results::Table{{{"round", round},
-                                            {"number", number},
-                                            {"a", asked},
-                                            {"file", file},
-                                            {"hash", hash},
-                                            {"cpu", cpu},
-                                            {"wall", wall},
-                                            {"log_lines", lines}}});
+  group.write("increments", results::ColumnTable{{{"round", round},
+                                                  {"number", number},
+                                                  {"a", asked},
+                                                  {"file", file},
+                                                  {"hash", hash},
+                                                  {"cpu", cpu},
+                                                  {"wall", wall},
+                                                  {"log_lines", lines}}});
   results::write_log(group, "log", log);
 }
 
-std::vector<KeptEntry> entries_from(const results::StoreGroup& group) {
-  const results::Table table = group.table("increments");
+std::vector<CheckpointEntry> entries_from(const results::StoreGroup& group) {
+  const results::ColumnTable table = group.read_table("increments");
   const std::vector<results::LogLine> log = results::read_log(group, "log");
   auto line = log.begin();
-  std::vector<KeptEntry> entries(table.rows());
+  std::vector<CheckpointEntry> entries(table.rows());
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    KeptEntry& e = entries[i];
+    CheckpointEntry& e = entries[i];
     e.round = static_cast<int>(column<std::int64_t>(table, 0, "round")[i]);
     e.number = static_cast<int>(column<std::int64_t>(table, 1, "number")[i]);
     e.asked = column<double>(table, 2, "a")[i];
@@ -128,20 +128,20 @@ void add(std::string& text, const std::optional<double>& value) {
 
 } // namespace
 
-void write_list(results::StoreGroup root, const CheckpointList& list) {
-  root.describe("growth", list.growth);
-  root.describe("amax", list.ends[0]);
-  root.describe("cycles", list.ends[1]);
+void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list) {
+  root.set_attribute("growth", list.growth);
+  root.set_attribute("amax", list.ends[0]);
+  root.set_attribute("cycles", list.ends[1]);
   root.write("cards", card_table(list.cards));
   write_entries(root, list.entries);
 }
 
-CheckpointList read_list(const results::StoreGroup& root) {
+CheckpointList read_checkpoint_list(const results::StoreGroup& root) {
   CheckpointList list;
-  list.cards = cards_from(root.table("cards"));
+  list.cards = cards_from(root.read_table("cards"));
   list.entries = entries_from(root);
-  list.growth = root.text("growth");
-  list.ends = {root.real("amax"), root.real("cycles")};
+  list.growth = root.text_attribute("growth");
+  list.ends = {root.real_attribute("amax"), root.real_attribute("cycles")};
   return list;
 }
 

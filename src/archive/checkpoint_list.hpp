@@ -13,7 +13,7 @@
 namespace spricka::archive {
 
 /// How the list knows an increment.
-struct KeptEntry {
+struct CheckpointEntry {
   int round = 1; ///< of $TIPNET TOL
   int number = 1;
   double asked = 0.0; ///< crack length that the loop asked for; 0: it found it itself
@@ -24,15 +24,15 @@ struct KeptEntry {
 };
 
 struct CheckpointList {
-  std::vector<CardMark> cards;
-  std::vector<KeptEntry> entries;
+  std::vector<CardFingerprint> cards;
+  std::vector<CheckpointEntry> entries;
   std::string growth;           ///< growth_rules() of the deck
   std::array<double, 2> ends{}; ///< growth_ends() of the deck
 };
 
-void write_list(results::StoreGroup root, const CheckpointList& list);
+void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list);
 /// Throws StoreError.
-CheckpointList read_list(const results::StoreGroup& root);
+CheckpointList read_checkpoint_list(const results::StoreGroup& root);
 
 /// What of $GROW every increment depends on, in words. Lengths of LAW=INCREMENT are compared one by
 /// one; AMAX and CYCLES only say where a growth ends.

@@ -14,16 +14,17 @@ const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM"};
 
 } // namespace
 
-std::optional<Misfit> Checkpoint::misfit() {
+std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
   if (place_.read.empty()) {
     return std::nullopt;
   }
   const auto of = [&](const CardDifference& d) {
-    return Misfit{"E561", d.span,
-                  fmt::format("{} was written for another deck: {}", place_.read.string(), d.text)};
+    return CheckpointMismatch{
+        "E561", d.span,
+        fmt::format("{} was written for another deck: {}", place_.read.string(), d.text)};
   };
-  if (const auto d =
-          first_difference(without(found_.cards, changeable), without(cards_, changeable))) {
+  if (const auto d = first_difference(exclude_cards(found_.cards, changeable),
+                                      exclude_cards(cards_, changeable))) {
     return of(*d);
   }
   if (auto steps = misfit_of_steps()) {
@@ -33,29 +34,29 @@ std::optional<Misfit> Checkpoint::misfit() {
     return growth;
   }
   int last = 0;
-  for (const KeptEntry& e : found_.entries) {
+  for (const CheckpointEntry& e : found_.entries) {
     last = std::max(last, e.number);
   }
   if (place_.at && *place_.at > last) {
-    return Misfit{"E562", model_.restart ? model_.restart->span : base::SourceSpan{},
-                  fmt::format("AT={}, but {} holds {} increment{}", *place_.at,
-                              place_.read.string(), last, last == 1 ? "" : "s")};
+    return CheckpointMismatch{"E562", model_.restart ? model_.restart->span : base::SourceSpan{},
+                              fmt::format("AT={}, but {} holds {} increment{}", *place_.at,
+                                          place_.read.string(), last, last == 1 ? "" : "s")};
   }
   if (place_.at) {
-    std::erase_if(found_.entries, [&](const KeptEntry& e) { return e.number > *place_.at; });
+    std::erase_if(found_.entries, [&](const CheckpointEntry& e) { return e.number > *place_.at; });
   }
   return std::nullopt;
 }
 
 // Steps are walked one after another: those behind the common ones change nothing before them.
-std::optional<Misfit> Checkpoint::misfit_of_steps() {
-  const std::vector<CardMark> before = only(found_.cards, {"STEP"});
-  const std::vector<CardMark> now = only(cards_, {"STEP"});
+std::optional<CheckpointMismatch> Checkpoint::misfit_of_steps() {
+  const std::vector<CardFingerprint> before = select_cards(found_.cards, {"STEP"});
+  const std::vector<CardFingerprint> now = select_cards(cards_, {"STEP"});
   const auto d = first_difference(before, now);
   if (!d) {
     return std::nullopt;
   }
-  const std::vector<CardMark> shorter(
+  const std::vector<CardFingerprint> shorter(
       before.begin(),
       before.begin() + static_cast<std::ptrdiff_t>(std::min(now.size(), before.size())));
   // Steps that are gone from the end leave the others as they were.
@@ -66,14 +67,14 @@ std::optional<Misfit> Checkpoint::misfit_of_steps() {
                              dropped_steps_, before.size(), place_.read.string()));
     return std::nullopt;
   }
-  return Misfit{"E561", d->span,
-                fmt::format("{}: its increments were solved with other steps: {}",
-                            place_.read.string(), d->text)};
+  return CheckpointMismatch{"E561", d->span,
+                            fmt::format("{}: its increments were solved with other steps: {}",
+                                        place_.read.string(), d->text)};
 }
 
-std::optional<Misfit> Checkpoint::misfit_of_growth() const {
-  const auto d = first_difference(only(found_.cards, {"GROW", "SPECTRUM"}),
-                                  only(cards_, {"GROW", "SPECTRUM"}));
+std::optional<CheckpointMismatch> Checkpoint::misfit_of_growth() const {
+  const auto d = first_difference(select_cards(found_.cards, {"GROW", "SPECTRUM"}),
+                                  select_cards(cards_, {"GROW", "SPECTRUM"}));
   if (!d) {
     return std::nullopt;
   }
@@ -81,22 +82,23 @@ std::optional<Misfit> Checkpoint::misfit_of_growth() const {
   const std::array<double, 2> ends = growth_ends(model_);
   const bool further = ends[0] >= found_.ends[0] && ends[1] >= found_.ends[1];
   // Rates are kept with the stations: another spectrum would have others.
-  const bool same_history =
-      !first_difference(only(found_.cards, {"SPECTRUM"}), only(cards_, {"SPECTRUM"}));
+  const bool same_history = !first_difference(select_cards(found_.cards, {"SPECTRUM"}),
+                                              select_cards(cards_, {"SPECTRUM"}));
   if (found_.growth == growth_rules(model_) && (lengths || (further && same_history))) {
     return std::nullopt; // other lengths, or a later end
   }
   if (found_.growth == growth_rules(model_) && same_history) {
     const bool length = ends[0] < found_.ends[0];
-    return Misfit{"E561", d->span,
-                  fmt::format("{}: its cracks grew for a later end, and may go on to another one "
-                              "only if it is later still: {}, which it had as {:.6g}",
-                              place_.read.string(),
-                              length ? fmt::format("AMAX is {:.6g}", ends[0])
-                                     : fmt::format("CYCLES is {:.6g}", ends[1]),
-                              found_.ends[length ? 0 : 1])};
+    return CheckpointMismatch{
+        "E561", d->span,
+        fmt::format("{}: its cracks grew for a later end, and may go on to another one "
+                    "only if it is later still: {}, which it had as {:.6g}",
+                    place_.read.string(),
+                    length ? fmt::format("AMAX is {:.6g}", ends[0])
+                           : fmt::format("CYCLES is {:.6g}", ends[1]),
+                    found_.ends[length ? 0 : 1])};
   }
-  return Misfit{
+  return CheckpointMismatch{
       "E561", d->span,
       fmt::format("{}: its cracks grew by other rules: {}", place_.read.string(), d->text)};
 }

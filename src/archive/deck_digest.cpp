@@ -89,7 +89,7 @@ std::string deck_digest(const base::SourceTexts& sources, const model::Model& mo
   return fmt::format("{:016x}{:016x}", high, low);
 }
 
-std::uintmax_t bytes_of_deck(const base::SourceTexts& sources, const model::Model& model) {
+std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Model& model) {
   std::uintmax_t bytes = 0;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     bytes += sources.file_name(f).starts_with("-D ") ? 0 : sources.text(f).size();
@@ -105,7 +105,7 @@ std::uintmax_t bytes_of_deck(const base::SourceTexts& sources, const model::Mode
   return bytes;
 }
 
-std::string texts_of_import(const std::string& file) {
+std::string imported_texts(const std::string& file) {
   std::vector<fs::path> seen;
   std::vector<std::string> texts;
   add_texts(file, seen, texts);

@@ -18,10 +18,10 @@ std::string deck_digest(const base::SourceTexts& sources, const model::Model& mo
                         const std::vector<std::pair<std::string, double>>& sweep_values);
 
 /// How much of deck, includes and the files of deck_digest() there is to be read [bytes].
-std::uintmax_t bytes_of_deck(const base::SourceTexts& sources, const model::Model& model);
+std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Model& model);
 
 /// The text of a file that a card brings in, and those that a .geo names between quotes; empty
 /// where there is none.
-std::string texts_of_import(const std::string& file);
+std::string imported_texts(const std::string& file);
 
 } // namespace spricka::archive

@@ -57,7 +57,7 @@ std::optional<Owner> owner_of(const fs::path& folder) {
 [[noreturn]] void taken(const fs::path& folder, const std::optional<Owner>& owner) {
   const std::string who =
       owner ? fmt::format(" (process {} on {})", owner->process, owner->host) : "";
-  throw FileTrouble("E465",
+  throw FileFailure("E465",
                     fmt::format("{}: another run{} is writing it; wait for it, or name another "
                                 "folder with --out",
                                 folder.string(), who));
@@ -65,7 +65,7 @@ std::optional<Owner> owner_of(const fs::path& folder) {
 
 } // namespace
 
-std::optional<FolderLock> FolderLock::take(const fs::path& folder, const fs::path& work) {
+std::optional<FolderLock> FolderLock::acquire_lock(const fs::path& folder, const fs::path& work) {
   FolderLock lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (lock.fd_ < 0) {
     if (errno == ENOENT) {

@@ -13,8 +13,8 @@ class FolderLock {
 public:
   /// Locks a folder that is there; empty if it has gone meanwhile. Throws FileTrouble E465 when
   /// another run has it, with the process and host that are named in it or in the folder `work`.
-  static std::optional<FolderLock> take(const std::filesystem::path& folder,
-                                        const std::filesystem::path& work);
+  static std::optional<FolderLock> acquire_lock(const std::filesystem::path& folder,
+                                                const std::filesystem::path& work);
   FolderLock(FolderLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   FolderLock& operator=(FolderLock&& other) noexcept {
     std::swap(fd_, other.fd_);

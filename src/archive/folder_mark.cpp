@@ -146,7 +146,7 @@ std::vector<std::string> foreign_names(const fs::path& folder, const FolderMark&
   return names;
 }
 
-void remove_own(const fs::path& folder) {
+void remove_own_files(const fs::path& folder) {
   const std::optional<FolderMark> mark = read_mark(folder);
   if (!mark) {
     return;

@@ -35,6 +35,6 @@ std::vector<std::string> foreign_names(const std::filesystem::path& folder, cons
 
 /// Removes the files that the mark of a folder names, the mark, and the folder if nothing else is
 /// in it. Without a mark nothing is touched.
-void remove_own(const std::filesystem::path& folder);
+void remove_own_files(const std::filesystem::path& folder);
 
 } // namespace spricka::archive

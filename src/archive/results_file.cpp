@@ -19,7 +19,7 @@ constexpr std::int64_t format_version = 1;
 
 // Stations of a growth by a law are the program's choice, and many: of those between the first and
 // the last fields are kept only where the deck asks for fields of each.
-std::vector<bool> kept_fields(const model::Model& model, const results::Run& run) {
+std::vector<bool> kept_fields(const model::Model& model, const results::RunResult& run) {
   const bool law = model.growth && model.growth->law != model::CrackGrowthLaw::increment;
   const bool asked = std::ranges::any_of(model.outputs, [](const model::Output& output) {
     return output.format == model::OutputFormat::vtu && output.every != model::OutputEvery::end;
@@ -36,13 +36,13 @@ std::vector<bool> kept_fields(const model::Model& model, const results::Run& run
 
 void describe_origin(const results::StoreGroup& given, const model::Model& model) {
   results::StoreGroup group = given;
-  group.describe("program", "spricka " SPRICKA_VERSION);
-  group.describe("libraries", version_text());
-  group.describe("title", model.title);
-  group.describe("length_unit", model.units.length_name);
-  group.describe("force_unit", model.units.force_name);
-  group.describe("stress_unit", model.units.stress_name());
-  group.describe("K_unit", model.units.stress_intensity_name());
+  group.set_attribute("program", "spricka " SPRICKA_VERSION);
+  group.set_attribute("libraries", version_text());
+  group.set_attribute("title", model.title);
+  group.set_attribute("length_unit", model.units.length_name);
+  group.set_attribute("force_unit", model.units.force_name);
+  group.set_attribute("stress_unit", model.units.stress_name());
+  group.set_attribute("K_unit", model.units.stress_intensity_name());
 }
 
 void store_deck(const results::StoreGroup& given, const base::SourceTexts& sources,
@@ -54,7 +54,7 @@ void store_deck(const results::StoreGroup& given, const base::SourceTexts& sourc
     names.emplace_back(std::filesystem::path(sources.file_name(f)).filename().string());
     texts.emplace_back(sources.text(f));
   }
-  results::Table files{{{"file", names}}};
+  results::ColumnTable files{{{"file", names}}};
   group.write("files", files);
   for (std::size_t f = 0; f < texts.size(); ++f) {
     group.write("text_" + std::to_string(f + 1), std::span(&texts[f], 1));
@@ -66,26 +66,26 @@ void store_deck(const results::StoreGroup& given, const base::SourceTexts& sourc
     value.push_back(number);
   }
   if (!parameter.empty()) {
-    group.write("parameters", results::Table{{{"name", parameter}, {"value", value}}});
+    group.write("parameters", results::ColumnTable{{{"name", parameter}, {"value", value}}});
   }
-  group.describe("hash", deck_digest(sources, model, {}));
+  group.set_attribute("hash", deck_digest(sources, model, {}));
 }
 
 void write_results_file(const std::filesystem::path& file, const base::SourceTexts& sources,
-                        const model::Model& model, const results::Run& run) {
+                        const model::Model& model, const results::RunResult& run) {
   try {
     results::Store store = results::Store::in_memory();
     {
       results::StoreGroup root = store.root();
-      root.describe("format", std::string_view("spricka results"));
-      root.describe("format_version", format_version);
+      root.set_attribute("format", std::string_view("spricka results"));
+      root.set_attribute("format_version", format_version);
       describe_origin(root, model);
       store_deck(root, sources, model);
-      results::write_reader_tables(root, run);
+      results::write_summary_tables(root, run);
       // Without times: the same deck makes the same bytes.
-      results::write_run(root, run, results::Times::left_out, kept_fields(model, run));
+      results::write_run(root, run, results::TimeRecording::left_out, kept_fields(model, run));
     }
-    report::write_file(file, store.bytes());
+    report::write_file(file, store.finish_bytes());
   } catch (const results::StoreError& trouble) {
     throw std::system_error(std::make_error_code(std::errc::io_error),
                             file.string() + ": " + trouble.what());

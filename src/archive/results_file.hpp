@@ -13,7 +13,7 @@ namespace spricka::archive {
 /// texts and parameters, versions and units (manual/results_file.md). Its bytes depend on the deck
 /// and the program only. Throws std::system_error.
 void write_results_file(const std::filesystem::path& file, const base::SourceTexts& sources,
-                        const model::Model& model, const results::Run& run);
+                        const model::Model& model, const results::RunResult& run);
 
 /// Program, libraries and units as attributes of a folder.
 void describe_origin(const results::StoreGroup& given, const model::Model& model);

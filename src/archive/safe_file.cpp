@@ -24,7 +24,7 @@ constexpr std::size_t largest_framed = std::size_t{16} * 1024 * base::mebibyte; 
 
 [[noreturn]] void unusable(const fs::path& file, const std::string& why,
                            const char* code = "E560") {
-  throw FileTrouble(code, fmt::format("{}: {}", file.string(), why));
+  throw FileFailure(code, fmt::format("{}: {}", file.string(), why));
 }
 
 // `read` with what it throws as trouble with a restart file.
@@ -36,7 +36,7 @@ template <class Read> std::string bytes_of(const fs::path& file, Read read) {
   try {
     return read();
   } catch (const base::UnreadableFile& trouble) {
-    throw FileTrouble("E560", trouble.what());
+    throw FileFailure("E560", trouble.what());
   }
 }
 
@@ -59,21 +59,21 @@ void write_safely(const fs::path& file, std::string_view bytes) {
   try {
     base::write_atomically(file, bytes, base::DiskSync::yes);
   } catch (const std::system_error& trouble) {
-    throw FileTrouble("E563",
+    throw FileFailure("E563",
                       fmt::format("{}: {}", file.string(), std::strerror(trouble.code().value())));
   }
 }
 
-std::string hash_of(std::string_view bytes) {
+std::string hash_bytes(std::string_view bytes) {
   base::Hasher hash;
   hash.add_bytes(bytes.data(), bytes.size());
   const auto [high, low] = hash.digest();
   return fmt::format("{:016x}{:016x}", high, low);
 }
 
-std::string framed(std::string_view kind, std::string_view bytes) {
+std::string add_frame_line(std::string_view kind, std::string_view bytes) {
   std::string out = fmt::format("spricka {} {} of {} , {} bytes {}", kind, safe_format,
-                                SPRICKA_VERSION, bytes.size(), hash_of(bytes));
+                                SPRICKA_VERSION, bytes.size(), hash_bytes(bytes));
   // The head has a fixed size, so that it can be read before the rest is.
   out.resize(frame_size - 1, ' ');
   out += '\n';
@@ -110,7 +110,7 @@ std::string read_framed(const fs::path& file, std::string_view kind) {
   if (body.size() < size) {
     unusable(file, fmt::format("cut off: {} of {} bytes are there", body.size(), size));
   }
-  if (body.size() > size || hash_of(body) != line[8]) {
+  if (body.size() > size || hash_bytes(body) != line[8]) {
     unusable(file, "its content was changed");
   }
   return std::string(body);

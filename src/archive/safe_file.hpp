@@ -10,9 +10,9 @@ namespace spricka::archive {
 
 /// Trouble with a file, with the code that names it (program/commands/code_texts.cpp): the program
 /// ends with Outcome::file_trouble.
-class FileTrouble : public std::runtime_error {
+class FileFailure : public std::runtime_error {
 public:
-  FileTrouble(std::string code, const std::string& what)
+  FileFailure(std::string code, const std::string& what)
       : std::runtime_error(what), code_(std::move(code)) {}
   [[nodiscard]] const std::string& code() const { return code_; }
 
@@ -30,13 +30,13 @@ inline constexpr std::size_t frame_size = 512;
 
 /// The bytes with a line in front that says what they are ("state", "increment"), of which version
 /// of the format and program, how many, and their hash.
-std::string framed(std::string_view kind, std::string_view bytes);
+std::string add_frame_line(std::string_view kind, std::string_view bytes);
 
 /// The bytes behind the line. Throws FileTrouble: E560 for a file that cannot be read, is cut off
 /// or changed, E564 for a foreign one, E565 for one of another version of format or program.
 std::string read_framed(const std::filesystem::path& file, std::string_view kind);
 
 /// 32 hexadecimal digits for some bytes (XXH3, 128 bit).
-std::string hash_of(std::string_view bytes);
+std::string hash_bytes(std::string_view bytes);
 
 } // namespace spricka::archive

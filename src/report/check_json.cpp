@@ -39,12 +39,12 @@ json of(const results::NetPreview& n) {
             {"dependent", n.dependent}}}};
 }
 
-json of(const results::QualityPreview& q) {
+json of(const results::MeshQualityPreview& q) {
   return {{"of", q.where}, {"measure", q.measure}, {"value", q.value},
           {"net", q.net},  {"element", q.element}, {"at", place(q.at)}};
 }
 
-json of(const results::PairPreview& c) {
+json of(const results::ContactPairPreview& c) {
   json out{
       {"contact", c.name},
       {"gap", {{"low", c.gap_low}, {"mean", c.gap_mean}, {"high", c.gap_high}}},
@@ -92,7 +92,7 @@ json of(const results::FrontPreview& f) {
           {"length", f.length}, {"elements", f.elements}, {"radius", f.radius}, {"size", f.size}};
 }
 
-json of(const results::LengthPreview& l) {
+json of(const results::CrackLengthPreview& l) {
   return {{"number", l.number},
           {"a", l.a},
           {"nodes", l.nodes},
@@ -113,20 +113,20 @@ json of(const results::LengthPreview& l) {
           {"notes", l.notes}};
 }
 
-json of(const results::MirrorPreview& m) {
+json of(const results::SymmetryPlanePreview& m) {
   return {{"across", std::string(1, "xyz"[m.axis])},
           {"at", m.at},
           {"against", m.against},
           {"no_half", m.no_half}};
 }
 
-json of(const results::ScriptConstant& c) {
+json of(const results::ReportedScriptConstant& c) {
   return {{"file", c.file}, {"name", c.name}, {"value", c.value}, {"from", c.from}};
 }
 
 } // namespace
 
-std::string check_json(const results::Preview& p, base::Outcome outcome) {
+std::string check_json(const results::DeckPreview& p, base::Outcome outcome) {
   const auto make = [](const auto& entry) { return of(entry); };
   const json out{{"spricka", SPRICKA_VERSION},
                  {"deck", p.deck},

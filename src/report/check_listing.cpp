@@ -14,7 +14,7 @@ namespace spricka::report {
 
 namespace {
 
-using results::Preview;
+using results::DeckPreview;
 
 std::string number(double v) {
   return fmt::format("{:.4g}", v);
@@ -39,16 +39,16 @@ std::string megabytes(double bytes) {
   return fmt::format("{:.0f}", bytes / 1e6);
 }
 
-Table nets(const Preview& p) {
-  Table table{"Nets, freedoms by class",
-              {{"net", "", true},
-               {"nodes", "", false},
-               {"elements", "", false},
-               {"local", "", false},
-               {"external", "", false},
-               {"suppressed", "", false},
-               {"prescribed", "", false}},
-              {}};
+ReportTable nets(const DeckPreview& p) {
+  ReportTable table{"Nets, freedoms by class",
+                    {{"net", "", true},
+                     {"nodes", "", false},
+                     {"elements", "", false},
+                     {"local", "", false},
+                     {"external", "", false},
+                     {"suppressed", "", false},
+                     {"prescribed", "", false}},
+                    {}};
   const bool tied = std::ranges::any_of(p.nets, [](const auto& net) { return net.dependent > 0; });
   if (tied) {
     table.columns.push_back({"dependent", "", false});
@@ -69,16 +69,16 @@ Table nets(const Preview& p) {
   return table;
 }
 
-Table quality(const Preview& p) {
-  Table table{"Worst elements",
-              {{"of", "", true},
-               {"measure", "", true},
-               {"value", "", false},
-               {"net", "", true},
-               {"element", "", false},
-               {"at", p.length_unit, true}},
-              {}};
-  for (const results::QualityPreview& q : p.quality) {
+ReportTable quality(const DeckPreview& p) {
+  ReportTable table{"Worst elements",
+                    {{"of", "", true},
+                     {"measure", "", true},
+                     {"value", "", false},
+                     {"net", "", true},
+                     {"element", "", false},
+                     {"at", p.length_unit, true}},
+                    {}};
+  for (const results::MeshQualityPreview& q : p.quality) {
     const bool angle = q.measure.ends_with("angle");
     table.rows.push_back({q.where, q.measure,
                           angle ? fmt::format("{:.1f} deg", q.value) : number(q.value), q.net,
@@ -87,25 +87,25 @@ Table quality(const Preview& p) {
   return table;
 }
 
-Table pairs(const Preview& p) {
-  Table table{"Contact pairs: gaps as measured along the normals",
-              {{"contact", "", true},
-               {"smallest", p.length_unit, false},
-               {"mean", p.length_unit, false},
-               {"largest", p.length_unit, false},
-               {"declared", p.length_unit, false},
-               {"normals", "deg", false},
-               {"slave", "faces", false},
-               {"master", "faces", false},
-               {"slave", "overhang", false},
-               {"master", "overhang", false},
-               {"rows", "", false},
-               {"multipliers on", "", true}},
-              {}};
+ReportTable pairs(const DeckPreview& p) {
+  ReportTable table{"Contact pairs: gaps as measured along the normals",
+                    {{"contact", "", true},
+                     {"smallest", p.length_unit, false},
+                     {"mean", p.length_unit, false},
+                     {"largest", p.length_unit, false},
+                     {"declared", p.length_unit, false},
+                     {"normals", "deg", false},
+                     {"slave", "faces", false},
+                     {"master", "faces", false},
+                     {"slave", "overhang", false},
+                     {"master", "overhang", false},
+                     {"rows", "", false},
+                     {"multipliers on", "", true}},
+                    {}};
   const auto faces = [](std::size_t facing, std::size_t edges) {
     return facing == edges ? count(edges) : fmt::format("{} of {}", facing, edges);
   };
-  for (const results::PairPreview& c : p.pairs) {
+  for (const results::ContactPairPreview& c : p.pairs) {
     table.rows.push_back({c.name, number(c.gap_low), number(c.gap_mean), number(c.gap_high),
                           c.declared ? number(c.declared_gap) : "measured",
                           fmt::format("{:.2f}", c.angle), faces(c.slave_facing, c.slave_edges),
@@ -116,17 +116,17 @@ Table pairs(const Preview& p) {
   return table;
 }
 
-Table bodies(const Preview& p) {
-  Table table{"Bodies: what holds their rigid modes",
-              {{"body", "", true},
-               {"nodes", "", false},
-               {"elements", "", false},
-               {"modes", "", false},
-               {"supports", "", false},
-               {"contact", "", false},
-               {"nothing", "", false},
-               {"free as to", "", true}},
-              {}};
+ReportTable bodies(const DeckPreview& p) {
+  ReportTable table{"Bodies: what holds their rigid modes",
+                    {{"body", "", true},
+                     {"nodes", "", false},
+                     {"elements", "", false},
+                     {"modes", "", false},
+                     {"supports", "", false},
+                     {"contact", "", false},
+                     {"nothing", "", false},
+                     {"free as to", "", true}},
+                    {}};
   for (const results::BodyPreview& body : p.bodies) {
     table.rows.push_back({body.name, count(body.nodes), count(body.elements),
                           fmt::format("{}", body.modes), fmt::format("{}", body.by_supports),
@@ -136,19 +136,19 @@ Table bodies(const Preview& p) {
   return table;
 }
 
-Table tips(const Preview& p) {
-  Table table{"Cracks",
-              {{"length", "", false},
-               {"tip", "", true},
-               {"a", p.length_unit, false},
-               {"mouth", p.length_unit, true},
-               {"tip at", p.length_unit, true},
-               {"rosette", p.length_unit, false},
-               {"tip element", p.length_unit, false},
-               {"elements cut", "", false},
-               {"elements new", "", false}},
-              {}};
-  for (const results::LengthPreview& length : p.lengths) {
+ReportTable tips(const DeckPreview& p) {
+  ReportTable table{"Cracks",
+                    {{"length", "", false},
+                     {"tip", "", true},
+                     {"a", p.length_unit, false},
+                     {"mouth", p.length_unit, true},
+                     {"tip at", p.length_unit, true},
+                     {"rosette", p.length_unit, false},
+                     {"tip element", p.length_unit, false},
+                     {"elements cut", "", false},
+                     {"elements new", "", false}},
+                    {}};
+  for (const results::CrackLengthPreview& length : p.lengths) {
     for (const results::TipPreview& tip : length.tips) {
       const bool first = &tip == &length.tips.front();
       table.rows.push_back({fmt::format("{}", length.number), tip.name, number(tip.a),
@@ -160,21 +160,21 @@ Table tips(const Preview& p) {
   return table;
 }
 
-Table fronts(const Preview& p) {
-  Table table{"Cracks",
-              {{"length", "", false},
-               {"front", "", true},
-               {"kind", "", true},
-               {"as a circle of", p.length_unit, false},
-               {"length of front", p.length_unit, false},
-               {"half way at", p.length_unit, true},
-               {"elements", "", false},
-               {"tube", p.length_unit, false},
-               {"tip element", p.length_unit, false},
-               {"elements cut", "", false},
-               {"elements new", "", false}},
-              {}};
-  for (const results::LengthPreview& length : p.lengths) {
+ReportTable fronts(const DeckPreview& p) {
+  ReportTable table{"Cracks",
+                    {{"length", "", false},
+                     {"front", "", true},
+                     {"kind", "", true},
+                     {"as a circle of", p.length_unit, false},
+                     {"length of front", p.length_unit, false},
+                     {"half way at", p.length_unit, true},
+                     {"elements", "", false},
+                     {"tube", p.length_unit, false},
+                     {"tip element", p.length_unit, false},
+                     {"elements cut", "", false},
+                     {"elements new", "", false}},
+                    {}};
+  for (const results::CrackLengthPreview& length : p.lengths) {
     for (const results::FrontPreview& front : length.fronts) {
       const bool first = &front == &length.fronts.front();
       table.rows.push_back({fmt::format("{}", length.number), front.name, front.kind,
@@ -186,20 +186,20 @@ Table fronts(const Preview& p) {
   return table;
 }
 
-Table forecast(const Preview& p) {
-  Table table{"Forecast",
-              {{"length", "", false},
-               {"nodes", "", false},
-               {"contact rows", "", false},
-               {"nets new", "", false},
-               {"reused", "", false},
-               {"unknowns new", "", false},
-               {"nnz(L)", "", false},
-               {"flops", "", false},
-               {"memory", "MB", false},
-               {"CPU", "s", false}},
-              {}};
-  for (const results::LengthPreview& length : p.lengths) {
+ReportTable forecast(const DeckPreview& p) {
+  ReportTable table{"Forecast",
+                    {{"length", "", false},
+                     {"nodes", "", false},
+                     {"contact rows", "", false},
+                     {"nets new", "", false},
+                     {"reused", "", false},
+                     {"unknowns new", "", false},
+                     {"nnz(L)", "", false},
+                     {"flops", "", false},
+                     {"memory", "MB", false},
+                     {"CPU", "s", false}},
+                    {}};
+  for (const results::CrackLengthPreview& length : p.lengths) {
     table.rows.push_back({fmt::format("{}", length.number), count(length.nodes), count(length.rows),
                           fmt::format("{}", length.condensed), fmt::format("{}", length.reused),
                           count(length.unknowns), fmt::format("{:.3g}", length.factor_entries),
@@ -209,7 +209,7 @@ Table forecast(const Preview& p) {
   return table;
 }
 
-std::string mirror_line(const results::MirrorPreview& mirror) {
+std::string mirror_line(const results::SymmetryPlanePreview& mirror) {
   const char axis = "xyz"[mirror.axis];
   const std::string plane = fmt::format("{} = {:.5g}", axis, mirror.at);
   return mirror.against.empty()
@@ -224,9 +224,9 @@ std::string mirror_line(const results::MirrorPreview& mirror) {
 
 } // namespace
 
-std::string check_listing(const Preview& preview) {
+std::string check_listing(const DeckPreview& preview) {
   std::string out = preview.deck + (preview.title.empty() ? "" : ": " + preview.title) + "\n";
-  for (const Table& table :
+  for (const ReportTable& table :
        {nets(preview), quality(preview), pairs(preview), bodies(preview),
         load_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
         tips(preview), fronts(preview)}) {
@@ -238,13 +238,13 @@ std::string check_listing(const Preview& preview) {
     out += "\n" + to_text(script_table(preview.scripts));
   }
   // Of cracks in space notes tell more: rings and sectors, patches that are shared, ties.
-  for (const results::LengthPreview& length : preview.lengths) {
+  for (const results::CrackLengthPreview& length : preview.lengths) {
     for (const std::string& note : preview.dim == 3 ? length.notes : std::vector<std::string>()) {
       out += fmt::format("\n  note: {}", note);
     }
   }
   out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);
-  for (const results::MirrorPreview& mirror : preview.mirrors) {
+  for (const results::SymmetryPlanePreview& mirror : preview.mirrors) {
     out += mirror_line(mirror);
   }
   out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));

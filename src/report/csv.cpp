@@ -26,17 +26,18 @@ std::vector<const results::TipQuantity*> k_columns(const model::Model& model) {
                   [](const model::CrackExtensionSettings& vce) { return vce.opening; });
   std::vector<const results::TipQuantity*> columns;
   for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.is(results::in_k_csv) && (opening || q.given != results::TipGiven::with_opening)) {
+    if (q.appears_in(results::in_k_csv) &&
+        (opening || q.given != results::TipQuantityCondition::with_opening)) {
       columns.push_back(&q);
     }
   }
   return columns;
 }
 
-std::vector<const results::PointQuantity*> pressure_columns(bool rubs, bool space) {
-  std::vector<const results::PointQuantity*> columns;
-  for (const results::PointQuantity& q : results::point_quantities) {
-    if (q.is(results::in_pressure_csv) && (rubs || !q.friction) && (space || !q.space)) {
+std::vector<const results::ContactPointQuantity*> pressure_columns(bool rubs, bool space) {
+  std::vector<const results::ContactPointQuantity*> columns;
+  for (const results::ContactPointQuantity& q : results::point_quantities) {
+    if (q.appears_in(results::in_pressure_csv) && (rubs || !q.friction) && (space || !q.space)) {
       columns.push_back(&q);
     }
   }
@@ -51,36 +52,37 @@ template <class Column> std::string header(const char* first, const std::vector<
   return text + "\n";
 }
 
-std::string cell(const results::PointQuantity& q, const results::ContactPoint& point) {
+std::string cell(const results::ContactPointQuantity& q, const results::ContactPoint& point) {
   if (q.is_word()) {
-    return results::word_of(point.*q.state);
+    return results::display_word(point.*q.state);
   }
-  return fmt::format("{}", q.kind == base::Quantity::angle ? q.of(point) * degree : q.of(point));
+  return fmt::format("{}", q.kind == base::Quantity::angle ? q.extract_value(point) * degree
+                                                           : q.extract_value(point));
 }
 
 void write_fronts_csv(const std::filesystem::path& file, const model::Model& model,
-                      const results::Run& run) {
-  UnitsLine units;
-  units.add(base::Quantity::number, "increment");
-  units.add(base::Quantity::length, "a");
+                      const results::RunResult& run) {
+  ColumnUnits units;
+  units.add_column(base::Quantity::number, "increment");
+  units.add_column(base::Quantity::length, "a");
   std::string columns = "increment,step,crack,a,point,at_surface,closed";
   for (const results::FrontQuantity& q : results::front_quantities) {
-    units.add(q.kind, q.name);
+    units.add_column(q.kind, q.name);
     columns += fmt::format(",{}", q.name);
   }
-  std::string text = fmt::format("# units: {}\n{}\n", units.text(model.units), columns);
+  std::string text = fmt::format("# units: {}\n{}\n", units.units_text(model.units), columns);
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
-        for (const results::FrontPlace& place : front.points) {
+        for (const results::FrontPointResult& place : front.points) {
           fmt::format_to(out, "{},{},{},{},{},{:d},{:d}", increment.number, step.step, front.name,
                          front.a, place.number, place.at_surface, place.closed);
           for (const results::FrontQuantity& q : results::front_quantities) {
             const bool given =
                 (q.given == nullptr || q.given(front)) && !(q.inside && place.at_surface);
             const double unit = q.kind == base::Quantity::angle ? degree : 1.0;
-            text += given ? fmt::format(",{}", q.of(place) * unit) : ",";
+            text += given ? fmt::format(",{}", q.extract_value(place) * unit) : ",";
           }
           text += '\n';
         }
@@ -93,18 +95,18 @@ void write_fronts_csv(const std::filesystem::path& file, const model::Model& mod
 } // namespace
 
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
-                 const results::Run& run) {
+                 const results::RunResult& run) {
   if (model.mesh.dim == 3) {
     write_fronts_csv(file, model, run);
     return;
   }
   const std::vector<const results::TipQuantity*> columns = k_columns(model);
-  UnitsLine units;
-  units.add(base::Quantity::number, "increment");
+  ColumnUnits units;
+  units.add_column(base::Quantity::number, "increment");
   for (const results::TipQuantity* q : columns) { // K1_bar and its like are made of K1 and K2
-    units.add(q->kind, q->member != nullptr ? q->name : "and what begins with them");
+    units.add_column(q->kind, q->member != nullptr ? q->name : "and what begins with them");
   }
-  std::string text = fmt::format("# units: {}\n{}", units.text(model.units),
+  std::string text = fmt::format("# units: {}\n{}", units.units_text(model.units),
                                  header("increment,step,crack", columns));
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
@@ -112,7 +114,7 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
       for (const results::TipResult& tip : step.tips) {
         fmt::format_to(out, "{},{},{}", increment.number, step.step, tip.name);
         for (const results::TipQuantity* q : columns) {
-          text += q->is_given(tip) ? fmt::format(",{}", q->of(tip)) : ",";
+          text += q->is_given(tip) ? fmt::format(",{}", q->extract_value(tip)) : ",";
         }
         text += '\n';
       }
@@ -122,22 +124,22 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
 }
 
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
-                        const results::Run& run) {
+                        const results::RunResult& run) {
   const bool rubs =
       std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return c.mu > 0.0; }) ||
       std::any_of(model.cracks.begin(), model.cracks.end(),
                   [](const model::CrackDefinition& c) { return c.faces_in_contact && c.mu > 0.0; });
-  const std::vector<const results::PointQuantity*> columns =
+  const std::vector<const results::ContactPointQuantity*> columns =
       pressure_columns(rubs, model.mesh.dim == 3);
-  UnitsLine units;
-  units.add(base::Quantity::number, "increment");
-  for (const results::PointQuantity* q : columns) {
+  ColumnUnits units;
+  units.add_column(base::Quantity::number, "increment");
+  for (const results::ContactPointQuantity* q : columns) {
     if (!q->is_word()) {
-      units.add(q->kind, q->name);
+      units.add_column(q->kind, q->name);
     }
   }
-  std::string text = fmt::format("# units: {}\n{}", units.text(model.units),
+  std::string text = fmt::format("# units: {}\n{}", units.units_text(model.units),
                                  header("increment,step,contact", columns));
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
@@ -148,7 +150,7 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
         }
         for (const results::ContactPoint& point : contact.points) {
           fmt::format_to(out, "{},{},{}", increment.number, step.step, contact.name);
-          for (const results::PointQuantity* q : columns) {
+          for (const results::ContactPointQuantity* q : columns) {
             text += "," + cell(*q, point);
           }
           text += '\n';

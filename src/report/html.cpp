@@ -25,25 +25,26 @@
 namespace spricka::report {
 namespace {
 
-void add_head(Page& page, const std::string& title, const base::SourceTexts& sources,
+void add_head(HtmlPage& page, const std::string& title, const base::SourceTexts& sources,
               const model::Model& model) {
   const base::UnitSystem& units = model.units;
-  page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
-  page.add(fmt::format(
-      "<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
-      escape(deck_name(sources, 0)), SPRICKA_VERSION, units.length_name, units.force_name,
-      units.stress_name(),
-      model.cracks.empty() ? ""
-                           : fmt::format("; K in {}", print_unit(units.stress_intensity_name()))));
+  page.add_html(fmt::format("<h1>{}</h1>\n", escape_xml(title)));
+  page.add_html(
+      fmt::format("<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
+                  escape_xml(deck_name(sources, 0)), SPRICKA_VERSION, units.length_name,
+                  units.force_name, units.stress_name(),
+                  model.cracks.empty()
+                      ? ""
+                      : fmt::format("; K in {}", typeset_unit(units.stress_intensity_name()))));
 }
 
-void add_verdict(Page& page, const results::Run& run) {
+void add_verdict(HtmlPage& page, const results::RunResult& run) {
   const auto passed = static_cast<std::size_t>(std::count_if(
       run.checks.begin(), run.checks.end(), [](const auto& check) { return check.passed; }));
   if (!run.checks.empty()) {
-    page.add(fmt::format("<p class=\"{}\">{} of the deck's {} checks passed.</p>\n",
-                         passed == run.checks.size() ? "about" : "failed", passed,
-                         run.checks.size()));
+    page.add_html(fmt::format("<p class=\"{}\">{} of the deck's {} checks passed.</p>\n",
+                              passed == run.checks.size() ? "about" : "failed", passed,
+                              run.checks.size()));
   }
 }
 
@@ -62,11 +63,11 @@ std::string beginning(const std::string& text, std::size_t longest) {
 /// "W508, no answer: text".
 std::string warning_item(const std::string& code, const std::string& text) {
   return fmt::format("<li><b>{}, {}:</b> {}</li>\n", code,
-                     base::display_word(base::warning_concern(code)), escape(text));
+                     base::display_word(base::warning_concern(code)), escape_xml(text));
 }
 
 /// What puts the numbers below in doubt is said above them, the worst first.
-void add_warnings(Page& page, const results::Run& run) {
+void add_warnings(HtmlPage& page, const results::RunResult& run) {
   const std::size_t count = run.warnings.size();
   if (count == 0) {
     return;
@@ -77,18 +78,18 @@ void add_warnings(Page& page, const results::Run& run) {
   }
   const std::string more =
       count > most_at_head ? fmt::format("; the first {}:", most_at_head) : std::string(":");
-  page.add(fmt::format("<div class=\"warnings\"><p class=\"failed\"><a href=\"#notes\">{} "
-                       "warning{}</a>{}</p>\n<ul>\n{}</ul></div>\n",
-                       count, count > 1 ? "s" : "", more, items));
+  page.add_html(fmt::format("<div class=\"warnings\"><p class=\"failed\"><a href=\"#notes\">{} "
+                            "warning{}</a>{}</p>\n<ul>\n{}</ul></div>\n",
+                            count, count > 1 ? "s" : "", more, items));
 }
 
 /// The tables of all increments as one, with a column for the crack length in front; without
 /// cracks the only one.
-Table over_lengths(const model::Model& model, const results::Run& run,
-                   const std::function<Table(const results::Increment&)>& table_of) {
-  Table all;
+ReportTable over_lengths(const model::Model& model, const results::RunResult& run,
+                         const std::function<ReportTable(const results::Increment&)>& table_of) {
+  ReportTable all;
   for (const results::Increment& increment : run.increments) {
-    Table table = table_of(increment);
+    ReportTable table = table_of(increment);
     if (model.cracks.empty()) {
       return table;
     }
@@ -103,21 +104,21 @@ Table over_lengths(const model::Model& model, const results::Run& run,
   return all;
 }
 
-void add_fronts(Page& page, const model::Model& model, const results::Run& run) {
+void add_fronts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
   const std::vector<Figure> figures = front_figures(model, run);
   if (figures.empty()) {
     return;
   }
-  page.heading("Stress intensity factors");
+  page.add_heading("Stress intensity factors");
   for (const Figure& figure : figures) {
-    page.figure(figure);
+    page.add_figure(figure);
   }
-  for (const Table& table : front_tables(model, run.increments.back())) {
-    page.table(table);
+  for (const ReportTable& table : front_tables(model, run.increments.back())) {
+    page.add_table(table);
   }
 }
 
-void add_cracks(Page& page, const model::Model& model, const results::Run& run) {
+void add_cracks(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
   if (model.mesh.dim == 3) {
     add_fronts(page, model, run);
     return;
@@ -126,65 +127,65 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
   if (section.tables.empty()) {
     return;
   }
-  page.heading("Stress intensity factors");
-  for (const Table& table : section.tables) {
-    page.table(table);
+  page.add_heading("Stress intensity factors");
+  for (const ReportTable& table : section.tables) {
+    page.add_table(table);
   }
   for (const std::string& remark : section.remarks) {
-    page.paragraph(remark);
+    page.add_paragraph(remark);
   }
   if (const std::optional<Figure> figure = k_figure(model, run)) {
-    page.figure(*figure);
+    page.add_figure(*figure);
   }
   if (const std::optional<Figure> figure = normalised_figure(model, run)) {
-    page.figure(*figure);
+    page.add_figure(*figure);
   }
-  page.table(reference_table(model, run));
+  page.add_table(reference_table(model, run));
   for (const Figure& figure : sensitivity_figures(model, run)) {
-    page.figure(figure);
+    page.add_figure(figure);
   }
 }
 
-void add_growth(Page& page, const model::Model& model, const results::Run& run) {
+void add_growth(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
   const std::vector<Figure> figures = growth_figures(model, run);
   if (figures.empty()) {
     return;
   }
-  page.heading("Crack growth");
+  page.add_heading("Crack growth");
   for (const Figure& figure : figures) {
-    page.figure(figure);
+    page.add_figure(figure);
   }
-  page.table(untitled(life_table(model, run)));
+  page.add_table(untitled(life_table(model, run)));
 }
 
-void add_tests(Page& page, const model::Model& model, const results::Run& run) {
+void add_tests(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
   if (run.tests.empty()) {
     return;
   }
-  page.heading("Crack growth tests");
-  page.table(untitled(test_table(model, run)));
-  for (const Figure& figure : test_figures(model, run)) {
-    page.figure(figure);
+  page.add_heading("Crack growth tests");
+  page.add_table(untitled(growth_test_table(model, run)));
+  for (const Figure& figure : growth_test_figures(model, run)) {
+    page.add_figure(figure);
   }
-  for (const results::GrowthTest& test : run.tests) {
-    page.table(test_points_table(model, test));
+  for (const results::GrowthTestResult& test : run.tests) {
+    page.add_table(test_points_table(model, test));
   }
 }
 
-void add_paths(Page& page, const model::Model& model, const results::Run& run) {
+void add_paths(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
   if (model.load_paths.empty() || run.increments.empty()) {
     return;
   }
-  page.heading("Load paths");
+  page.add_heading("Load paths");
   for (const Figure& figure : load_path_figures(model, run)) {
-    page.figure(figure);
+    page.add_figure(figure);
   }
   const auto paths = [&](const results::Increment& i) { return load_path_table(model, i); };
-  page.table(over_lengths(model, run, paths));
-  page.table(over_lengths(model, run, opening_table));
+  page.add_table(over_lengths(model, run, paths));
+  page.add_table(over_lengths(model, run, opening_table));
 }
 
-void add_contacts(Page& page, const model::Model& model, const results::Run& run) {
+void add_contacts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
   const bool any = std::ranges::any_of(run.increments, [](const results::Increment& increment) {
     return std::ranges::any_of(
         increment.steps, [](const results::StepResult& step) { return !step.contacts.empty(); });
@@ -192,31 +193,31 @@ void add_contacts(Page& page, const model::Model& model, const results::Run& run
   if (!any) {
     return;
   }
-  page.heading("Contact");
+  page.add_heading("Contact");
   for (const Figure& figure : pressure_figures(model, run)) {
-    page.figure(figure);
+    page.add_figure(figure);
   }
   const auto contacts = [&](const results::Increment& i) { return contact_table(model, i); };
   const auto friction = [&](const results::Increment& i) { return friction_table(model, i); };
   const auto moments = [&](const results::Increment& i) { return moment_table(model, i); };
-  page.table(over_lengths(model, run, contacts));
-  page.table(over_lengths(model, run, moments));
-  page.table(over_lengths(model, run, friction));
+  page.add_table(over_lengths(model, run, contacts));
+  page.add_table(over_lengths(model, run, moments));
+  page.add_table(over_lengths(model, run, friction));
 }
 
-void add_notes(Page& page, const results::Run& run) {
+void add_notes(HtmlPage& page, const results::RunResult& run) {
   std::string items;
   for (const results::Warning& warning : run.warnings) {
     items += warning_item(warning.code, warning.text);
   }
-  for (const PlacedNote& note : collect_notes(run)) {
-    if (!results::warns(note.first)) {
-      items += fmt::format("<li>{}</li>\n", escape(words_of(note)));
+  for (const LocatedNote& note : collect_notes(run)) {
+    if (!results::is_warning(note.first)) {
+      items += fmt::format("<li>{}</li>\n", escape_xml(located_note_text(note)));
     }
   }
   if (!items.empty()) {
-    page.heading("Notes", "notes");
-    page.add("<ul>\n" + items + "</ul>\n");
+    page.add_heading("Notes", "notes");
+    page.add_html("<ul>\n" + items + "</ul>\n");
   }
 }
 
@@ -233,21 +234,22 @@ std::string lengths_of(const model::Model& model, const results::Increment& incr
   return same ? fmt::format("a = {:.6g} {}", increment.a, model.units.length_name) : each;
 }
 
-void add_deck(Page& page, const base::SourceTexts& sources) {
-  page.add("<section class=\"screen\">\n"); // folded, so of no use on paper
-  page.heading("Deck");
+void add_deck(HtmlPage& page, const base::SourceTexts& sources) {
+  page.add_html("<section class=\"screen\">\n"); // folded, so of no use on paper
+  page.add_heading("Deck");
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    page.add(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
-                         escape(deck_name(sources, f)), escape(sources.text(f))));
+    page.add_html(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
+                              escape_xml(deck_name(sources, f)), escape_xml(sources.text(f))));
   }
-  page.add("</section>\n");
+  page.add_html("</section>\n");
 }
 
 } // namespace
 
 std::string html_report(const base::SourceTexts& sources, const model::Model& model,
-                        const results::Run& run, const std::vector<results::LoadTotal>& loads) {
-  Page page;
+                        const results::RunResult& run,
+                        const std::vector<results::LoadTotal>& loads) {
+  HtmlPage page;
   const std::string title = model.title.empty() ? "spricka report" : model.title;
   add_head(page, title, sources, model);
   add_verdict(page, run);
@@ -256,43 +258,45 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   add_growth(page, model, run);
   add_tests(page, model, run);
   add_paths(page, model, run);
-  page.heading("Model");
-  if (const std::string note = side_note(model); !note.empty()) {
-    page.paragraph(note);
+  page.add_heading("Model");
+  if (const std::string note = symmetry_note(model); !note.empty()) {
+    page.add_paragraph(note);
   }
-  page.table(net_table(model));
-  page.table(property_table(model));
-  page.table(contact_pair_table(model));
-  page.table(load_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
-  page.table(rigid_table(model));
+  page.add_table(net_table(model));
+  page.add_table(property_table(model));
+  page.add_table(contact_pair_table(model));
+  page.add_table(
+      load_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
+  page.add_table(rigid_table(model));
   for (const Figure& figure : mesh_figures(model, run)) {
-    page.figure(figure);
+    page.add_figure(figure);
   }
   add_contacts(page, model, run);
   if (!run.increments.empty()) {
-    page.heading("Force balance");
+    page.add_heading("Force balance");
     if (const results::Increment& last = run.increments.back(); last.a > 0.0) {
-      page.paragraph(fmt::format("At {}{}.", run.increments.size() > 1 ? "the last length, " : "",
-                                 lengths_of(model, last)));
+      page.add_paragraph(fmt::format("At {}{}.",
+                                     run.increments.size() > 1 ? "the last length, " : "",
+                                     lengths_of(model, last)));
     }
     if (const std::string note = direction_note(model); !note.empty()) {
-      page.add(fmt::format("<p>Here {}.</p>\n", note));
+      page.add_html(fmt::format("<p>Here {}.</p>\n", note));
     }
-    page.table(untitled(balance_table(model, run.increments.back())));
-    page.table(net_balance_table(model, run.increments.back()));
-    page.table(error_table(run.increments.back()));
+    page.add_table(untitled(balance_table(model, run.increments.back())));
+    page.add_table(net_balance_table(model, run.increments.back()));
+    page.add_table(error_table(run.increments.back()));
   }
-  if (const Table rounds = rounds_table(run, false); !rounds.rows.empty()) {
-    page.heading("K to a tolerance");
-    page.table(untitled(rounds));
+  if (const ReportTable rounds = tolerance_rounds_table(run, false); !rounds.rows.empty()) {
+    page.add_heading("K to a tolerance");
+    page.add_table(untitled(rounds));
   }
   if (!run.checks.empty()) {
-    page.heading("Checks");
-    page.table(untitled(check_table(run)));
+    page.add_heading("Checks");
+    page.add_table(untitled(check_table(run)));
   }
   add_notes(page, run);
   add_deck(page, sources);
-  return page.finish(title);
+  return page.finish_page(title);
 }
 
 } // namespace spricka::report

@@ -52,18 +52,18 @@ std::string model_summary(const model::Model& model,
   }
   out += fmt::format("Units: length {}, force {}, stress {}, K {}\n\n", units.length_name,
                      units.force_name, units.stress_name(), units.stress_intensity_name());
-  if (const std::string note = side_note(model); !note.empty()) {
+  if (const std::string note = symmetry_note(model); !note.empty()) {
     out += note + "\n\n";
   }
   out += to_text(net_table(model)) + "\n" + to_text(property_table(model));
-  const Table contacts = contact_pair_table(model);
+  const ReportTable contacts = contact_pair_table(model);
   if (!contacts.rows.empty()) {
     (out += '\n') += to_text(contacts);
   }
   if (!model.rigids.empty()) {
     (out += '\n') += to_text(rigid_table(model));
   }
-  const Table loads =
+  const ReportTable loads =
       load_table(totals, {model.units.length_name, model.units.force_name, model.mesh.dim});
   if (!loads.rows.empty()) {
     (out += '\n') += to_text(loads);
@@ -79,7 +79,7 @@ std::string model_summary(const model::Model& model,
   return out;
 }
 
-std::string log_text(const results::Run& run) {
+std::string log_text(const results::RunResult& run) {
   return heading("Processor log") + to_text(untitled(log_table(run))) +
          fmt::format("\n  total {:.3f} s cpu, {:.3f} s wall, at most {:.0f} MB of memory\n",
                      run.cpu, run.wall, static_cast<double>(run.peak_memory) / 1e6);
@@ -97,31 +97,32 @@ std::string increment_text(const model::Model& model, const results::Increment& 
     out += "note: " + note + "\n";
   }
   for (const results::Note& note : increment.notes) {
-    out += "note: " + results::marked(note) + "\n";
+    out += "note: " + results::text_with_code(note) + "\n";
   }
   for (const results::StepResult& step : increment.steps) {
     for (const results::Note& note : step.notes) {
-      out += fmt::format("note: step {}: {}\n", step.step, results::marked(note));
+      out += fmt::format("note: step {}: {}\n", step.step, results::text_with_code(note));
     }
   }
-  for (const results::LoadPath& path : increment.paths) {
+  for (const results::LoadPathResult& path : increment.paths) {
     for (const results::Note& note : path.notes) {
-      out += fmt::format("note: load path {}: {}\n", path.name, results::marked(note));
+      out += fmt::format("note: load path {}: {}\n", path.name, results::text_with_code(note));
     }
   }
   for (const std::string& note : sensitivity_notes(model, increment)) {
     out += fmt::format("note: sensitivities: {}\n", note);
   }
-  for (const Table& table : {balance_table(model, increment), net_balance_table(model, increment),
-                             error_table(increment), contact_table(model, increment),
-                             moment_table(model, increment), friction_table(model, increment),
-                             k_table(model, increment), sensitivity_table(model, increment),
-                             load_path_table(model, increment), opening_table(increment)}) {
+  for (const ReportTable& table :
+       {balance_table(model, increment), net_balance_table(model, increment),
+        error_table(increment), contact_table(model, increment), moment_table(model, increment),
+        friction_table(model, increment), k_table(model, increment),
+        sensitivity_table(model, increment), load_path_table(model, increment),
+        opening_table(increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }
   }
-  for (const Table& table : front_tables(model, increment)) {
+  for (const ReportTable& table : front_tables(model, increment)) {
     (out += '\n') += to_text(table);
   }
   if (const std::string bars = k_bar_lines(increment); !bars.empty()) {
@@ -130,21 +131,22 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   return out;
 }
 
-std::string tests_text(const model::Model& model, const results::Run& run) {
+std::string tests_text(const model::Model& model, const results::RunResult& run) {
   if (run.tests.empty()) {
     return {};
   }
-  std::string out = heading("Crack growth tests") + to_text(untitled(test_table(model, run)));
-  for (const results::GrowthTest& test : run.tests) {
+  std::string out =
+      heading("Crack growth tests") + to_text(untitled(growth_test_table(model, run)));
+  for (const results::GrowthTestResult& test : run.tests) {
     for (const results::Note& note : test.notes) {
-      out += fmt::format("note: test {}: {}\n", test.name, results::marked(note));
+      out += fmt::format("note: test {}: {}\n", test.name, results::text_with_code(note));
     }
     (out += '\n') += to_text(test_points_table(model, test));
   }
   return out;
 }
 
-std::string check_text(const results::Run& run) {
+std::string check_text(const results::RunResult& run) {
   if (run.checks.empty()) {
     return {};
   }
@@ -162,17 +164,17 @@ std::string check_text(const results::Run& run) {
 } // namespace
 
 std::string listing(const base::SourceTexts& sources, const model::Model& model,
-                    const results::Run& run, const std::vector<results::LoadTotal>& loads) {
+                    const results::RunResult& run, const std::vector<results::LoadTotal>& loads) {
   std::string out = "spricka " SPRICKA_VERSION "\n";
   out += echo(sources) + model_summary(model, loads) + log_text(run);
-  if (const Table rounds = rounds_table(run, true); !rounds.rows.empty()) {
+  if (const ReportTable rounds = tolerance_rounds_table(run, true); !rounds.rows.empty()) {
     out += heading("K to a tolerance") + to_text(untitled(rounds));
   }
   for (const results::Increment& increment : run.increments) {
     out += increment_text(model, increment);
   }
   if (run.increments.size() > 1) {
-    const Table table = k_history_table(model, run, leading_step(model));
+    const ReportTable table = k_history_table(model, run, leading_step(model));
     if (!table.rows.empty()) {
       out += heading("Crack growth") + to_text(table);
     }
@@ -186,7 +188,7 @@ std::string listing(const base::SourceTexts& sources, const model::Model& model,
   if (!run.warnings.empty()) {
     out += heading("Warnings");
     for (const results::Warning& warning : run.warnings) {
-      out += "  " + results::marked(warning) + "\n";
+      out += "  " + results::text_with_code(warning) + "\n";
     }
   }
   return out;

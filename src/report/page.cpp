@@ -83,36 +83,36 @@ std::string class_of(const std::vector<std::string>& drawings) {
 
 } // namespace
 
-void Page::heading(std::string_view words, std::string_view id) {
+void HtmlPage::add_heading(std::string_view words, std::string_view id) {
   const std::string mark = id.empty() ? std::string() : fmt::format(" id=\"{}\"", id);
-  body_ += fmt::format("<h2{}>{}</h2>\n", mark, escape(words));
+  body_ += fmt::format("<h2{}>{}</h2>\n", mark, escape_xml(words));
 }
 
-void Page::paragraph(std::string_view words) {
-  body_ += fmt::format("<p class=\"note\">{}</p>\n", escape(words));
+void HtmlPage::add_paragraph(std::string_view words) {
+  body_ += fmt::format("<p class=\"note\">{}</p>\n", escape_xml(words));
 }
 
-void Page::table(const Table& table) {
+void HtmlPage::add_table(const ReportTable& table) {
   if (!table.rows.empty()) {
     body_ += to_html(table);
   }
 }
 
-void Page::figure(const Figure& figure) {
+void HtmlPage::add_figure(const Figure& figure) {
   body_ += fmt::format("<figure><div{}>\n", class_of(figure.drawings));
   for (const std::string& drawing : figure.drawings) {
     body_ += drawing;
   }
   body_ += "</div>" + figure.legend;
   body_ += fmt::format("<figcaption><b>Figure {}.</b> {}</figcaption></figure>\n", ++figures_,
-                       escape(figure.caption));
+                       escape_xml(figure.caption));
 }
 
-std::string Page::finish(const std::string& title) const {
+std::string HtmlPage::finish_page(const std::string& title) const {
   return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                      "<meta name=\"viewport\" content=\"width=device-width\">\n"
                      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-                     escape(title), style_sheet, body_);
+                     escape_xml(title), style_sheet, body_);
 }
 
 } // namespace spricka::report

@@ -9,16 +9,16 @@
 namespace spricka::report {
 
 /// Collects an HTML page in the report's style and numbers its figures.
-class Page {
+class HtmlPage {
 public:
-  void add(std::string_view html) { body_ += html; }
+  void add_html(std::string_view html) { body_ += html; }
   /// `id`: where links of the page may lead; may be empty.
-  void heading(std::string_view words, std::string_view id = "");
-  void paragraph(std::string_view words);
+  void add_heading(std::string_view words, std::string_view id = "");
+  void add_paragraph(std::string_view words);
   /// Tables without rows are left out.
-  void table(const Table& table);
-  void figure(const Figure& figure);
-  [[nodiscard]] std::string finish(const std::string& title) const;
+  void add_table(const ReportTable& table);
+  void add_figure(const Figure& figure);
+  [[nodiscard]] std::string finish_page(const std::string& title) const;
 
 private:
   std::string body_;

@@ -15,19 +15,19 @@ namespace spricka::report {
 /// k.csv: a line with the units, then a row for each step end and tip: increment, step, crack, and
 /// the quantities of a tip that belong there (results/tip_result.hpp).
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
-                 const results::Run& run);
+                 const results::RunResult& run);
 
 /// pressure.csv: the same of contact points (results/contact_point.hpp): increment, step, contact,
 /// quantities; theta in degrees; both faces of a crack mouth are rows of their own.
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
-                        const results::Run& run);
+                        const results::RunResult& run);
 
 /// The table that a card $OUTPUT FORMAT=CSV asks for, one value a row:
 /// increment,step,quantity,name,node,x,y,component,value; in space z behind y. EVERY=STEP: each
 /// step; INCREMENT: KMAX of a growth run, else the last step, of each length; END: that step of the
 /// last length.
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
-                         const model::Output& output, const results::Run& run);
+                         const model::Output& output, const results::RunResult& run);
 
 /// One .vtu for an increment and step: cells of all types, displacement, reaction, stress (6
 /// components, principal, von Mises; nodal and mean of each element), net number. A node where
@@ -50,22 +50,24 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);
 
 /// A file of a collection; files of one time are parts of one picture.
-struct CollectedFile {
+struct PvdEntry {
   double time = 0.0;
   int part = 0;
   std::string name;
 };
 
 /// The collection that ParaView opens.
-void write_pvd(const std::filesystem::path& file, const std::vector<CollectedFile>& entries);
+void write_pvd(const std::filesystem::path& file, const std::vector<PvdEntry>& entries);
 
 /// The listing: deck echo with line numbers, model summary with the totals of the load cases,
 /// processor log with times, tables.
 std::string listing(const base::SourceTexts& sources, const model::Model& model,
-                    const results::Run& run, const std::vector<results::LoadTotal>& loads = {});
+                    const results::RunResult& run,
+                    const std::vector<results::LoadTotal>& loads = {});
 
 /// report.html: one page, inline SVG, no script, no network.
 std::string html_report(const base::SourceTexts& sources, const model::Model& model,
-                        const results::Run& run, const std::vector<results::LoadTotal>& loads = {});
+                        const results::RunResult& run,
+                        const std::vector<results::LoadTotal>& loads = {});
 
 } // namespace spricka::report

@@ -17,10 +17,10 @@ namespace spricka::report {
 namespace {
 
 /// Writes the rows of one request at one step's end.
-class Rows {
+class RequestedRows {
 public:
-  Rows(const results::Increment& increment, const results::StepResult& step,
-       const model::OutputRequest& request, std::string& text)
+  RequestedRows(const results::Increment& increment, const results::StepResult& step,
+                const model::OutputRequest& request, std::string& text)
       : increment_(increment), step_(step), request_(request), text_(text) {}
 
   void write() {
@@ -57,8 +57,8 @@ private:
     for (const results::TipResult& tip : step_.tips) {
       if (tip.name == request_.name || tip.name.starts_with(request_.name + ".")) {
         for (const results::TipQuantity& q : results::tip_quantities) {
-          if (q.is(results::in_output) && q.is_number(tip)) {
-            row(nowhere(), results::output_word(q.name), q.of(tip));
+          if (q.appears_in(results::in_output) && q.is_number(tip)) {
+            row(nowhere(), results::output_column_name(q.name), q.extract_value(tip));
           }
         }
       }
@@ -70,12 +70,12 @@ private:
       if (front.name != request_.name && !front.name.starts_with(request_.name + ".")) {
         continue;
       }
-      for (const results::FrontPlace& place : front.points) {
+      for (const results::FrontPointResult& place : front.points) {
         const std::string where =
             fmt::format("{},{},{},{}", place.number, place.x.x(), place.x.y(), place.x.z());
         for (const results::FrontQuantity& q : results::front_quantities) {
           if (q.checked) {
-            row(where, results::output_word(q.name), q.of(place));
+            row(where, results::output_column_name(q.name), q.extract_value(place));
           }
         }
       }
@@ -89,10 +89,10 @@ private:
     }
     for (const results::ContactPoint& p : contact->points) {
       for (const bool friction : {false, true}) {
-        for (const results::PointQuantity& q : results::point_quantities) {
-          if (q.is(results::in_pressure_output) && q.friction == friction &&
+        for (const results::ContactPointQuantity& q : results::point_quantities) {
+          if (q.appears_in(results::in_pressure_output) && q.friction == friction &&
               (contact->rubs || !friction)) {
-            row(place(p.node), results::output_word(q.name), q.of(p));
+            row(place(p.node), results::output_column_name(q.name), q.extract_value(p));
           }
         }
       }
@@ -137,7 +137,7 @@ private:
         row(where, components[c], s[c]);
       }
       row(where, "MISES", results::von_mises(s));
-      const std::array<double, 3> p = results::principal(s);
+      const std::array<double, 3> p = results::principal_stresses(s);
       for (std::size_t c = 0; c < 3; ++c) {
         row(where, principal[c], p[c]);
       }
@@ -152,24 +152,24 @@ private:
   std::string& text_;
 };
 
-UnitsLine units_of(bool solid) {
+ColumnUnits units_of(bool solid) {
   using enum base::Quantity;
-  UnitsLine units;
+  ColumnUnits units;
   for (const char* coordinate : {"x", "y", "z"}) {
     if (solid || *coordinate != 'z') {
-      units.add(length, coordinate);
+      units.add_column(length, coordinate);
     }
   }
   for (const char* what : {"A", "U", "GAP"}) {
-    units.add(length, what);
+    units.add_column(length, what);
   }
-  units.add(stress, "P");
-  units.add(stress, "S");
-  units.add(stress_intensity, "K");
-  units.add(force, "REACTION");
+  units.add_column(stress, "P");
+  units.add_column(stress, "S");
+  units.add_column(stress_intensity, "K");
+  units.add_column(force, "REACTION");
   for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.is(results::in_output) && q.kind != stress_intensity) { // which all begin with K
-      units.add(q.kind, results::output_word(q.name));
+    if (q.appears_in(results::in_output) && q.kind != stress_intensity) { // which all begin with K
+      units.add_column(q.kind, results::output_column_name(q.name));
     }
   }
   return units;
@@ -178,16 +178,16 @@ UnitsLine units_of(bool solid) {
 } // namespace
 
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
-                         const model::Output& output, const results::Run& run) {
+                         const model::Output& output, const results::RunResult& run) {
   const bool solid = model.mesh.dim == 3;
   std::string text =
       fmt::format("# units: {}\nincrement,step,quantity,name,node,x,y,{}component,value\n",
-                  units_of(solid).text(model.units), solid ? "z," : "");
+                  units_of(solid).units_text(model.units), solid ? "z," : "");
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : model::output_steps(model, output, last)) {
       for (const model::OutputRequest& request : output.requests) {
-        Rows(increment, increment.steps[s], request, text).write();
+        RequestedRows(increment, increment.steps[s], request, text).write();
       }
     }
   }

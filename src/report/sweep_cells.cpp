@@ -29,8 +29,8 @@ void add_contact(std::vector<SweepCell>& cells, const results::ContactResult& co
 void add_tip(std::vector<SweepCell>& cells, const results::TipResult& tip, const std::string& step,
              int increment) {
   for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.is(results::in_sweep) && q.is_number(tip)) {
-      cells.push_back({q.name, tip.name, step, increment, q.of(tip)});
+    if (q.appears_in(results::in_sweep) && q.is_number(tip)) {
+      cells.push_back({q.name, tip.name, step, increment, q.extract_value(tip)});
     }
   }
 }
@@ -97,7 +97,7 @@ private:
     }
     for (const StressPoint& at : stress_points(increment_.mesh, set)) {
       const results::Stress& s = step_.stress[at.point];
-      const std::array<double, 3> p = results::principal(s);
+      const std::array<double, 3> p = results::principal_stresses(s);
       for (std::size_t c = 0; c < 9; ++c) {
         values[c].push_back(c < 6 ? s[c] : p[c - 6]);
       }
@@ -128,10 +128,10 @@ private:
 
 } // namespace
 
-std::vector<SweepCell> sweep_cells(const results::Run& run) {
+std::vector<SweepCell> sweep_cells(const results::RunResult& run) {
   std::vector<SweepCell> cells;
   if (run.growth) {
-    cells.push_back({"N", "", "", 0, run.growth->cycles()});
+    cells.push_back({"N", "", "", 0, run.growth->final_cycles()});
   }
   for (const results::Increment& increment : run.increments) {
     if (increment.a > 0.0) {
@@ -150,7 +150,7 @@ std::vector<SweepCell> sweep_cells(const results::Run& run) {
 }
 
 std::vector<SweepCell> requested_cells(const model::Model& model, const model::Output& output,
-                                       const results::Run& run) {
+                                       const results::RunResult& run) {
   std::vector<SweepCell> cells;
   if (run.increments.empty()) {
     return cells;

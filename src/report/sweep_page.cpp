@@ -20,35 +20,35 @@ namespace spricka::report {
 
 namespace {
 
-using results::Sweep;
 using results::SweepCell;
 using results::SweepPoint;
+using results::SweepResult;
 using Units = std::vector<std::string>; // [parameter]
 
 /// What stays the same along a curve: tip, step and the parameters that do not run along the axis.
-struct Curve {
-  struct At {
-    Point place;
+struct SweepCurve {
+  struct SweepCurvePoint {
+    DrawingPoint place;
     double bar = no_bar;
   };
   std::string name;
-  std::vector<At> points;
+  std::vector<SweepCurvePoint> points;
 };
 
 const SweepCell* find_cell(const SweepPoint& point, const std::string& column) {
-  const auto found = std::ranges::find(point.cells, column, &SweepCell::column);
+  const auto found = std::ranges::find(point.cells, column, &SweepCell::column_name);
   return found == point.cells.end() ? nullptr : &*found;
 }
 
 /// The error bar of a point's K1.
 double bar_of(const SweepPoint& point, SweepCell cell) {
   cell.quantity += "_bar";
-  const SweepCell* const bar = find_cell(point, cell.column());
+  const SweepCell* const bar = find_cell(point, cell.column_name());
   return bar == nullptr ? no_bar : bar->value;
 }
 
 // The parameter that takes the most values runs along the axis.
-std::size_t axis_of(const Sweep& sweep) {
+std::size_t axis_of(const SweepResult& sweep) {
   std::size_t best = 0;
   std::size_t most = 0;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
@@ -68,7 +68,7 @@ std::size_t axis_of(const Sweep& sweep) {
 }
 
 // "mu = 0.15"; parameters of one card vary together and are not told apart from the axis.
-std::string others(const model::Model& model, const Sweep& sweep, const SweepPoint& point,
+std::string others(const model::Model& model, const SweepResult& sweep, const SweepPoint& point,
                    std::size_t axis) {
   std::string text;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
@@ -88,27 +88,29 @@ std::string others(const model::Model& model, const Sweep& sweep, const SweepPoi
 }
 
 /// Lives over the swept parameter, each divided by `unit`.
-std::vector<Curve> lives_of(const model::Model& model, const Sweep& sweep, double unit) {
+std::vector<SweepCurve> lives_of(const model::Model& model, const SweepResult& sweep, double unit) {
   const std::size_t axis = axis_of(sweep);
-  std::map<std::string, Curve> curves;
+  std::map<std::string, SweepCurve> curves;
   for (const SweepPoint& point : sweep.points) {
     if (const SweepCell* const life = find_cell(point, "N")) {
       const std::string name = "N" + others(model, sweep, point, axis);
-      Curve& curve = curves.try_emplace(name, Curve{name, {}}).first->second;
+      SweepCurve& curve = curves.try_emplace(name, SweepCurve{name, {}}).first->second;
       curve.points.push_back({{point.values[axis], life->value / unit}});
     }
   }
-  std::vector<Curve> list;
+  std::vector<SweepCurve> list;
   for (auto& [name, curve] : curves) {
-    std::ranges::stable_sort(curve.points, {}, [](const Curve::At& at) { return at.place.x; });
+    std::ranges::stable_sort(curve.points, {},
+                             [](const SweepCurve::SweepCurvePoint& at) { return at.place.x; });
     list.push_back(std::move(curve));
   }
   return list;
 }
 
-std::vector<Curve> curves_of(const model::Model& model, const Sweep& sweep, int increment) {
+std::vector<SweepCurve> curves_of(const model::Model& model, const SweepResult& sweep,
+                                  int increment) {
   const std::size_t axis = axis_of(sweep);
-  std::vector<Curve> curves;
+  std::vector<SweepCurve> curves;
   for (const SweepPoint& point : sweep.points) {
     for (const SweepCell& cell : point.cells) {
       if (cell.quantity != "K1" || cell.increment != increment) {
@@ -117,37 +119,39 @@ std::vector<Curve> curves_of(const model::Model& model, const Sweep& sweep, int 
       const std::string name =
           fmt::format("{}: {}{}", cell.step, cell.name, others(model, sweep, point, axis));
       auto curve = std::find_if(curves.begin(), curves.end(),
-                                [&](const Curve& c) { return c.name == name; });
+                                [&](const SweepCurve& c) { return c.name == name; });
       if (curve == curves.end()) {
         curve = curves.insert(curves.end(), {name, {}});
       }
       curve->points.push_back({{point.values[axis], cell.value}, bar_of(point, cell)});
     }
   }
-  for (Curve& curve : curves) {
+  for (SweepCurve& curve : curves) {
     std::stable_sort(curve.points.begin(), curve.points.end(),
-                     [](const Curve::At& a, const Curve::At& b) { return a.place.x < b.place.x; });
+                     [](const SweepCurve::SweepCurvePoint& a,
+                        const SweepCurve::SweepCurvePoint& b) { return a.place.x < b.place.x; });
   }
   return curves;
 }
 
 // Curves within a thousandth of the largest value are one, under both names.
-std::vector<Curve> merged(std::vector<Curve> curves) {
+std::vector<SweepCurve> merged(std::vector<SweepCurve> curves) {
   double largest = 0.0;
-  for (const Curve& curve : curves) {
-    for (const Curve::At& p : curve.points) {
+  for (const SweepCurve& curve : curves) {
+    for (const SweepCurve::SweepCurvePoint& p : curve.points) {
       largest = std::max(largest, std::abs(p.place.y));
     }
   }
-  std::vector<Curve> kept;
-  for (Curve& curve : curves) {
-    const auto same = std::find_if(kept.begin(), kept.end(), [&](const Curve& k) {
+  std::vector<SweepCurve> kept;
+  for (SweepCurve& curve : curves) {
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const SweepCurve& k) {
       return k.points.size() == curve.points.size() &&
-             std::equal(k.points.begin(), k.points.end(), curve.points.begin(),
-                        [&](const Curve::At& a, const Curve::At& b) {
-                          return a.place.x == b.place.x &&
-                                 std::abs(a.place.y - b.place.y) <= 1e-3 * largest;
-                        });
+             std::equal(
+                 k.points.begin(), k.points.end(), curve.points.begin(),
+                 [&](const SweepCurve::SweepCurvePoint& a, const SweepCurve::SweepCurvePoint& b) {
+                   return a.place.x == b.place.x &&
+                          std::abs(a.place.y - b.place.y) <= 1e-3 * largest;
+                 });
     });
     if (same != kept.end()) {
       same->name += "; " + curve.name;
@@ -160,26 +164,26 @@ std::vector<Curve> merged(std::vector<Curve> curves) {
 
 /// "delta  [mm]"
 std::string axis_name(const std::string& parameter, const std::string& unit) {
-  return unit.empty() ? parameter : fmt::format("{}  [{}]", parameter, print_unit(unit));
+  return unit.empty() ? parameter : fmt::format("{}  [{}]", parameter, typeset_unit(unit));
 }
 
-Plot plot_of(const Sweep& sweep, const Units& units, const std::string& y_name,
-             std::vector<Curve> curves) {
+Plot plot_of(const SweepResult& sweep, const Units& units, const std::string& y_name,
+             std::vector<SweepCurve> curves) {
   Plot plot;
   plot.label = y_name + " over the swept parameter";
   const std::size_t axis = axis_of(sweep);
   plot.x_name = axis_name(sweep.parameters[axis], units[axis]);
   plot.y_name = y_name;
   std::size_t i = 0;
-  for (Curve& curve : curves) {
-    Series series;
+  for (SweepCurve& curve : curves) {
+    PlotSeries series;
     series.name = std::move(curve.name);
-    for (const Curve::At& at : curve.points) {
+    for (const SweepCurve::SweepCurvePoint& at : curve.points) {
       series.points.push_back(at.place);
       series.bars.push_back(at.bar);
     }
-    series.colour = colour(i);
-    series.dash = dash(i / 7);
+    series.colour = palette_colour(i);
+    series.dash = dash_pattern(i / 7);
     series.marker = closed_marker(i);
     plot.series.push_back(std::move(series));
     ++i;
@@ -187,7 +191,7 @@ Plot plot_of(const Sweep& sweep, const Units& units, const std::string& y_name,
   return plot;
 }
 
-bool has_lives(const Sweep& sweep) {
+bool has_lives(const SweepResult& sweep) {
   return std::ranges::any_of(
       sweep.points, [](const SweepPoint& point) { return find_cell(point, "N") != nullptr; });
 }
@@ -197,7 +201,7 @@ std::string life_unit(const model::Model& model) {
 }
 
 /// Of an axis of lives: numbers on it stay short.
-double life_scale(const Sweep& sweep) {
+double life_scale(const SweepResult& sweep) {
   double largest = 0.0;
   for (const SweepPoint& point : sweep.points) {
     const SweepCell* const life = find_cell(point, "N");
@@ -208,7 +212,7 @@ double life_scale(const Sweep& sweep) {
 
 // Increments with the first crack length met, in order; of lives the first one, as the others are
 // those of other lengths at each point.
-std::map<int, double> lengths_of(const Sweep& sweep) {
+std::map<int, double> lengths_of(const SweepResult& sweep) {
   std::map<int, double> lengths;
   const int last = has_lives(sweep) ? 1 : std::numeric_limits<int>::max();
   for (const SweepPoint& point : sweep.points) {
@@ -223,7 +227,7 @@ std::map<int, double> lengths_of(const Sweep& sweep) {
 
 /// The cells that the table shows: the life; K1 of each tip and the largest pressure of each
 /// contact at the end of that step.
-std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) {
+std::vector<SweepCell> shown_cells(const SweepResult& sweep, const std::string& step) {
   std::vector<SweepCell> shown;
   const std::string nowhere;
   const int last = has_lives(sweep) ? 1 : std::numeric_limits<int>::max();
@@ -232,7 +236,7 @@ std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) 
     for (const SweepPoint& point : sweep.points) {
       for (const SweepCell& cell : point.cells) {
         const bool known =
-            std::ranges::find(shown, cell.column(), &SweepCell::column) != shown.end();
+            std::ranges::find(shown, cell.column_name(), &SweepCell::column_name) != shown.end();
         if (cell.quantity == quantity && cell.step == at && cell.increment <= last && !known) {
           shown.push_back(cell);
         }
@@ -242,7 +246,7 @@ std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) 
   return shown;
 }
 
-bool any_bar(const Sweep& sweep, const SweepCell& cell) {
+bool any_bar(const SweepResult& sweep, const SweepCell& cell) {
   return cell.quantity == "K1" && std::ranges::any_of(sweep.points, [&](const SweepPoint& point) {
            return std::isfinite(bar_of(point, cell));
          });
@@ -252,10 +256,10 @@ std::string checks_of(const SweepPoint& point) {
   return point.checks == 0 ? "" : fmt::format("{} of {} passed", point.passed, point.checks);
 }
 
-Table points_table(const model::Model& model, const Sweep& sweep, const Units& units) {
+ReportTable points_table(const model::Model& model, const SweepResult& sweep, const Units& units) {
   const std::string step = leading_step(model);
   const std::vector<SweepCell> shown = shown_cells(sweep, step);
-  Table table{shown.empty() ? "" : fmt::format("At the end of step {}", step), {}, {}};
+  ReportTable table{shown.empty() ? "" : fmt::format("At the end of step {}", step), {}, {}};
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
     table.columns.push_back({sweep.parameters[p], units[p], false});
   }
@@ -289,11 +293,11 @@ Table points_table(const model::Model& model, const Sweep& sweep, const Units& u
     row.insert(row.end(), {point.folder, status_word(point), checks_of(point),
                            point.warnings > 0 ? std::to_string(point.warnings) : ""});
     for (const SweepCell& cell : shown) {
-      const SweepCell* const found = find_cell(point, cell.column());
+      const SweepCell* const found = find_cell(point, cell.column_name());
       row.push_back(found == nullptr ? "-" : fmt::format("{:.5g}", found->value));
       if (any_bar(sweep, cell)) {
         const double bar = bar_of(point, cell);
-        row.push_back(std::isfinite(bar) ? bar_size(bar) : "-");
+        row.push_back(std::isfinite(bar) ? format_error_bar(bar) : "-");
       }
     }
     row.push_back(point.error);
@@ -305,57 +309,60 @@ Table points_table(const model::Model& model, const Sweep& sweep, const Units& u
 } // namespace
 
 std::string sweep_page(const base::SourceTexts& sources, const model::Model& model,
-                       const Sweep& sweep) {
-  Page page;
+                       const SweepResult& sweep) {
+  HtmlPage page;
   const std::string title = model.title.empty() ? "spricka sweep" : model.title;
-  page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
+  page.add_html(fmt::format("<h1>{}</h1>\n", escape_xml(title)));
   const auto failed =
       std::count_if(sweep.points.begin(), sweep.points.end(),
                     [](const SweepPoint& p) { return p.outcome != base::Outcome::done; });
-  page.add(fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
-                       "failed. Computed by spricka {}.</p>\n",
-                       failed > 0 ? "failed" : "about", escape(deck_name(sources, 0)),
-                       escape(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
-                       sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
+  page.add_html(
+      fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
+                  "failed. Computed by spricka {}.</p>\n",
+                  failed > 0 ? "failed" : "about", escape_xml(deck_name(sources, 0)),
+                  escape_xml(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
+                  sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
   const std::map<int, double> lengths = lengths_of(sweep);
   if (!lengths.empty()) {
-    page.heading("Stress intensity factors");
+    page.add_heading("Stress intensity factors");
   }
   Units units;
   for (const std::string& parameter : sweep.parameters) {
     units.push_back(parameter_unit(sources, model.units, parameter));
   }
   const std::string K_name =
-      fmt::format("K₁ [{}]", print_unit(model.units.stress_intensity_name()));
+      fmt::format("K₁ [{}]", typeset_unit(model.units.stress_intensity_name()));
   for (const auto& [increment, a] : lengths) {
     const Plot plot = plot_of(sweep, units, K_name, merged(curves_of(model, sweep, increment)));
-    page.figure({{draw(plot)},
-                 "",
-                 fmt::format("K₁ at the end of each step, increment {} (a = {:.6g} {}). Curves "
-                             "that differ by less than 0.1 % of the largest value are drawn once.",
-                             increment, a, model.units.length_name) +
-                     bar_words(plot.series)});
+    page.add_figure(
+        {{draw_svg(plot)},
+         "",
+         fmt::format("K₁ at the end of each step, increment {} (a = {:.6g} {}). Curves "
+                     "that differ by less than 0.1 % of the largest value are drawn once.",
+                     increment, a, model.units.length_name) +
+             error_bar_note(plot.series)});
   }
   if (has_lives(sweep)) {
-    page.heading("Life");
+    page.add_heading("Life");
     const double unit = life_scale(sweep);
     const std::string name = fmt::format(
         "N [{}{}]", unit > 1.0 ? fmt::format("{:.0f} ", unit) : std::string(), life_unit(model));
-    page.figure({{draw(plot_of(sweep, units, name, lives_of(model, sweep, unit)))},
-                 "",
-                 "The life of each point. The program chooses the lengths at which it solves for "
-                 "K, and they differ from point to point: K is shown at the first one."});
+    page.add_figure(
+        {{draw_svg(plot_of(sweep, units, name, lives_of(model, sweep, unit)))},
+         "",
+         "The life of each point. The program chooses the lengths at which it solves for "
+         "K, and they differ from point to point: K is shown at the first one."});
   }
-  page.heading("Points");
+  page.add_heading("Points");
   if (const auto warned = std::ranges::count_if(
           sweep.points, [](const SweepPoint& point) { return point.warnings > 0; });
       warned > 0) {
-    page.add(fmt::format("<p class=\"failed\">{} of the points have warnings: their folders' "
-                         "report.html says which.</p>\n",
-                         warned));
+    page.add_html(fmt::format("<p class=\"failed\">{} of the points have warnings: their folders' "
+                              "report.html says which.</p>\n",
+                              warned));
   }
-  page.table(points_table(model, sweep, units));
-  return page.finish(title);
+  page.add_table(points_table(model, sweep, units));
+  return page.finish_page(title);
 }
 
 } // namespace spricka::report

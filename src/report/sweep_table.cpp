@@ -43,8 +43,8 @@ const std::vector<SweepCell>* requested_of(const SweepPoint& point, const std::s
 void add_columns(const std::vector<SweepCell>& cells, std::vector<std::string>& columns,
                  std::set<std::string>& known) {
   for (const SweepCell& cell : cells) {
-    if (known.insert(cell.column()).second) {
-      columns.push_back(cell.column());
+    if (known.insert(cell.column_name()).second) {
+      columns.push_back(cell.column_name());
     }
   }
 }
@@ -53,7 +53,7 @@ std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
                      const std::string& column) {
   for (const std::vector<SweepCell>* cells : lists) {
     for (const SweepCell& cell : *cells) {
-      if (cell.column() == column) {
+      if (cell.column_name() == column) {
         return std::isfinite(cell.value) ? fmt::format("{}", cell.value) : "";
       }
     }
@@ -61,35 +61,35 @@ std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
   return {};
 }
 
-std::string unit_line(const model::Model& model, const results::Sweep& sweep) {
+std::string unit_line(const model::Model& model, const results::SweepResult& sweep) {
   using enum base::Quantity;
-  UnitsLine units;
+  ColumnUnits units;
   const bool life = std::ranges::any_of(sweep.points, [](const SweepPoint& point) {
     return std::ranges::find(point.cells, "N", &SweepCell::quantity) != point.cells.end();
   });
   if (life) {
-    units.add(number, "N");
+    units.add_column(number, "N");
   }
-  units.add(length, "a");
-  units.add(length, "U");
+  units.add_column(length, "a");
+  units.add_column(length, "U");
   for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.is(results::in_sweep)) {
-      units.add(q.kind, q.name);
+    if (q.appears_in(results::in_sweep)) {
+      units.add_column(q.kind, q.name);
     }
   }
   for (const results::ContactQuantity& q : results::contact_quantities) {
     if (!q.sweep.empty()) {
-      units.add(q.kind, std::string(q.sweep));
+      units.add_column(q.kind, std::string(q.sweep));
     }
   }
-  units.add(stress, "S");
-  units.add(force, "REACTION");
+  units.add_column(stress, "S");
+  units.add_column(force, "REACTION");
   return fmt::format("# units: {} as the deck writes them; {}\n", fmt::join(sweep.parameters, " "),
-                     units.text(model.units));
+                     units.units_text(model.units));
 }
 
-std::string table(const model::Model& model, const results::Sweep& sweep, const std::string& file,
-                  bool all) {
+std::string table(const model::Model& model, const results::SweepResult& sweep,
+                  const std::string& file, bool all) {
   std::vector<std::string> columns;
   std::set<std::string> known;
   for (const SweepPoint& point : sweep.points) {
@@ -135,12 +135,12 @@ std::string status_word(const SweepPoint& point) {
 }
 
 void write_sweep_csv(const std::filesystem::path& file, const model::Model& model,
-                     const results::Sweep& sweep) {
+                     const results::SweepResult& sweep) {
   write_file(file, table(model, sweep, file.filename().string(), true));
 }
 
 void write_sweep_request_csv(const std::filesystem::path& file, const model::Model& model,
-                             const results::Sweep& sweep) {
+                             const results::SweepResult& sweep) {
   write_file(file, table(model, sweep, file.filename().string(), false));
 }
 

@@ -7,20 +7,20 @@
 
 namespace spricka::report {
 
-void UnitsLine::add(base::Quantity kind, const std::string& words) {
-  auto found = std::ranges::find(kinds_, kind, &Kind::kind);
+void ColumnUnits::add_column(base::Quantity kind, const std::string& words) {
+  auto found = std::ranges::find(kinds_, kind, &ColumnUnitGroup::kind);
   if (found == kinds_.end()) {
-    found = kinds_.insert(found, Kind{kind, {}});
+    found = kinds_.insert(found, ColumnUnitGroup{kind, {}});
   }
   if (std::ranges::find(found->words, words) == found->words.end()) {
     found->words.push_back(words);
   }
 }
 
-std::string UnitsLine::text(const base::UnitSystem& units) const {
+std::string ColumnUnits::units_text(const base::UnitSystem& units) const {
   std::string text;
   std::string numbers;
-  for (const Kind& of : kinds_) {
+  for (const ColumnUnitGroup& of : kinds_) {
     if (of.kind == base::Quantity::number) {
       numbers = fmt::format(", {} [1]", fmt::join(of.words, " and "));
       continue;

@@ -8,20 +8,20 @@
 namespace spricka::report {
 
 /// The columns of a table by what they measure.
-class UnitsLine {
+class ColumnUnits {
 public:
   /// A column, or words for several of them; the same words again are left out.
-  void add(base::Quantity kind, const std::string& words);
+  void add_column(base::Quantity kind, const std::string& words);
   /// "x y [mm], theta [deg], p_lumped [MPa], increment [1]": kinds in the order in which they came,
   /// plain numbers last.
-  [[nodiscard]] std::string text(const base::UnitSystem& units) const;
+  [[nodiscard]] std::string units_text(const base::UnitSystem& units) const;
 
 private:
-  struct Kind {
+  struct ColumnUnitGroup {
     base::Quantity kind;
     std::vector<std::string> words;
   };
-  std::vector<Kind> kinds_;
+  std::vector<ColumnUnitGroup> kinds_;
 };
 
 } // namespace spricka::report

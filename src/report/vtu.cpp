@@ -24,15 +24,15 @@ public:
       stress_.push_back(static_cast<Real>(component));
     }
     mises_.push_back(static_cast<Real>(results::von_mises(s)));
-    for (const double p : results::principal(s)) {
+    for (const double p : results::principal_stresses(s)) {
       principal_.push_back(static_cast<float>(p));
     }
   }
   void write(VtuDocument& document, const std::string& prefix) const {
     const char* const type = sizeof(Real) == sizeof(double) ? "Float64" : "Float32";
-    document.add(prefix + "stress", type, 6, stress_, stress_components);
-    document.add(prefix + "von_mises", type, 1, mises_);
-    document.add(prefix + "principal", "Float32", 3, principal_, principal_components);
+    document.add_array(prefix + "stress", type, 6, stress_, stress_components);
+    document.add_array(prefix + "von_mises", type, 1, mises_);
+    document.add_array(prefix + "principal", "Float32", 3, principal_, principal_components);
   }
 
 private:
@@ -42,7 +42,7 @@ private:
 
 /// A nodal vector at the points. Sums over points shall be sums over nodes: where `once`, a node's
 /// further points hold zero.
-std::vector<double> at_points(const model::Mesh& mesh, const GridPoints& points,
+std::vector<double> at_points(const model::Mesh& mesh, const VtuGridPoints& points,
                               const base::Vector& field, bool once) {
   const auto dim = static_cast<std::size_t>(mesh.dim);
   std::vector<double> values;
@@ -57,7 +57,7 @@ std::vector<double> at_points(const model::Mesh& mesh, const GridPoints& points,
   return values;
 }
 
-std::vector<std::int64_t> labels(const model::Mesh& mesh, const GridPoints& points) {
+std::vector<std::int64_t> labels(const model::Mesh& mesh, const VtuGridPoints& points) {
   std::vector<std::int64_t> label;
   for (const std::size_t n : points.node) {
     label.push_back(mesh.node_label[n]);
@@ -65,12 +65,12 @@ std::vector<std::int64_t> labels(const model::Mesh& mesh, const GridPoints& poin
   return label;
 }
 
-void add_point_data(VtuDocument& document, const model::Mesh& mesh, const GridPoints& points,
+void add_point_data(VtuDocument& document, const model::Mesh& mesh, const VtuGridPoints& points,
                     const results::StepResult& step) {
   const auto freedoms = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
-  document.line("      <PointData>");
+  document.add_line("      <PointData>");
   if (step.u.size() == freedoms) {
-    document.add("displacement", "Float64", 3, at_points(mesh, points, step.u, false));
+    document.add_array("displacement", "Float64", 3, at_points(mesh, points, step.u, false));
   }
   if (!step.stress.empty()) {
     StressArrays<double> arrays;
@@ -80,10 +80,10 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const GridPo
     arrays.write(document, "");
   }
   if (step.reaction.size() == freedoms) {
-    document.add("reaction", "Float64", 3, at_points(mesh, points, step.reaction, true));
+    document.add_array("reaction", "Float64", 3, at_points(mesh, points, step.reaction, true));
   }
-  document.add("label", "Int64", 1, labels(mesh, points));
-  document.line("      </PointData>");
+  document.add_array("label", "Int64", 1, labels(mesh, points));
+  document.add_line("      </PointData>");
 }
 
 } // namespace
@@ -91,9 +91,9 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const GridPo
 void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
                const results::Increment& increment, const results::StepResult& step) {
   const model::Mesh& mesh = increment.mesh;
-  const GridPoints points = grid_points(mesh, step.stress.size() > mesh.node_count());
+  const VtuGridPoints points = grid_points(mesh, step.stress.size() > mesh.node_count());
   VtuDocument document = vtu_grid(mesh, points);
-  document.line("      <CellData Scalars=\"net\">");
+  document.add_line("      <CellData Scalars=\"net\">");
   add_cell_numbers(document, mesh);
   if (!step.element_stress.empty()) {
     StressArrays<float> arrays; // for the eye
@@ -105,13 +105,13 @@ void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
   for (const results::TipResult& tip : step.tips) {
     for (std::size_t k = 0; k < 2 && tip.no_bar.empty(); ++k) {
       const std::vector<double>& eta = tip.bar[k].of_element; // where the error of K comes from
-      document.add(escape(fmt::format("eta_K{}_{}", k + 1, tip.name)), "Float32", 1,
-                   std::vector<float>(eta.begin(), eta.end()));
+      document.add_array(escape_xml(fmt::format("eta_K{}_{}", k + 1, tip.name)), "Float32", 1,
+                         std::vector<float>(eta.begin(), eta.end()));
     }
   }
-  document.line("      </CellData>");
+  document.add_line("      </CellData>");
   add_point_data(document, mesh, points, step);
-  write_file(file, vtu_end(document));
+  write_file(file, finish_vtu_file(document));
 }
 
 namespace {
@@ -126,15 +126,15 @@ void add_mark(VtuDocument& document, const std::string& name, std::size_t count,
       mark[static_cast<std::size_t>(at)] = 1;
     }
   }
-  document.add(escape(name), "UInt8", 1, mark);
+  document.add_array(escape_xml(name), "UInt8", 1, mark);
 }
 
 } // namespace
 
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) {
-  const GridPoints points = grid_points(mesh, false);
+  const VtuGridPoints points = grid_points(mesh, false);
   VtuDocument document = vtu_grid(mesh, points);
-  document.line("      <CellData>");
+  document.add_line("      <CellData>");
   add_cell_numbers(document, mesh);
   for (const model::ElementSet& set : mesh.element_sets) {
     if (!set.name.empty()) {
@@ -142,17 +142,17 @@ void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) 
                [](base::ElementId e) { return static_cast<std::int64_t>(e.index()); });
     }
   }
-  document.line("      </CellData>");
-  document.line("      <PointData>");
+  document.add_line("      </CellData>");
+  document.add_line("      <PointData>");
   const auto point = [&](base::NodeId n) { return points.point[n.index()]; };
-  document.add("label", "Int64", 1, labels(mesh, points));
+  document.add_array("label", "Int64", 1, labels(mesh, points));
   for (const model::NodeSet& set : mesh.node_sets) {
     if (!set.name.empty()) {
       add_mark(document, set.name, points.node.size(), set.nodes, point);
     }
   }
-  document.line("      </PointData>");
-  write_file(file, vtu_end(document));
+  document.add_line("      </PointData>");
+  write_file(file, finish_vtu_file(document));
 }
 
 void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
@@ -183,15 +183,15 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
     }
   }
   VtuDocument document = vtu_triangles(x, corners);
-  document.line("      <PointData Scalars=\"p_lumped\">");
-  document.add("p_lumped", "Float64", 1, values[0]);
-  document.add("p_consistent", "Float64", 1, values[1]);
-  document.add("gap", "Float64", 1, values[2]);
-  document.add("shear", "Float64", 3, shear);
-  document.add("closed", "UInt8", 1, closed);
-  document.add("contact", "Int64", 1, number);
-  document.line("      </PointData>");
-  write_file(file, vtu_end(document));
+  document.add_line("      <PointData Scalars=\"p_lumped\">");
+  document.add_array("p_lumped", "Float64", 1, values[0]);
+  document.add_array("p_consistent", "Float64", 1, values[1]);
+  document.add_array("gap", "Float64", 1, values[2]);
+  document.add_array("shear", "Float64", 3, shear);
+  document.add_array("closed", "UInt8", 1, closed);
+  document.add_array("contact", "Int64", 1, number);
+  document.add_line("      </PointData>");
+  write_file(file, finish_vtu_file(document));
 }
 
 void write_front_vtu(const std::filesystem::path& file, const model::Model& model,
@@ -200,7 +200,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
   std::vector<double> growth;
   std::vector<std::int64_t> ends;
   std::vector<std::int64_t> crack;
-  std::vector<const results::FrontPlace*> places;
+  std::vector<const results::FrontPointResult*> places;
   std::vector<const results::FrontResult*> front_of; // [place]
   for (const results::FrontResult& front : step.fronts) {
     const auto first = static_cast<std::int64_t>(places.size());
@@ -208,7 +208,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
     const auto card = std::ranges::find_if(model.cracks, [&](const model::CrackDefinition& c) {
       return front.name == c.name || front.name.starts_with(c.name + ".");
     });
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       places.push_back(&place);
       front_of.push_back(&front);
       x.insert(x.end(), place.x.data(), place.x.data() + 3);
@@ -221,31 +221,32 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
     }
   }
   VtuDocument document = vtu_lines(x, ends);
-  document.line("      <PointData Scalars=\"K1\">");
+  document.add_line("      <PointData Scalars=\"K1\">");
   for (const results::FrontQuantity& q : results::front_quantities) {
     if (q.checked) {
       std::vector<double> values;
       for (std::size_t i = 0; i < places.size(); ++i) {
         // A bar that there is not is no bar of nothing.
         const bool given = q.given == nullptr || q.given(*front_of[i]);
-        values.push_back(given ? q.of(*places[i]) : std::numeric_limits<double>::quiet_NaN());
+        values.push_back(given ? q.extract_value(*places[i])
+                               : std::numeric_limits<double>::quiet_NaN());
       }
-      document.add(q.name, "Float64", 1, values);
+      document.add_array(q.name, "Float64", 1, values);
     }
   }
-  document.add("growth", "Float64", 3, growth);
-  document.add("crack", "Int64", 1, crack);
-  document.line("      </PointData>");
-  write_file(file, vtu_end(document));
+  document.add_array("growth", "Float64", 3, growth);
+  document.add_array("crack", "Int64", 1, crack);
+  document.add_line("      </PointData>");
+  write_file(file, finish_vtu_file(document));
 }
 
-void write_pvd(const std::filesystem::path& file, const std::vector<CollectedFile>& entries) {
+void write_pvd(const std::filesystem::path& file, const std::vector<PvdEntry>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n"
                      "<VTKFile type=\"Collection\" version=\"1.0\">\n"
                      "  <Collection>\n";
-  for (const CollectedFile& entry : entries) {
+  for (const PvdEntry& entry : entries) {
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", entry.time,
-                        entry.part, escape(entry.name));
+                        entry.part, escape_xml(entry.name));
   }
   write_file(file, text + "  </Collection>\n</VTKFile>\n");
 }

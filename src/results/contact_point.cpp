@@ -3,7 +3,7 @@
 
 namespace spricka::results {
 
-const char* word_of(ContactState state) {
+const char* display_word(ContactState state) {
   switch (state) {
   case ContactState::open:
     return "open";

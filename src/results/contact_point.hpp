@@ -14,7 +14,7 @@ namespace spricka::results {
 /// What a contact surface does at a node; stick and slip only where there is friction.
 enum class ContactState : char { open, closed, stick, slip };
 /// "open", "closed", "stick", "slip".
-const char* word_of(ContactState state);
+const char* display_word(ContactState state);
 
 /// One node of a contact surface at the end of a step.
 struct ContactPoint {
@@ -37,7 +37,7 @@ struct ContactPoint {
 };
 
 /// Where a quantity of a contact point is found, to be added up.
-enum PointPlace : unsigned {
+enum ContactPointOutput : unsigned {
   in_pressure_csv = 1,
   in_pressure_h5 = 2,     ///< the table pressure of results.h5
   in_pressure_output = 4, ///< what $OUTPUT FORMAT=CSV writes for CPRESS
@@ -45,7 +45,7 @@ enum PointPlace : unsigned {
 };
 
 /// One quantity of a contact point: a number, or the word of a state.
-struct PointQuantity {
+struct ContactPointQuantity {
   const char* name; ///< as columns have it: "p_lumped"; $OUTPUT P_LUMPED
   base::Quantity kind;
   std::string_view doc;
@@ -56,104 +56,104 @@ struct PointQuantity {
   bool friction = false; ///< shown where there is some; results.h5 has it always
   bool space = false;    ///< in pressure.csv only between solids
 
-  [[nodiscard]] bool is(PointPlace place) const { return (places & place) != 0; }
+  [[nodiscard]] bool appears_in(ContactPointOutput place) const { return (places & place) != 0; }
   [[nodiscard]] bool is_word() const { return state != nullptr; }
-  [[nodiscard]] double of(const ContactPoint& point) const {
+  [[nodiscard]] double extract_value(const ContactPoint& point) const {
     return member != nullptr ? point.*member : computed(point);
   }
 };
 
 /// In the order of pressure.csv: name of the contact and increment stand in front of them.
 inline constexpr std::array point_quantities{
-    PointQuantity{.name = "x",
-                  .kind = base::Quantity::length,
-                  .doc = "the node, undeformed",
-                  .computed = [](const ContactPoint& point) { return point.x[0]; },
-                  .places = in_pressure_csv | in_pressure_h5},
-    PointQuantity{.name = "y",
-                  .kind = base::Quantity::length,
-                  .doc = "the node, undeformed",
-                  .computed = [](const ContactPoint& point) { return point.x[1]; },
-                  .places = in_pressure_csv | in_pressure_h5},
-    PointQuantity{.name = "z",
-                  .kind = base::Quantity::length,
-                  .doc = "the node, undeformed",
-                  .computed = [](const ContactPoint& point) { return point.x[2]; },
-                  .places = in_pressure_csv | in_pressure_h5,
-                  .space = true},
-    PointQuantity{.name = "theta",
-                  .kind = base::Quantity::angle,
-                  .doc =
-                      "angle about the centre of the slave's circle, or the axis it has in space",
-                  .member = &ContactPoint::theta,
-                  .places = in_pressure_csv | in_pressure_h5},
-    PointQuantity{.name = "arc",
-                  .kind = base::Quantity::length,
-                  .doc = "length along the slave, in space along its axis",
-                  .member = &ContactPoint::arc,
-                  .places = in_pressure_csv | in_pressure_h5,
-                  .space = true},
-    PointQuantity{.name = "p_lumped",
-                  .kind = base::Quantity::stress,
-                  .doc = "pressure, force over the node's share of the surface",
-                  .member = &ContactPoint::p_lumped},
-    PointQuantity{.name = "p_consistent",
-                  .kind = base::Quantity::stress,
-                  .doc = "pressure from the consistent surface mass",
-                  .member = &ContactPoint::p_consistent},
-    PointQuantity{.name = "q_lumped",
-                  .kind = base::Quantity::stress,
-                  .doc = "shear traction on the slave, recovered as p_lumped",
-                  .member = &ContactPoint::q_lumped,
-                  .friction = true},
-    PointQuantity{.name = "q_consistent",
-                  .kind = base::Quantity::stress,
-                  .doc = "shear traction on the slave, recovered as p_consistent",
-                  .member = &ContactPoint::q_consistent,
-                  .friction = true},
-    PointQuantity{.name = "q_x",
-                  .kind = base::Quantity::stress,
-                  .doc = "shear traction on the slave, between solids",
-                  .computed = [](const ContactPoint& point) { return point.shear[0]; },
-                  .places = in_pressure_csv,
-                  .friction = true,
-                  .space = true},
-    PointQuantity{.name = "q_y",
-                  .kind = base::Quantity::stress,
-                  .doc = "shear traction on the slave, between solids",
-                  .computed = [](const ContactPoint& point) { return point.shear[1]; },
-                  .places = in_pressure_csv,
-                  .friction = true,
-                  .space = true},
-    PointQuantity{.name = "q_z",
-                  .kind = base::Quantity::stress,
-                  .doc = "shear traction on the slave, between solids",
-                  .computed = [](const ContactPoint& point) { return point.shear[2]; },
-                  .places = in_pressure_csv,
-                  .friction = true,
-                  .space = true},
-    PointQuantity{.name = "slip",
-                  .kind = base::Quantity::length,
-                  .doc = "what the slave has slipped while in contact",
-                  .member = &ContactPoint::slip,
-                  .friction = true},
-    PointQuantity{.name = "slip_path",
-                  .kind = base::Quantity::length,
-                  .doc = "all ways of it added up",
-                  .member = &ContactPoint::slip_path,
-                  .places = in_pressure_csv | in_pressure_output,
-                  .friction = true},
-    PointQuantity{.name = "state",
-                  .kind = base::Quantity::number,
-                  .doc = "open, closed, stick or slip",
-                  .state = &ContactPoint::state,
-                  .places = in_pressure_csv | in_pressure_h5,
-                  .friction = true},
-    PointQuantity{.name = "gap",
-                  .kind = base::Quantity::length,
-                  .doc = "normal gap, 0 where pressed",
-                  .member = &ContactPoint::gap,
-                  .places = in_pressure_h5 | in_pressure_output},
+    ContactPointQuantity{.name = "x",
+                         .kind = base::Quantity::length,
+                         .doc = "the node, undeformed",
+                         .computed = [](const ContactPoint& point) { return point.x[0]; },
+                         .places = in_pressure_csv | in_pressure_h5},
+    ContactPointQuantity{.name = "y",
+                         .kind = base::Quantity::length,
+                         .doc = "the node, undeformed",
+                         .computed = [](const ContactPoint& point) { return point.x[1]; },
+                         .places = in_pressure_csv | in_pressure_h5},
+    ContactPointQuantity{.name = "z",
+                         .kind = base::Quantity::length,
+                         .doc = "the node, undeformed",
+                         .computed = [](const ContactPoint& point) { return point.x[2]; },
+                         .places = in_pressure_csv | in_pressure_h5,
+                         .space = true},
+    ContactPointQuantity{
+        .name = "theta",
+        .kind = base::Quantity::angle,
+        .doc = "angle about the centre of the slave's circle, or the axis it has in space",
+        .member = &ContactPoint::theta,
+        .places = in_pressure_csv | in_pressure_h5},
+    ContactPointQuantity{.name = "arc",
+                         .kind = base::Quantity::length,
+                         .doc = "length along the slave, in space along its axis",
+                         .member = &ContactPoint::arc,
+                         .places = in_pressure_csv | in_pressure_h5,
+                         .space = true},
+    ContactPointQuantity{.name = "p_lumped",
+                         .kind = base::Quantity::stress,
+                         .doc = "pressure, force over the node's share of the surface",
+                         .member = &ContactPoint::p_lumped},
+    ContactPointQuantity{.name = "p_consistent",
+                         .kind = base::Quantity::stress,
+                         .doc = "pressure from the consistent surface mass",
+                         .member = &ContactPoint::p_consistent},
+    ContactPointQuantity{.name = "q_lumped",
+                         .kind = base::Quantity::stress,
+                         .doc = "shear traction on the slave, recovered as p_lumped",
+                         .member = &ContactPoint::q_lumped,
+                         .friction = true},
+    ContactPointQuantity{.name = "q_consistent",
+                         .kind = base::Quantity::stress,
+                         .doc = "shear traction on the slave, recovered as p_consistent",
+                         .member = &ContactPoint::q_consistent,
+                         .friction = true},
+    ContactPointQuantity{.name = "q_x",
+                         .kind = base::Quantity::stress,
+                         .doc = "shear traction on the slave, between solids",
+                         .computed = [](const ContactPoint& point) { return point.shear[0]; },
+                         .places = in_pressure_csv,
+                         .friction = true,
+                         .space = true},
+    ContactPointQuantity{.name = "q_y",
+                         .kind = base::Quantity::stress,
+                         .doc = "shear traction on the slave, between solids",
+                         .computed = [](const ContactPoint& point) { return point.shear[1]; },
+                         .places = in_pressure_csv,
+                         .friction = true,
+                         .space = true},
+    ContactPointQuantity{.name = "q_z",
+                         .kind = base::Quantity::stress,
+                         .doc = "shear traction on the slave, between solids",
+                         .computed = [](const ContactPoint& point) { return point.shear[2]; },
+                         .places = in_pressure_csv,
+                         .friction = true,
+                         .space = true},
+    ContactPointQuantity{.name = "slip",
+                         .kind = base::Quantity::length,
+                         .doc = "what the slave has slipped while in contact",
+                         .member = &ContactPoint::slip,
+                         .friction = true},
+    ContactPointQuantity{.name = "slip_path",
+                         .kind = base::Quantity::length,
+                         .doc = "all ways of it added up",
+                         .member = &ContactPoint::slip_path,
+                         .places = in_pressure_csv | in_pressure_output,
+                         .friction = true},
+    ContactPointQuantity{.name = "state",
+                         .kind = base::Quantity::number,
+                         .doc = "open, closed, stick or slip",
+                         .state = &ContactPoint::state,
+                         .places = in_pressure_csv | in_pressure_h5,
+                         .friction = true},
+    ContactPointQuantity{.name = "gap",
+                         .kind = base::Quantity::length,
+                         .doc = "normal gap, 0 where pressed",
+                         .member = &ContactPoint::gap,
+                         .places = in_pressure_h5 | in_pressure_output},
 };
 
 } // namespace spricka::results

@@ -50,7 +50,7 @@ struct ContactResult {
 };
 
 /// When a contact has a quantity.
-enum class ContactGiven {
+enum class ContactQuantityCondition {
   always,
   with_friction,
   where_it_sticks, ///< in the plane
@@ -66,7 +66,7 @@ struct ContactQuantity {
   base::Quantity kind;    ///< angle: of a circle, else a length
   std::string_view doc;
   double ContactResult::*member;
-  ContactGiven given = ContactGiven::always;
+  ContactQuantityCondition given = ContactQuantityCondition::always;
 };
 
 /// Sweeps have them in this order.
@@ -91,50 +91,50 @@ inline constexpr std::array contact_quantities{
                     .kind = base::Quantity::area,
                     .doc = "area of the part in contact, between solids",
                     .member = &ContactResult::area,
-                    .given = ContactGiven::in_space},
+                    .given = ContactQuantityCondition::in_space},
     ContactQuantity{.sweep = {},
                     .check = "ARC.FROM",
                     .kind = base::Quantity::angle,
                     .doc = "first angle of the longest part in contact; on a slave that is no "
                            "circle the length along it",
                     .member = &ContactResult::arc_from,
-                    .given = ContactGiven::in_plane},
+                    .given = ContactQuantityCondition::in_plane},
     ContactQuantity{.sweep = {},
                     .check = "ARC.TO",
                     .kind = base::Quantity::angle,
                     .doc = "last angle of the longest part, or length",
                     .member = &ContactResult::arc_to,
-                    .given = ContactGiven::in_plane},
+                    .given = ContactQuantityCondition::in_plane},
     ContactQuantity{.sweep = {},
                     .check = "STICK.FROM",
                     .kind = base::Quantity::angle,
                     .doc = "first angle of the part that sticks, or length",
                     .member = &ContactResult::stick_from,
-                    .given = ContactGiven::where_it_sticks},
+                    .given = ContactQuantityCondition::where_it_sticks},
     ContactQuantity{.sweep = {},
                     .check = "STICK.TO",
                     .kind = base::Quantity::angle,
                     .doc = "last angle of the part that sticks, or length",
                     .member = &ContactResult::stick_to,
-                    .given = ContactGiven::where_it_sticks},
+                    .given = ContactQuantityCondition::where_it_sticks},
     ContactQuantity{.sweep = {},
                     .check = "STICK.AREA",
                     .kind = base::Quantity::area,
                     .doc = "area of the part that sticks, between solids",
                     .member = &ContactResult::stick_area,
-                    .given = ContactGiven::with_friction_in_space},
+                    .given = ContactQuantityCondition::with_friction_in_space},
     ContactQuantity{.sweep = {},
                     .check = "SLIP.MAX",
                     .kind = base::Quantity::length,
                     .doc = "longest way a point has slipped, to and fro",
                     .member = &ContactResult::max_slip,
-                    .given = ContactGiven::with_friction},
+                    .given = ContactQuantityCondition::with_friction},
     ContactQuantity{.sweep = {},
                     .check = "FRICTION.WORK",
                     .kind = base::Quantity::energy,
                     .doc = "work that friction has taken",
                     .member = &ContactResult::friction_work,
-                    .given = ContactGiven::with_friction},
+                    .given = ContactQuantityCondition::with_friction},
 };
 
 } // namespace spricka::results

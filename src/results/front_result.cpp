@@ -24,13 +24,14 @@ struct CurveOf {
   std::size_t mode = 0;
   bool best = false;
   // Where the front leaves the body there is no error to take out.
-  [[nodiscard]] double operator()(const FrontPlace& place) const {
+  [[nodiscard]] double operator()(const FrontPointResult& place) const {
     return best && !place.at_surface ? place.bar[mode].best : place.smooth[mode];
   }
 };
 
 std::optional<CurveOf> curve_of(const FrontQuantity& quantity) {
-  static constexpr std::array modes{&FrontPlace::K1, &FrontPlace::K2, &FrontPlace::K3};
+  static constexpr std::array modes{&FrontPointResult::K1, &FrontPointResult::K2,
+                                    &FrontPointResult::K3};
   static constexpr std::array<std::string_view, 3> best{"K1_best", "K2_best", "K3_best"};
   for (std::size_t mode = 0; mode < modes.size(); ++mode) {
     if (quantity.member == modes[mode] || quantity.name == best[mode]) {
@@ -75,9 +76,9 @@ double between(const FrontResult& front, const FrontQuantity& quantity, std::siz
   if (const auto curve = curve_of(quantity)) {
     return on_curve(front, *curve, piece, part);
   }
-  const FrontPlace& from = front.points[piece];
-  const FrontPlace& to = front.points[(piece + 1) % front.points.size()];
-  return (1.0 - part) * quantity.of(from) + part * quantity.of(to);
+  const FrontPointResult& from = front.points[piece];
+  const FrontPointResult& to = front.points[(piece + 1) % front.points.size()];
+  return (1.0 - part) * quantity.extract_value(from) + part * quantity.extract_value(to);
 }
 
 } // namespace
@@ -92,7 +93,7 @@ const FrontQuantity* find_front_quantity(std::string_view name) {
 double front_value_near(const FrontResult& front, const FrontQuantity& quantity,
                         const base::Vec3& x) {
   double least = std::numeric_limits<double>::max();
-  double value = quantity.of(front.points.front());
+  double value = quantity.extract_value(front.points.front());
   for (std::size_t i = 0; i < piece_count(front); ++i) {
     const base::Vec3& from = front.points[i].x;
     const base::Vec3 along = front.points[(i + 1) % front.points.size()].x - from;

@@ -16,7 +16,7 @@
 namespace spricka::results {
 
 /// K at one point of a front, a corner node on it; stresses and K in deck units.
-struct FrontPlace {
+struct FrontPointResult {
   int number = 0; ///< counts along the front from 1
   base::Vec3 x = base::Vec3::Zero();
   double s = 0.0;   ///< length along the front from its first point
@@ -33,7 +33,7 @@ struct FrontPlace {
   bool at_surface = false; ///< the front leaves the body here: K is a number of the mesh
   bool closed = false;     ///< the faces touch, so that K1 is 0
   /// Of K1, K2, K3, where `no_bar` of the front is empty; at the surface those of the next point.
-  std::array<KBar, 3> bar;
+  std::array<KErrorBar, 3> bar;
   base::Vec3 growth = base::Vec3::Zero(); ///< m, unit
 };
 
@@ -44,10 +44,10 @@ struct FrontResult {
   double length = 0.0;
   bool closed = false; ///< the last point joins the first
   bool angles = false; ///< points have phi
-  std::vector<FrontPlace> points;
+  std::vector<FrontPointResult> points;
   std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
-  std::string doubt;                    ///< why K is not an answer; empty: it is one
-  FrontSensitivities sensitivities;
+  std::string invalid_reason;           ///< why K is not an answer; empty: it is one
+  FrontSensitivityResults sensitivities;
 };
 
 /// One quantity of a place of a front.
@@ -55,21 +55,21 @@ struct FrontQuantity {
   const char* name; ///< as columns have it
   base::Quantity kind;
   std::string_view doc;
-  double FrontPlace::*member = nullptr;            ///< where the record has it, or
-  double (*computed)(const FrontPlace&) = nullptr; ///< how it follows from the record
-  bool listed = false;                             ///< in the listing and report.html
-  bool checked = false;                            ///< $CHECK asks for it: K1.AT and so on
-  bool (*given)(const FrontResult&) = nullptr;     ///< whether a front has it; null: always
-  bool inside = false;                             ///< points at the surface have none of their own
-  std::string_view word = {};                      ///< what $CHECK calls it; empty: its name
+  double FrontPointResult::*member = nullptr;            ///< where the record has it, or
+  double (*computed)(const FrontPointResult&) = nullptr; ///< how it follows from the record
+  bool listed = false;                                   ///< in the listing and report.html
+  bool checked = false;                                  ///< $CHECK asks for it: K1.AT and so on
+  bool (*given)(const FrontResult&) = nullptr;           ///< whether a front has it; null: always
+  bool inside = false;        ///< points at the surface have none of their own
+  std::string_view word = {}; ///< what $CHECK calls it; empty: its name
 
-  [[nodiscard]] double of(const FrontPlace& place) const {
+  [[nodiscard]] double extract_value(const FrontPointResult& place) const {
     return member != nullptr ? place.*member : computed(place);
   }
 };
 
 /// Whether K along the front has an error bar.
-inline bool has_bar(const FrontResult& front) {
+inline bool has_error_bar(const FrontResult& front) {
   return front.no_bar.empty();
 }
 
@@ -78,126 +78,126 @@ inline constexpr std::array front_quantities{
     FrontQuantity{.name = "s",
                   .kind = base::Quantity::length,
                   .doc = "length along the front",
-                  .member = &FrontPlace::s,
+                  .member = &FrontPointResult::s,
                   .listed = true},
     FrontQuantity{.name = "phi",
                   .kind = base::Quantity::angle,
                   .doc = "parametric angle of an ellipse",
-                  .member = &FrontPlace::phi,
+                  .member = &FrontPointResult::phi,
                   .listed = true,
                   .given = [](const FrontResult& front) { return front.angles; }},
     FrontQuantity{.name = "x",
                   .kind = base::Quantity::length,
                   .doc = "place",
-                  .computed = [](const FrontPlace& place) { return place.x.x(); },
+                  .computed = [](const FrontPointResult& place) { return place.x.x(); },
                   .listed = true},
     FrontQuantity{.name = "y",
                   .kind = base::Quantity::length,
                   .doc = "place",
-                  .computed = [](const FrontPlace& place) { return place.x.y(); },
+                  .computed = [](const FrontPointResult& place) { return place.x.y(); },
                   .listed = true},
     FrontQuantity{.name = "z",
                   .kind = base::Quantity::length,
                   .doc = "place",
-                  .computed = [](const FrontPlace& place) { return place.x.z(); },
+                  .computed = [](const FrontPointResult& place) { return place.x.z(); },
                   .listed = true},
     FrontQuantity{.name = "K1",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "stress intensity of mode I",
-                  .member = &FrontPlace::K1,
+                  .member = &FrontPointResult::K1,
                   .listed = true,
                   .checked = true},
     FrontQuantity{.name = "K2",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "stress intensity of mode II",
-                  .member = &FrontPlace::K2,
+                  .member = &FrontPointResult::K2,
                   .listed = true,
                   .checked = true},
     FrontQuantity{.name = "K3",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "stress intensity of mode III",
-                  .member = &FrontPlace::K3,
+                  .member = &FrontPointResult::K3,
                   .listed = true,
                   .checked = true},
     FrontQuantity{.name = "G",
                   .kind = base::Quantity::energy_release,
                   .doc = "energy release rate",
-                  .member = &FrontPlace::G,
+                  .member = &FrontPointResult::G,
                   .listed = true,
                   .checked = true},
     FrontQuantity{.name = "G_from_K",
                   .kind = base::Quantity::energy_release,
                   .doc = "energy release rate that K stands for",
-                  .member = &FrontPlace::G_from_K},
+                  .member = &FrontPointResult::G_from_K},
     FrontQuantity{.name = "T",
                   .kind = base::Quantity::stress,
                   .doc = "stress in the crack's plane across the front",
-                  .member = &FrontPlace::T,
+                  .member = &FrontPointResult::T,
                   .listed = true,
                   .checked = true},
     FrontQuantity{.name = "spread",
                   .kind = base::Quantity::number,
                   .doc = "largest less smallest K1 of the domains over K",
-                  .member = &FrontPlace::spread,
+                  .member = &FrontPointResult::spread,
                   .listed = true},
     FrontQuantity{.name = "K1_smooth",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K1 as a smooth function along the front",
-                  .computed = [](const FrontPlace& place) { return place.smooth[0]; }},
+                  .computed = [](const FrontPointResult& place) { return place.smooth[0]; }},
     FrontQuantity{.name = "K2_smooth",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K2 as a smooth function along the front",
-                  .computed = [](const FrontPlace& place) { return place.smooth[1]; }},
+                  .computed = [](const FrontPointResult& place) { return place.smooth[1]; }},
     FrontQuantity{.name = "K3_smooth",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K3 as a smooth function along the front",
-                  .computed = [](const FrontPlace& place) { return place.smooth[2]; }},
+                  .computed = [](const FrontPointResult& place) { return place.smooth[2]; }},
     FrontQuantity{.name = "K1_bar",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "error bar of K1",
-                  .computed = [](const FrontPlace& place) { return place.bar[0].size(); },
+                  .computed = [](const FrontPointResult& place) { return place.bar[0].size(); },
                   .checked = true,
-                  .given = has_bar,
+                  .given = has_error_bar,
                   .inside = true,
                   .word = "K1.BAR"},
     FrontQuantity{.name = "K2_bar",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "error bar of K2",
-                  .computed = [](const FrontPlace& place) { return place.bar[1].size(); },
+                  .computed = [](const FrontPointResult& place) { return place.bar[1].size(); },
                   .checked = true,
-                  .given = has_bar,
+                  .given = has_error_bar,
                   .inside = true,
                   .word = "K2.BAR"},
     FrontQuantity{.name = "K3_bar",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "error bar of K3",
-                  .computed = [](const FrontPlace& place) { return place.bar[2].size(); },
+                  .computed = [](const FrontPointResult& place) { return place.bar[2].size(); },
                   .checked = true,
-                  .given = has_bar,
+                  .given = has_error_bar,
                   .inside = true,
                   .word = "K3.BAR"},
     FrontQuantity{.name = "K1_best",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K1 with its estimated error taken out",
-                  .computed = [](const FrontPlace& place) { return place.bar[0].best; },
+                  .computed = [](const FrontPointResult& place) { return place.bar[0].best; },
                   .checked = true,
-                  .given = has_bar,
+                  .given = has_error_bar,
                   .inside = true,
                   .word = "K1.BEST"},
     FrontQuantity{.name = "K2_best",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K2 with its estimated error taken out",
-                  .computed = [](const FrontPlace& place) { return place.bar[1].best; },
+                  .computed = [](const FrontPointResult& place) { return place.bar[1].best; },
                   .checked = true,
-                  .given = has_bar,
+                  .given = has_error_bar,
                   .inside = true,
                   .word = "K2.BEST"},
     FrontQuantity{.name = "K3_best",
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K3 with its estimated error taken out",
-                  .computed = [](const FrontPlace& place) { return place.bar[2].best; },
+                  .computed = [](const FrontPointResult& place) { return place.bar[2].best; },
                   .checked = true,
-                  .given = has_bar,
+                  .given = has_error_bar,
                   .inside = true,
                   .word = "K3.BEST"},
 };

@@ -5,9 +5,9 @@
 
 namespace spricka::results {
 
-double cycles_at(const Growth& growth, std::size_t tip, double a) {
+double cycles_at(const GrowthResult& growth, std::size_t tip, double a) {
   constexpr double same = 1e-12;
-  const std::vector<LifePoint>& curve = growth.curve;
+  const std::vector<LifeCurvePoint>& curve = growth.curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double here = curve[i].a[tip];
     if (here >= a * (1.0 - same)) {

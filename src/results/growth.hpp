@@ -10,7 +10,7 @@
 namespace spricka::results {
 
 /// One tip at a station.
-struct GrowingTip {
+struct GrownTipResult {
   std::string name; ///< as TipResult
   /// What lies behind the tip: its crack's first length (half of it if embedded) and all it has
   /// grown since; the two arms of an embedded crack grow apart.
@@ -29,13 +29,13 @@ struct GrowingTip {
 struct GrowthStation {
   int increment = 0;   ///< Increment::number
   double cycles = 0.0; ///< or passes
-  std::vector<GrowingTip> tips;
+  std::vector<GrownTipResult> tips;
   int passes = 0;      ///< of the loads, where friction makes K a history, until K repeated itself
   double change = 0.0; ///< of K from the last pass but one to the last, over the largest K
 };
 
 /// A point of the dense curve between and at the stations.
-struct LifePoint {
+struct LifeCurvePoint {
   double cycles = 0.0;
   std::vector<double> a; ///< [tip] as GrowingTip
 };
@@ -44,17 +44,17 @@ struct LifePoint {
 struct ScaledLife {
   std::string name;   ///< what the line goes through
   double ratio = 0.0; ///< its cycles over those of the growth, from the first to the last a
-  std::vector<LifePoint> curve; ///< of one tip
+  std::vector<LifeCurvePoint> curve; ///< of one tip
 };
 
-struct Growth {
+struct GrowthResult {
   std::string unit;              ///< of N and per what the rates are: "cycle" or "pass"
   double cycles_per_pass = 1.0;  ///< of a spectrum
   std::vector<std::string> tips; ///< those that grow, in the order of all lists
   std::vector<GrowthStation> stations;
-  std::vector<LifePoint> curve; ///< ascending cycles, ends at the end of the growth
-  std::string ended;            ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
-  std::string reason;           ///< the same in a sentence, with the place
+  std::vector<LifeCurvePoint> curve; ///< ascending cycles, ends at the end of the growth
+  std::string ended;                 ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
+  std::string reason;                ///< the same in a sentence, with the place
   /// In space: where fronts have gone through surfaces on the way, sentences.
   std::vector<std::string> passages;
   double error = 0.0;     ///< of the cycles, estimated, as a part of them
@@ -66,10 +66,10 @@ struct Growth {
   bool followed = false;          ///< friction makes K a history, which was followed
   std::vector<ScaledLife> scaled; ///< empty: K is proportional to the load, or several tips grow
 
-  [[nodiscard]] double cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
+  [[nodiscard]] double final_cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
 };
 
 /// Cycles until tip `tip` of the list has length `a` [length]; not a number outside the curve.
-double cycles_at(const Growth& growth, std::size_t tip, double a);
+double cycles_at(const GrowthResult& growth, std::size_t tip, double a);
 
 } // namespace spricka::results

@@ -24,8 +24,8 @@ constexpr double beside_axis = 0.45; // its sine
 constexpr double inside_end = 0.17365;
 
 // Where a front crosses the ray from the crack's place along `way`, or ends beside it.
-std::optional<AxisEnd> end_on(const std::vector<Vec3>& points, bool closed, const Vec3& place,
-                              const Vec3& way, const Vec3& aside) {
+std::optional<FrontAxisEnd> end_on(const std::vector<Vec3>& points, bool closed, const Vec3& place,
+                                   const Vec3& way, const Vec3& aside) {
   const std::size_t n = points.size();
   const auto off = [&](std::size_t i) { return (points[i] - place).dot(aside); };
   const auto ahead = [&](std::size_t i) { return (points[i] - place).dot(way) > 0.0; };
@@ -34,16 +34,16 @@ std::optional<AxisEnd> end_on(const std::vector<Vec3>& points, bool closed, cons
     if (ahead(i) && ahead(k) && (off(i) <= 0.0) != (off(k) <= 0.0)) {
       const double part = off(i) / (off(i) - off(k));
       const Vec3 x = (1.0 - part) * points[i] + part * points[k];
-      return AxisEnd{.from = i, .to = k, .part = part, .size = (x - place).norm()};
+      return FrontAxisEnd{.from = i, .to = k, .part = part, .size = (x - place).norm()};
     }
   }
-  std::optional<AxisEnd> nearest;
+  std::optional<FrontAxisEnd> nearest;
   double least = beside_axis;
   for (const std::size_t i : {std::size_t{0}, n - 1}) {
     const double size = (points[i] - place).norm();
     if (!closed && ahead(i) && std::abs(off(i)) < least * size) {
       least = std::abs(off(i)) / size;
-      nearest = AxisEnd{.from = i, .to = i, .size = size};
+      nearest = FrontAxisEnd{.from = i, .to = i, .size = size};
     }
   }
   return nearest;
@@ -51,7 +51,7 @@ std::optional<AxisEnd> end_on(const std::vector<Vec3>& points, bool closed, cons
 
 // Of an end on a surface: to where the front is so far beside the axis.
 void move_inside(const std::vector<Vec3>& points, const Vec3& place, const Vec3& beside,
-                 AxisEnd& end) {
+                 FrontAxisEnd& end) {
   const std::size_t n = points.size();
   const bool at_first = end.from == 0 && end.to <= 1;
   const bool at_last = end.to == n - 1 && end.from + 2 >= n;
@@ -71,18 +71,19 @@ void move_inside(const std::vector<Vec3>& points, const Vec3& place, const Vec3&
 
 } // namespace
 
-std::vector<AxisEnd> axis_ends(const model::CrackDefinition& crack, const std::vector<Vec3>& points,
-                               bool closed) {
+std::vector<FrontAxisEnd> axis_ends(const model::CrackDefinition& crack,
+                                    const std::vector<Vec3>& points, bool closed) {
   const model::PlanarCrack& plane = crack.plane;
-  std::vector<AxisEnd> ends;
+  std::vector<FrontAxisEnd> ends;
   for (const bool on_a : {true, false}) {
     const Vec3 way = on_a ? plane.transverse_axis() : plane.along;
     const Vec3 aside = on_a ? plane.along : plane.transverse_axis();
-    std::array<std::optional<AxisEnd>, 2> both{end_on(points, closed, plane.place, way, aside),
-                                               end_on(points, closed, plane.place, -way, aside)};
+    std::array<std::optional<FrontAxisEnd>, 2> both{
+        end_on(points, closed, plane.place, way, aside),
+        end_on(points, closed, plane.place, -way, aside)};
     for (std::size_t k = 0; k < 2; ++k) {
       if (both.at(k)) {
-        AxisEnd& end = ends.emplace_back(*both.at(k));
+        FrontAxisEnd& end = ends.emplace_back(*both.at(k));
         end.on_a = on_a;
         end.tip = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
                               !(both[0] && both[1]) ? ""
@@ -92,7 +93,7 @@ std::vector<AxisEnd> axis_ends(const model::CrackDefinition& crack, const std::v
     }
   }
   const std::array<double, 2> half = half_axes(ends);
-  for (AxisEnd& end : ends) {
+  for (FrontAxisEnd& end : ends) {
     const Vec3 aside = end.on_a ? half[1] * plane.along : half[0] * plane.transverse_axis();
     if (!closed && aside.norm() > 0.0) {
       move_inside(points, plane.place, inside_end * aside, end);
@@ -101,12 +102,12 @@ std::vector<AxisEnd> axis_ends(const model::CrackDefinition& crack, const std::v
   return ends;
 }
 
-std::array<double, 2> half_axes(const std::vector<AxisEnd>& ends) {
+std::array<double, 2> half_axes(const std::vector<FrontAxisEnd>& ends) {
   std::array<double, 2> half{};
   for (const bool on_a : {true, false}) {
     double sum = 0.0;
     int count = 0;
-    for (const AxisEnd& end : ends) {
+    for (const FrontAxisEnd& end : ends) {
       sum += end.on_a == on_a ? end.size : 0.0;
       count += end.on_a == on_a ? 1 : 0;
     }
@@ -115,7 +116,8 @@ std::array<double, 2> half_axes(const std::vector<AxisEnd>& ends) {
   return half;
 }
 
-const model::CrackDefinition* crack_of_front(const model::Model& model, std::string_view front) {
+const model::CrackDefinition* find_crack_by_front(const model::Model& model,
+                                                  std::string_view front) {
   const auto found = std::ranges::find_if(model.cracks, [&](const model::CrackDefinition& crack) {
     return front == crack.name || front.starts_with(crack.name + ".");
   });

@@ -14,7 +14,7 @@ namespace spricka::results {
 
 /// The end of an axis of a crack on its front, between two of its points; of an end on a surface
 /// the place of values is 10 degrees (of the ellipse's parametric angle) inside.
-struct AxisEnd {
+struct FrontAxisEnd {
   std::string tip{}; ///< "C1.A", "C1.C2"
   bool on_a = true;  ///< of the axis A, else of C
   std::size_t from = 0, to = 0;
@@ -22,20 +22,21 @@ struct AxisEnd {
   double size = 0.0; ///< from the crack's place [length]
 
   /// What has these values at `from` and `to`.
-  [[nodiscard]] double between(double at_from, double at_to) const {
+  [[nodiscard]] double interpolate(double at_from, double at_to) const {
     return (1.0 - part) * at_from + part * at_to;
   }
 };
 
 /// Ends of both axes of a crack, first A, as far as a front through `points` has them; where it has
 /// both of an axis they are numbered. An end of the front counts up to 27 degrees beside the axis.
-std::vector<AxisEnd> axis_ends(const model::CrackDefinition& crack,
-                               const std::vector<base::Vec3>& points, bool closed);
+std::vector<FrontAxisEnd> axis_ends(const model::CrackDefinition& crack,
+                                    const std::vector<base::Vec3>& points, bool closed);
 
 /// Half axes a and c [length]: half of what the ends span where both are there; 0: no end.
-std::array<double, 2> half_axes(const std::vector<AxisEnd>& ends);
+std::array<double, 2> half_axes(const std::vector<FrontAxisEnd>& ends);
 
 /// The crack of a front's name, "C1" or "C1.2"; null: none.
-const model::CrackDefinition* crack_of_front(const model::Model& model, std::string_view front);
+const model::CrackDefinition* find_crack_by_front(const model::Model& model,
+                                                  std::string_view front);
 
 } // namespace spricka::results

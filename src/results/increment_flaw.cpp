@@ -18,7 +18,8 @@ namespace {
 
 /// The last word of an enumeration that files keep as a number.
 template <class E> inline constexpr E last_of = E{};
-template <> inline constexpr Cause last_of<Cause> = Cause::axis;
+template <>
+inline constexpr SensitivityParameter last_of<SensitivityParameter> = SensitivityParameter::axis;
 template <> inline constexpr ContactState last_of<ContactState> = ContactState::slip;
 
 /// Looks through the fields of records, as the files have them, for indices of no node and no
@@ -132,9 +133,9 @@ std::string flaw_of_contact(const ContactResult& contact) {
   return whole ? "" : fmt::format("corners of contact {}", contact.name);
 }
 
-std::string flaw_of_path(const LoadPath& path) {
+std::string flaw_of_path(const LoadPathResult& path) {
   const std::size_t knots = path.t.size();
-  for (const PathContact& contact : path.contacts) {
+  for (const LoadPathContact& contact : path.contacts) {
     if (contact.from.size() != contact.to.size() || contact.from.size() != contact.closed.size() ||
         contact.from.size() > knots) {
       return fmt::format("knots of contact {} on path {}", contact.name, path.name);
@@ -154,20 +155,21 @@ std::string flaw_of_lengths(const StepResult& step, const model::Mesh& mesh, std
     return fmt::format("arrays of step {} that are not as long as its mesh", step.step);
   }
   const auto bars_fit = [&](const auto& bars) {
-    return std::ranges::all_of(
-        bars, [&](const KBar& bar) { return is(bar.of_element.size(), mesh.element_count()); });
+    return std::ranges::all_of(bars, [&](const KErrorBar& bar) {
+      return is(bar.of_element.size(), mesh.element_count());
+    });
   };
   bool fit = std::ranges::all_of(step.tips, [&](const TipResult& t) { return bars_fit(t.bar); });
   for (const FrontResult& front : step.fronts) {
-    fit = fit &&
-          std::ranges::all_of(front.points, [&](const FrontPlace& p) { return bars_fit(p.bar); });
+    fit = fit && std::ranges::all_of(front.points,
+                                     [&](const FrontPointResult& p) { return bars_fit(p.bar); });
   }
   return fit ? "" : fmt::format("error bars of step {} for another mesh", step.step);
 }
 
 } // namespace
 
-std::string flaw_of(const Increment& increment) {
+std::string find_increment_flaw(const Increment& increment) {
   const model::Mesh& mesh = increment.mesh;
   if (std::string flaw = flaw_of_mesh(mesh); !flaw.empty()) {
     return flaw;
@@ -178,7 +180,7 @@ std::string flaw_of(const Increment& increment) {
   IndexReader reader(mesh);
   reader.look("surface", increment.surface);
   reader.look("load path", increment.paths);
-  for (const LoadPath& path : increment.paths) {
+  for (const LoadPathResult& path : increment.paths) {
     if (std::string flaw = flaw_of_path(path); !flaw.empty()) {
       return flaw;
     }

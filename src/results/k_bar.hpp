@@ -5,11 +5,11 @@
 namespace spricka::results {
 
 /// How far K1 or K2 is off by the mesh, as estimated (manual, error_bar.md); all in units of K.
-struct KBar {
-  double eta = 0.0;  ///< estimated exact value less that of the mesh
-  double sum = 0.0;  ///< of |eta_e| over the elements
-  double flip = 0.0; ///< largest change by one pair beside the end of a contact
-  double mesh = 0.0; ///< the bar's three parts
+struct KErrorBar {
+  double eta = 0.0;        ///< estimated exact value less that of the mesh
+  double sum = 0.0;        ///< of |eta_e| over the elements
+  double set_change = 0.0; ///< largest change by one pair beside the end of a contact
+  double mesh = 0.0;       ///< the bar's three parts
   double edge = 0.0;
   double floor = 0.0;
   double best = 0.0;              ///< K with the estimated error taken out

@@ -6,10 +6,10 @@
 
 namespace spricka::results {
 
-FrontResult PathFront::at(double t) const {
+FrontResult LoadPathFront::at(double t) const {
   FrontResult front = is;
-  for (const PathPoint& point : points) {
-    FrontPlace& place = front.points.emplace_back(point.is);
+  for (const LoadPathFrontPoint& point : points) {
+    FrontPointResult& place = front.points.emplace_back(point.is);
     place.closed = false; // a path knows K of its points, not what faces do there
     place.K1 = point.K[0](t);
     place.K2 = point.K[1](t);
@@ -21,18 +21,18 @@ FrontResult PathFront::at(double t) const {
   return front;
 }
 
-const PathTip* find_tip(const LoadPath& path, std::string_view tip) {
-  const auto it = std::ranges::find(path.tips, tip, &PathTip::name);
+const LoadPathTip* find_tip(const LoadPathResult& path, std::string_view tip) {
+  const auto it = std::ranges::find(path.tips, tip, &LoadPathTip::name);
   return it == path.tips.end() ? nullptr : &*it;
 }
 
-const PathContact* find_contact(const LoadPath& path, std::string_view contact) {
-  const auto it = std::ranges::find(path.contacts, contact, &PathContact::name);
+const LoadPathContact* find_contact(const LoadPathResult& path, std::string_view contact) {
+  const auto it = std::ranges::find(path.contacts, contact, &LoadPathContact::name);
   return it == path.contacts.end() ? nullptr : &*it;
 }
 
-std::optional<double> k_of_two(const LoadPath& path, const PathTip& tip, int mode, double a,
-                               double b) {
+std::optional<double> k_at_load_combination(const LoadPathResult& path, const LoadPathTip& tip,
+                                            int mode, double a, double b) {
   const double sum = a + b;
   if (!(sum > 0.0) || (!path.homogeneous && std::abs(sum - 1.0) > 1e-12)) {
     return std::nullopt;

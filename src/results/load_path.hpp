@@ -15,31 +15,31 @@
 namespace spricka::results {
 
 /// K of one tip by t, exact between all knots.
-struct PathTip {
+struct LoadPathTip {
   std::string name; ///< as TipResult
   double a = 0.0;
   base::PiecewiseLinear K1, K2; ///< [stress * length^0.5]
-  std::string doubt;            ///< why none of it is an answer; empty: it is one where K1 > 0
+  std::string invalid_reason;   ///< why none of it is an answer; empty: it is one where K1 > 0
 };
 
 /// K at one point of a front in space.
-struct PathPoint {
-  FrontPlace is;                               ///< where it is; its K are those at the beginning
+struct LoadPathFrontPoint {
+  FrontPointResult is;                         ///< where it is; its K are those at the beginning
   std::array<base::PiecewiseLinear, 3> K;      ///< K1, K2, K3
   std::array<base::PiecewiseLinear, 3> smooth; ///< as those of FrontPlace
 };
 
 /// One front in space by t, exact between all knots.
-struct PathFront {
+struct LoadPathFront {
   FrontResult is; ///< without its points
-  std::vector<PathPoint> points;
+  std::vector<LoadPathFrontPoint> points;
 
   /// The front as steps have it, with K at t (of the path) alone.
   [[nodiscard]] FrontResult at(double t) const;
 };
 
 /// One contact at the breakpoints: the longest run of closed pairs.
-struct PathContact {
+struct LoadPathContact {
   std::string name;
   std::optional<double> opening; ///< t at which the first closed pair opens; empty: none does
   bool round = false;            ///< angles [rad], else length along the surface
@@ -48,7 +48,7 @@ struct PathContact {
   int rows = 0;
 };
 
-struct PathChange {
+struct ContactStatusChange {
   double t = 0.0;
   std::string contact;
   base::NodeId node;
@@ -57,13 +57,13 @@ struct PathChange {
 };
 
 /// Loads and fits (1 - t) of step `from` and t of step `to`.
-struct LoadPath {
+struct LoadPathResult {
   std::string name, from, to;
-  std::vector<double> t;         ///< [knot] first, breakpoints, last
-  std::vector<PathTip> tips;     ///< of cracks in the plane
-  std::vector<PathFront> fronts; ///< of cracks in space
-  std::vector<PathContact> contacts;
-  std::vector<PathChange> changes;
+  std::vector<double> t;             ///< [knot] first, breakpoints, last
+  std::vector<LoadPathTip> tips;     ///< of cracks in the plane
+  std::vector<LoadPathFront> fronts; ///< of cracks in space
+  std::vector<LoadPathContact> contacts;
+  std::vector<ContactStatusChange> changes;
   std::string stopped; ///< why it ends before its time; empty: it does not
   /// All gaps, loads and temperatures of both steps scale with their factors, so that a times
   /// `from` and b times `to` together are (a + b) times the path at b / (a + b).
@@ -75,13 +75,13 @@ struct LoadPath {
 };
 
 /// The entries of that name, or null.
-const PathTip* find_tip(const LoadPath& path, std::string_view tip);
-const PathContact* find_contact(const LoadPath& path, std::string_view contact);
+const LoadPathTip* find_tip(const LoadPathResult& path, std::string_view tip);
+const LoadPathContact* find_contact(const LoadPathResult& path, std::string_view contact);
 
 /// K1 (mode 1) or K2 under a times the loads and fits of `from` plus b times those of `to`, by
 /// homogeneity (manual, solve.33) from the path of one parameter. Empty outside what it covers: a +
 /// b <= 0, the ratio beyond the path, or a path that is not homogeneous unless a + b = 1.
-std::optional<double> k_of_two(const LoadPath& path, const PathTip& tip, int mode, double a,
-                               double b);
+std::optional<double> k_at_load_combination(const LoadPathResult& path, const LoadPathTip& tip,
+                                            int mode, double a, double b);
 
 } // namespace spricka::results

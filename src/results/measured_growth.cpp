@@ -8,9 +8,9 @@
 
 namespace spricka::results {
 
-TestComparison compare(const GrowthTest& test, double from, double to) {
-  TestComparison sum;
-  for (const TestPoint& point : test.points) {
+GrowthTestComparison compare_test_k(const GrowthTestResult& test, double from, double to) {
+  GrowthTestComparison sum;
+  for (const GrowthTestPoint& point : test.points) {
     const double ratio = point.ratio();
     if (!(point.a >= from && point.a <= to) || std::isnan(ratio)) {
       continue;
@@ -28,14 +28,14 @@ TestComparison compare(const GrowthTest& test, double from, double to) {
           .inside = sum.inside / n};
 }
 
-double measured_k_at(const GrowthTest& test, double a) {
-  std::vector<TestPoint> points;
+double measured_k_at(const GrowthTestResult& test, double a) {
+  std::vector<GrowthTestPoint> points;
   std::ranges::copy_if(test.points, std::back_inserter(points),
-                       [](const TestPoint& p) { return !std::isnan(p.K); });
-  std::ranges::stable_sort(points, {}, &TestPoint::a);
+                       [](const GrowthTestPoint& p) { return !std::isnan(p.K); });
+  std::ranges::stable_sort(points, {}, &GrowthTestPoint::a);
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const TestPoint& before = points[i - 1];
-    const TestPoint& behind = points[i];
+    const GrowthTestPoint& before = points[i - 1];
+    const GrowthTestPoint& behind = points[i];
     if (a >= before.a && a <= behind.a && behind.a > before.a) {
       const double t = std::log(a / before.a) / std::log(behind.a / before.a);
       return before.K * std::pow(behind.K / before.K, t);

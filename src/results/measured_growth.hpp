@@ -10,7 +10,7 @@
 namespace spricka::results {
 
 /// A length at which a test has a rate. Values that there are not are not numbers.
-struct TestPoint {
+struct GrowthTestPoint {
   double cycles = 0.0;
   double a = 0.0;                                     ///< [length]
   double rate = 0.0, rate_low = 0.0, rate_high = 0.0; ///< da/dN, with its 95 % band
@@ -22,13 +22,13 @@ struct TestPoint {
   [[nodiscard]] double ratio() const { return K / computed; }
 };
 
-struct GrowthTest {
+struct GrowthTestResult {
   std::string name;
   std::string tip;                             ///< that is compared
   std::string method;                          ///< as the card names it
   std::string reference;                       ///< what gave K, in words
   std::vector<std::array<double, 2>> readings; ///< N, a
-  std::vector<TestPoint> points;
+  std::vector<GrowthTestPoint> points;
   std::vector<std::array<double, 2>> computed; ///< length, ascending, and K1 of the tip at KMAX
   double scatter = 0.0;                        ///< standard deviation of the readings [length]
   double freedoms = 0.0;                       ///< of a spline
@@ -43,15 +43,15 @@ struct GrowthTest {
 };
 
 /// Comparison over the points with a in [from, to] that have a K and a computed one.
-struct TestComparison {
+struct GrowthTestComparison {
   int points = 0;
   double ratio = 0.0;  ///< geometric mean of K_exp / computed
   double rms = 0.0;    ///< of K_exp / computed - 1
   double inside = 0.0; ///< share of points whose band holds the computed K
 };
-TestComparison compare(const GrowthTest& test, double from, double to);
+GrowthTestComparison compare_test_k(const GrowthTestResult& test, double from, double to);
 
 /// K_exp at a length between two points, straight in the logarithms; not a number elsewhere.
-double measured_k_at(const GrowthTest& test, double a);
+double measured_k_at(const GrowthTestResult& test, double a);
 
 } // namespace spricka::results

@@ -13,12 +13,12 @@ using Values =
     std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>>;
 
 /// Named columns of one length: numbers, whole numbers or texts.
-struct Table {
-  struct Column {
+struct ColumnTable {
+  struct NamedColumn {
     std::string name;
     Values values;
   };
-  std::vector<Column> columns;
+  std::vector<NamedColumn> columns;
 
   [[nodiscard]] std::size_t rows() const {
     return columns.empty() ? 0

@@ -15,19 +15,19 @@ constexpr std::array doubts{base::ResultConcern::no_answer, base::ResultConcern:
                             base::ResultConcern::odd};
 
 std::string mark_of(base::ResultConcern doubt) {
-  return fmt::format("warning {}: ", code_of(doubt));
+  return fmt::format("warning {}: ", warning_code(doubt));
 }
 
 template <class Marked> std::vector<std::string> all_marked(const std::vector<Marked>& list) {
   std::vector<std::string> texts;
   std::ranges::transform(list, std::back_inserter(texts),
-                         [](const Marked& one) { return marked(one); });
+                         [](const Marked& one) { return text_with_code(one); });
   return texts;
 }
 
 } // namespace
 
-std::string_view code_of(base::ResultConcern doubt) {
+std::string_view warning_code(base::ResultConcern doubt) {
   switch (doubt) {
   case base::ResultConcern::no_answer:
     return "W508";
@@ -39,21 +39,21 @@ std::string_view code_of(base::ResultConcern doubt) {
   return "W502";
 }
 
-std::vector<Note> notes_of(const std::vector<std::string>& texts) {
+std::vector<Note> make_notes(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
   std::ranges::transform(texts, std::back_inserter(notes), note);
   return notes;
 }
 
-std::string marked(const Note& note) {
-  return note.doubt ? mark_of(*note.doubt) + note.text : note.text;
+std::string text_with_code(const Note& note) {
+  return note.kind ? mark_of(*note.kind) + note.text : note.text;
 }
 
-std::vector<std::string> marked(const std::vector<Note>& notes) {
+std::vector<std::string> text_with_code(const std::vector<Note>& notes) {
   return all_marked(notes);
 }
 
-std::vector<Note> notes_from(const std::vector<std::string>& texts) {
+std::vector<Note> parse_notes(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
   notes.reserve(texts.size());
   for (const std::string& text : texts) {
@@ -68,15 +68,15 @@ std::vector<Note> notes_from(const std::vector<std::string>& texts) {
   return notes;
 }
 
-std::string marked(const Warning& warning) {
+std::string text_with_code(const Warning& warning) {
   return fmt::format("{}: {}", warning.code, warning.text);
 }
 
-std::vector<std::string> marked(const std::vector<Warning>& warnings) {
+std::vector<std::string> text_with_code(const std::vector<Warning>& warnings) {
   return all_marked(warnings);
 }
 
-std::vector<Warning> warnings_from(const std::vector<std::string>& texts) {
+std::vector<Warning> parse_warnings(const std::vector<std::string>& texts) {
   std::vector<Warning> warnings;
   warnings.reserve(texts.size());
   for (const std::string& text : texts) {

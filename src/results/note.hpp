@@ -14,7 +14,7 @@ namespace spricka::results {
 /// What a reader of the results should know: a note, or a warning, which says what of them is in
 /// doubt.
 struct Note {
-  std::optional<base::ResultConcern> doubt;
+  std::optional<base::ResultConcern> kind;
   std::string text;
 
   bool operator==(const Note&) const = default;
@@ -24,32 +24,32 @@ inline Note note(std::string text) {
   return {std::nullopt, std::move(text)};
 }
 /// As the deck asks for it: is it what is meant?
-inline Note odd(std::string text) {
+inline Note questionable_note(std::string text) {
   return {base::ResultConcern::odd, std::move(text)};
 }
 /// The text says by how much.
-inline Note less_exact(std::string text) {
+inline Note less_exact_note(std::string text) {
   return {base::ResultConcern::less_exact, std::move(text)};
 }
-inline Note no_answer(std::string text) {
+inline Note invalid_result_note(std::string text) {
   return {base::ResultConcern::no_answer, std::move(text)};
 }
 
-inline bool warns(const Note& note) {
-  return note.doubt.has_value();
+inline bool is_warning(const Note& note) {
+  return note.kind.has_value();
 }
 
 /// The code of warnings in notes: "W502" odd, "W507" less exact, "W508" no answer.
-std::string_view code_of(base::ResultConcern doubt);
+std::string_view warning_code(base::ResultConcern doubt);
 
 /// Texts of which none is a warning.
-std::vector<Note> notes_of(const std::vector<std::string>& texts);
+std::vector<Note> make_notes(const std::vector<std::string>& texts);
 
 /// "warning W508: text", of a note the text alone: as listings show it and files keep it.
-std::string marked(const Note& note);
-std::vector<std::string> marked(const std::vector<Note>& notes);
+std::string text_with_code(const Note& note);
+std::vector<std::string> text_with_code(const std::vector<Note>& notes);
 /// Back from what files keep.
-std::vector<Note> notes_from(const std::vector<std::string>& texts);
+std::vector<Note> parse_notes(const std::vector<std::string>& texts);
 
 /// A warning of the whole run: of the deck, of a mesh or of results.
 struct Warning {
@@ -60,9 +60,9 @@ struct Warning {
 };
 
 /// "W508: text", as listings show it and files keep it.
-std::string marked(const Warning& warning);
-std::vector<std::string> marked(const std::vector<Warning>& warnings);
+std::string text_with_code(const Warning& warning);
+std::vector<std::string> text_with_code(const std::vector<Warning>& warnings);
 /// Back from what files keep.
-std::vector<Warning> warnings_from(const std::vector<std::string>& texts);
+std::vector<Warning> parse_warnings(const std::vector<std::string>& texts);
 
 } // namespace spricka::results

@@ -27,7 +27,7 @@ struct NetPreview {
 };
 
 /// The element that is worst by one measure.
-struct QualityPreview {
+struct MeshQualityPreview {
   std::string where;   ///< "host" or "crack patches"
   std::string measure; ///< "scaled Jacobian", "aspect", "smallest angle", "largest angle"
   double value = 0.0;  ///< angles in degrees
@@ -36,7 +36,7 @@ struct QualityPreview {
   base::Vec3 at = base::Vec3::Zero();
 };
 
-struct PairPreview {
+struct ContactPairPreview {
   std::string name;
   bool rigid = false; ///< the master is: it has no faces
   bool declared = false;
@@ -88,7 +88,7 @@ struct FrontPreview {
 };
 
 /// One crack length of the growth plan.
-struct LengthPreview {
+struct CrackLengthPreview {
   int number = 1;
   double a = 0.0;
   std::size_t nodes = 0;
@@ -110,28 +110,28 @@ struct LengthPreview {
 };
 
 /// A plane in which all bodies are their own mirror image.
-struct MirrorPreview {
+struct SymmetryPlanePreview {
   int axis = 0;             ///< 0 x, 1 y, 2 z: across it
   double at = 0.0;          ///< coordinate [length]
   std::string against;      ///< what is not mirrored; empty: half a model does
   std::string no_half = {}; ///< why $SYMMETRY can't make that half all the same
 };
 
-struct Preview {
+struct DeckPreview {
   std::string deck;
   std::string title;
   std::string length_unit;
   std::string force_unit;
   int dim = 2;
   std::vector<NetPreview> nets;
-  std::vector<QualityPreview> quality;
+  std::vector<MeshQualityPreview> quality;
   std::size_t inside_out = 0; ///< elements
-  std::vector<PairPreview> pairs;
+  std::vector<ContactPairPreview> pairs;
   std::vector<BodyPreview> bodies;
   std::vector<LoadTotal> loads; ///< of each case that has forces
-  std::vector<MirrorPreview> mirrors;
-  std::vector<LengthPreview> lengths;
-  std::vector<ScriptConstant> scripts;
+  std::vector<SymmetryPlanePreview> mirrors;
+  std::vector<CrackLengthPreview> lengths;
+  std::vector<ReportedScriptConstant> scripts;
   std::vector<std::string> steps;
   /// Contacts that a step behind the first mounts, each with that step: absent before it.
   std::vector<std::pair<std::string, std::string>> mounted_later;

@@ -24,12 +24,12 @@ const ContactResult* find_contact(const StepResult& step, std::string_view conta
   return found == step.contacts.end() ? nullptr : &*found;
 }
 
-const LoadPath* find_path(const Increment& increment, std::string_view path) {
-  const auto it = std::ranges::find(increment.paths, path, &LoadPath::name);
+const LoadPathResult* find_path(const Increment& increment, std::string_view path) {
+  const auto it = std::ranges::find(increment.paths, path, &LoadPathResult::name);
   return it == increment.paths.end() ? nullptr : &*it;
 }
 
-const TipResult* find_tip_at(const Run& run, std::string_view step, std::string_view tip,
+const TipResult* find_tip_at(const RunResult& run, std::string_view step, std::string_view tip,
                              double a) {
   const TipResult* nearest = nullptr;
   for (const Increment& increment : run.increments) {

@@ -23,7 +23,7 @@
 namespace spricka::results {
 
 /// Force balance and energy of one body or of one net.
-struct Balance {
+struct ForceBalance {
   std::string body; ///< net name, "LUG" or "LUG/2" for a second piece
   base::Vec3 applied = base::Vec3::Zero();
   base::Vec3 reaction = base::Vec3::Zero();
@@ -33,7 +33,7 @@ struct Balance {
 };
 
 /// What the mesh of one net, or of all together, is estimated to miss (fe/error_estimate.hpp).
-struct NetError {
+struct NetErrorEstimate {
   std::string net;   ///< as in Balance, "*": all
   double part = 0.0; ///< sqrt(error energy / (strain energy + error energy))
   /// Where most of it sits, at most three, and their share of the error's energy.
@@ -42,7 +42,7 @@ struct NetError {
 };
 
 /// A face of the outer surface of a solid mesh: its outline, mid nodes between the corners.
-struct SurfaceFace {
+struct OuterSurfaceFace {
   base::ElementId element;
   std::vector<base::NodeId> outline; ///< the outer normal by the right-hand rule
 };
@@ -59,15 +59,16 @@ struct StepResult {
   std::vector<TipResult> tips;        ///< of cracks in the plane
   std::vector<FrontResult> fronts;    ///< of cracks in space
   std::vector<ContactResult> contacts;
-  std::vector<Balance> balance; ///< by body
-  std::vector<Balance> nets;    ///< by net, in deck order, those with elements
-  std::vector<NetError> errors; ///< by net, then "*"; empty: not estimated
-  std::vector<Balance> targets; ///< by rigid target that a contact names: the reaction holds it
-  bool tied = false;            ///< ties stand between freedoms
-  double energy = 0.0;          ///< strain energy
-  double friction_work = 0.0;   ///< taken by friction so far [force * length]
-  int increments = 1;           ///< solved in the step
-  int iterations = 0;           ///< block iterations of the contact solution
+  std::vector<ForceBalance> balance;    ///< by body
+  std::vector<ForceBalance> nets;       ///< by net, in deck order, those with elements
+  std::vector<NetErrorEstimate> errors; ///< by net, then "*"; empty: not estimated
+  std::vector<ForceBalance>
+      targets;                ///< by rigid target that a contact names: the reaction holds it
+  bool tied = false;          ///< ties stand between freedoms
+  double energy = 0.0;        ///< strain energy
+  double friction_work = 0.0; ///< taken by friction so far [force * length]
+  int increments = 1;         ///< solved in the step
+  int iterations = 0;         ///< block iterations of the contact solution
   int pivots = 0;
   std::vector<Note> notes;
 };
@@ -78,10 +79,10 @@ struct Increment {
   double a = 0.0;           ///< of the first growing crack; 0 without cracks
   std::size_t unknowns = 0; ///< free displacements of the mesh with the crack in it
   model::Mesh mesh;
-  std::size_t kept = 0;             ///< elements of the host, before those of patches
-  std::vector<SurfaceFace> surface; ///< of solids; empty in the plane
+  std::size_t kept = 0;                  ///< elements of the host, before those of patches
+  std::vector<OuterSurfaceFace> surface; ///< of solids; empty in the plane
   std::vector<StepResult> steps;
-  std::vector<LoadPath> paths; ///< in deck order
+  std::vector<LoadPathResult> paths; ///< in deck order
   std::vector<Note> notes;
 };
 
@@ -107,14 +108,14 @@ struct CheckResult {
   double bar = std::numeric_limits<double>::quiet_NaN();
 };
 
-struct Run {
+struct RunResult {
   std::vector<Increment> increments;
   std::vector<LogLine> log;
   std::vector<CheckResult> checks;
-  std::vector<Warning> warnings;      ///< when the run has ended, the worst first
-  std::vector<ToleranceRound> rounds; ///< where $TIPNET has TOL; this run is the last
-  std::optional<Growth> growth;       ///< where $GROW has a law
-  std::vector<GrowthTest> tests;      ///< one for each $TEST, in deck order
+  std::vector<Warning> warnings;       ///< when the run has ended, the worst first
+  std::vector<ToleranceRound> rounds;  ///< where $TIPNET has TOL; this run is the last
+  std::optional<GrowthResult> growth;  ///< where $GROW has a law
+  std::vector<GrowthTestResult> tests; ///< one for each $TEST, in deck order
   double cpu = 0.0;
   double wall = 0.0;
   std::size_t peak_memory = 0; ///< [bytes]
@@ -124,10 +125,11 @@ struct Run {
 const StepResult* find_step(const Increment& increment, std::string_view step);
 const TipResult* find_tip(const StepResult& step, std::string_view tip);
 const ContactResult* find_contact(const StepResult& step, std::string_view contact);
-const LoadPath* find_path(const Increment& increment, std::string_view path);
+const LoadPathResult* find_path(const Increment& increment, std::string_view path);
 
 /// The tip of that name at the end of that step where its crack has the length nearest to `a`
 /// [length]; null if no increment has both.
-const TipResult* find_tip_at(const Run& run, std::string_view step, std::string_view tip, double a);
+const TipResult* find_tip_at(const RunResult& run, std::string_view step, std::string_view tip,
+                             double a);
 
 } // namespace spricka::results

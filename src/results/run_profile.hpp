@@ -11,7 +11,7 @@
 namespace spricka::results {
 
 /// From one moment to another on the main thread, in one processor of the listing.
-struct Stretch {
+struct ProcessorInterval {
   std::string processor; ///< TOPOLOGY, CONTACT, ...
   std::string text;
   double begin = 0.0, end = 0.0;            ///< moments [s]
@@ -23,7 +23,7 @@ struct Stretch {
 };
 
 /// A net, condensed or found again.
-struct NetWork {
+struct NetCost {
   std::string name; ///< the body's; of its nets "LUG: rest" and "LUG: region", "A+B: A"
   std::int64_t freedoms = 0, externals = 0;
   std::optional<double> entries = {};             ///< nonzeros of its factor
@@ -36,7 +36,7 @@ struct NetWork {
 };
 
 /// All that was done for one crack length.
-struct LengthWork {
+struct CrackLengthCost {
   std::optional<double> a = {};  ///< crack length; empty: it came to no solution
   bool counts = false;           ///< an increment of the run; else one that was tried
   int round = 1;                 ///< with a tolerance of K: which of the rounds it belongs to
@@ -45,19 +45,19 @@ struct LengthWork {
 };
 
 /// A request to the mesher, which is a process of its own.
-struct MesherWork {
+struct MesherCost {
   double begin = 0.0, end = 0.0;        ///< moments [s]
   std::optional<double> cpu = {};       ///< [s] of the mesher
   std::optional<std::size_t> peak = {}; ///< [bytes] of the mesher until then
 };
 
-struct Profile {
+struct RunProfile {
   double begin = 0.0, end = 0.0; ///< moments [s]
   double cpu = 0.0;              ///< [s] of the process, in all
-  std::vector<Stretch> stretches;
-  std::vector<NetWork> nets;
-  std::vector<LengthWork> lengths;
-  std::vector<MesherWork> mesher;
+  std::vector<ProcessorInterval> stretches;
+  std::vector<NetCost> nets;
+  std::vector<CrackLengthCost> lengths;
+  std::vector<MesherCost> mesher;
   std::optional<std::size_t> peak = {}; ///< [bytes] of the process
 };
 

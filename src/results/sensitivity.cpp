@@ -3,17 +3,17 @@
 
 namespace spricka::results {
 
-std::string word_of(Cause cause) {
+std::string display_word(SensitivityParameter cause) {
   switch (cause) {
-  case Cause::load:
+  case SensitivityParameter::load:
     return "LOAD";
-  case Cause::fit:
+  case SensitivityParameter::fit:
     return "FIT";
-  case Cause::modulus:
+  case SensitivityParameter::modulus:
     return "E";
-  case Cause::length:
+  case SensitivityParameter::length:
     return "A";
-  case Cause::axis:
+  case SensitivityParameter::axis:
     break;
   }
   return "C";

@@ -8,7 +8,7 @@
 namespace spricka::results {
 
 /// What K depends on; the names are those of the deck.
-enum class Cause : char {
+enum class SensitivityParameter : char {
   load,    ///< factor of a load case
   fit,     ///< normal interference of a contact, a gap counts negative [length]
   modulus, ///< Young's modulus of a material [stress]
@@ -18,7 +18,7 @@ enum class Cause : char {
 
 /// Derivatives of K1 and K2 of one tip at the end of one step by one value, everything else kept.
 struct Sensitivity {
-  Cause cause = Cause::load;
+  SensitivityParameter cause = SensitivityParameter::load;
   std::string name;   ///< load case, contact, material or tip
   double value = 0.0; ///< at the end of the step
   /// Below and above the value; different where a contact is about to change there. Empty: on that
@@ -35,14 +35,14 @@ struct Sensitivity {
 };
 
 /// Of one tip at the end of one step.
-struct Sensitivities {
+struct TipSensitivityResults {
   std::vector<Sensitivity> of;
   std::vector<std::string> notes; ///< why some or all are not given
 };
 
 /// Derivatives of K1, K2, K3 along a front in space by one value, everything else kept.
 struct FrontSensitivity {
-  Cause cause = Cause::load;
+  SensitivityParameter cause = SensitivityParameter::load;
   std::string name;   ///< load case, contact, material or crack
   double value = 0.0; ///< at the end of the step
   /// [point] as in Sensitivity; empty: on that side nothing holds a body.
@@ -50,16 +50,16 @@ struct FrontSensitivity {
   std::optional<std::array<double, 2>> range; ///< as in Sensitivity
 
   /// Whether both sides are known and agree.
-  [[nodiscard]] bool smooth() const { return !below.empty() && below == above; }
+  [[nodiscard]] bool is_smooth() const { return !below.empty() && below == above; }
 };
 
 /// Of one front at the end of one step.
-struct FrontSensitivities {
+struct FrontSensitivityResults {
   std::vector<FrontSensitivity> of;
   std::vector<std::string> notes; ///< why some or all are not given
 };
 
 /// "LOAD", "FIT", "E", "A", "C".
-std::string word_of(Cause cause);
+std::string display_word(SensitivityParameter cause);
 
 } // namespace spricka::results

@@ -25,7 +25,7 @@ class StoreGroup {
 public:
   /// The folder of that name: opened, or made if there is none and the store is being written.
   [[nodiscard]] StoreGroup group(const std::string& name) const;
-  [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] bool has_member(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> names() const; ///< ascending
 
   /// Arrays of rows with `columns` numbers each; one column makes an array of one dimension.
@@ -34,25 +34,25 @@ public:
              std::size_t columns = 1);
   void write(const std::string& name, std::span<const std::string> values);
   /// One compound value a row, a member for each column.
-  void write(const std::string& name, const Table& table);
-  void describe(const std::string& name, double value); ///< an attribute
-  void describe(const std::string& name, std::int64_t value);
-  void describe(const std::string& name, std::string_view value);
+  void write(const std::string& name, const ColumnTable& table);
+  void set_attribute(const std::string& name, double value); ///< an attribute
+  void set_attribute(const std::string& name, std::int64_t value);
+  void set_attribute(const std::string& name, std::string_view value);
 
-  [[nodiscard]] std::vector<double> reals(const std::string& name) const;
-  [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name) const;
-  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
-  [[nodiscard]] Table table(const std::string& name) const;
+  [[nodiscard]] std::vector<double> read_reals(const std::string& name) const;
+  [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> read_texts(const std::string& name) const;
+  [[nodiscard]] ColumnTable read_table(const std::string& name) const;
   // Attributes.
-  [[nodiscard]] double real(const std::string& name) const;
-  [[nodiscard]] std::int64_t integer(const std::string& name) const;
-  [[nodiscard]] std::string text(const std::string& name) const;
+  [[nodiscard]] double real_attribute(const std::string& name) const;
+  [[nodiscard]] std::int64_t integer_attribute(const std::string& name) const;
+  [[nodiscard]] std::string text_attribute(const std::string& name) const;
 
 private:
   friend class Store;
-  struct Handle;
-  explicit StoreGroup(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
-  std::shared_ptr<Handle> handle_;
+  struct GroupHandle;
+  explicit StoreGroup(std::shared_ptr<GroupHandle> handle) : handle_(std::move(handle)) {}
+  std::shared_ptr<GroupHandle> handle_;
 };
 
 class Store {
@@ -64,12 +64,12 @@ public:
 
   [[nodiscard]] StoreGroup root() const;
   /// Ends the writing: the bytes of the file, which live as long as the store.
-  [[nodiscard]] std::string_view bytes();
+  [[nodiscard]] std::string_view finish_bytes();
 
 private:
-  struct Handle;
-  explicit Store(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
-  std::shared_ptr<Handle> handle_;
+  struct StoreHandle;
+  explicit Store(std::shared_ptr<StoreHandle> handle) : handle_(std::move(handle)) {}
+  std::shared_ptr<StoreHandle> handle_;
 };
 
 /// Version of the library behind it.

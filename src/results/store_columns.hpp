@@ -31,9 +31,9 @@ template <> inline constexpr std::size_t row_width<base::Vec3> = 3;
 template <std::size_t n> inline constexpr std::size_t row_width<std::array<double, n>> = n;
 
 /// Collects records row by row.
-class Packer {
+class RecordPacker {
 public:
-  template <class T> void add(const T& record) {
+  template <class T> void add_record(const T& record) {
     column_ = child_ = 0;
     fields(*this, record);
     ++rows_;
@@ -44,9 +44,9 @@ public:
       return;
     }
     group.write(name, table_);
-    for (const Child& child : children_) {
+    for (const PackedChild& child : children_) {
       const std::string full = name + "." + child.name;
-      if (const auto* list = std::get_if<std::unique_ptr<Packer>>(&child.data)) {
+      if (const auto* list = std::get_if<std::unique_ptr<RecordPacker>>(&child.data)) {
         (*list)->write(group, full);
       } else if (const auto* reals = std::get_if<std::vector<double>>(&child.data)) {
         if (!reals->empty()) {
@@ -105,7 +105,7 @@ public:
     });
   }
   void operator()(const char* name, const std::vector<Note>& notes) {
-    (*this)(name, marked(notes));
+    (*this)(name, text_with_code(notes));
   }
   template <class T> void operator()(const char* name, const std::vector<T>& values) {
     within(name, [&] { (*this)("count", values.size()); });
@@ -126,12 +126,12 @@ public:
         append(all, v);
       }
     } else {
-      auto& list = child<std::unique_ptr<Packer>>(name);
+      auto& list = child<std::unique_ptr<RecordPacker>>(name);
       if (!list) {
-        list = std::make_unique<Packer>();
+        list = std::make_unique<RecordPacker>();
       }
       for (const T& v : values) {
-        list->add(v);
+        list->add_record(v);
       }
     }
   }
@@ -143,8 +143,8 @@ public:
 
 private:
   using Data = std::variant<std::vector<double>, std::vector<std::int64_t>,
-                            std::vector<std::string>, std::unique_ptr<Packer>>;
-  struct Child {
+                            std::vector<std::string>, std::unique_ptr<RecordPacker>>;
+  struct PackedChild {
     std::string name;
     Data data;
     std::size_t columns = 1;
@@ -175,24 +175,25 @@ private:
     return std::get<T>(children_[child_++].data);
   }
 
-  Table table_;
-  std::vector<Child> children_;
+  ColumnTable table_;
+  std::vector<PackedChild> children_;
   std::string prefix_;
   std::size_t rows_ = 0, column_ = 0, child_ = 0;
 };
 
 /// Gives records back in the order in which they were packed. Throws StoreError where a table is
 /// not one of such records.
-class Unpacker {
+class RecordUnpacker {
 public:
-  Unpacker(StoreGroup group, std::string name) : group_(std::move(group)), name_(std::move(name)) {
-    if (group_.has(name_)) {
-      table_ = group_.table(name_);
+  RecordUnpacker(StoreGroup group, std::string name)
+      : group_(std::move(group)), name_(std::move(name)) {
+    if (group_.has_member(name_)) {
+      table_ = group_.read_table(name_);
     }
   }
 
   [[nodiscard]] std::size_t rows() const { return table_.rows(); }
-  template <class T> T next() {
+  template <class T> T next_record() {
     if (row_ >= rows()) {
       throw StoreError(name_ + " has too few rows");
     }
@@ -255,12 +256,12 @@ public:
   void operator()(const char* name, std::vector<Note>& notes) {
     std::vector<std::string> texts;
     (*this)(name, texts);
-    notes = notes_from(texts);
+    notes = parse_notes(texts);
   }
   template <class T> void operator()(const char* name, std::vector<T>& values) {
     std::size_t count = 0;
     within(name, [&] { (*this)("count", count); });
-    Child& from = child(name);
+    UnpackedChild& from = child(name);
     values.clear();
     if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::string>) {
       slice<T>(from, count, 1, [&](const auto* v) { values.assign(v, v + count); });
@@ -279,10 +280,10 @@ public:
       });
     } else if (count > 0) {
       if (!from.list) {
-        from.list = std::make_unique<Unpacker>(group_, name_ + "." + from.name);
+        from.list = std::make_unique<RecordUnpacker>(group_, name_ + "." + from.name);
       }
       for (std::size_t i = 0; i < count; ++i) {
-        values.push_back(from.list->next<T>());
+        values.push_back(from.list->next_record<T>());
       }
     }
   }
@@ -293,12 +294,12 @@ public:
   }
 
 private:
-  struct Child {
+  struct UnpackedChild {
     std::string name;
     Values values;
     bool loaded = false;
     std::size_t at = 0;
-    std::unique_ptr<Unpacker> list;
+    std::unique_ptr<RecordUnpacker> list;
   };
 
   template <class T> static T whole(std::int64_t value) {
@@ -322,32 +323,32 @@ private:
     if (column_ >= table_.columns.size()) {
       throw StoreError(name_ + " has no column " + prefix_ + name);
     }
-    const Table::Column& found = table_.columns[column_++];
+    const ColumnTable::NamedColumn& found = table_.columns[column_++];
     const auto* values = std::get_if<std::vector<T>>(&found.values);
     if (values == nullptr || (row_ == 0 && found.name != prefix_ + name)) {
       throw StoreError(name_ + " has column " + found.name + " where another belongs");
     }
     return (*values)[row_];
   }
-  Child& child(const char* name) {
+  UnpackedChild& child(const char* name) {
     if (row_ == 0) {
       children_.emplace_back().name = prefix_ + name;
     }
     return children_[child_++];
   }
-  template <class T> void load(Child& from) {
+  template <class T> void load(UnpackedChild& from) {
     const std::string full = name_ + "." + from.name;
     if constexpr (std::is_same_v<T, double>) {
-      from.values = group_.reals(full);
+      from.values = group_.read_reals(full);
     } else if constexpr (std::is_same_v<T, std::string>) {
-      from.values = group_.texts(full);
+      from.values = group_.read_texts(full);
     } else {
-      from.values = group_.integers(full);
+      from.values = group_.read_integers(full);
     }
     from.loaded = true;
   }
   template <class T, class Take>
-  void slice(Child& from, std::size_t count, std::size_t columns, const Take& take) {
+  void slice(UnpackedChild& from, std::size_t count, std::size_t columns, const Take& take) {
     if (count == 0) {
       return;
     }
@@ -364,28 +365,30 @@ private:
 
   StoreGroup group_;
   std::string name_;
-  Table table_;
-  std::vector<Child> children_;
+  ColumnTable table_;
+  std::vector<UnpackedChild> children_;
   std::string prefix_;
   std::size_t row_ = 0, column_ = 0, child_ = 0;
 };
 
 /// A list of records as table NAME; nothing where it is empty.
 template <class T>
-void write_list(const StoreGroup& group, const std::string& name, const std::vector<T>& list) {
-  Packer packer;
+void write_record_list(const StoreGroup& group, const std::string& name,
+                       const std::vector<T>& list) {
+  RecordPacker packer;
   for (const T& record : list) {
-    packer.add(record);
+    packer.add_record(record);
   }
   packer.write(group, name);
 }
 
-template <class T> std::vector<T> read_list(const StoreGroup& group, const std::string& name) {
-  Unpacker unpacker(group, name);
+template <class T>
+std::vector<T> read_record_list(const StoreGroup& group, const std::string& name) {
+  RecordUnpacker unpacker(group, name);
   std::vector<T> list;
   list.reserve(unpacker.rows());
   for (std::size_t r = 0, n = unpacker.rows(); r < n; ++r) {
-    list.push_back(unpacker.next<T>());
+    list.push_back(unpacker.next_record<T>());
   }
   return list;
 }

@@ -13,7 +13,7 @@ namespace spricka::results {
 template <class T, class R>
 concept Of = std::same_as<std::remove_const_t<T>, R>;
 
-template <class V, Of<KBar> T> void fields(V& v, T& r) {
+template <class V, Of<KErrorBar> T> void fields(V& v, T& r) {
   v("eta", r.eta);
   v("sum", r.sum);
   v("flip", r.flip);
@@ -34,7 +34,7 @@ template <class V, Of<Sensitivity> T> void fields(V& v, T& r) {
   v("range", r.range);
 }
 
-template <class V, Of<Sensitivities> T> void fields(V& v, T& r) {
+template <class V, Of<TipSensitivityResults> T> void fields(V& v, T& r) {
   v("of", r.of);
   v("notes", r.notes);
 }
@@ -69,12 +69,12 @@ template <class V, Of<FrontSensitivity> T> void fields(V& v, T& r) {
   v("range", r.range);
 }
 
-template <class V, Of<FrontSensitivities> T> void fields(V& v, T& r) {
+template <class V, Of<FrontSensitivityResults> T> void fields(V& v, T& r) {
   v("of", r.of);
   v("notes", r.notes);
 }
 
-template <class V, Of<FrontPlace> T> void fields(V& v, T& r) {
+template <class V, Of<FrontPointResult> T> void fields(V& v, T& r) {
   v("number", r.number);
   v("at", r.x);
   for (const FrontQuantity& q : front_quantities) {
@@ -105,7 +105,7 @@ template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
 template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
   v("node", r.node);
   v("at", r.x);
-  for (const PointQuantity& q : point_quantities) {
+  for (const ContactPointQuantity& q : point_quantities) {
     if (q.member != nullptr) {
       v(q.name, r.*q.member);
     } else if (q.is_word()) {
@@ -149,7 +149,7 @@ template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
   v("unbounded", r.unbounded);
 }
 
-template <class V, Of<Balance> T> void fields(V& v, T& r) {
+template <class V, Of<ForceBalance> T> void fields(V& v, T& r) {
   v("body", r.body);
   v("applied", r.applied);
   v("reaction", r.reaction);
@@ -158,19 +158,19 @@ template <class V, Of<Balance> T> void fields(V& v, T& r) {
   v("energy", r.energy);
 }
 
-template <class V, Of<NetError> T> void fields(V& v, T& r) {
+template <class V, Of<NetErrorEstimate> T> void fields(V& v, T& r) {
   v("net", r.net);
   v("part", r.part);
   v("worst", r.worst);
   v("worst_share", r.worst_share);
 }
 
-template <class V, Of<SurfaceFace> T> void fields(V& v, T& r) {
+template <class V, Of<OuterSurfaceFace> T> void fields(V& v, T& r) {
   v("element", r.element);
   v("outline", r.outline);
 }
 
-template <class V, Of<PathTip> T> void fields(V& v, T& r) {
+template <class V, Of<LoadPathTip> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("a", r.a);
   v("K1", r.K1);
@@ -178,18 +178,18 @@ template <class V, Of<PathTip> T> void fields(V& v, T& r) {
   v("doubt", r.doubt);
 }
 
-template <class V, Of<PathPoint> T> void fields(V& v, T& r) {
+template <class V, Of<LoadPathFrontPoint> T> void fields(V& v, T& r) {
   v("is", r.is);
   v("K", r.K);
   v("smooth", r.smooth);
 }
 
-template <class V, Of<PathFront> T> void fields(V& v, T& r) {
+template <class V, Of<LoadPathFront> T> void fields(V& v, T& r) {
   v("is", r.is);
   v("points", r.points);
 }
 
-template <class V, Of<PathContact> T> void fields(V& v, T& r) {
+template <class V, Of<LoadPathContact> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("opening", r.opening);
   v("round", r.round);
@@ -199,7 +199,7 @@ template <class V, Of<PathContact> T> void fields(V& v, T& r) {
   v("rows", r.rows);
 }
 
-template <class V, Of<PathChange> T> void fields(V& v, T& r) {
+template <class V, Of<ContactStatusChange> T> void fields(V& v, T& r) {
   v("t", r.t);
   v("contact", r.contact);
   v("node", r.node);
@@ -207,7 +207,7 @@ template <class V, Of<PathChange> T> void fields(V& v, T& r) {
   v("closes", r.closes);
 }
 
-template <class V, Of<LoadPath> T> void fields(V& v, T& r) {
+template <class V, Of<LoadPathResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("from", r.from);
   v("to", r.to);
@@ -255,7 +255,7 @@ template <class V, Of<ToleranceRound> T> void fields(V& v, T& r) {
   v("next", r.next);
 }
 
-template <class V, Of<GrowingTip> T> void fields(V& v, T& r) {
+template <class V, Of<GrownTipResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("a", r.a);
   v("K_max", r.K_max);
@@ -276,7 +276,7 @@ template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
   v("change", r.change);
 }
 
-template <class V, Of<LifePoint> T> void fields(V& v, T& r) {
+template <class V, Of<LifeCurvePoint> T> void fields(V& v, T& r) {
   v("cycles", r.cycles);
   v("a", r.a);
 }
@@ -287,7 +287,7 @@ template <class V, Of<ScaledLife> T> void fields(V& v, T& r) {
   v("curve", r.curve);
 }
 
-template <class V, Of<Growth> T> void fields(V& v, T& r) {
+template <class V, Of<GrowthResult> T> void fields(V& v, T& r) {
   v("unit", r.unit);
   v("cycles_per_pass", r.cycles_per_pass);
   v("tips", r.tips);
@@ -304,7 +304,7 @@ template <class V, Of<Growth> T> void fields(V& v, T& r) {
   v("scaled", r.scaled);
 }
 
-template <class V, Of<TestPoint> T> void fields(V& v, T& r) {
+template <class V, Of<GrowthTestPoint> T> void fields(V& v, T& r) {
   v("cycles", r.cycles);
   v("a", r.a);
   v("rate", r.rate);
@@ -318,7 +318,7 @@ template <class V, Of<TestPoint> T> void fields(V& v, T& r) {
   v("covered", r.covered);
 }
 
-template <class V, Of<GrowthTest> T> void fields(V& v, T& r) {
+template <class V, Of<GrowthTestResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("tip", r.tip);
   v("method", r.method);

@@ -9,17 +9,18 @@ namespace spricka::results {
 namespace {
 
 // The library's own messages say nothing to a user; what fails is said by StoreError.
-Id file_access() {
+Hdf5Id file_access() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  Id list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
-  good(H5Pset_libver_bounds(list.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "choose the format");
-  good(H5Pset_fclose_degree(list.get(), H5F_CLOSE_STRONG), "choose how the file is closed");
+  Hdf5Id list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
+  check_status(H5Pset_libver_bounds(list.get(), H5F_LIBVER_V18, H5F_LIBVER_V18),
+               "choose the format");
+  check_status(H5Pset_fclose_degree(list.get(), H5F_CLOSE_STRONG), "choose how the file is closed");
   return list;
 }
 
-Id file_creation() {
-  Id list(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make a property list");
-  good(H5Pset_obj_track_times(list.get(), 0), "leave out times");
+Hdf5Id file_creation() {
+  Hdf5Id list(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make a property list");
+  check_status(H5Pset_obj_track_times(list.get(), 0), "leave out times");
   return list;
 }
 
@@ -73,45 +74,46 @@ constexpr std::size_t growth = 1 << 20; // [bytes] by which memory for a store g
 
 } // namespace
 
-struct Store::Handle {
-  Handle(Id file, std::unique_ptr<Image> where) : image(std::move(where)), id(std::move(file)) {}
+struct Store::StoreHandle {
+  StoreHandle(Hdf5Id file, std::unique_ptr<Image> where)
+      : image(std::move(where)), id(std::move(file)) {}
   std::unique_ptr<Image> image; ///< lives longer than the file
-  Id id;
+  Hdf5Id id;
 };
 
 Store Store::in_memory() {
-  const Id access = file_access();
+  const Hdf5Id access = file_access();
   auto image = std::make_unique<Image>();
   H5FD_file_image_callbacks_t calls{take_memory, nullptr,    resize_memory, give_memory,
                                     same_image,  keep_image, image.get()};
-  good(H5Pset_fapl_core(access.get(), growth, 0), "work in memory");
-  good(H5Pset_file_image_callbacks(access.get(), &calls), "work in memory");
-  const Id made = file_creation();
-  Id id(H5Fcreate(name_of(*image).c_str(), H5F_ACC_TRUNC, made.get(), access.get()), H5Fclose,
-        "make a store in memory");
-  return Store(std::make_shared<Handle>(std::move(id), std::move(image)));
+  check_status(H5Pset_fapl_core(access.get(), growth, 0), "work in memory");
+  check_status(H5Pset_file_image_callbacks(access.get(), &calls), "work in memory");
+  const Hdf5Id made = file_creation();
+  Hdf5Id id(H5Fcreate(name_of(*image).c_str(), H5F_ACC_TRUNC, made.get(), access.get()), H5Fclose,
+            "make a store in memory");
+  return Store(std::make_shared<StoreHandle>(std::move(id), std::move(image)));
 }
 
 Store Store::from_bytes(std::string_view bytes) {
-  const Id access = file_access();
-  good(H5Pset_fapl_core(access.get(), growth, 0), "work in memory");
+  const Hdf5Id access = file_access();
+  check_status(H5Pset_fapl_core(access.get(), growth, 0), "work in memory");
   // the library copies what it is given
   std::string copy(bytes);
-  good(H5Pset_file_image(access.get(), copy.data(), copy.size()), "take over bytes");
+  check_status(H5Pset_file_image(access.get(), copy.data(), copy.size()), "take over bytes");
   auto image = std::make_unique<Image>();
-  Id id(H5Fopen(name_of(*image).c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose,
-        "understand its bytes");
-  return Store(std::make_shared<Handle>(std::move(id), std::move(image)));
+  Hdf5Id id(H5Fopen(name_of(*image).c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose,
+            "understand its bytes");
+  return Store(std::make_shared<StoreHandle>(std::move(id), std::move(image)));
 }
 
 StoreGroup Store::root() const {
-  return StoreGroup(std::make_shared<StoreGroup::Handle>(
-      Id(H5Gopen2(handle_->id.get(), "/", H5P_DEFAULT), H5Gclose, "open the store")));
+  return StoreGroup(std::make_shared<StoreGroup::GroupHandle>(
+      Hdf5Id(H5Gopen2(handle_->id.get(), "/", H5P_DEFAULT), H5Gclose, "open the store")));
 }
 
-std::string_view Store::bytes() {
+std::string_view Store::finish_bytes() {
   if (handle_->id.get() >= 0) {
-    good(H5Fflush(handle_->id.get(), H5F_SCOPE_GLOBAL), "collect the store");
+    check_status(H5Fflush(handle_->id.get(), H5F_SCOPE_GLOBAL), "collect the store");
     handle_->id.close("close the store");
   }
   return {static_cast<const char*>(handle_->image->data.get()), handle_->image->length};

@@ -18,29 +18,30 @@ std::size_t longest(std::span<const std::string> texts) {
 }
 
 /// Rows of a table as bytes: the columns' offsets and the compound type.
-struct RowLayout {
-  Id type;
+struct TableRowLayout {
+  Hdf5Id type;
   std::vector<std::size_t> offset, size; ///< [column]
   std::size_t bytes = 0;                 ///< of a row
 };
 
-RowLayout row_layout(const Table& table) {
+TableRowLayout row_layout(const ColumnTable& table) {
   std::vector<std::size_t> offset;
   std::vector<std::size_t> size;
   std::size_t bytes = 0;
-  for (const Table::Column& column : table.columns) {
+  for (const ColumnTable::NamedColumn& column : table.columns) {
     const auto* texts = std::get_if<std::vector<std::string>>(&column.values);
     offset.push_back(bytes);
     size.push_back(texts != nullptr ? longest(*texts) : 8);
     bytes += size.back();
   }
-  Id type(H5Tcreate(H5T_COMPOUND, bytes), H5Tclose, "make a table's type");
+  Hdf5Id type(H5Tcreate(H5T_COMPOUND, bytes), H5Tclose, "make a table's type");
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const Table::Column& column = table.columns[c];
-    const Id text = text_type(size[c]);
+    const ColumnTable::NamedColumn& column = table.columns[c];
+    const Hdf5Id text = text_type(size[c]);
     const std::array<hid_t, 3> types{H5T_IEEE_F64LE, H5T_STD_I64LE, text.get()};
-    good(H5Tinsert(type.get(), column.name.c_str(), offset[c], types[column.values.index()]),
-         "make column " + column.name);
+    check_status(
+        H5Tinsert(type.get(), column.name.c_str(), offset[c], types[column.values.index()]),
+        "make column " + column.name);
   }
   return {std::move(type), std::move(offset), std::move(size), bytes};
 }
@@ -78,18 +79,18 @@ std::vector<T> column_from(const std::vector<char>& rows, std::size_t row, std::
 } // namespace
 
 StoreGroup StoreGroup::group(const std::string& name) const {
-  if (has(name)) {
-    return StoreGroup(std::make_shared<Handle>(Id(
+  if (has_member(name)) {
+    return StoreGroup(std::make_shared<GroupHandle>(Hdf5Id(
         H5Gopen2(handle_->id.get(), name.c_str(), H5P_DEFAULT), H5Gclose, "find folder " + name)));
   }
-  const Id list(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make a property list");
-  good(H5Pset_obj_track_times(list.get(), 0), "leave out times");
-  return StoreGroup(std::make_shared<Handle>(
-      Id(H5Gcreate2(handle_->id.get(), name.c_str(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
-         H5Gclose, "find or make folder " + name)));
+  const Hdf5Id list(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make a property list");
+  check_status(H5Pset_obj_track_times(list.get(), 0), "leave out times");
+  return StoreGroup(std::make_shared<GroupHandle>(
+      Hdf5Id(H5Gcreate2(handle_->id.get(), name.c_str(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
+             H5Gclose, "find or make folder " + name)));
 }
 
-bool StoreGroup::has(const std::string& name) const {
+bool StoreGroup::has_member(const std::string& name) const {
   return H5Lexists(handle_->id.get(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
@@ -99,8 +100,8 @@ std::vector<std::string> StoreGroup::names() const {
     static_cast<std::vector<std::string>*>(to)->emplace_back(name);
     return 0;
   };
-  good(H5Literate(handle_->id.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &list),
-       "list a folder");
+  check_status(H5Literate(handle_->id.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &list),
+               "list a folder");
   return list;
 }
 
@@ -108,7 +109,7 @@ void StoreGroup::write(const std::string& name, std::span<const double> values,
                        std::size_t columns) {
   const std::array<hsize_t, 2> extent{values.size() / columns, columns};
   write_array(handle_->id.get(), name, std::span(extent).first(columns > 1 ? 2 : 1),
-              {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE}, values.data(), repeats(values));
+              {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE}, values.data(), is_repetitive(values));
 }
 
 void StoreGroup::write(const std::string& name, std::span<const std::int64_t> values,
@@ -125,13 +126,13 @@ void StoreGroup::write(const std::string& name, std::span<const std::string> val
     std::copy(values[i].begin(), values[i].end(),
               bytes.begin() + static_cast<std::ptrdiff_t>(i * size));
   }
-  const Id type = text_type(size);
+  const Hdf5Id type = text_type(size);
   const std::array<hsize_t, 1> extent{values.size()};
   write_array(handle_->id.get(), name, extent, {type.get(), type.get()}, bytes.data());
 }
 
-void StoreGroup::write(const std::string& name, const Table& table) {
-  const RowLayout layout = row_layout(table);
+void StoreGroup::write(const std::string& name, const ColumnTable& table) {
+  const TableRowLayout layout = row_layout(table);
   const std::size_t rows = table.rows();
   std::string bytes(rows * layout.bytes, '\0');
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -148,29 +149,29 @@ void StoreGroup::write(const std::string& name, const Table& table) {
               bytes.data());
 }
 
-void StoreGroup::describe(const std::string& name, double value) {
+void StoreGroup::set_attribute(const std::string& name, double value) {
   write_attribute(handle_->id.get(), name, H5T_NATIVE_DOUBLE, &value);
 }
 
-void StoreGroup::describe(const std::string& name, std::int64_t value) {
+void StoreGroup::set_attribute(const std::string& name, std::int64_t value) {
   write_attribute(handle_->id.get(), name, H5T_NATIVE_INT64, &value);
 }
 
-void StoreGroup::describe(const std::string& name, std::string_view value) {
-  const Id type = text_type(value.size());
+void StoreGroup::set_attribute(const std::string& name, std::string_view value) {
+  const Hdf5Id type = text_type(value.size());
   const std::string bytes = value.empty() ? std::string(1, '\0') : std::string(value);
   write_attribute(handle_->id.get(), name, type.get(), bytes.data());
 }
 
-std::vector<double> StoreGroup::reals(const std::string& name) const {
+std::vector<double> StoreGroup::read_reals(const std::string& name) const {
   return read_numbers<double>(handle_->id.get(), name, H5T_NATIVE_DOUBLE, H5T_FLOAT);
 }
 
-std::vector<std::int64_t> StoreGroup::integers(const std::string& name) const {
+std::vector<std::int64_t> StoreGroup::read_integers(const std::string& name) const {
   return read_numbers<std::int64_t>(handle_->id.get(), name, H5T_NATIVE_INT64, H5T_INTEGER);
 }
 
-std::vector<std::string> StoreGroup::texts(const std::string& name) const {
+std::vector<std::string> StoreGroup::read_texts(const std::string& name) const {
   const OpenArray array = open_array(handle_->id.get(), name);
   if (H5Tget_class(array.type.get()) != H5T_STRING || H5Tis_variable_str(array.type.get()) > 0) {
     fail(fmt::format("array {} is of another kind", name));
@@ -180,29 +181,31 @@ std::vector<std::string> StoreGroup::texts(const std::string& name) const {
     return {};
   }
   std::vector<char> bytes(array.count * size);
-  good(H5Dread(array.set.get(), array.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
-       "read array " + name);
+  check_status(
+      H5Dread(array.set.get(), array.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
+      "read array " + name);
   return column_from<std::string>(bytes, size, 0, size);
 }
 
-Table StoreGroup::table(const std::string& name) const {
+ColumnTable StoreGroup::read_table(const std::string& name) const {
   const OpenArray array = open_array(handle_->id.get(), name);
   if (H5Tget_class(array.type.get()) != H5T_COMPOUND) {
     fail(fmt::format("array {} is no table", name));
   }
   const std::size_t row = H5Tget_size(array.type.get());
   std::vector<char> bytes(array.count * row);
-  good(H5Dread(array.set.get(), array.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
-       "read table " + name);
-  Table table;
+  check_status(
+      H5Dread(array.set.get(), array.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
+      "read table " + name);
+  ColumnTable table;
   const int members = H5Tget_nmembers(array.type.get());
   for (int m = 0; m < members; ++m) {
     const auto member = static_cast<unsigned>(m);
-    const Id type(H5Tget_member_type(array.type.get(), member), H5Tclose, "find a column");
+    const Hdf5Id type(H5Tget_member_type(array.type.get(), member), H5Tclose, "find a column");
     const std::size_t offset = H5Tget_member_offset(array.type.get(), member);
     const std::size_t size = H5Tget_size(type.get());
     char* const label = H5Tget_member_name(array.type.get(), member);
-    Table::Column& column = table.columns.emplace_back();
+    ColumnTable::NamedColumn& column = table.columns.emplace_back();
     column.name = label == nullptr ? "" : label;
     H5free_memory(label);
     if (H5Tequal(type.get(), H5T_IEEE_F64LE) > 0) {
@@ -218,22 +221,22 @@ Table StoreGroup::table(const std::string& name) const {
   return table;
 }
 
-double StoreGroup::real(const std::string& name) const {
+double StoreGroup::real_attribute(const std::string& name) const {
   return read_attribute<double>(handle_->id.get(), name, H5T_NATIVE_DOUBLE, H5T_FLOAT);
 }
 
-std::int64_t StoreGroup::integer(const std::string& name) const {
+std::int64_t StoreGroup::integer_attribute(const std::string& name) const {
   return read_attribute<std::int64_t>(handle_->id.get(), name, H5T_NATIVE_INT64, H5T_INTEGER);
 }
 
-std::string StoreGroup::text(const std::string& name) const {
-  const Id item = open_attribute(handle_->id.get(), name);
-  const Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
+std::string StoreGroup::text_attribute(const std::string& name) const {
+  const Hdf5Id item = open_attribute(handle_->id.get(), name);
+  const Hdf5Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
     fail(fmt::format("attribute {} is of another kind", name));
   }
   std::string bytes(H5Tget_size(type.get()), '\0');
-  good(H5Aread(item.get(), type.get(), bytes.data()), "read attribute " + name);
+  check_status(H5Aread(item.get(), type.get(), bytes.data()), "read attribute " + name);
   return text_from(bytes.data(), bytes.size());
 }
 

@@ -14,37 +14,38 @@ constexpr std::size_t large = 16384; // [bytes]
 constexpr hsize_t piece = 65536;     // [bytes]
 constexpr unsigned effort = 1;       // of zlib, 0 to 9
 
-Id space_of(std::span<const hsize_t> extent) {
+Hdf5Id space_of(std::span<const hsize_t> extent) {
   return {H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose,
           "make a data space"};
 }
 
 // Compressed where that pays, and without times.
-Id creation(std::span<const hsize_t> extent, std::size_t row_bytes, bool pays) {
-  Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
-  good(H5Pset_obj_track_times(list.get(), 0), "leave out times");
+Hdf5Id creation(std::span<const hsize_t> extent, std::size_t row_bytes, bool pays) {
+  Hdf5Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
+  check_status(H5Pset_obj_track_times(list.get(), 0), "leave out times");
   const std::size_t bytes = static_cast<std::size_t>(extent[0]) * row_bytes;
   if (bytes == 0 || (bytes >= large && !pays)) {
-    good(H5Pset_layout(list.get(), H5D_CONTIGUOUS), "set the layout");
+    check_status(H5Pset_layout(list.get(), H5D_CONTIGUOUS), "set the layout");
   } else if (bytes >= large) {
     std::array<hsize_t, 2> chunk{std::clamp<hsize_t>(piece / row_bytes, 1, extent[0]),
                                  extent.size() > 1 ? extent[1] : 0};
-    good(H5Pset_chunk(list.get(), static_cast<int>(extent.size()), chunk.data()), "set pieces");
-    good(H5Pset_shuffle(list.get()), "set the order of bytes");
-    good(H5Pset_deflate(list.get(), effort), "set compression");
+    check_status(H5Pset_chunk(list.get(), static_cast<int>(extent.size()), chunk.data()),
+                 "set pieces");
+    check_status(H5Pset_shuffle(list.get()), "set the order of bytes");
+    check_status(H5Pset_deflate(list.get(), effort), "set compression");
   } else {
-    good(H5Pset_layout(list.get(), H5D_COMPACT), "set the layout");
+    check_status(H5Pset_layout(list.get(), H5D_COMPACT), "set the layout");
   }
   return list;
 }
 
 } // namespace
 
-Id text_type(std::size_t longest) {
-  Id type(H5Tcopy(H5T_C_S1), H5Tclose, "make a text type");
-  good(H5Tset_size(type.get(), std::max<std::size_t>(longest, 1)), "size a text type");
-  good(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "pad a text type");
-  good(H5Tset_cset(type.get(), H5T_CSET_UTF8), "name the characters of a text type");
+Hdf5Id text_type(std::size_t longest) {
+  Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose, "make a text type");
+  check_status(H5Tset_size(type.get(), std::max<std::size_t>(longest, 1)), "size a text type");
+  check_status(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "pad a text type");
+  check_status(H5Tset_cset(type.get(), H5T_CSET_UTF8), "name the characters of a text type");
   return type;
 }
 
@@ -55,7 +56,7 @@ std::string text_from(const char* bytes, std::size_t size) {
   return {bytes, size};
 }
 
-bool repeats(std::span<const double> values) {
+bool is_repetitive(std::span<const double> values) {
   std::size_t same = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
     same += std::bit_cast<std::uint64_t>(values[i]) == std::bit_cast<std::uint64_t>(values[i - 1])
@@ -67,31 +68,32 @@ bool repeats(std::span<const double> values) {
 
 void write_array(hid_t group, const std::string& name, std::span<const hsize_t> extent,
                  ArrayTypes types, const void* data, bool pays) {
-  const Id space = space_of(extent);
+  const Hdf5Id space = space_of(extent);
   const auto [file, memory] = types;
   std::size_t row = H5Tget_size(file);
   for (std::size_t d = 1; d < extent.size(); ++d) {
     row *= static_cast<std::size_t>(extent[d]);
   }
-  const Id list = creation(extent, row, pays);
-  const Id set(
+  const Hdf5Id list = creation(extent, row, pays);
+  const Hdf5Id set(
       H5Dcreate2(group, name.c_str(), file, space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
       H5Dclose, "make array " + name);
   if (extent[0] == 0) {
     return;
   }
-  good(H5Dwrite(set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write array " + name);
+  check_status(H5Dwrite(set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data),
+               "write array " + name);
 }
 
 OpenArray open_array(hid_t group, const std::string& name) {
-  Id set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "find array " + name);
-  Id type(H5Dget_type(set.get()), H5Tclose, "find the type of " + name);
-  const Id space(H5Dget_space(set.get()), H5Sclose, "find the size of " + name);
+  Hdf5Id set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "find array " + name);
+  Hdf5Id type(H5Dget_type(set.get()), H5Tclose, "find the type of " + name);
+  const Hdf5Id space(H5Dget_space(set.get()), H5Sclose, "find the size of " + name);
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
   if (count < 0) {
     fail("cannot find the size of " + name);
   }
-  const Id list(H5Dget_create_plist(set.get()), H5Pclose, "find how " + name + " is stored");
+  const Hdf5Id list(H5Dget_create_plist(set.get()), H5Pclose, "find how " + name + " is stored");
   // Another file is nothing to read from; and what is not stored has no size to make room for.
   if (H5Pget_external_count(list.get()) != 0 ||
       (count > 0 && H5Dget_storage_size(set.get()) == 0)) {
@@ -100,15 +102,15 @@ OpenArray open_array(hid_t group, const std::string& name) {
   return {std::move(set), std::move(type), static_cast<std::size_t>(count)};
 }
 
-Id open_attribute(hid_t group, const std::string& name) {
+Hdf5Id open_attribute(hid_t group, const std::string& name) {
   return {H5Aopen(group, name.c_str(), H5P_DEFAULT), H5Aclose, "find attribute " + name};
 }
 
 void write_attribute(hid_t group, const std::string& name, hid_t type, const void* value) {
-  const Id space(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
-  const Id item(H5Acreate2(group, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
-                H5Aclose, "make attribute " + name);
-  good(H5Awrite(item.get(), type, value), "write attribute " + name);
+  const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
+  const Hdf5Id item(H5Acreate2(group, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                    H5Aclose, "make attribute " + name);
+  check_status(H5Awrite(item.get(), type, value), "write attribute " + name);
 }
 
 } // namespace spricka::results

@@ -20,7 +20,7 @@ namespace spricka::results {
   throw StoreError(what);
 }
 
-inline herr_t good(herr_t status, std::string_view what) {
+inline herr_t check_status(herr_t status, std::string_view what) {
   if (status < 0) {
     fail(fmt::format("cannot {}", what));
   }
@@ -28,25 +28,25 @@ inline herr_t good(herr_t status, std::string_view what) {
 }
 
 /// An identifier of the library that is given back when it goes.
-class Id {
+class Hdf5Id {
 public:
   using Close = herr_t (*)(hid_t);
-  Id(hid_t id, Close give_back, std::string_view what) : id_(id), close_(give_back) {
+  Hdf5Id(hid_t id, Close give_back, std::string_view what) : id_(id), close_(give_back) {
     if (id < 0) {
       fail(fmt::format("cannot {}", what));
     }
   }
-  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Id(const Id&) = delete;
-  Id& operator=(const Id&) = delete;
-  Id& operator=(Id&&) = delete;
-  ~Id() {
+  Hdf5Id(Hdf5Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Hdf5Id(const Hdf5Id&) = delete;
+  Hdf5Id& operator=(const Hdf5Id&) = delete;
+  Hdf5Id& operator=(Hdf5Id&&) = delete;
+  ~Hdf5Id() {
     if (id_ >= 0) {
       close_(id_);
     }
   }
   [[nodiscard]] hid_t get() const { return id_; }
-  void close(std::string_view what) { good(close_(std::exchange(id_, -1)), what); }
+  void close(std::string_view what) { check_status(close_(std::exchange(id_, -1)), what); }
 
 private:
   hid_t id_;
@@ -54,7 +54,7 @@ private:
 };
 
 /// Strings of a fixed length, filled up with zeros.
-Id text_type(std::size_t longest);
+Hdf5Id text_type(std::size_t longest);
 std::string text_from(const char* bytes, std::size_t size);
 
 /// Types of an array in the file and in memory.
@@ -66,11 +66,11 @@ void write_array(hid_t group, const std::string& name, std::span<const hsize_t> 
                  ArrayTypes types, const void* data, bool pays = true);
 /// Whether half of the numbers are the same as the one before: numbers with all their digits hardly
 /// become smaller, and compressing them takes longer than all else.
-bool repeats(std::span<const double> values);
+bool is_repetitive(std::span<const double> values);
 
 struct OpenArray {
-  Id set;
-  Id type;
+  Hdf5Id set;
+  Hdf5Id type;
   std::size_t count = 0;
 };
 
@@ -86,29 +86,29 @@ std::vector<T> read_numbers(hid_t group, const std::string& name, hid_t memory, 
   if (values.empty()) {
     return values;
   }
-  good(H5Dread(array.set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-       "read array " + name);
+  check_status(H5Dread(array.set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+               "read array " + name);
   return values;
 }
 
-Id open_attribute(hid_t group, const std::string& name);
+Hdf5Id open_attribute(hid_t group, const std::string& name);
 void write_attribute(hid_t group, const std::string& name, hid_t type, const void* value);
 
 template <class T>
 T read_attribute(hid_t group, const std::string& name, hid_t memory, H5T_class_t kind) {
-  const Id item = open_attribute(group, name);
-  const Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
+  const Hdf5Id item = open_attribute(group, name);
+  const Hdf5Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
   if (H5Tget_class(type.get()) != kind) {
     fail(fmt::format("attribute {} is of another kind", name));
   }
   T value{};
-  good(H5Aread(item.get(), memory, &value), "read attribute " + name);
+  check_status(H5Aread(item.get(), memory, &value), "read attribute " + name);
   return value;
 }
 
-struct StoreGroup::Handle {
-  explicit Handle(Id held) : id(std::move(held)) {}
-  Id id;
+struct StoreGroup::GroupHandle {
+  explicit GroupHandle(Hdf5Id held) : id(std::move(held)) {}
+  Hdf5Id id;
 };
 
 } // namespace spricka::results

@@ -57,11 +57,11 @@ void put(StoreGroup& group, const std::string& name, const std::vector<std::stri
 }
 
 std::vector<double> reals(const StoreGroup& group, const std::string& name) {
-  return group.has(name) ? group.reals(name) : std::vector<double>();
+  return group.has_member(name) ? group.read_reals(name) : std::vector<double>();
 }
 
 std::vector<std::string> texts(const StoreGroup& group, const std::string& name) {
-  return group.has(name) ? group.texts(name) : std::vector<std::string>();
+  return group.has_member(name) ? group.read_texts(name) : std::vector<std::string>();
 }
 
 std::span<const double> span_of(const base::Vector& v) {
@@ -89,7 +89,7 @@ template <class T> std::vector<T> rows(const std::vector<double>& values) {
 }
 
 void write_mesh(StoreGroup group, const model::Mesh& mesh) {
-  group.describe("dim", std::int64_t{mesh.dim});
+  group.set_attribute("dim", std::int64_t{mesh.dim});
   put(group, "x", flat(mesh.x), 3);
   group.write("node_label", mesh.node_label);
   group.write("node_net", whole(mesh.node_net));
@@ -99,26 +99,26 @@ void write_mesh(StoreGroup group, const model::Mesh& mesh) {
   group.write("element_label", mesh.element_label);
   group.write("element_net", whole(mesh.element_net));
   group.write("property", whole(mesh.property));
-  write_list(group, "node_sets", mesh.node_sets);
-  write_list(group, "element_sets", mesh.element_sets);
-  write_list(group, "face_sets", mesh.face_sets);
+  write_record_list(group, "node_sets", mesh.node_sets);
+  write_record_list(group, "element_sets", mesh.element_sets);
+  write_record_list(group, "face_sets", mesh.face_sets);
 }
 
 model::Mesh read_mesh(const StoreGroup& group) {
   model::Mesh mesh;
-  mesh.dim = static_cast<int>(group.integer("dim"));
+  mesh.dim = static_cast<int>(group.integer_attribute("dim"));
   mesh.x = rows<base::Vec3>(reals(group, "x"));
-  mesh.node_label = group.integers("node_label");
-  mesh.node_net = narrow<base::NetId>(group.integers("node_net"));
-  mesh.type = narrow<base::ElementType>(group.integers("type"));
-  mesh.first = narrow<std::int32_t>(group.integers("first"));
-  mesh.nodes = narrow<base::NodeId>(group.integers("nodes"));
-  mesh.element_label = group.integers("element_label");
-  mesh.element_net = narrow<base::NetId>(group.integers("element_net"));
-  mesh.property = narrow<base::PropertyId>(group.integers("property"));
-  mesh.node_sets = read_list<model::NodeSet>(group, "node_sets");
-  mesh.element_sets = read_list<model::ElementSet>(group, "element_sets");
-  mesh.face_sets = read_list<model::FaceSet>(group, "face_sets");
+  mesh.node_label = group.read_integers("node_label");
+  mesh.node_net = narrow<base::NetId>(group.read_integers("node_net"));
+  mesh.type = narrow<base::ElementType>(group.read_integers("type"));
+  mesh.first = narrow<std::int32_t>(group.read_integers("first"));
+  mesh.nodes = narrow<base::NodeId>(group.read_integers("nodes"));
+  mesh.element_label = group.read_integers("element_label");
+  mesh.element_net = narrow<base::NetId>(group.read_integers("element_net"));
+  mesh.property = narrow<base::PropertyId>(group.read_integers("property"));
+  mesh.node_sets = read_record_list<model::NodeSet>(group, "node_sets");
+  mesh.element_sets = read_record_list<model::ElementSet>(group, "element_sets");
+  mesh.face_sets = read_record_list<model::FaceSet>(group, "face_sets");
   return mesh;
 }
 
@@ -128,20 +128,20 @@ void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
   put(group, "temperature", span_of(step.temperature));
   put(group, "stress", flat(step.stress), 6);
   put(group, "element_stress", flat(step.element_stress), 6);
-  write_list(group, "tips", step.tips);
-  write_list(group, "fronts", step.fronts);
-  write_list(group, "contacts", step.contacts);
-  write_list(group, "balance", step.balance);
-  write_list(group, "nets", step.nets);
-  write_list(group, "errors", step.errors);
-  write_list(group, "targets", step.targets);
-  put(group, "notes", marked(step.notes));
-  group.describe("tied", std::int64_t{step.tied});
-  group.describe("energy", step.energy);
-  group.describe("friction_work", step.friction_work);
-  group.describe("increments", std::int64_t{step.increments});
-  group.describe("iterations", std::int64_t{step.iterations});
-  group.describe("pivots", std::int64_t{step.pivots});
+  write_record_list(group, "tips", step.tips);
+  write_record_list(group, "fronts", step.fronts);
+  write_record_list(group, "contacts", step.contacts);
+  write_record_list(group, "balance", step.balance);
+  write_record_list(group, "nets", step.nets);
+  write_record_list(group, "errors", step.errors);
+  write_record_list(group, "targets", step.targets);
+  put(group, "notes", text_with_code(step.notes));
+  group.set_attribute("tied", std::int64_t{step.tied});
+  group.set_attribute("energy", step.energy);
+  group.set_attribute("friction_work", step.friction_work);
+  group.set_attribute("increments", std::int64_t{step.increments});
+  group.set_attribute("iterations", std::int64_t{step.iterations});
+  group.set_attribute("pivots", std::int64_t{step.pivots});
 }
 
 StepResult read_step(const StoreGroup& group, const std::string& name) {
@@ -152,20 +152,20 @@ StepResult read_step(const StoreGroup& group, const std::string& name) {
   step.temperature = vector(group, "temperature");
   step.stress = rows<Stress>(reals(group, "stress"));
   step.element_stress = rows<Stress>(reals(group, "element_stress"));
-  step.tips = read_list<TipResult>(group, "tips");
-  step.fronts = read_list<FrontResult>(group, "fronts");
-  step.contacts = read_list<ContactResult>(group, "contacts");
-  step.balance = read_list<Balance>(group, "balance");
-  step.nets = read_list<Balance>(group, "nets");
-  step.errors = read_list<NetError>(group, "errors");
-  step.targets = read_list<Balance>(group, "targets");
-  step.notes = notes_from(texts(group, "notes"));
-  step.tied = group.integer("tied") != 0;
-  step.energy = group.real("energy");
-  step.friction_work = group.real("friction_work");
-  step.increments = static_cast<int>(group.integer("increments"));
-  step.iterations = static_cast<int>(group.integer("iterations"));
-  step.pivots = static_cast<int>(group.integer("pivots"));
+  step.tips = read_record_list<TipResult>(group, "tips");
+  step.fronts = read_record_list<FrontResult>(group, "fronts");
+  step.contacts = read_record_list<ContactResult>(group, "contacts");
+  step.balance = read_record_list<ForceBalance>(group, "balance");
+  step.nets = read_record_list<ForceBalance>(group, "nets");
+  step.errors = read_record_list<NetErrorEstimate>(group, "errors");
+  step.targets = read_record_list<ForceBalance>(group, "targets");
+  step.notes = parse_notes(texts(group, "notes"));
+  step.tied = group.integer_attribute("tied") != 0;
+  step.energy = group.real_attribute("energy");
+  step.friction_work = group.real_attribute("friction_work");
+  step.increments = static_cast<int>(group.integer_attribute("increments"));
+  step.iterations = static_cast<int>(group.integer_attribute("iterations"));
+  step.pivots = static_cast<int>(group.integer_attribute("pivots"));
   return step;
 }
 
@@ -173,14 +173,14 @@ StepResult read_step(const StoreGroup& group, const std::string& name) {
 
 void write_increment(const StoreGroup& given, const Increment& increment) {
   StoreGroup group = given;
-  group.describe("number", std::int64_t{increment.number});
-  group.describe("a", increment.a);
-  group.describe("unknowns", static_cast<std::int64_t>(increment.unknowns));
-  group.describe("kept", static_cast<std::int64_t>(increment.kept));
+  group.set_attribute("number", std::int64_t{increment.number});
+  group.set_attribute("a", increment.a);
+  group.set_attribute("unknowns", static_cast<std::int64_t>(increment.unknowns));
+  group.set_attribute("kept", static_cast<std::int64_t>(increment.kept));
   write_mesh(group.group("mesh"), increment.mesh);
-  write_list(group, "surface", increment.surface);
-  write_list(group, "paths", increment.paths);
-  put(group, "notes", marked(increment.notes));
+  write_record_list(group, "surface", increment.surface);
+  write_record_list(group, "paths", increment.paths);
+  put(group, "notes", text_with_code(increment.notes));
   const StoreGroup steps = group.group("steps");
   std::vector<std::string> names;
   for (const StepResult& step : increment.steps) {
@@ -192,14 +192,14 @@ void write_increment(const StoreGroup& given, const Increment& increment) {
 
 Increment read_increment(const StoreGroup& group) {
   Increment increment;
-  increment.number = static_cast<int>(group.integer("number"));
-  increment.a = group.real("a");
-  increment.unknowns = static_cast<std::size_t>(group.integer("unknowns"));
-  increment.kept = static_cast<std::size_t>(group.integer("kept"));
+  increment.number = static_cast<int>(group.integer_attribute("number"));
+  increment.a = group.real_attribute("a");
+  increment.unknowns = static_cast<std::size_t>(group.integer_attribute("unknowns"));
+  increment.kept = static_cast<std::size_t>(group.integer_attribute("kept"));
   increment.mesh = read_mesh(group.group("mesh"));
-  increment.surface = read_list<SurfaceFace>(group, "surface");
-  increment.paths = read_list<LoadPath>(group, "paths");
-  increment.notes = notes_from(texts(group, "notes"));
+  increment.surface = read_record_list<OuterSurfaceFace>(group, "surface");
+  increment.paths = read_record_list<LoadPathResult>(group, "paths");
+  increment.notes = parse_notes(texts(group, "notes"));
   const StoreGroup steps = group.group("steps");
   for (const std::string& name : texts(group, "order")) {
     increment.steps.push_back(read_step(steps.group(name), name));
@@ -226,31 +226,31 @@ NamedArrays read_arrays(const StoreGroup& group) {
   NamedArrays arrays;
   const StoreGroup reals = group.group("reals");
   for (const std::string& name : reals.names()) {
-    arrays.reals[name] = reals.reals(name);
+    arrays.reals[name] = reals.read_reals(name);
   }
   const StoreGroup integers = group.group("integers");
   for (const std::string& name : integers.names()) {
-    arrays.integers[name] = integers.integers(name);
+    arrays.integers[name] = integers.read_integers(name);
   }
   const StoreGroup texts = group.group("texts");
   for (const std::string& name : texts.names()) {
-    arrays.texts[name] = texts.texts(name);
+    arrays.texts[name] = texts.read_texts(name);
   }
   return arrays;
 }
 
 void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log) {
-  write_list(group, name, log);
+  write_record_list(group, name, log);
 }
 
 std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) {
-  return read_list<LogLine>(group, name);
+  return read_record_list<LogLine>(group, name);
 }
 
 namespace {
 
-template <std::size_t n> void drop_elements(std::array<KBar, n>& bars) {
-  for (KBar& bar : bars) {
+template <std::size_t n> void drop_elements(std::array<KErrorBar, n>& bars) {
+  for (KErrorBar& bar : bars) {
     bar.of_element.clear();
   }
 }
@@ -276,7 +276,7 @@ Increment without_fields(const Increment& whole) {
       drop_elements(tip.bar);
     }
     for (FrontResult& front : copy.fronts) {
-      for (FrontPlace& place : front.points) {
+      for (FrontPointResult& place : front.points) {
         drop_elements(place.bar);
       }
     }
@@ -286,7 +286,7 @@ Increment without_fields(const Increment& whole) {
 
 } // namespace
 
-void write_run(const StoreGroup& given, const Run& run, Times times,
+void write_run(const StoreGroup& given, const RunResult& run, TimeRecording times,
                const std::vector<bool>& fields) {
   StoreGroup group = given;
   const StoreGroup all = group.group("increments");
@@ -299,49 +299,49 @@ void write_run(const StoreGroup& given, const Run& run, Times times,
       write_increment(place, without_fields(whole));
     }
   }
-  write_list(group, "checks", run.checks);
-  put(group, "warnings", marked(run.warnings));
+  write_record_list(group, "checks", run.checks);
+  put(group, "warnings", text_with_code(run.warnings));
   std::vector<ToleranceRound> rounds = run.rounds;
-  if (times == Times::left_out) {
+  if (times == TimeRecording::left_out) {
     std::ranges::for_each(rounds, [](ToleranceRound& round) { round.cpu = 0.0; });
   }
-  write_list(group, "rounds", rounds);
+  write_record_list(group, "rounds", rounds);
   if (run.growth) {
-    write_list(group, "growth", std::vector{*run.growth});
+    write_record_list(group, "growth", std::vector{*run.growth});
   }
-  write_list(group, "tests", run.tests);
-  if (times == Times::kept) {
-    write_list(group, "log", run.log);
-    group.describe("cpu", run.cpu);
-    group.describe("wall", run.wall);
-    group.describe("peak_memory", static_cast<std::int64_t>(run.peak_memory));
+  write_record_list(group, "tests", run.tests);
+  if (times == TimeRecording::kept) {
+    write_record_list(group, "log", run.log);
+    group.set_attribute("cpu", run.cpu);
+    group.set_attribute("wall", run.wall);
+    group.set_attribute("peak_memory", static_cast<std::int64_t>(run.peak_memory));
   }
-  group.describe("times", std::int64_t{times == Times::kept});
+  group.set_attribute("times", std::int64_t{times == TimeRecording::kept});
 }
 
 std::vector<CheckResult> read_checks(const StoreGroup& group) {
-  return read_list<CheckResult>(group, "checks");
+  return read_record_list<CheckResult>(group, "checks");
 }
 
-Run read_run(const StoreGroup& group) {
-  Run run;
+RunResult read_run(const StoreGroup& group) {
+  RunResult run;
   const StoreGroup all = group.group("increments");
-  for (std::size_t i = 0; all.has(fmt::format("{:04}", i + 1)); ++i) {
+  for (std::size_t i = 0; all.has_member(fmt::format("{:04}", i + 1)); ++i) {
     run.increments.push_back(read_increment(all.group(fmt::format("{:04}", i + 1))));
   }
   run.checks = read_checks(group);
-  run.warnings = warnings_from(texts(group, "warnings"));
-  run.rounds = read_list<ToleranceRound>(group, "rounds");
-  const std::vector<Growth> growth = read_list<Growth>(group, "growth");
+  run.warnings = parse_warnings(texts(group, "warnings"));
+  run.rounds = read_record_list<ToleranceRound>(group, "rounds");
+  const std::vector<GrowthResult> growth = read_record_list<GrowthResult>(group, "growth");
   if (!growth.empty()) {
     run.growth = growth.front();
   }
-  run.tests = read_list<GrowthTest>(group, "tests");
-  if (group.integer("times") != 0) {
-    run.log = read_list<LogLine>(group, "log");
-    run.cpu = group.real("cpu");
-    run.wall = group.real("wall");
-    run.peak_memory = static_cast<std::size_t>(group.integer("peak_memory"));
+  run.tests = read_record_list<GrowthTestResult>(group, "tests");
+  if (group.integer_attribute("times") != 0) {
+    run.log = read_record_list<LogLine>(group, "log");
+    run.cpu = group.real_attribute("cpu");
+    run.wall = group.real_attribute("wall");
+    run.peak_memory = static_cast<std::size_t>(group.integer_attribute("peak_memory"));
   }
   return run;
 }

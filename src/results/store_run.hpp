@@ -11,7 +11,7 @@
 /// names the folders and arrays.
 namespace spricka::results {
 
-enum class Times { kept, left_out };
+enum class TimeRecording { kept, left_out };
 
 /// One crack length into a folder: mesh, surface, load paths and steps.
 void write_increment(const StoreGroup& given, const Increment& increment);
@@ -20,9 +20,9 @@ Increment read_increment(const StoreGroup& group);
 /// A run: increments/0001, ..., checks, warnings, rounds, growth; with times also the log, CPU
 /// time, wall time and memory. Increments whose `fields` are false are written without mesh, nodal
 /// and element values; empty: all whole. [increment]
-void write_run(const StoreGroup& given, const Run& run, Times times,
+void write_run(const StoreGroup& given, const RunResult& run, TimeRecording times,
                const std::vector<bool>& fields = {});
-Run read_run(const StoreGroup& group);
+RunResult read_run(const StoreGroup& group);
 /// The checks of a run alone.
 std::vector<CheckResult> read_checks(const StoreGroup& group);
 
@@ -35,6 +35,6 @@ std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name);
 
 /// The tables that people ask for first, of all increments and steps in one piece: k, pressure,
 /// load_path.
-void write_reader_tables(StoreGroup group, const Run& run);
+void write_summary_tables(StoreGroup group, const RunResult& run);
 
 } // namespace spricka::results

@@ -11,11 +11,15 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A table that is filled cell by cell, row after row.
-class Rows {
+class SummaryTableRows {
 public:
-  Rows& operator()(const char* name, double value) { return put(name, value); }
-  Rows& operator()(const char* name, int value) { return put(name, std::int64_t{value}); }
-  Rows& operator()(const char* name, std::string value) { return put(name, std::move(value)); }
+  SummaryTableRows& operator()(const char* name, double value) { return put(name, value); }
+  SummaryTableRows& operator()(const char* name, int value) {
+    return put(name, std::int64_t{value});
+  }
+  SummaryTableRows& operator()(const char* name, std::string value) {
+    return put(name, std::move(value));
+  }
   void end_row() {
     next_ = 0;
     first_ = false;
@@ -27,19 +31,19 @@ public:
   }
 
 private:
-  template <class T> Rows& put(const char* name, T value) {
+  template <class T> SummaryTableRows& put(const char* name, T value) {
     if (first_) {
       table_.columns.push_back({name, std::vector<T>()});
     }
     std::get<std::vector<T>>(table_.columns[next_++].values).push_back(std::move(value));
     return *this;
   }
-  Table table_;
+  ColumnTable table_;
   std::size_t next_ = 0;
   bool first_ = true;
 };
 
-template <class Visit> void for_each_step(const Run& run, const Visit& visit) {
+template <class Visit> void for_each_step(const RunResult& run, const Visit& visit) {
   for (const Increment& increment : run.increments) {
     for (const StepResult& step : increment.steps) {
       visit(increment, step);
@@ -49,41 +53,41 @@ template <class Visit> void for_each_step(const Run& run, const Visit& visit) {
 
 // Not a number where there is none; but the spread between two materials is 0.
 double kept(const TipQuantity& q, const TipResult& tip) {
-  return q.is_given(tip) || q.member == &TipResult::spread ? q.of(tip) : no_number;
+  return q.is_given(tip) || q.member == &TipResult::spread ? q.extract_value(tip) : no_number;
 }
 
-Rows k_rows(const Run& run) {
-  Rows rows;
+SummaryTableRows k_rows(const RunResult& run) {
+  SummaryTableRows rows;
   for_each_step(run, [&](const Increment& increment, const StepResult& step) {
     for (const TipResult& tip : step.tips) {
       rows("increment", increment.number)("step", step.step)("crack", tip.name);
       for (const bool judges : {false, true}) {
         for (const TipQuantity& q : tip_quantities) {
-          if (q.is(in_results_h5) && q.judges == judges) {
+          if (q.appears_in(in_results_h5) && q.judges == judges) {
             rows(q.name, kept(q, tip));
           }
         }
       }
-      rows("x", tip.x[0])("y", tip.x[1])("z", tip.x[2])("doubt", tip.doubt);
+      rows("x", tip.x[0])("y", tip.x[1])("z", tip.x[2])("doubt", tip.invalid_reason);
       rows.end_row();
     }
   });
   return rows;
 }
 
-Rows front_rows(const Run& run) {
-  Rows rows;
+SummaryTableRows front_rows(const RunResult& run) {
+  SummaryTableRows rows;
   for_each_step(run, [&](const Increment& increment, const StepResult& step) {
     for (const FrontResult& front : step.fronts) {
-      for (const FrontPlace& place : front.points) {
+      for (const FrontPointResult& place : front.points) {
         rows("increment", increment.number)("step", step.step)("crack", front.name)("a", front.a);
         rows("point", place.number);
         for (const FrontQuantity& q : front_quantities) {
           const bool given =
               (q.given == nullptr || q.given(front)) && !(q.inside && place.at_surface);
-          rows(q.name, given ? q.of(place) : no_number);
+          rows(q.name, given ? q.extract_value(place) : no_number);
         }
-        rows("at_surface", static_cast<int>(place.at_surface))("doubt", front.doubt);
+        rows("at_surface", static_cast<int>(place.at_surface))("doubt", front.invalid_reason);
         rows.end_row();
       }
     }
@@ -91,8 +95,8 @@ Rows front_rows(const Run& run) {
   return rows;
 }
 
-Rows pressure_rows(const Run& run) {
-  Rows rows;
+SummaryTableRows pressure_rows(const RunResult& run) {
+  SummaryTableRows rows;
   for_each_step(run, [&](const Increment& increment, const StepResult& step) {
     for (const ContactResult& contact : step.contacts) {
       for (const ContactPoint& point : contact.points) {
@@ -102,12 +106,12 @@ Rows pressure_rows(const Run& run) {
         rows("increment", increment.number)("step", step.step)("contact", contact.name);
         rows("node", static_cast<int>(point.node.value));
         for (const bool words : {false, true}) {
-          for (const PointQuantity& q : point_quantities) {
-            if (q.is(in_pressure_h5) && q.is_word() == words) {
+          for (const ContactPointQuantity& q : point_quantities) {
+            if (q.appears_in(in_pressure_h5) && q.is_word() == words) {
               if (words) {
-                rows(q.name, std::string(word_of(point.*q.state)));
+                rows(q.name, std::string(display_word(point.*q.state)));
               } else {
-                rows(q.name, q.of(point));
+                rows(q.name, q.extract_value(point));
               }
             }
           }
@@ -119,12 +123,12 @@ Rows pressure_rows(const Run& run) {
   return rows;
 }
 
-Rows path_front_rows(const Run& run) {
-  Rows rows;
+SummaryTableRows path_front_rows(const RunResult& run) {
+  SummaryTableRows rows;
   for (const Increment& increment : run.increments) {
-    for (const LoadPath& path : increment.paths) {
-      for (const PathFront& front : path.fronts) {
-        for (const PathPoint& point : front.points) {
+    for (const LoadPathResult& path : increment.paths) {
+      for (const LoadPathFront& front : path.fronts) {
+        for (const LoadPathFrontPoint& point : front.points) {
           for (const double t : path.t) {
             rows("increment", increment.number)("path", path.name)("crack", front.is.name);
             rows("point", point.is.number)("t", t)("K1", point.K[0](t))("K2", point.K[1](t));
@@ -138,11 +142,11 @@ Rows path_front_rows(const Run& run) {
   return rows;
 }
 
-Rows path_rows(const Run& run) {
-  Rows rows;
+SummaryTableRows path_rows(const RunResult& run) {
+  SummaryTableRows rows;
   for (const Increment& increment : run.increments) {
-    for (const LoadPath& path : increment.paths) {
-      for (const PathTip& tip : path.tips) {
+    for (const LoadPathResult& path : increment.paths) {
+      for (const LoadPathTip& tip : path.tips) {
         for (const double t : path.t) {
           rows("increment", increment.number)("path", path.name)("crack", tip.name)("a", tip.a);
           rows("t", t)("K1", tip.K1(t))("K2", tip.K2(t));
@@ -156,7 +160,7 @@ Rows path_rows(const Run& run) {
 
 } // namespace
 
-void write_reader_tables(StoreGroup group, const Run& run) {
+void write_summary_tables(StoreGroup group, const RunResult& run) {
   k_rows(run).write(group, "k");
   front_rows(run).write(group, "fronts");
   pressure_rows(run).write(group, "pressure");

@@ -16,7 +16,7 @@ std::optional<double> stress_component(const Stress& s, std::string_view name) {
     return von_mises(s);
   }
   if (name == "P1" || name == "P2" || name == "P3") {
-    return principal(s).at(static_cast<std::size_t>(name[1] - '1'));
+    return principal_stresses(s).at(static_cast<std::size_t>(name[1] - '1'));
   }
   return std::nullopt;
 }

@@ -15,7 +15,7 @@ double von_mises(const Stress& s) {
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * shear);
 }
 
-std::array<double, 3> principal(const Stress& s) {
+std::array<double, 3> principal_stresses(const Stress& s) {
   Eigen::Matrix3d tensor;
   tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);

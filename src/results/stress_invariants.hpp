@@ -10,6 +10,6 @@ using Stress = std::array<double, 6>;
 double von_mises(const Stress& s);
 
 /// Principal stresses, the largest first.
-std::array<double, 3> principal(const Stress& s);
+std::array<double, 3> principal_stresses(const Stress& s);
 
 } // namespace spricka::results

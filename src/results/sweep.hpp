@@ -19,7 +19,7 @@ struct SweepCell {
   double value = 0.0;
 
   /// "K1:TOP:LOAD:1"
-  [[nodiscard]] std::string column() const {
+  [[nodiscard]] std::string column_name() const {
     std::string text = quantity;
     for (const std::string& part :
          {name, step, increment > 0 ? std::to_string(increment) : std::string()}) {
@@ -44,7 +44,7 @@ struct SweepPoint {
   std::map<std::string, std::vector<SweepCell>> requested;
 };
 
-struct Sweep {
+struct SweepResult {
   std::vector<std::string> parameters; ///< as the deck writes them
   std::size_t count = 0;               ///< of all points
   std::vector<SweepPoint> points;      ///< tried so far, ascending

@@ -27,18 +27,18 @@ struct TipResult {
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::optional<std::array<double, 2>> K_opening; ///< K1, K2 of the faces' opening, on request
   std::vector<double> K1_domain;
-  std::array<KBar, 2> bar;              ///< of K1 and K2, where `no_bar` is empty
+  std::array<KErrorBar, 2> bar;         ///< of K1 and K2, where `no_bar` is empty
   std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
   bool closed = false;                  ///< its crack's faces touch at the tip, so that K1 is 0
-  std::string doubt;                    ///< why this K is not an answer; empty: it is one
+  std::string invalid_reason;           ///< why this K is not an answer; empty: it is one
   bool two_materials = false;           ///< on both sides of the crack: G only, K and T are 0
-  Sensitivities sensitivities;
+  TipSensitivityResults sensitivities;
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
 
 /// When a tip has a quantity.
-enum class TipGiven {
+enum class TipQuantityCondition {
   always,
   in_one_material, ///< not on the border of two
   with_bar,
@@ -46,7 +46,7 @@ enum class TipGiven {
 };
 
 /// Where a quantity of a tip is found, to be added up.
-enum TipPlace : unsigned {
+enum TipOutput : unsigned {
   in_k_csv = 1,
   in_results_h5 = 2, ///< its table k
   in_listing = 4,    ///< and in report.html
@@ -59,7 +59,7 @@ enum TipPlace : unsigned {
 
 /// How the listing writes a quantity: six digits, these but 0 where only round-off is left beside
 /// the largest, or two digits.
-enum class TipDigits { six, six_beside_largest, two };
+enum class TipQuantityDigits { six, six_beside_largest, two };
 
 /// One quantity of a tip.
 struct TipQuantity {
@@ -69,41 +69,41 @@ struct TipQuantity {
   double TipResult::*member = nullptr;            ///< where the record has it, or
   double (*computed)(const TipResult&) = nullptr; ///< how it follows from the record
   unsigned places = everywhere;
-  TipGiven given = TipGiven::always;
+  TipQuantityCondition given = TipQuantityCondition::always;
   bool judges = false; ///< tells how good another is: in results.h5 behind those that do not
   int bar = -1;        ///< its error bar in TipResult::bar; -1: none
   std::string_view heading = {}; ///< in the listing, where it is not the name
-  TipDigits digits = TipDigits::six;
+  TipQuantityDigits digits = TipQuantityDigits::six;
   int shell_digits = 7;
 
-  [[nodiscard]] bool is(TipPlace place) const { return (places & place) != 0; }
-  [[nodiscard]] double of(const TipResult& tip) const {
+  [[nodiscard]] bool appears_in(TipOutput place) const { return (places & place) != 0; }
+  [[nodiscard]] double extract_value(const TipResult& tip) const {
     return member != nullptr ? tip.*member : computed(tip);
   }
   [[nodiscard]] bool is_given(const TipResult& tip) const;
   /// Given, or the 0 that K is between two materials.
   [[nodiscard]] bool is_number(const TipResult& tip) const {
-    return is_given(tip) || given == TipGiven::in_one_material;
+    return is_given(tip) || given == TipQuantityCondition::in_one_material;
   }
   [[nodiscard]] std::string check_word() const; ///< "K1.BAR"
 };
 
-template <std::size_t k> double size_of_bar(const TipResult& tip) {
+template <std::size_t k> double error_bar_size(const TipResult& tip) {
   return tip.bar[k].size();
 }
-template <std::size_t k, double KBar::*part> double in_bar(const TipResult& tip) {
+template <std::size_t k, double KErrorBar::*part> double error_bar_part(const TipResult& tip) {
   return tip.bar[k].*part;
 }
 
 /// The error bar of K1 or K2, or a part of it.
-constexpr TipQuantity part_of_bar(const char* name, std::string_view doc,
-                                  double (*computed)(const TipResult&), unsigned places) {
+constexpr TipQuantity error_bar_quantity(const char* name, std::string_view doc,
+                                         double (*computed)(const TipResult&), unsigned places) {
   return {.name = name,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
           .computed = computed,
           .places = places,
-          .given = TipGiven::with_bar,
+          .given = TipQuantityCondition::with_bar,
           .judges = true};
 }
 
@@ -118,67 +118,72 @@ inline constexpr std::array tip_quantities{
                 .kind = base::Quantity::stress_intensity,
                 .doc = "stress intensity of mode I",
                 .member = &TipResult::K1,
-                .given = TipGiven::in_one_material,
+                .given = TipQuantityCondition::in_one_material,
                 .bar = 0,
-                .digits = TipDigits::six_beside_largest},
+                .digits = TipQuantityDigits::six_beside_largest},
     TipQuantity{.name = "K2",
                 .kind = base::Quantity::stress_intensity,
                 .doc = "stress intensity of mode II",
                 .member = &TipResult::K2,
-                .given = TipGiven::in_one_material,
+                .given = TipQuantityCondition::in_one_material,
                 .bar = 1,
-                .digits = TipDigits::six_beside_largest},
+                .digits = TipQuantityDigits::six_beside_largest},
     TipQuantity{.name = "G",
                 .kind = base::Quantity::energy_release,
                 .doc = "energy release rate",
                 .member = &TipResult::G,
-                .digits = TipDigits::six_beside_largest},
+                .digits = TipQuantityDigits::six_beside_largest},
     TipQuantity{.name = "G_from_K",
                 .kind = base::Quantity::energy_release,
                 .doc = "energy release rate that K1 and K2 stand for",
                 .member = &TipResult::G_from_K,
                 .places = in_listing,
-                .given = TipGiven::in_one_material,
+                .given = TipQuantityCondition::in_one_material,
                 .heading = "(K1^2+K2^2)/E'",
-                .digits = TipDigits::six_beside_largest},
+                .digits = TipQuantityDigits::six_beside_largest},
     TipQuantity{.name = "spread",
                 .kind = base::Quantity::number,
                 .doc = "largest less smallest K1 of the domains over K",
                 .member = &TipResult::spread,
                 .places = in_k_csv | in_results_h5 | in_listing,
-                .given = TipGiven::in_one_material,
+                .given = TipQuantityCondition::in_one_material,
                 .judges = true,
-                .digits = TipDigits::two},
+                .digits = TipQuantityDigits::two},
     TipQuantity{.name = "T",
                 .kind = base::Quantity::stress,
                 .doc = "stress along the crack at the tip",
                 .member = &TipResult::T,
                 .places = everywhere & ~(in_output | in_sweep),
-                .given = TipGiven::in_one_material,
+                .given = TipQuantityCondition::in_one_material,
                 .shell_digits = 5},
-    part_of_bar("K1_bar", "error bar of K1, half its width", size_of_bar<0>,
-                everywhere & ~(in_listing | in_shell)),
-    part_of_bar("K1_best", "K1 with its estimated error taken out", in_bar<0, &KBar::best>,
-                everywhere & ~(in_listing | in_shell | in_sweep)),
-    part_of_bar("K1_eta", "estimated error of K1", in_bar<0, &KBar::eta>, in_k_csv),
-    part_of_bar("K1_sum", "sum of the elements' parts of it without signs", in_bar<0, &KBar::sum>,
-                in_k_csv),
-    part_of_bar("K1_flip", "largest change of K1 by one pair beside the end of a contact",
-                in_bar<0, &KBar::flip>, in_k_csv),
-    part_of_bar("K2_bar", "error bar of K2", size_of_bar<1>, everywhere & ~(in_listing | in_shell)),
-    part_of_bar("K2_best", "K2 with its estimated error taken out", in_bar<1, &KBar::best>,
-                everywhere & ~(in_listing | in_shell | in_sweep)),
-    part_of_bar("K2_eta", "estimated error of K2", in_bar<1, &KBar::eta>, in_k_csv),
-    part_of_bar("K2_sum", "sum of the elements' parts of it without signs", in_bar<1, &KBar::sum>,
-                in_k_csv),
-    part_of_bar("K2_flip", "largest change of K2 by one pair beside the end of a contact",
-                in_bar<1, &KBar::flip>, in_k_csv),
+    error_bar_quantity("K1_bar", "error bar of K1, half its width", error_bar_size<0>,
+                       everywhere & ~(in_listing | in_shell)),
+    error_bar_quantity("K1_best", "K1 with its estimated error taken out",
+                       error_bar_part<0, &KErrorBar::best>,
+                       everywhere & ~(in_listing | in_shell | in_sweep)),
+    error_bar_quantity("K1_eta", "estimated error of K1", error_bar_part<0, &KErrorBar::eta>,
+                       in_k_csv),
+    error_bar_quantity("K1_sum", "sum of the elements' parts of it without signs",
+                       error_bar_part<0, &KErrorBar::sum>, in_k_csv),
+    error_bar_quantity("K1_flip", "largest change of K1 by one pair beside the end of a contact",
+                       error_bar_part<0, &KErrorBar::set_change>, in_k_csv),
+    error_bar_quantity("K2_bar", "error bar of K2", error_bar_size<1>,
+                       everywhere & ~(in_listing | in_shell)),
+    error_bar_quantity("K2_best", "K2 with its estimated error taken out",
+                       error_bar_part<1, &KErrorBar::best>,
+                       everywhere & ~(in_listing | in_shell | in_sweep)),
+    error_bar_quantity("K2_eta", "estimated error of K2", error_bar_part<1, &KErrorBar::eta>,
+                       in_k_csv),
+    error_bar_quantity("K2_sum", "sum of the elements' parts of it without signs",
+                       error_bar_part<1, &KErrorBar::sum>, in_k_csv),
+    error_bar_quantity("K2_flip", "largest change of K2 by one pair beside the end of a contact",
+                       error_bar_part<1, &KErrorBar::set_change>, in_k_csv),
     TipQuantity{.name = "K1_opening",
                 .kind = base::Quantity::stress_intensity,
                 .doc = "K1 by the opening of the faces behind the tip",
                 .computed = [](const TipResult& tip) { return (*tip.K_opening)[0]; },
                 .places = in_k_csv | in_listing,
-                .given = TipGiven::with_opening,
+                .given = TipQuantityCondition::with_opening,
                 .judges = true,
                 .heading = "K1 by opening"},
     TipQuantity{.name = "K2_opening",
@@ -186,7 +191,7 @@ inline constexpr std::array tip_quantities{
                 .doc = "K2 by the opening of the faces behind the tip",
                 .computed = [](const TipResult& tip) { return (*tip.K_opening)[1]; },
                 .places = in_k_csv | in_listing,
-                .given = TipGiven::with_opening,
+                .given = TipQuantityCondition::with_opening,
                 .judges = true,
                 .heading = "K2 by opening"},
 };

@@ -78,7 +78,7 @@ private:
     if (contact.rigid.valid()) {
       const contact::GapSurvey seen =
           contact::survey_gaps(slave, model_.rigids[contact.rigid.index()]);
-      look_at_gap(contact, seen, facets_of(slave), slave);
+      look_at_gap(contact, seen, faceting_error(slave), slave);
       return;
     }
     const contact::ContactSurface master = contact::make_surface(model_, mesh_, contact.master);
@@ -86,7 +86,7 @@ private:
     const bool slave_smaller = slave.extent <= master.extent;
     const contact::GapSurvey seen =
         slave_smaller ? contact::survey_gaps(slave, master) : contact::survey_gaps(master, slave);
-    look_at_gap(contact, seen, facets_of(slave) + facets_of(master),
+    look_at_gap(contact, seen, faceting_error(slave) + faceting_error(master),
                 slave_smaller ? slave : master);
     look_for_missing(contact, slave, contact.slave, master, contact.master);
     look_for_missing(contact, master, contact.master, slave, contact.slave);
@@ -118,15 +118,16 @@ private:
     look_at_clearance(contact, std::max(drawn, slack), surface);
     // A drawn overlap counts only beyond what facets make of surfaces that touch.
     const double overlap = contact.gap ? -*contact.gap : -seen.gap_low - slack;
-    if (overlap > most_fit * size_of(surface)) {
-      list_.warning(
-          contact.span, "W444",
-          fmt::format("contact {}: {} {:.4g} {}, {:.2g} % of {} of {:.4g} {}: strains of "
-                      "that size are not small",
-                      contact.name, contact.gap ? "an interference of" : "the surfaces overlap by",
-                      overlap, unit, 100.0 * overlap / size_of(surface),
-                      radius_of(surface) ? "a radius" : "half an extent", size_of(surface), unit),
-          "a fit is declared in units of length; look at the unit and at the drawing");
+    if (overlap > most_fit * surface_size(surface)) {
+      list_.warning(contact.span, "W444",
+                    fmt::format("contact {}: {} {:.4g} {}, {:.2g} % of {} of {:.4g} {}: strains of "
+                                "that size are not small",
+                                contact.name,
+                                contact.gap ? "an interference of" : "the surfaces overlap by",
+                                overlap, unit, 100.0 * overlap / surface_size(surface),
+                                surface_radius(surface) ? "a radius" : "half an extent",
+                                surface_size(surface), unit),
+                    "a fit is declared in units of length; look at the unit and at the drawing");
     }
   }
 
@@ -135,14 +136,14 @@ private:
   void look_at_clearance(const model::Contact& contact, double drawn,
                          const contact::ContactSurface& surface) {
     const double gap = contact.gap.value_or(0.0);
-    const double size = size_of(surface);
+    const double size = surface_size(surface);
     const std::string& unit = model_.units.length_name;
     if (gap > most_gap * size && gap > 2.0 * drawn) {
       list_.warning(contact.span, "W444",
                     fmt::format("contact {}: a gap of {:.4g} {} is declared, {:.2g} % of {} of "
                                 "{:.4g} {}, between surfaces that are drawn {}",
                                 contact.name, gap, unit, 100.0 * gap / size,
-                                radius_of(surface) ? "a radius" : "half an extent", size, unit,
+                                surface_radius(surface) ? "a radius" : "half an extent", size, unit,
                                 drawn > round_off * surface.extent * 10.0
                                     ? fmt::format("{:.3g} {} apart", drawn, unit)
                                     : std::string("touching")),
@@ -175,18 +176,18 @@ private:
       return;
     }
     const contact::ContactSurface left = contact::make_surface(model_, mesh_, rest);
-    const std::vector<double> measure = measures(surface);
+    const std::vector<double> measure = facet_measures(surface);
     std::vector<double> seen(measure.size(), 0.0);
     std::vector<double> missed(measure.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
-    for (const SeenPart& part : seen_parts(surface, partner, measure)) {
+    for (const FacingPart& part : facing_parts(surface, partner, measure)) {
       seen[part.facet] += part.share;
       low = std::min(low, part.gap);
       high = std::max(high, part.gap);
     }
     const double near = near_share * std::min(surface.extent, left.extent);
-    for (const SeenPart& part : seen_parts(surface, left, measure)) {
+    for (const FacingPart& part : facing_parts(surface, left, measure)) {
       if (part.gap > low - near && part.gap < high + near) {
         missed[part.facet] += part.share;
       }
@@ -198,7 +199,7 @@ private:
       // What also faces the partner is not missed.
       const double part = std::clamp(missed[e], 0.0, std::max(0.0, 1.0 - seen[e]));
       length += measure[e];
-      place = sum == 0.0 && part > 0.1 ? middle_of(surface, e) : place;
+      place = sum == 0.0 && part > 0.1 ? facet_centroid(surface, e) : place;
       sum += part > 0.1 ? part * measure[e] : 0.0;
     }
     const bool whole = std::ranges::all_of(seen, [](double part) { return part == 0.0; });
@@ -309,7 +310,7 @@ private:
 
 } // namespace
 
-void warn_of_contacts(const model::Model& model, base::Diagnostics& list) {
+void warn_of_implausible_contacts(const model::Model& model, base::Diagnostics& list) {
   if (!list.has_errors()) {
     Sense(model, list).look();
   }

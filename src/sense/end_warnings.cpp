@@ -22,13 +22,13 @@ struct Doings {
   double nearest = 0.0; ///< the least gap of the steps
 };
 
-Doings doings_of(const results::Run& run, const std::string& name, double no_load) {
+Doings doings_of(const results::RunResult& run, const std::string& name, double no_load) {
   Doings found;
   bool first = true;
   for (const results::Increment& increment : run.increments) {
     // between its steps a path may close what they leave open
     const bool turns = std::ranges::any_of(
-        increment.paths, [](const results::LoadPath& path) { return path.t.size() > 2; });
+        increment.paths, [](const results::LoadPathResult& path) { return path.t.size() > 2; });
     found.pressed = found.pressed || turns;
     for (const results::StepResult& step : increment.steps) {
       const results::ContactResult* contact = results::find_contact(step, name);
@@ -46,8 +46,8 @@ Doings doings_of(const results::Run& run, const std::string& name, double no_loa
   return found;
 }
 
-void add_idle_contacts(const model::Model& model, const results::Run& run,
-                       std::vector<EndWarning>& list) {
+void add_idle_contacts(const model::Model& model, const results::RunResult& run,
+                       std::vector<RunWarning>& list) {
   double softest = 0.0;
   for (const model::ElasticMaterial& material : model.materials) {
     softest = softest > 0.0 ? std::min(softest, material.E) : material.E;
@@ -78,25 +78,25 @@ void add_idle_contacts(const model::Model& model, const results::Run& run,
   }
 }
 
-void add_endless_life(const results::Run& run, std::vector<EndWarning>& list) {
+void add_endless_life(const results::RunResult& run, std::vector<RunWarning>& list) {
   if (!run.growth) {
     return;
   }
-  const results::Growth& growth = *run.growth;
+  const results::GrowthResult& growth = *run.growth;
   // Passes of a spectrum count with all their cycles.
-  const double cycles = growth.cycles() * growth.cycles_per_pass;
+  const double cycles = growth.final_cycles() * growth.cycles_per_pass;
   if (cycles > endless) {
     list.push_back(
         {"W572", fmt::format("the life is {:.3g} {}: at 100 a second {:.2g} years. Are "
                              "the loads, C, KUNIT and AUNIT those you mean?",
-                             growth.cycles(), growth.unit == "pass" ? "passes" : "cycles",
+                             growth.final_cycles(), growth.unit == "pass" ? "passes" : "cycles",
                              cycles / (100.0 * 3600.0 * 24.0 * 365.25))});
   }
 }
 
-void add_strange_tests(const model::Model& model, const results::Run& run,
-                       std::vector<EndWarning>& list) {
-  for (const results::GrowthTest& test : run.tests) {
+void add_strange_tests(const model::Model& model, const results::RunResult& run,
+                       std::vector<RunWarning>& list) {
+  for (const results::GrowthTestResult& test : run.tests) {
     const bool outside =
         !test.readings.empty() && std::ranges::all_of(test.points, [](const auto& point) {
           return std::isnan(point.computed);
@@ -117,7 +117,7 @@ void add_strange_tests(const model::Model& model, const results::Run& run,
 }
 
 // Whether a crack has K, and K1 is 0 in all steps at all places.
-bool never_opens(const results::Run& run, const std::string& crack) {
+bool never_opens(const results::RunResult& run, const std::string& crack) {
   const auto is_of_it = [&](const std::string& name) {
     return name == crack || name == crack + ".1" || name == crack + ".2";
   };
@@ -165,8 +165,8 @@ std::vector<std::string> partners_of(const model::Model& model, base::NetId net)
 
 // Where bodies touch, a crack that is drawn at their contact may have got into the wrong one: pins
 // are pressed where lugs are pulled.
-void add_closed_cracks(const model::Model& model, const results::Run& run,
-                       std::vector<EndWarning>& list) {
+void add_closed_cracks(const model::Model& model, const results::RunResult& run,
+                       std::vector<RunWarning>& list) {
   for (const model::CrackDefinition& crack : model.cracks) {
     const std::vector<std::string> partners =
         crack.net.valid() ? partners_of(model, crack.net) : std::vector<std::string>();
@@ -183,8 +183,9 @@ void add_closed_cracks(const model::Model& model, const results::Run& run,
 
 } // namespace
 
-std::vector<EndWarning> end_warnings(const model::Model& model, const results::Run& run) {
-  std::vector<EndWarning> list;
+std::vector<RunWarning> find_run_warnings(const model::Model& model,
+                                          const results::RunResult& run) {
+  std::vector<RunWarning> list;
   add_idle_contacts(model, run, list);
   add_endless_life(run, list);
   add_strange_tests(model, run, list);

@@ -10,7 +10,7 @@
 namespace spricka::sense {
 
 /// A warning about a run as a whole.
-struct EndWarning {
+struct RunWarning {
   std::string_view code;
   std::string text;
 };
@@ -19,6 +19,6 @@ struct EndWarning {
 /// machine sees (W572), tests whose readings all lie outside the computed lengths (W573), cracks
 /// at a contact whose faces touch all along the front in every step (W575). Takes
 /// the tests as they are in `run`.
-std::vector<EndWarning> end_warnings(const model::Model& model, const results::Run& run);
+std::vector<RunWarning> find_run_warnings(const model::Model& model, const results::RunResult& run);
 
 } // namespace spricka::sense

@@ -257,7 +257,7 @@ private:
 
 } // namespace
 
-std::vector<std::string> tell_of_flaws(const model::Model& model, base::Diagnostics& list) {
+std::vector<std::string> describe_solid_cracks(const model::Model& model, base::Diagnostics& list) {
   const bool any = std::ranges::any_of(model.cracks, [](const model::CrackDefinition& crack) {
     return crack.kind == model::CrackDefinitionKind::ellipse ||
            crack.kind == model::CrackDefinitionKind::drawn;

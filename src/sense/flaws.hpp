@@ -14,6 +14,6 @@ namespace spricka::sense {
 /// that is wider than the body (W460), of a crack that takes most of its section (W461), of a
 /// corner crack on a plane of symmetry (W462), of a point off its drawn front (W463) and of linear
 /// elements round a crack (W426). What cannot be placed is left to the cut.
-std::vector<std::string> tell_of_flaws(const model::Model& model, base::Diagnostics& list);
+std::vector<std::string> describe_solid_cracks(const model::Model& model, base::Diagnostics& list);
 
 } // namespace spricka::sense

@@ -33,32 +33,32 @@ struct Depths {
 };
 
 Depths depths_of(const model::Model& model, const model::CrackDefinition& crack,
-                 const SidePlane& plane) {
+                 const HalfModelPlane& plane) {
   Depths depths;
   if (crack.kind == model::CrackDefinitionKind::ellipse) {
     const model::PlanarCrack& e = crack.plane;
     const double extent =
         std::hypot(e.a * e.transverse_axis()[plane.axis], e.c * e.along[plane.axis]);
-    depths.add(plane.depth(e.place) - extent);
-    depths.add(plane.depth(e.place) + extent);
+    depths.add(plane.signed_distance(e.place) - extent);
+    depths.add(plane.signed_distance(e.place) + extent);
     return depths;
   }
   for (const Vec3& x : crack.points) {
-    depths.add(plane.depth(x));
+    depths.add(plane.signed_distance(x));
   }
   if (crack.path.valid()) {
     for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
-      depths.add(plane.depth(model.mesh.x[n.index()]));
+      depths.add(plane.signed_distance(model.mesh.x[n.index()]));
     }
   }
   if (crack.angle && !crack.points.empty()) {
     const Vec3 ahead(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
-    depths.add(plane.depth(crack.points.front() + crack.a0.value_or(0.0) * ahead));
+    depths.add(plane.signed_distance(crack.points.front() + crack.a0.value_or(0.0) * ahead));
   }
   return depths;
 }
 
-bool lies_in(const Depths& depths, const SidePlane& plane) {
+bool lies_in(const Depths& depths, const HalfModelPlane& plane) {
   return depths.most <= plane.reach && depths.least >= -plane.reach;
 }
 
@@ -81,14 +81,15 @@ Straight straight_of(const model::CrackDefinition& crack) {
 // Nodes in the plane from the mouth of a crack that is drawn in it to the end of their line; empty:
 // no line of the mesh begins there and goes beyond the tip.
 std::vector<base::NodeId> nodes_along(const model::Model& model,
-                                      const model::CrackDefinition& crack, const SidePlane& plane) {
+                                      const model::CrackDefinition& crack,
+                                      const HalfModelPlane& plane) {
   const model::Mesh& mesh = model.mesh;
   const Straight line = straight_of(crack);
   const std::vector<bool> used = model::nodes_in_use(mesh);
   std::vector<std::pair<double, base::NodeId>> places; // along the crack
   for (std::size_t n = 0; n < used.size(); ++n) {
     if (used[n] && mesh.node_net[n] == crack.net &&
-        std::abs(plane.depth(mesh.x[n])) <= plane.reach) {
+        std::abs(plane.signed_distance(mesh.x[n])) <= plane.reach) {
       places.emplace_back((mesh.x[n] - line.mouth).dot(line.way), base::NodeId(n));
     }
   }
@@ -110,7 +111,7 @@ std::vector<base::NodeId> nodes_along(const model::Model& model,
 }
 
 std::string without_half(const model::Model& model, const model::CrackDefinition& crack,
-                         const SidePlane& plane) {
+                         const HalfModelPlane& plane) {
   const Depths depths = depths_of(model, crack, plane);
   if (lies_in(depths, plane) && crack.kind != model::CrackDefinitionKind::path) {
     return crack.kind != model::CrackDefinitionKind::free ? "lies in it"
@@ -132,19 +133,19 @@ std::string without_half(const model::Model& model, const model::CrackDefinition
 
 // From its point in the plane to its end on the side that stays: both ends are tips. What was drawn
 // as its left face keeps that name.
-void cut_line(model::CrackDefinition& crack, const SidePlane& plane) {
+void cut_line(model::CrackDefinition& crack, const HalfModelPlane& plane) {
   std::vector<Vec3>& points = crack.points;
-  if (plane.depth(points.front()) > plane.depth(points.back())) {
+  if (plane.signed_distance(points.front()) > plane.signed_distance(points.back())) {
     std::ranges::reverse(points);
     std::swap(crack.left, crack.right);
   }
   std::size_t first = points.size() - 1;
-  while (plane.depth(points[first - 1]) > plane.reach) {
+  while (plane.signed_distance(points[first - 1]) > plane.reach) {
     --first;
   }
   const Vec3 a = points[first - 1];
   const Vec3 b = points[first];
-  const double t = plane.depth(a) / (plane.depth(a) - plane.depth(b));
+  const double t = plane.signed_distance(a) / (plane.signed_distance(a) - plane.signed_distance(b));
   std::vector<Vec3> kept{a + t * (b - a)};
   kept.front()[plane.axis] = plane.at;
   kept.insert(kept.end(), points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
@@ -163,7 +164,8 @@ void keep_about(std::vector<T>& list, const std::vector<base::CrackId>& now,
 
 } // namespace
 
-SidePlane side_plane(const model::Mesh& mesh, const model::MirrorPlane& wish, double at) {
+HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& wish,
+                                     double at) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
   for (const Vec3& x : mesh.x) {
@@ -173,7 +175,7 @@ SidePlane side_plane(const model::Mesh& mesh, const model::MirrorPlane& wish, do
   return {wish.axis, at, wish.above ? 1.0 : -1.0, in_plane * (high - low).norm(), wish.span};
 }
 
-std::string cracks_without_half(const model::Model& model, const SidePlane& plane) {
+std::string find_crack_without_half(const model::Model& model, const HalfModelPlane& plane) {
   for (const model::CrackDefinition& crack : model.cracks) {
     if (const std::string why = without_half(model, crack, plane); !why.empty()) {
       return fmt::format("crack {} {}", crack.name, why);
@@ -182,14 +184,15 @@ std::string cracks_without_half(const model::Model& model, const SidePlane& plan
   return {};
 }
 
-bool lies_beyond(const model::Model& model, const model::CrackDefinition& crack,
-                 const SidePlane& plane) {
+bool lies_on_removed_side(const model::Model& model, const model::CrackDefinition& crack,
+                          const HalfModelPlane& plane) {
   return depths_of(model, crack, plane).most <= plane.reach &&
          depths_of(model, crack, plane).least < -plane.reach;
 }
 
-base::FaceSetId missing_face(const model::Model& model, const model::CrackDefinition& crack,
-                             const SidePlane& plane) {
+base::FaceSetId find_missing_crack_face(const model::Model& model,
+                                        const model::CrackDefinition& crack,
+                                        const HalfModelPlane& plane) {
   if (crack.kind != model::CrackDefinitionKind::free ||
       !lies_in(depths_of(model, crack, plane), plane)) {
     return {};
@@ -199,12 +202,12 @@ base::FaceSetId missing_face(const model::Model& model, const model::CrackDefini
   return plane.sign * left[plane.axis] > 0.0 ? crack.right : crack.left;
 }
 
-void keep_cracks(model::Model& model, const SidePlane& plane) {
+void remove_cracks_beyond(model::Model& model, const HalfModelPlane& plane) {
   std::vector<base::CrackId> now(model.cracks.size());
   std::vector<model::CrackDefinition> kept;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     model::CrackDefinition& crack = model.cracks[i];
-    if (lies_beyond(model, crack, plane)) {
+    if (lies_on_removed_side(model, crack, plane)) {
       continue;
     }
     const Depths depths = depths_of(model, crack, plane);
@@ -218,7 +221,7 @@ void keep_cracks(model::Model& model, const SidePlane& plane) {
       crack.angle.reset();
     } else if (across && crack.kind == model::CrackDefinitionKind::free) {
       cut_line(crack, plane);
-    } else if (across && plane.depth(crack.plane.place) < 0.0) {
+    } else if (across && plane.signed_distance(crack.plane.place) < 0.0) {
       // a point within it, on the side that stays
       crack.plane.place[plane.axis] = 2.0 * plane.at - crack.plane.place[plane.axis];
     }

@@ -11,7 +11,7 @@
 namespace spricka::sense {
 
 /// A plane across an axis, of which one side stays.
-struct SidePlane {
+struct HalfModelPlane {
   int axis = 0;
   double at = 0.0;    ///< [length]
   double sign = 1.0;  ///< of the axis, towards the side that stays
@@ -19,25 +19,27 @@ struct SidePlane {
   base::SourceSpan span;
 
   /// Distance from the plane, positive on the side that stays [length].
-  [[nodiscard]] double depth(const base::Vec3& x) const { return sign * (x[axis] - at); }
+  [[nodiscard]] double signed_distance(const base::Vec3& x) const { return sign * (x[axis] - at); }
 };
 
-SidePlane side_plane(const model::Mesh& mesh, const model::MirrorPlane& wish, double at);
+HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& wish,
+                                     double at);
 
 /// Which crack has no half, and why; empty: all have one.
-std::string cracks_without_half(const model::Model& model, const SidePlane& plane);
+std::string find_crack_without_half(const model::Model& model, const HalfModelPlane& plane);
 
 /// Whether all of a crack lies on the side that goes.
-bool lies_beyond(const model::Model& model, const model::CrackDefinition& crack,
-                 const SidePlane& plane);
+bool lies_on_removed_side(const model::Model& model, const model::CrackDefinition& crack,
+                          const HalfModelPlane& plane);
 
 /// The face of a drawn crack in the plane that the side which stays does not have; invalid: it has
 /// both, or none of its own.
-base::FaceSetId missing_face(const model::Model& model, const model::CrackDefinition& crack,
-                             const SidePlane& plane);
+base::FaceSetId find_missing_crack_face(const model::Model& model,
+                                        const model::CrackDefinition& crack,
+                                        const HalfModelPlane& plane);
 
 /// Takes away cracks that lie beyond, with all that is about them. Those of a plane model that lie
 /// across the plane begin in it, and those drawn in it run along its nodes from their mouth on.
-void keep_cracks(model::Model& model, const SidePlane& plane);
+void remove_cracks_beyond(model::Model& model, const HalfModelPlane& plane);
 
 } // namespace spricka::sense

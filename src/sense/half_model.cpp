@@ -23,19 +23,20 @@ namespace {
 using base::Vec3;
 
 /// How much of a set stays.
-enum class Part { all, some, none };
+enum class SetRemainder { all, some, none };
 
 /// Which nodes and elements stay, and how much of sets and contacts does.
-class Side {
+class KeptModelSide {
 public:
-  Side(const model::Model& model, const SidePlane& plane) : model_(model), plane_(plane) {
+  KeptModelSide(const model::Model& model, const HalfModelPlane& plane)
+      : model_(model), plane_(plane) {
     const model::Mesh& mesh = model.mesh;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       bool below = false;
       bool above = false;
       for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
-        below = below || plane.depth(mesh.x[n.index()]) < -plane.reach;
-        above = above || plane.depth(mesh.x[n.index()]) > plane.reach;
+        below = below || plane.signed_distance(mesh.x[n.index()]) < -plane.reach;
+        above = above || plane.signed_distance(mesh.x[n.index()]) > plane.reach;
       }
       stays_.push_back(above);
       if (above && below && !across_) {
@@ -44,36 +45,38 @@ public:
     }
   }
 
-  [[nodiscard]] const SidePlane& plane() const { return plane_; }
+  [[nodiscard]] const HalfModelPlane& plane() const { return plane_; }
   [[nodiscard]] std::optional<base::ElementId> element_across() const { return across_; }
   [[nodiscard]] bool stays(base::ElementId e) const { return stays_[e.index()]; }
   [[nodiscard]] bool stays(const model::Face& face) const { return stays(face.element); }
   [[nodiscard]] bool stays(base::NodeId n) const {
-    return plane_.depth(model_.mesh.x[n.index()]) >= -plane_.reach;
+    return plane_.signed_distance(model_.mesh.x[n.index()]) >= -plane_.reach;
   }
   [[nodiscard]] bool within(base::NodeId n) const {
-    return std::abs(plane_.depth(model_.mesh.x[n.index()])) <= plane_.reach;
+    return std::abs(plane_.signed_distance(model_.mesh.x[n.index()])) <= plane_.reach;
   }
 
-  [[nodiscard]] Part part(const model::Load& load) const {
+  [[nodiscard]] SetRemainder part(const model::Load& load) const {
     const model::Mesh& mesh = model_.mesh;
     return load.nodes.valid()   ? part_of(mesh.set_with_id(load.nodes).nodes)
            : load.faces.valid() ? part_of(mesh.set_with_id(load.faces).faces)
                                 : part_of(mesh.set_with_id(load.elements).elements);
   }
-  [[nodiscard]] Part part(base::FaceSetId set) const {
+  [[nodiscard]] SetRemainder part(base::FaceSetId set) const {
     return part_of(model_.mesh.set_with_id(set).faces);
   }
 
 private:
-  template <class T> [[nodiscard]] Part part_of(const std::vector<T>& members) const {
+  template <class T> [[nodiscard]] SetRemainder part_of(const std::vector<T>& members) const {
     const auto stay = static_cast<std::size_t>(
         std::ranges::count_if(members, [&](const T& member) { return stays(member); }));
-    return stay == members.size() ? Part::all : stay > 0 ? Part::some : Part::none;
+    return stay == members.size() ? SetRemainder::all
+           : stay > 0             ? SetRemainder::some
+                                  : SetRemainder::none;
   }
 
   const model::Model& model_;
-  SidePlane plane_;
+  HalfModelPlane plane_;
   std::vector<bool> stays_; ///< [element]
   std::optional<base::ElementId> across_;
 };
@@ -90,8 +93,8 @@ std::string across_text(const model::Model& model, base::ElementId e) {
 }
 
 // What has no half, of a model whose sides are mirror images.
-std::string without_half(const model::Model& model, const Side& side,
-                         const results::MirrorPreview& mirror) {
+std::string without_half(const model::Model& model, const KeptModelSide& side,
+                         const results::SymmetryPlanePreview& mirror) {
   if (const auto e = side.element_across()) {
     return across_text(model, *e);
   }
@@ -106,32 +109,33 @@ std::string without_half(const model::Model& model, const Side& side,
   }
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
-      if (is_total(load) && side.part(load) == Part::some && !is_own_image(model, load, mirror)) {
+      if (is_total(load) && side.part(load) == SetRemainder::some &&
+          !is_symmetric_load(model, load, mirror)) {
         return fmt::format("a total of load case {} lies across it and is not its own image",
                            load_case.name);
       }
     }
   }
-  return cracks_without_half(model, side.plane());
+  return find_crack_without_half(model, side.plane());
 }
 
 /// The plane of a mirror, or why it has no sides to choose from.
 struct Chosen {
-  SidePlane plane;
-  results::MirrorPreview mirror;
+  HalfModelPlane plane;
+  results::SymmetryPlanePreview mirror;
   std::string against;
 };
 
 Chosen choose(const model::Model& model, const model::MirrorPlane& wish) {
   Chosen chosen;
-  chosen.mirror = mirror_across(model, wish.axis);
-  chosen.plane = side_plane(model.mesh, wish, chosen.mirror.at);
+  chosen.mirror = symmetry_plane_across(model, wish.axis);
+  chosen.plane = make_half_model_plane(model.mesh, wish, chosen.mirror.at);
   if (model::axisymmetric(model) && wish.axis == 0) {
     chosen.against = "x is the radius";
   } else if (!chosen.mirror.against.empty()) {
     chosen.against = chosen.mirror.against + " mirrored by it";
   } else {
-    chosen.against = without_half(model, Side(model, chosen.plane), chosen.mirror);
+    chosen.against = without_half(model, KeptModelSide(model, chosen.plane), chosen.mirror);
   }
   return chosen;
 }
@@ -139,7 +143,7 @@ Chosen choose(const model::Model& model, const model::MirrorPlane& wish) {
 /// Makes the half.
 class Keeper {
 public:
-  Keeper(model::Model& model, Side side) : model_(model), side_(std::move(side)) {}
+  Keeper(model::Model& model, KeptModelSide side) : model_(model), side_(std::move(side)) {}
 
   void run() {
     for (model::LoadCase& load_case : model_.cases) {
@@ -150,7 +154,7 @@ public:
       load_case.loads = std::move(kept);
     }
     keep_contacts();
-    keep_cracks(model_, side_.plane());
+    remove_cracks_beyond(model_, side_.plane());
     drop_empty_ties();
     keep_mesh();
     hold_plane();
@@ -177,11 +181,11 @@ private:
   }
 
   void keep_load(model::Load load, std::vector<model::Load>& kept) {
-    const Part part = load_part(load);
-    if (part == Part::none) {
+    const SetRemainder part = load_part(load);
+    if (part == SetRemainder::none) {
       return;
     }
-    if (is_total(load) && part == Part::some) {
+    if (is_total(load) && part == SetRemainder::some) {
       Vec3 force = own_part(load);
       force[side_.plane().axis] = 0.0; // what is across is balanced by the image
       for (std::size_t i = 0; i < load.value.size(); ++i) {
@@ -195,14 +199,14 @@ private:
   }
 
   // Faces of a crack are made with its mesh.
-  [[nodiscard]] Part load_part(const model::Load& load) const {
-    const model::CrackDefinition* const crack = crack_of_faces(model_, load);
+  [[nodiscard]] SetRemainder load_part(const model::Load& load) const {
+    const model::CrackDefinition* const crack = find_loaded_crack(model_, load);
     if (crack == nullptr) {
       return side_.part(load);
     }
-    const bool goes = lies_beyond(model_, *crack, side_.plane()) ||
-                      load.faces == missing_face(model_, *crack, side_.plane());
-    return goes ? Part::none : Part::all;
+    const bool goes = lies_on_removed_side(model_, *crack, side_.plane()) ||
+                      load.faces == find_missing_crack_face(model_, *crack, side_.plane());
+    return goes ? SetRemainder::none : SetRemainder::all;
   }
 
   // The other half of a force in the plane acts on what goes.
@@ -232,7 +236,7 @@ private:
     std::vector<base::ContactId> now(model_.contacts.size());
     std::vector<model::Contact> kept;
     for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
-      if (side_.part(model_.contacts[i].slave) != Part::none) {
+      if (side_.part(model_.contacts[i].slave) != SetRemainder::none) {
         now[i] = base::ContactId(kept.size());
         kept.push_back(std::move(model_.contacts[i]));
       }
@@ -323,23 +327,24 @@ private:
   }
 
   model::Model& model_;
-  Side side_;
+  KeptModelSide side_;
 };
 
 } // namespace
 
-std::string against_half(const model::Model& model, int axis) {
+std::string half_model_obstacle(const model::Model& model, int axis) {
   model::MirrorPlane plane;
   plane.axis = axis;
   return choose(model, plane).against;
 }
 
-void keep_sides(model::Model& model, base::Diagnostics& list) {
+void reduce_to_half_model(model::Model& model, base::Diagnostics& list) {
   // A crack that is drawn in a plane wants a mouth there, which another plane may give it.
-  std::stable_partition(
-      model.mirrors.begin(), model.mirrors.end(),
-      [&](const model::MirrorPlane& wish) { return against_half(model, wish.axis).empty(); });
-  const std::set<std::string> before = named_things(model);
+  std::stable_partition(model.mirrors.begin(), model.mirrors.end(),
+                        [&](const model::MirrorPlane& wish) {
+                          return half_model_obstacle(model, wish.axis).empty();
+                        });
+  const std::set<std::string> before = named_entities(model);
   for (model::MirrorPlane& wish : model.mirrors) {
     const Chosen chosen = choose(model, wish);
     const char axis = "xyz"[wish.axis];
@@ -350,10 +355,10 @@ void keep_sides(model::Model& model, base::Diagnostics& list) {
                  "without the card, check lists the planes of symmetry that there are");
       return;
     }
-    Keeper(model, Side(model, chosen.plane)).run();
+    Keeper(model, KeptModelSide(model, chosen.plane)).run();
     wish.at = chosen.mirror.at;
   }
-  warn_of_lost_requests(model, before, list);
+  drop_requests_without_target(model, before, list);
 }
 
 } // namespace spricka::sense

@@ -13,9 +13,9 @@ namespace spricka::sense {
 /// given by what of them acts on the side that stays. A crack drawn across the plane of a plane
 /// model begins in it. Reported (E354): what is not its own mirror image,
 /// elements that lie across the plane, and what has no half.
-void keep_sides(model::Model& model, base::Diagnostics& list);
+void reduce_to_half_model(model::Model& model, base::Diagnostics& list);
 
 /// Why one side of the plane across an axis cannot be kept alone; empty: it can.
-std::string against_half(const model::Model& model, int axis);
+std::string half_model_obstacle(const model::Model& model, int axis);
 
 } // namespace spricka::sense

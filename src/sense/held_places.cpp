@@ -25,9 +25,9 @@ bool is_held(model::FreedomClass cls) {
   return cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed;
 }
 
-class Held {
+class ConstraintCheck {
 public:
-  Held(const model::Model& model, base::Diagnostics& list)
+  ConstraintCheck(const model::Model& model, base::Diagnostics& list)
       : model_(model), mesh_(model.mesh), list_(list),
         cls_(fe::classify_freedoms(model, model.mesh)) {}
 
@@ -245,17 +245,17 @@ bool without_patch(const model::Model& model, std::size_t crack) {
 
 } // namespace
 
-void warn_of_held_places(const model::Model& model, base::Diagnostics& list) {
+void warn_of_loads_on_supports(const model::Model& model, base::Diagnostics& list) {
   if (list.has_errors()) {
     return;
   }
-  Held held(model, list);
+  ConstraintCheck held(model, list);
   held.loads();
   held.surfaces();
   held.mouths();
 }
 
-void warn_of_path_mouths(const model::Model& model, base::Diagnostics& list) {
+void warn_of_misplaced_crack_mouths(const model::Model& model, base::Diagnostics& list) {
   const bool some = std::ranges::any_of(model.cracks, [](const model::CrackDefinition& crack) {
     return crack.kind == model::CrackDefinitionKind::path;
   });

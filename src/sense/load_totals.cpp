@@ -159,8 +159,8 @@ std::vector<results::LoadTotal> load_totals(const model::Model& model) {
   return totals;
 }
 
-bool loads_are_sound(const model::Model& model, const model::Mesh& cracked,
-                     base::Diagnostics& diagnostics) {
+bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
+                       base::Diagnostics& diagnostics) {
   bool sound = true;
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {

@@ -10,11 +10,11 @@
 namespace spricka::sense {
 
 /// Names of contacts, cracks and sets that there are something of.
-std::set<std::string> named_things(const model::Model& model);
+std::set<std::string> named_entities(const model::Model& model);
 
 /// Warns (W366) of outputs and checks of named things that were there `before` and are gone; the
 /// outputs go, too: a sum over nothing would be zero.
-void warn_of_lost_requests(model::Model& model, const std::set<std::string>& before,
-                           base::Diagnostics& list);
+void drop_requests_without_target(model::Model& model, const std::set<std::string>& before,
+                                  base::Diagnostics& list);
 
 } // namespace spricka::sense

@@ -5,7 +5,7 @@
 namespace spricka::sense {
 
 /// The plane x, y or z = `at`.
-struct Mirror {
+struct Reflection {
   int axis = 0;
   double at = 0.0;   ///< [length]
   double size = 0.0; ///< of the whole model [length]

@@ -46,7 +46,7 @@ double off_line(const base::Vec3& x, const std::vector<base::Vec3>& line) {
 }
 
 // The order of points does not matter where both ends are tips, or a front ends on both sides.
-bool mirrored_line(const Mirror& mirror, const std::vector<base::Vec3>& one,
+bool mirrored_line(const Reflection& mirror, const std::vector<base::Vec3>& one,
                    const std::vector<base::Vec3>& other) {
   if (one.empty() || other.empty()) {
     return one.empty() == other.empty();
@@ -61,7 +61,7 @@ bool mirrored_line(const Mirror& mirror, const std::vector<base::Vec3>& one,
                      one, [&](const base::Vec3& x) { return off_line(mirror(x), other) <= reach; });
 }
 
-bool mirrored_plane(const Mirror& mirror, const model::PlanarCrack& one,
+bool mirrored_plane(const Reflection& mirror, const model::PlanarCrack& one,
                     const model::PlanarCrack& other) {
   const double reach = same_spot * mirror.size;
   const auto turned = [&](base::Vec3 v) {
@@ -82,7 +82,7 @@ bool grows(const model::Model& model, std::size_t crack) {
                               model.growth->cracks.end());
 }
 
-bool mirrored_shape(const model::Model& model, const Mirror& mirror,
+bool mirrored_shape(const model::Model& model, const Reflection& mirror,
                     const model::CrackDefinition& one, const model::CrackDefinition& other) {
   if (one.kind != other.kind || one.mu != other.mu || one.a0 != other.a0 ||
       one.faces_in_contact != other.faces_in_contact) {
@@ -137,17 +137,18 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
 
 } // namespace
 
-const model::CrackDefinition* crack_of_faces(const model::Model& model, const model::Load& load) {
+const model::CrackDefinition* find_loaded_crack(const model::Model& model,
+                                                const model::Load& load) {
   const auto found = std::ranges::find_if(model.cracks, [&](const model::CrackDefinition& crack) {
     return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
   });
   return found == model.cracks.end() ? nullptr : &*found;
 }
 
-bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const model::Load& one,
-                        const model::Load& other) {
-  const model::CrackDefinition* const crack = crack_of_faces(model, one);
-  const model::CrackDefinition* const image = crack_of_faces(model, other);
+bool is_mirrored_face_load(const model::Model& model, const Reflection& mirror,
+                           const model::Load& one, const model::Load& other) {
+  const model::CrackDefinition* const crack = find_loaded_crack(model, one);
+  const model::CrackDefinition* const image = find_loaded_crack(model, other);
   if (crack == nullptr || image == nullptr || one.type != model::LoadType::pressure ||
       other.type != model::LoadType::pressure || !mirrored_shape(model, mirror, *crack, *image)) {
     return false;
@@ -159,16 +160,16 @@ bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const m
   if ((turned < 0.0 && same_side) || (turned > 0.0 && !same_side)) {
     return false;
   }
-  return mirrored_values(mirror, one, other, face_places(model, *crack, one)) &&
-         mirrored_values(mirror, other, one, face_places(model, *image, other));
+  return has_mirrored_values(mirror, one, other, face_places(model, *crack, one)) &&
+         has_mirrored_values(mirror, other, one, face_places(model, *image, other));
 }
 
-std::string against_cracks(const model::Model& model, const Mirror& mirror) {
+std::string crack_symmetry_obstacle(const model::Model& model, const Reflection& mirror) {
   const auto answers = [&](std::size_t i, std::size_t j) {
     return grows(model, i) == grows(model, j) &&
            mirrored_shape(model, mirror, model.cracks[i], model.cracks[j]);
   };
-  const auto lone = without_image(model.cracks.size(), answers);
+  const auto lone = find_item_without_image(model.cracks.size(), answers);
   return lone ? fmt::format("crack {} is not", model.cracks[*lone].name) : std::string();
 }
 

@@ -10,14 +10,14 @@ namespace spricka::sense {
 
 /// Whether a load on the faces of a crack has the other as its image: pressures of cracks that are
 /// images, alike at points of the crack and their images. Of tractions it is not asked.
-bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const model::Load& one,
-                        const model::Load& other);
+bool is_mirrored_face_load(const model::Model& model, const Reflection& mirror,
+                           const model::Load& one, const model::Load& other);
 
 /// The crack that a load acts on the faces of; null: none.
-const model::CrackDefinition* crack_of_faces(const model::Model& model, const model::Load& load);
+const model::CrackDefinition* find_loaded_crack(const model::Model& model, const model::Load& load);
 
 /// Whether each crack has a crack that is its mirror image, itself or another, and both grow or
 /// neither; else what stands against it.
-std::string against_cracks(const model::Model& model, const Mirror& mirror);
+std::string crack_symmetry_obstacle(const model::Model& model, const Reflection& mirror);
 
 } // namespace spricka::sense

@@ -7,8 +7,8 @@
 
 namespace spricka::sense {
 
-bool mirrored_values(const Mirror& mirror, const model::Load& one, const model::Load& other,
-                     const std::vector<fe::LoadSample>& places) {
+bool has_mirrored_values(const Reflection& mirror, const model::Load& one, const model::Load& other,
+                         const std::vector<fe::LoadSample>& places) {
   constexpr double round_off = 1e-9;
   if (one.value.size() != other.value.size()) {
     return false;
@@ -30,7 +30,8 @@ bool mirrored_values(const Mirror& mirror, const model::Load& one, const model::
 }
 
 std::optional<std::size_t>
-without_image(std::size_t count, const std::function<bool(std::size_t, std::size_t)>& answers) {
+find_item_without_image(std::size_t count,
+                        const std::function<bool(std::size_t, std::size_t)>& answers) {
   std::vector<bool> paired(count, false);
   for (std::size_t i = 0; i < count; ++i) {
     paired[i] = answers(i, i);

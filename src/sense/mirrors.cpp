@@ -71,28 +71,29 @@ public:
   }
 
   /// What stands against a plane as a mirror; empty: nothing.
-  [[nodiscard]] std::string against(const Mirror& mirror) const {
+  [[nodiscard]] std::string against(const Reflection& mirror) const {
     std::string found = against_supports(mirror);
     found = found.empty() ? against_loads(mirror) : found;
     found = found.empty() ? against_contacts(mirror) : found;
     found = found.empty() ? against_ties(mirror) : found;
-    return found.empty() ? against_cracks(model_, mirror) : found;
+    return found.empty() ? crack_symmetry_obstacle(model_, mirror) : found;
   }
 
-  [[nodiscard]] bool bodies_mirrored(const Mirror& mirror) const {
+  [[nodiscard]] bool bodies_mirrored(const Reflection& mirror) const {
     return std::ranges::all_of(
-        bodies_, [&](const Places& body) { return mirrored_places(mirror, body, body); });
+        bodies_, [&](const BoundarySamples& body) { return mirrored_places(mirror, body, body); });
   }
 
-  [[nodiscard]] bool own_image(const Mirror& mirror, const model::Load& load) const {
+  [[nodiscard]] bool own_image(const Reflection& mirror, const model::Load& load) const {
     return answers(mirror, load, load);
   }
 
 private:
-  static bool mirrored_places(const Mirror& mirror, const Places& one, const Places& other) {
-    const auto onto = [&](const Places& from, const Places& to) {
+  static bool mirrored_places(const Reflection& mirror, const BoundarySamples& one,
+                              const BoundarySamples& other) {
+    const auto onto = [&](const BoundarySamples& from, const BoundarySamples& to) {
       return std::ranges::all_of(from.samples(),
-                                 [&](const base::Vec3& x) { return to.has(mirror(x)); });
+                                 [&](const base::Vec3& x) { return to.contains_point(mirror(x)); });
     };
     return onto(one, other) && (&one == &other || onto(other, one));
   }
@@ -114,10 +115,10 @@ private:
     }
   }
 
-  [[nodiscard]] Places places_of_nodes(const std::vector<base::NodeId>& nodes) const {
+  [[nodiscard]] BoundarySamples places_of_nodes(const std::vector<base::NodeId>& nodes) const {
     return {mesh_, mesh::faces_within(mesh_, nodes), nodes};
   }
-  [[nodiscard]] Places places_of(const model::Load& load) const {
+  [[nodiscard]] BoundarySamples places_of(const model::Load& load) const {
     if (load.nodes.valid()) {
       return places_of_nodes(mesh_.set_with_id(load.nodes).nodes);
     }
@@ -127,7 +128,7 @@ private:
     return {mesh_, skin_of(mesh_, mesh_.set_with_id(load.elements).elements)};
   }
 
-  [[nodiscard]] std::string against_supports(const Mirror& mirror) const {
+  [[nodiscard]] std::string against_supports(const Reflection& mirror) const {
     for (std::size_t c = 0; c < held_.size(); ++c) {
       if (!mirrored_places(mirror, held_[c], held_[c])) {
         return fmt::format("the supports along {} are not", "xyz"[c]);
@@ -136,16 +137,17 @@ private:
     return {};
   }
 
-  [[nodiscard]] bool answers(const Mirror& mirror, const model::Load& one,
+  [[nodiscard]] bool answers(const Reflection& mirror, const model::Load& one,
                              const model::Load& other) const {
-    if (crack_of_faces(model_, one) != nullptr) {
-      return mirrored_face_load(model_, mirror, one, other);
+    if (find_loaded_crack(model_, one) != nullptr) {
+      return is_mirrored_face_load(model_, mirror, one, other);
     }
     return one.type == other.type && one.shape == other.shape &&
            mirrored_places(mirror, places_of(one), places_of(other)) &&
-           mirrored_values(mirror, one, other, places_inside(one)) && // most part here, at no cost
-           mirrored_values(mirror, one, other, integrated_at(one)) &&
-           (&one == &other || mirrored_values(mirror, other, one, integrated_at(other)));
+           has_mirrored_values(mirror, one, other,
+                               places_inside(one)) && // most part here, at no cost
+           has_mirrored_values(mirror, one, other, integrated_at(one)) &&
+           (&one == &other || has_mirrored_values(mirror, other, one, integrated_at(other)));
   }
 
   // A place inside each face or element of a load, off its middle, where loads like to jump.
@@ -182,10 +184,10 @@ private:
     return at->second;
   }
 
-  [[nodiscard]] std::string against_loads(const Mirror& mirror) const {
+  [[nodiscard]] std::string against_loads(const Reflection& mirror) const {
     for (const model::LoadCase& load_case : model_.cases) {
       const std::vector<model::Load>& loads = load_case.loads;
-      if (without_image(loads.size(), [&](std::size_t i, std::size_t j) {
+      if (find_item_without_image(loads.size(), [&](std::size_t i, std::size_t j) {
             return answers(mirror, loads[i], loads[j]);
           })) {
         return fmt::format("load case {} is not", load_case.name);
@@ -215,7 +217,7 @@ private:
     return all;
   }
 
-  [[nodiscard]] bool mirrored_faces(const Mirror& mirror, base::FaceSetId one,
+  [[nodiscard]] bool mirrored_faces(const Reflection& mirror, base::FaceSetId one,
                                     base::FaceSetId other) const {
     return mirrored_places(mirror, {mesh_, mesh_.set_with_id(one).faces},
                            {mesh_, mesh_.set_with_id(other).faces});
@@ -223,7 +225,7 @@ private:
 
   // A rigid target that is its own image; of two targets that are images of each other it is not
   // asked.
-  [[nodiscard]] bool mirrored_target(const Mirror& mirror, base::RigidId id) const {
+  [[nodiscard]] bool mirrored_target(const Reflection& mirror, base::RigidId id) const {
     const model::RigidTarget& r = model_.rigids[id.index()];
     const double size = (r.second - r.first).norm() + std::abs(r.radius);
     const auto same = [&](const base::Vec3& a, const base::Vec3& b) {
@@ -247,7 +249,7 @@ private:
     return false;
   }
 
-  [[nodiscard]] bool answers(const Mirror& mirror, std::size_t one, std::size_t other) const {
+  [[nodiscard]] bool answers(const Reflection& mirror, std::size_t one, std::size_t other) const {
     const model::Contact& a = model_.contacts[one];
     const model::Contact& b = model_.contacts[other];
     if (a.type != b.type || a.gap.has_value() != b.gap.has_value() ||
@@ -261,14 +263,15 @@ private:
                             : one == other && mirrored_target(mirror, a.rigid);
   }
 
-  [[nodiscard]] std::string against_contacts(const Mirror& mirror) const {
-    const auto lone = without_image(model_.contacts.size(), [&](std::size_t i, std::size_t j) {
-      return answers(mirror, i, j);
-    });
+  [[nodiscard]] std::string against_contacts(const Reflection& mirror) const {
+    const auto lone =
+        find_item_without_image(model_.contacts.size(), [&](std::size_t i, std::size_t j) {
+          return answers(mirror, i, j);
+        });
     return lone ? fmt::format("contact {} is not", model_.contacts[*lone].name) : std::string();
   }
 
-  [[nodiscard]] bool answers(const Mirror& mirror, const model::Mpc& one,
+  [[nodiscard]] bool answers(const Reflection& mirror, const model::Mpc& one,
                              const model::Mpc& other) const {
     if (one.index() != other.index()) {
       return false;
@@ -287,29 +290,30 @@ private:
     return false;
   }
 
-  [[nodiscard]] std::string against_ties(const Mirror& mirror) const {
-    const bool lone = without_image(model_.mpcs.size(), [&](std::size_t i, std::size_t j) {
-                        return answers(mirror, model_.mpcs[i], model_.mpcs[j]);
-                      }).has_value();
+  [[nodiscard]] std::string against_ties(const Reflection& mirror) const {
+    const bool lone =
+        find_item_without_image(model_.mpcs.size(), [&](std::size_t i, std::size_t j) {
+          return answers(mirror, model_.mpcs[i], model_.mpcs[j]);
+        }).has_value();
     return lone ? "an $MPC is not" : "";
   }
 
   const model::Model& model_;
   const model::Mesh& mesh_;
   mutable std::map<const model::Load*, std::vector<fe::LoadSample>> integrated_;
-  std::vector<Places> bodies_; ///< by material, state and thickness
-  std::vector<Places> held_;   ///< [direction]
+  std::vector<BoundarySamples> bodies_; ///< by material, state and thickness
+  std::vector<BoundarySamples> held_;   ///< [direction]
 };
 
 /// The box round all nodes of elements.
-struct Extent {
+struct NodeBoundingBox {
   base::Vec3 low = base::Vec3::Constant(1e300);
   base::Vec3 high = base::Vec3::Constant(-1e300);
 };
 
-Extent extent_of(const model::Mesh& mesh) {
+NodeBoundingBox extent_of(const model::Mesh& mesh) {
   const std::vector<bool> used = model::nodes_in_use(mesh);
-  Extent box;
+  NodeBoundingBox box;
   for (std::size_t n = 0; n < used.size(); ++n) {
     if (used[n]) {
       box.low = box.low.cwiseMin(mesh.x[n]);
@@ -319,7 +323,7 @@ Extent extent_of(const model::Mesh& mesh) {
   return box;
 }
 
-Mirror middle_across(const Extent& box, int axis) {
+Reflection middle_across(const NodeBoundingBox& box, int axis) {
   const double size = (box.high - box.low).norm();
   const double at = 0.5 * (box.low[axis] + box.high[axis]);
   return {axis, std::abs(at) < 1e-9 * size ? 0.0 : at, size};
@@ -327,12 +331,12 @@ Mirror middle_across(const Extent& box, int axis) {
 
 } // namespace
 
-std::vector<results::MirrorPreview> find_mirrors(const model::Model& model) {
-  std::vector<results::MirrorPreview> found;
-  const Extent box = extent_of(model.mesh);
+std::vector<results::SymmetryPlanePreview> find_symmetry_planes(const model::Model& model) {
+  std::vector<results::SymmetryPlanePreview> found;
+  const NodeBoundingBox box = extent_of(model.mesh);
   const Looks looks(model);
   for (int axis = axisymmetric(model) ? 1 : 0; axis < model.mesh.dim; ++axis) {
-    const Mirror mirror = middle_across(box, axis);
+    const Reflection mirror = middle_across(box, axis);
     if (looks.bodies_mirrored(mirror)) {
       found.push_back({.axis = axis, .at = mirror.at, .against = looks.against(mirror)});
     }
@@ -340,17 +344,17 @@ std::vector<results::MirrorPreview> find_mirrors(const model::Model& model) {
   return found;
 }
 
-results::MirrorPreview mirror_across(const model::Model& model, int axis) {
-  const Mirror mirror = middle_across(extent_of(model.mesh), axis);
+results::SymmetryPlanePreview symmetry_plane_across(const model::Model& model, int axis) {
+  const Reflection mirror = middle_across(extent_of(model.mesh), axis);
   const Looks looks(model);
   return {.axis = axis,
           .at = mirror.at,
           .against = looks.bodies_mirrored(mirror) ? looks.against(mirror) : "the bodies are not"};
 }
 
-bool is_own_image(const model::Model& model, const model::Load& load,
-                  const results::MirrorPreview& mirror) {
-  const Extent box = extent_of(model.mesh);
+bool is_symmetric_load(const model::Model& model, const model::Load& load,
+                       const results::SymmetryPlanePreview& mirror) {
+  const NodeBoundingBox box = extent_of(model.mesh);
   return Looks(model).own_image({mirror.axis, mirror.at, (box.high - box.low).norm()}, load);
 }
 

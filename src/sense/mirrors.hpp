@@ -12,14 +12,14 @@ namespace spricka::sense {
 /// others, what stands against it. Meshes need not be mirrored, their boundaries must be
 /// (`Places`). Nothing is offered where that can't be told: equations between freedoms stand
 /// against it.
-std::vector<results::MirrorPreview> find_mirrors(const model::Model& model);
+std::vector<results::SymmetryPlanePreview> find_symmetry_planes(const model::Model& model);
 
 /// The plane across one axis through the middle of all bodies, with what stands against it as a
 /// mirror: the bodies themselves, or what find_mirrors says.
-results::MirrorPreview mirror_across(const model::Model& model, int axis);
+results::SymmetryPlanePreview symmetry_plane_across(const model::Model& model, int axis);
 
 /// Whether a load is its own mirror image: the same set, and the same values there.
-bool is_own_image(const model::Model& model, const model::Load& load,
-                  const results::MirrorPreview& mirror);
+bool is_symmetric_load(const model::Model& model, const model::Load& load,
+                       const results::SymmetryPlanePreview& mirror);
 
 } // namespace spricka::sense

@@ -37,8 +37,8 @@ std::vector<base::Vec3> corners_of(const model::Mesh& mesh, const model::Face& f
 
 } // namespace
 
-Places::Places(const model::Mesh& mesh, std::vector<model::Face> faces,
-               const std::vector<base::NodeId>& nodes)
+BoundarySamples::BoundarySamples(const model::Mesh& mesh, std::vector<model::Face> faces,
+                                 const std::vector<base::NodeId>& nodes)
     : mesh_(mesh), faces_(std::move(faces)) {
   const contact::ContactBoundingBox all =
       mesh.x.empty() ? contact::ContactBoundingBox{} : box_of(mesh.x);
@@ -66,7 +66,7 @@ Places::Places(const model::Mesh& mesh, std::vector<model::Face> faces,
   }
 }
 
-bool Places::has(const base::Vec3& x) const {
+bool BoundarySamples::contains_point(const base::Vec3& x) const {
   if (!tree_) {
     return false;
   }

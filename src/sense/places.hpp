@@ -11,12 +11,12 @@ namespace spricka::sense {
 /// A part of a mesh's boundary, faces and nodes, that one can ask whether a point lies on it: up to
 /// 3e-3 of the size of a face, as curved sides of two meshes of one body differ, and to 1e-6 of the
 /// whole mesh on a node.
-class Places {
+class BoundarySamples {
 public:
-  Places(const model::Mesh& mesh, std::vector<model::Face> faces,
-         const std::vector<base::NodeId>& nodes = {});
+  BoundarySamples(const model::Mesh& mesh, std::vector<model::Face> faces,
+                  const std::vector<base::NodeId>& nodes = {});
 
-  [[nodiscard]] bool has(const base::Vec3& x) const;
+  [[nodiscard]] bool contains_point(const base::Vec3& x) const;
   /// Nodes of the faces and their centres, and the nodes: has() is true of each.
   [[nodiscard]] const std::vector<base::Vec3>& samples() const { return samples_; }
 

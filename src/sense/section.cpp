@@ -42,11 +42,11 @@ template <class F> void over_side(const model::Mesh& mesh, const model::Face& fa
 }
 
 /// Cuts one solid mesh across one axis.
-class Cut {
+class SectionCutter {
 public:
-  Cut(const model::Mesh& mesh, const SectionPlane& plane) : mesh_(mesh), plane_(plane) {}
+  SectionCutter(const model::Mesh& mesh, const SectionPlane& plane) : mesh_(mesh), plane_(plane) {}
 
-  std::optional<Section> run() {
+  std::optional<PlaneSection> run() {
     if (!sort_faces()) {
       return std::nullopt;
     }
@@ -56,13 +56,13 @@ public:
     }
     make_mesh();
     take_sets();
-    return Section{plane_, std::move(made_), std::move(whole_), std::move(whole_elements_)};
+    return PlaneSection{plane_, std::move(made_), std::move(whole_), std::move(whole_elements_)};
   }
 
 private:
   [[nodiscard]] bool lies_at(const Vec3& x, double at) const {
     const double unit = plane_.round ? 1.0 : plane_.depth();
-    double away = std::abs(plane_.along(x) - at);
+    double away = std::abs(plane_.normal_coordinate(x) - at);
     if (plane_.round) {
       away = std::min(away, std::abs(away - 2.0 * std::numbers::pi));
     }
@@ -83,7 +83,7 @@ private:
   // Faces of the first end; false where a side runs neither along the axis nor across it.
   bool sort_faces() {
     for (const Vec3& x : mesh_.x) {
-      const bool axis = plane_.round && plane_.place(x).x() <= plane_.reach;
+      const bool axis = plane_.round && plane_.section_coordinates(x).x() <= plane_.reach;
       first_.push_back(axis || lies_at(x, plane_.first));
       last_.push_back(axis || lies_at(x, plane_.last));
     }
@@ -115,7 +115,7 @@ private:
     }
     for (const model::Face& face : faces_) {
       over_side(mesh_, face, [&](const Vec3& x, const Vec3& area) {
-        const double radius = plane_.round ? plane_.place(x).x() : 1.0;
+        const double radius = plane_.round ? plane_.section_coordinates(x).x() : 1.0;
         swept_[face.element.index()] += plane_.depth() * radius * area.norm();
       });
     }
@@ -126,7 +126,7 @@ private:
     double volume = 0.0;
     double swept = 0.0;
 
-    void add(const Cut& cut, base::ElementId e) {
+    void add(const SectionCutter& cut, base::ElementId e) {
       volume += cut.volume_[e.index()];
       swept += cut.swept_[e.index()];
     }
@@ -154,8 +154,8 @@ private:
     }
     for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
       if (used[n]) {
-        new_node_[n] = model::add_node(made_, plane_.place(mesh_.x[n]), mesh_.node_label[n],
-                                       mesh_.node_net[n]);
+        new_node_[n] = model::add_node(made_, plane_.section_coordinates(mesh_.x[n]),
+                                       mesh_.node_label[n], mesh_.node_net[n]);
       }
     }
     for (const model::Face& face : faces_) {
@@ -264,9 +264,9 @@ private:
 
 } // namespace
 
-std::vector<Section> extruded_sections(const model::Mesh& mesh) {
+std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::nodes_in_use(mesh);
-  std::vector<Section> found;
+  std::vector<PlaneSection> found;
   for (const int axis : {2, 1, 0}) {
     SectionPlane plane{false, axis};
     plane.first = std::numeric_limits<double>::max();
@@ -277,27 +277,27 @@ std::vector<Section> extruded_sections(const model::Mesh& mesh) {
         plane.last = std::max(plane.last, mesh.x[n][axis]);
       }
     }
-    if (std::optional<Section> section = Cut(mesh, plane).run()) {
+    if (std::optional<PlaneSection> section = SectionCutter(mesh, plane).run()) {
       found.push_back(std::move(*section));
     }
   }
   return found;
 }
 
-std::vector<Section> round_sections(const model::Mesh& mesh) {
+std::vector<PlaneSection> revolved_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::nodes_in_use(mesh);
-  std::vector<Section> found;
+  std::vector<PlaneSection> found;
   for (const int axis : {2, 1, 0}) {
     SectionPlane plane{true, axis};
     double size = 0.0;
     for (const Vec3& x : mesh.x) {
-      size = std::max(size, plane.place(x).x());
+      size = std::max(size, plane.section_coordinates(x).x());
     }
     plane.reach = flatness * size;
     std::vector<double> angles;
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      if (used[n] && plane.place(mesh.x[n]).x() > plane.reach) {
-        angles.push_back(plane.along(mesh.x[n]));
+      if (used[n] && plane.section_coordinates(mesh.x[n]).x() > plane.reach) {
+        angles.push_back(plane.normal_coordinate(mesh.x[n]));
       }
     }
     std::ranges::sort(angles);
@@ -316,15 +316,16 @@ std::vector<Section> round_sections(const model::Mesh& mesh) {
     if (!(widest > 0.25 * turn)) {
       continue; // a whole turn, or nearly
     }
-    if (std::optional<Section> section = Cut(mesh, plane).run()) {
+    if (std::optional<PlaneSection> section = SectionCutter(mesh, plane).run()) {
       found.push_back(std::move(*section));
     }
   }
   return found;
 }
 
-std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh& space,
-                                       const std::vector<base::NodeId>& nodes) {
+std::vector<base::NodeId> project_nodes_onto_section(const PlaneSection& section,
+                                                     const model::Mesh& space,
+                                                     const std::vector<base::NodeId>& nodes) {
   const std::vector<Vec3>& x = section.mesh.x;
   std::vector<std::size_t> order(x.size());
   double size = 0.0;
@@ -335,7 +336,7 @@ std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh
   std::ranges::sort(order, {}, [&](std::size_t i) { return x[i].x(); });
   std::vector<base::NodeId> found;
   for (const base::NodeId n : nodes) {
-    const Vec3 at = section.plane.place(space.x[n.index()]);
+    const Vec3 at = section.plane.section_coordinates(space.x[n.index()]);
     auto it = std::ranges::lower_bound(order, at.x() - flatness * size, {},
                                        [&](std::size_t i) { return x[i].x(); });
     for (; it != order.end() && x[*it].x() <= at.x() + flatness * size; ++it) {
@@ -350,8 +351,8 @@ std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh
   return found;
 }
 
-std::optional<Vec3> way_out(const model::Mesh& section, base::NetId net, const Vec3& from,
-                            const Vec3& through) {
+std::optional<Vec3> find_exit_point(const model::Mesh& section, base::NetId net, const Vec3& from,
+                                    const Vec3& through) {
   const mesh::HostMesh host(section);
   const base::Vec2 way = (through - from).head<2>();
   double nearest = std::numeric_limits<double>::infinity();

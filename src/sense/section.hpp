@@ -12,7 +12,7 @@
 /// Plane meshes that stand for solids: bodies that are the same all along an axis, or round it.
 namespace spricka::sense {
 
-struct Section {
+struct PlaneSection {
   SectionPlane plane;
   /// Of the plane: nodes, elements, labels, nets and properties of the solid's faces there; sets
   /// under their old numbers, those that do not reach the section are empty.
@@ -24,18 +24,19 @@ struct Section {
 
 /// Sections of bodies that are the same along z, y or x from one flat face to another, all with the
 /// same thickness: of a block three, mostly one or none.
-std::vector<Section> extruded_sections(const model::Mesh& mesh);
+std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh);
 
 /// Sections of bodies that are sectors of one angle about z, y or x through the origin.
-std::vector<Section> round_sections(const model::Mesh& mesh);
+std::vector<PlaneSection> revolved_sections(const model::Mesh& mesh);
 
 /// The nodes of the section behind which (along the axis, or round it) nodes of space lie.
-std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh& space,
-                                       const std::vector<base::NodeId>& nodes);
+std::vector<base::NodeId> project_nodes_onto_section(const PlaneSection& section,
+                                                     const model::Mesh& space,
+                                                     const std::vector<base::NodeId>& nodes);
 
 /// Where the line from a place inside of a net (any net: invalid) leaves the net first; empty:
 /// nowhere.
-std::optional<base::Vec3> way_out(const model::Mesh& section, base::NetId net,
-                                  const base::Vec3& from, const base::Vec3& through);
+std::optional<base::Vec3> find_exit_point(const model::Mesh& section, base::NetId net,
+                                          const base::Vec3& from, const base::Vec3& through);
 
 } // namespace spricka::sense

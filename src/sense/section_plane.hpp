@@ -15,14 +15,14 @@ struct SectionPlane {
   /// Thickness [length], or the angle that the solid takes of a whole turn [rad].
   [[nodiscard]] double depth() const { return last - first; }
   /// The direction of space that is x (0) or y (1) of the section; along an axis right-handed.
-  [[nodiscard]] int direction(int d) const;
+  [[nodiscard]] int space_axis(int d) const;
   /// A place of space in the section: along the axis the other two coordinates, about it the radius
   /// and the height.
-  [[nodiscard]] base::Vec3 place(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec3 section_coordinates(const base::Vec3& x) const;
   /// The place of space that lies there at a coordinate or an angle.
-  [[nodiscard]] base::Vec3 in_space(const base::Vec3& place, double along) const;
+  [[nodiscard]] base::Vec3 space_point(const base::Vec3& place, double along) const;
   /// Coordinate or angle of a place, from -pi to pi.
-  [[nodiscard]] double along(const base::Vec3& x) const;
+  [[nodiscard]] double normal_coordinate(const base::Vec3& x) const;
   /// The unit direction in which it grows; zero on the axis of a round one.
   [[nodiscard]] base::Vec3 normal(const base::Vec3& x) const;
 };

@@ -86,11 +86,11 @@ double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
 
 } // namespace
 
-double facets_of(const contact::ContactSurface& surface) {
+double faceting_error(const contact::ContactSurface& surface) {
   return surface.space.faces.empty() ? facet_of(surface) : facet_of(surface.space);
 }
 
-std::optional<double> radius_of(const contact::ContactSurface& surface) {
+std::optional<double> surface_radius(const contact::ContactSurface& surface) {
   if (surface.circle) {
     return surface.circle->radius;
   }
@@ -100,14 +100,14 @@ std::optional<double> radius_of(const contact::ContactSurface& surface) {
              : std::nullopt;
 }
 
-double size_of(const contact::ContactSurface& surface) {
-  return radius_of(surface).value_or(0.5 * surface.extent);
+double surface_size(const contact::ContactSurface& surface) {
+  return surface_radius(surface).value_or(0.5 * surface.extent);
 }
 
-std::vector<SeenPart> seen_parts(const contact::ContactSurface& surface,
-                                 const contact::ContactSurface& target,
-                                 const std::vector<double>& measure) {
-  std::vector<SeenPart> parts;
+std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
+                                     const contact::ContactSurface& target,
+                                     const std::vector<double>& measure) {
+  std::vector<FacingPart> parts;
   if (!surface.space.faces.empty()) {
     const contact::SurfaceProjection sighting(surface.space, target.space);
     for (const contact::SurfaceTriangle& t : surface.space.triangles) {
@@ -125,7 +125,7 @@ std::vector<SeenPart> seen_parts(const contact::ContactSurface& surface,
   return parts;
 }
 
-std::vector<double> measures(const contact::ContactSurface& surface) {
+std::vector<double> facet_measures(const contact::ContactSurface& surface) {
   std::vector<double> all;
   for (const contact::Edge& edge : surface.plane.edges) {
     all.push_back(edge.length);
@@ -136,7 +136,7 @@ std::vector<double> measures(const contact::ContactSurface& surface) {
   return all;
 }
 
-base::Vec3 middle_of(const contact::ContactSurface& surface, std::size_t facet) {
+base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet) {
   if (!surface.space.faces.empty()) {
     const contact::SolidFace& face = surface.space.faces[facet];
     return contact::point_on(face, contact::centre_local_coordinates(face.shape)).x;

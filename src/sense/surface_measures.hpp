@@ -11,27 +11,27 @@ namespace spricka::sense {
 
 /// How far straight edges or flat faces leave the curve or the round shape that they stand for
 /// [length].
-double facets_of(const contact::ContactSurface& surface);
+double faceting_error(const contact::ContactSurface& surface);
 
 /// The radius of a surface that is one circle, cylinder, cone or sphere [length].
-std::optional<double> radius_of(const contact::ContactSurface& surface);
+std::optional<double> surface_radius(const contact::ContactSurface& surface);
 /// That radius, of others half of the extent [length].
-double size_of(const contact::ContactSurface& surface);
+double surface_size(const contact::ContactSurface& surface);
 
 /// Lengths of edges, areas of faces, by facet.
-std::vector<double> measures(const contact::ContactSurface& surface);
+std::vector<double> facet_measures(const contact::ContactSurface& surface);
 /// The middle of a facet.
-base::Vec3 middle_of(const contact::ContactSurface& surface, std::size_t facet);
+base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet);
 
 /// A part of a facet that sees another surface, as a share of it.
-struct SeenPart {
+struct FacingPart {
   std::size_t facet = 0;
   double share = 0.0;
   double gap = 0.0;
 };
 /// What of `surface` sees `target`; `measure` are the measures of its facets.
-std::vector<SeenPart> seen_parts(const contact::ContactSurface& surface,
-                                 const contact::ContactSurface& target,
-                                 const std::vector<double>& measure);
+std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
+                                     const contact::ContactSurface& target,
+                                     const std::vector<double>& measure);
 
 } // namespace spricka::sense

@@ -28,7 +28,7 @@ constexpr double no_K = 1e-6;
 constexpr double k_round_off = 1e-8;
 
 /// One pair of ways.
-struct Ways {
+struct KComparison {
   double apart = 0.0;   ///< as a part of K
   double allowed = 0.0; ///< of the same
   std::string what;
@@ -67,7 +67,7 @@ double left_of_K1(const results::StepResult& step, const results::TipResult& tip
 
 // G counts as the K that it would have, which does not grow without bound where K is next to
 // nothing.
-Ways energy(const results::StepResult& step, const results::TipResult& tip, double K) {
+KComparison energy(const results::StepResult& step, const results::TipResult& tip, double K) {
   if (!(tip.G_from_K > 0.0)) {
     return {};
   }
@@ -81,7 +81,7 @@ Ways energy(const results::StepResult& step, const results::TipResult& tip, doub
                               tip.G_from_K, apart_text(apart, bar))};
 }
 
-Ways domains(const results::TipResult& tip, double K) {
+KComparison domains(const results::TipResult& tip, double K) {
   if (tip.closed || tip.K1_domain.size() < 2) {
     return {}; // K1 is 0, what the domains find is not used
   }
@@ -94,7 +94,7 @@ Ways domains(const results::TipResult& tip, double K) {
                               apart_text(apart, bar))};
 }
 
-Ways opening(const results::TipResult& tip, double K) {
+KComparison opening(const results::TipResult& tip, double K) {
   if (!tip.K_opening || tip.closed) {
     return {};
   }
@@ -111,16 +111,17 @@ Ways opening(const results::TipResult& tip, double K) {
 // E' is in G.
 bool is_round_off(const results::StepResult& step, const results::TipResult& tip, double K) {
   return !(tip.G_from_K > 0.0) || !(tip.a > 0.0) || step.u.size() == 0 ||
-         K <= round_off_of_K(step, K * K / tip.G_from_K, tip.a);
+         K <= k_round_off_level(step, K * K / tip.G_from_K, tip.a);
 }
 
-Ways worst_ways(const results::StepResult& step, const results::TipResult& tip) {
+KComparison worst_ways(const results::StepResult& step, const results::TipResult& tip) {
   const double K = std::hypot(tip.K1, tip.K2);
-  if (tip.two_materials || !tip.doubt.empty() || !(K > 0.0) || is_round_off(step, tip, K)) {
+  if (tip.two_materials || !tip.invalid_reason.empty() || !(K > 0.0) ||
+      is_round_off(step, tip, K)) {
     return {};
   }
-  Ways worst;
-  for (Ways& one : std::array{energy(step, tip, K), domains(tip, K), opening(tip, K)}) {
+  KComparison worst;
+  for (KComparison& one : std::array{energy(step, tip, K), domains(tip, K), opening(tip, K)}) {
     // Of several the one that is furthest beyond what it may be.
     if (one.apart > one.allowed && (worst.what.empty() || one.ratio() > worst.ratio())) {
       worst = std::move(one);
@@ -131,7 +132,7 @@ Ways worst_ways(const results::StepResult& step, const results::TipResult& tip) 
 
 } // namespace
 
-double round_off_of_K(const results::StepResult& step, double E, double a) {
+double k_round_off_level(const results::StepResult& step, double E, double a) {
   double pressure = 0.0;
   for (const results::ContactResult& contact : step.contacts) {
     pressure = std::max(pressure, std::abs(contact.max_pressure));
@@ -140,11 +141,11 @@ double round_off_of_K(const results::StepResult& step, double E, double a) {
   return k_round_off * std::max(E * moved / std::sqrt(a), pressure * std::sqrt(a));
 }
 
-std::string parting_at(const results::StepResult& step, const results::TipResult& tip) {
+std::string describe_tip_mismatch(const results::StepResult& step, const results::TipResult& tip) {
   return worst_ways(step, tip).what;
 }
 
-std::vector<Parting> partings(const results::Run& run) {
+std::vector<KMismatch> find_k_mismatches(const results::RunResult& run) {
   double largest = 0.0;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
@@ -153,11 +154,11 @@ std::vector<Parting> partings(const results::Run& run) {
       }
     }
   }
-  std::vector<Parting> list;
+  std::vector<KMismatch> list;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
-        std::string what = parting_at(step, tip);
+        std::string what = describe_tip_mismatch(step, tip);
         if (!what.empty() && std::hypot(tip.K1, tip.K2) > no_K * largest) {
           list.push_back({&increment, &step, &tip, std::move(what)});
         }
@@ -167,10 +168,10 @@ std::vector<Parting> partings(const results::Run& run) {
   return list;
 }
 
-std::vector<std::string> two_ways_warnings(const results::Run& run) {
-  std::map<std::string, std::pair<Parting, double>> worst;
+std::vector<std::string> k_consistency_warnings(const results::RunResult& run) {
+  std::map<std::string, std::pair<KMismatch, double>> worst;
   std::map<std::string, int> count;
-  for (Parting& one : partings(run)) {
+  for (KMismatch& one : find_k_mismatches(run)) {
     const std::string name = one.tip->name;
     const double ratio = worst_ways(*one.step, *one.tip).ratio();
     ++count[name];
@@ -181,7 +182,7 @@ std::vector<std::string> two_ways_warnings(const results::Run& run) {
   }
   std::vector<std::string> texts;
   for (const auto& [name, entry] : worst) {
-    const Parting& one = entry.first;
+    const KMismatch& one = entry.first;
     const int others = count[name] - 1;
     texts.push_back(fmt::format(
         "{}, step {}, a = {:.6g}: two ways to compute K differ by more than {}: {}{}", name,

@@ -10,7 +10,7 @@
 namespace spricka::sense {
 
 /// A K of which two ways part by more than its error bar and what they differ by on sound meshes.
-struct Parting {
+struct KMismatch {
   const results::Increment* increment = nullptr;
   const results::StepResult* step = nullptr;
   const results::TipResult* tip = nullptr;
@@ -19,15 +19,15 @@ struct Parting {
 
 /// K that round-off leaves of displacements that do not open a crack of size `a` [length], or of
 /// pressure that keeps its faces closed where nothing else moves; E' as `E` [stress].
-double round_off_of_K(const results::StepResult& step, double E, double a);
+double k_round_off_level(const results::StepResult& step, double E, double a);
 
 /// The ways that part at one tip of a step; empty: they agree, there is but one, or K is round-off.
-std::string parting_at(const results::StepResult& step, const results::TipResult& tip);
+std::string describe_tip_mismatch(const results::StepResult& step, const results::TipResult& tip);
 
 /// All of a run, but for tips that nothing loads. They look into `run`.
-std::vector<Parting> partings(const results::Run& run);
+std::vector<KMismatch> find_k_mismatches(const results::RunResult& run);
 
 /// One line for each tip, the worst of its steps and lengths.
-std::vector<std::string> two_ways_warnings(const results::Run& run);
+std::vector<std::string> k_consistency_warnings(const results::RunResult& run);
 
 } // namespace spricka::sense

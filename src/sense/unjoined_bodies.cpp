@@ -78,7 +78,7 @@ public:
 private:
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
-  struct Touch {
+  struct TouchedLength {
     double length = 0.0;
     std::size_t first = 0; ///< side
   };
@@ -216,10 +216,11 @@ private:
   }
 
   // How much of the boundary of a body lies on another one, which begins where it ends.
-  [[nodiscard]] Touch touch(std::size_t body, const contact::BoundaryPolyline& other) const {
+  [[nodiscard]] TouchedLength touch(std::size_t body,
+                                    const contact::BoundaryPolyline& other) const {
     // The middles of the four quarters of a side: divisions of the other body need not be the same.
     constexpr std::array places{-0.75, -0.25, 0.25, 0.75};
-    Touch found;
+    TouchedLength found;
     for (std::size_t i = 0; i < sides_[body].size(); ++i) {
       const contact::Edge& side = sides_[body][i];
       if (settled(side)) {
@@ -263,7 +264,7 @@ private:
     // a contact or support may settle its sides.
     const std::size_t small = length_[b] < length_[a] ? b : a;
     const std::size_t large = small == a ? b : a;
-    const Touch touching = touch(small, outlines_[large]);
+    const TouchedLength touching = touch(small, outlines_[large]);
     if (touching.length < least_part * length_[small] ||
         touch(large, outlines_[small]).length == 0.0) {
       return;

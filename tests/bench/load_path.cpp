@@ -47,7 +47,7 @@ void measure_path(const solve::ParametricProblem& problem, double end,
              1e3 * whole, 1e3 * begin, 1e6 * (whole - begin) / kinks);
 }
 
-void measure_values(const results::LoadPath& path, int repeats) {
+void measure_values(const results::LoadPathResult& path, int repeats) {
   constexpr std::size_t count = 1 << 16;
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> place(path.t.front(), path.t.back());
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
   const solve::ParametricProblem problem = paths.path_problem(card, solver);
   fmt::print("functionals of K and the problem {:.1f} ms\n", 1e3 * posing.cpu_time());
   measure_path(problem, card.beyond, {}, repeats);
-  std::vector<results::LoadPath> found;
+  std::vector<results::LoadPathResult> found;
   const double all = best_of(repeats, [&] { found = paths.solve_paths(solver); });
   fmt::print("all of it, K of its ends and contact arcs included: {:.1f} ms\n", 1e3 * all);
   measure_values(found.front(), repeats);

@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   base::Trouble trouble;
-  const std::optional<results::Run> run =
+  const std::optional<results::RunResult> run =
       analysis::solve_run(*model, {.threads = 1, .progress = {}}, diagnostics, trouble);
   if (!run) {
     fmt::print(stderr, "not solved\n");

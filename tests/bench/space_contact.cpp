@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   const solve::FlopRate rate = solve::measure_flop_rate(0.5);
   const double first = dgemm_rate(1000);
   length->number_freedoms();
-  results::LengthPreview told;
+  results::CrackLengthPreview told;
   program::Forecast(*model, 1, rate)
       .add(length->request(), length->bodies(), length->discretisation(), 0.0, told);
   fmt::print("{} equations, {} rows, {:.0f} MB foretold\n", told.unknowns,

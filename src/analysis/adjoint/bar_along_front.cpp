@@ -20,12 +20,12 @@ constexpr double share_of_ends = estimate::share_of_flip;
 constexpr double share_of_sharp = 0.3;
 
 // Points with an estimate: within the body, with a domain.
-bool has_estimate(const results::FrontPlace& place) {
+bool has_estimate(const results::FrontPointResult& place) {
   return !place.at_surface && (place.G != 0.0 || place.K1 != 0.0 || place.K2 != 0.0);
 }
 
 // Faces that touch hold K1 at 0 whatever the mesh finds for it: there is nothing to estimate.
-bool held_at_zero(const results::FrontPlace& place, std::size_t mode) {
+bool held_at_zero(const results::FrontPointResult& place, std::size_t mode) {
   return place.closed && mode == 0;
 }
 
@@ -55,7 +55,7 @@ void add_front_error_bars(const base::Vector& eta, const std::vector<std::array<
   std::array<double, 3> squares{};
   std::array<double, 3> counts{};
   for (std::size_t i = 0; i < front.points.size(); ++i) {
-    results::FrontPlace& place = front.points[i];
+    results::FrontPointResult& place = front.points[i];
     if (!has_estimate(place)) {
       continue;
     }
@@ -68,19 +68,19 @@ void add_front_error_bars(const base::Vector& eta, const std::vector<std::array<
       counts[k] += 1.0;
       const Eigen::Index at = first + static_cast<Eigen::Index>(3 * i + k);
       place.bar[k].eta = eta[at];
-      place.bar[k].flip = edges.ends[at];
+      place.bar[k].set_change = edges.ends[at];
       place.bar[k].edge = share_of_ends * edges.ends[at] + share_of_sharp * edges.sharp[at];
       place.bar[k].best = best[i][k];
       squares[k] += std::pow(best[i][k] - K[k], 2);
     }
   }
-  for (results::FrontPlace& place : front.points) {
+  for (results::FrontPointResult& place : front.points) {
     const std::array<double, 3> K{place.K1, place.K2, place.K3};
     for (std::size_t k = 0; k < 3 && has_estimate(place); ++k) {
       if (held_at_zero(place, k)) {
         continue;
       }
-      results::KBar& bar = place.bar[k];
+      results::KErrorBar& bar = place.bar[k];
       bar.mesh = share_of_own * std::abs(bar.best - K[k]) +
                  share_of_others * std::sqrt(squares[k] / counts[k]);
       bar.edge += coarse_contact * size;
@@ -88,8 +88,8 @@ void add_front_error_bars(const base::Vector& eta, const std::vector<std::array<
     }
   }
   fill_surface(front);
-  for (results::FrontPlace& place : front.points) {
-    place.bar[0] = held_at_zero(place, 0) ? results::KBar{} : place.bar[0];
+  for (results::FrontPointResult& place : front.points) {
+    place.bar[0] = held_at_zero(place, 0) ? results::KErrorBar{} : place.bar[0];
   }
 }
 

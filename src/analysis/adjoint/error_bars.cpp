@@ -80,10 +80,11 @@ estimate::PointSupportChange add_corners(const model::Model& model, const Discre
   return estimate::point_support_change(setting, corners, state.reaction, request.goal.z);
 }
 
-results::KBar k_bar(const estimate::GoalError& error, double flip, const estimate::ErrorBar& bar) {
+results::KErrorBar k_bar(const estimate::GoalError& error, double flip,
+                         const estimate::ErrorBar& bar) {
   return {.eta = error.eta,
           .sum = error.sum,
-          .flip = flip,
+          .set_change = flip,
           .mesh = bar.mesh,
           .edge = bar.edge,
           .floor = bar.floor,
@@ -107,7 +108,7 @@ void clear_exact(std::size_t elements, results::TipResult& tip) {
 // What bodies beside the tip do that are too coarse for it.
 void add_partners(const CoarseSurfaceEffect& partner, results::TipResult& tip) {
   tip.no_bar = partner.why_not;
-  for (results::KBar& bar : tip.bar) {
+  for (results::KErrorBar& bar : tip.bar) {
     bar.mesh += bar.size() > 0.0 ? partner.part * std::hypot(tip.K1, tip.K2) : 0.0;
   }
 }
@@ -318,7 +319,7 @@ void TipErrorBars::add_to_tips(const StepState& state,
   }
   for (std::size_t t = 0; t < step.tips.size(); ++t) {
     results::TipResult& tip = step.tips[t];
-    tip.no_bar = tip.doubt.empty() ? why_not : tip.doubt;
+    tip.no_bar = tip.invalid_reason.empty() ? why_not : tip.invalid_reason;
     if (tip.no_bar.empty() && scene_.tips[t].fields.empty()) {
       tip.no_bar = "there is no domain that K could be taken from";
     }
@@ -354,7 +355,8 @@ void TipErrorBars::add_to_tips(const StepState& state,
       }
       if (!tip.no_bar.empty()) {
         const std::string text = fmt::format("K of {}: {}", tip.name, tip.no_bar);
-        tell_once(has_limit ? results::less_exact(text) : results::no_answer(text), step);
+        tell_once(has_limit ? results::less_exact_note(text) : results::invalid_result_note(text),
+                  step);
       }
     }
     tell(tip, step);

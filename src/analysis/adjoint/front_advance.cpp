@@ -354,7 +354,8 @@ FrontParameterDerivative VirtualAxisExtension::axis_derivative(const FrozenConta
                                                                const FrontKFunctionals& K) const {
   const model::CrackDefinition& crack = model_.cracks[crack_.index()];
   FrontParameterDerivative out;
-  out.is.cause = axis_ == EllipseAxis::a ? results::Cause::length : results::Cause::axis;
+  out.is.cause = axis_ == EllipseAxis::a ? results::SensitivityParameter::length
+                                         : results::SensitivityParameter::axis;
   out.is.name = crack.name;
   out.is.value = axis_ == EllipseAxis::a ? crack.plane.a : crack.plane.c;
   out.load = (loads(moved_, step.state) - loads(scene_, step.state)) / step_;

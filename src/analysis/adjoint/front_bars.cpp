@@ -77,7 +77,7 @@ bool hangs_on_an_edge(const ContactEdgeKChange& edges, Eigen::Index first,
   double size = 0.0;
   double most = 0.0;
   Eigen::Index at = first;
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     if (!place.at_surface) {
       size = std::max(size, std::hypot(place.K1, place.K2, place.K3));
       most = std::max(most, edges.sharp.segment<3>(at).maxCoeff());
@@ -224,14 +224,14 @@ void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFu
   std::size_t first = 0;
   for (std::size_t f = 0; f < result.fronts.size(); ++f) {
     results::FrontResult& front = result.fronts[f];
-    front.no_bar = front.doubt.empty() ? reason : front.doubt;
+    front.no_bar = front.invalid_reason.empty() ? reason : front.invalid_reason;
     if (front.no_bar.empty() && hangs_on_an_edge(edges, layout.first_index(first), front)) {
       front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
     }
     if (front.no_bar.empty()) {
       base::Vector better = *eta;
       for (std::size_t i = 0; i < front.points.size(); ++i) {
-        const results::FrontPlace& place = front.points[i];
+        const results::FrontPointResult& place = front.points[i];
         const Eigen::Index at = layout.first_index(first + i);
         better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
         better[at] = place.closed ? 0.0 : better[at];
@@ -243,7 +243,7 @@ void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFu
                            edges, layout.first_index(first), coarse.part, front);
       if (!coarse.why_not.empty()) {
         result.notes.push_back(
-            results::less_exact(fmt::format("K of {}: {}", front.name, coarse.why_not)));
+            results::less_exact_note(fmt::format("K of {}: {}", front.name, coarse.why_not)));
       }
     }
     first += front.points.size();

@@ -20,8 +20,8 @@ namespace spricka::analysis {
 
 namespace {
 
-FrontParameterDerivative cause_of(results::Cause kind, std::string name, double value,
-                                  Eigen::Index K) {
+FrontParameterDerivative cause_of(results::SensitivityParameter kind, std::string name,
+                                  double value, Eigen::Index K) {
   FrontParameterDerivative out;
   out.is.cause = kind;
   out.is.name = std::move(name);
@@ -83,8 +83,9 @@ void FrontSensitivityAnalysis::add_loads(const FrozenContactStep& step, const Fr
                                          std::vector<FrontParameterDerivative>& causes) const {
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
     const auto k = static_cast<Eigen::Index>(c);
-    FrontParameterDerivative one = cause_of(results::Cause::load, model_.cases[c].name,
-                                            step.solver.factors().case_factor[k], of_loads_.rows());
+    FrontParameterDerivative one =
+        cause_of(results::SensitivityParameter::load, model_.cases[c].name,
+                 step.solver.factors().case_factor[k], of_loads_.rows());
     one.load = case_load_.col(k);
     one.direct = of_loads_.col(k);
     const base::Vector given = scene_.case_displacement.col(k);
@@ -111,8 +112,8 @@ void FrontSensitivityAnalysis::add_fits(const FrozenContactStep& step,
     // An interference is a negative gap (sensitivity.7).
     const double interference = -*contact.gap * step.solver.factors().fit[c];
     FrontParameterDerivative one =
-        cause_of(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference,
-                 of_loads_.rows());
+        cause_of(results::SensitivityParameter::fit, contact.name,
+                 interference == 0.0 ? 0.0 : interference, of_loads_.rows());
     one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t i = 0; i < scene_.pairs[c].normal.size(); ++i) {
       one.gap[static_cast<Eigen::Index>(scene_.table.first[c] + i)] =
@@ -142,8 +143,8 @@ void FrontSensitivityAnalysis::add_moduli(const FrozenContactStep& step, const F
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     const double E = model_.materials[m].E;
-    FrontParameterDerivative one =
-        cause_of(results::Cause::modulus, model_.materials[m].name, E, of_loads_.rows());
+    FrontParameterDerivative one = cause_of(results::SensitivityParameter::modulus,
+                                            model_.materials[m].name, E, of_loads_.rows());
     one.load = loads.col(static_cast<Eigen::Index>(m)) / E;
     base::Vector constant = base::Vector::Zero(of_loads_.rows());
     if (acts_on_fronts(model_, scene_, step.state.case_factor)) {
@@ -229,7 +230,8 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
       }
       one.above = one.below;
       // Ranges of moduli are not computed; without contact there is nothing to end any.
-      if (one.cause != results::Cause::modulus || step.system.held_contact() == nullptr) {
+      if (one.cause != results::SensitivityParameter::modulus ||
+          step.system.held_contact() == nullptr) {
         one.range = {one.value + reach[i][0], one.value + reach[i][1]};
       }
       front.sensitivities.of.push_back(std::move(one));

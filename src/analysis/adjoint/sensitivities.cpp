@@ -61,7 +61,8 @@ void unite(Sensitivity& s) {
 }
 
 bool ranged(const TipParameterDerivative& cause) {
-  return cause.is.cause == results::Cause::load || cause.is.cause == results::Cause::fit;
+  return cause.is.cause == results::SensitivityParameter::load ||
+         cause.is.cause == results::SensitivityParameter::fit;
 }
 
 } // namespace
@@ -90,8 +91,8 @@ void TipSensitivityAnalysis::prepare() {
   }
 }
 
-TipParameterDerivative TipSensitivityAnalysis::cause(results::Cause kind, std::string name,
-                                                     double value) const {
+TipParameterDerivative TipSensitivityAnalysis::cause(results::SensitivityParameter kind,
+                                                     std::string name, double value) const {
   TipParameterDerivative out;
   out.is.cause = kind;
   out.is.name = std::move(name);
@@ -106,8 +107,8 @@ void TipSensitivityAnalysis::add_loads(const StepSolver& solver,
   const int dim = scene_.cracked.mesh.dim;
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
     const auto k = static_cast<Eigen::Index>(c);
-    TipParameterDerivative one =
-        cause(results::Cause::load, model_.cases[c].name, solver.factors().case_factor[k]);
+    TipParameterDerivative one = cause(results::SensitivityParameter::load, model_.cases[c].name,
+                                       solver.factors().case_factor[k]);
     one.load = case_load_.col(k);
     const base::Vector given = scene_.case_displacement.col(k);
     // Prescribed displacements pull at the body, open rows and move nodes that K takes
@@ -139,8 +140,8 @@ void TipSensitivityAnalysis::add_fits(const StepSolver& solver,
     }
     // An interference is a negative gap (sensitivity.7).
     const double interference = -*contact.gap * solver.factors().fit[c];
-    TipParameterDerivative one =
-        cause(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference);
+    TipParameterDerivative one = cause(results::SensitivityParameter::fit, contact.name,
+                                       interference == 0.0 ? 0.0 : interference);
     one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t i = 0; i < scene_.pairs[c].normal.size(); ++i) {
       one.gap[static_cast<Eigen::Index>(scene_.table.first[c] + i)] =
@@ -167,7 +168,8 @@ void TipSensitivityAnalysis::add_moduli(const StepState& state,
   }
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     const double E = model_.materials[m].E;
-    TipParameterDerivative one = cause(results::Cause::modulus, model_.materials[m].name, E);
+    TipParameterDerivative one =
+        cause(results::SensitivityParameter::modulus, model_.materials[m].name, E);
     one.load = loads.col(static_cast<Eigen::Index>(m)) / E;
     for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
       if (tip_material(model_, scene_, t) == m) {
@@ -193,7 +195,8 @@ void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vect
       }
       continue;
     }
-    TipParameterDerivative one = cause(results::Cause::length, name, scene_.cracked.fronts[t].a);
+    TipParameterDerivative one =
+        cause(results::SensitivityParameter::length, name, scene_.cracked.fronts[t].a);
     one.load = advances_[t]->load_derivative(state.u, state.case_factor);
     for (std::size_t other = 0; other < scene_.tips.size(); ++other) {
       one.direct.col(static_cast<Eigen::Index>(other)) =

@@ -39,7 +39,7 @@ private:
                   std::vector<TipParameterDerivative>& causes) const;
   void add_lengths(const StepState& state, const std::vector<bool>& closed,
                    results::StepResult& result, std::vector<TipParameterDerivative>& causes) const;
-  [[nodiscard]] TipParameterDerivative cause(results::Cause kind, std::string name,
+  [[nodiscard]] TipParameterDerivative cause(results::SensitivityParameter kind, std::string name,
                                              double value) const;
   /// Of the first causes, loads and fits only.
   LoadAndGapRates rates(const StepSolver& solver, const std::vector<TipParameterDerivative>& causes,

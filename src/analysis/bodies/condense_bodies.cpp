@@ -30,7 +30,7 @@ base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>&
 
 struct Task {
   Substructure* net = nullptr;
-  results::NetWork work;
+  results::NetCost work;
   std::vector<fe::Superelement> supers;
   HashKey key;
   bool layered = false; ///< its externals may stay a factor

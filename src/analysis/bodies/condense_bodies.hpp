@@ -70,7 +70,7 @@ struct CondensationFigures {
   double stiffness_cpu = 0.0;
   double flops = 0.0;
   int condensed = 0, reused = 0;
-  std::vector<results::NetWork> nets; ///< what each took, parts before the regions that they are in
+  std::vector<results::NetCost> nets; ///< what each took, parts before the regions that they are in
   base::Trouble trouble;              ///< a singular local block, named, or too little memory
 };
 

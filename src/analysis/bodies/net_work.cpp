@@ -35,7 +35,7 @@ std::string part_name(const model::Model& model, const model::Mesh& mesh, const 
 }
 
 void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
-                      results::NetWork& work) {
+                      results::NetCost& work) {
   work.freedoms = map.size();
   work.externals = map.externals();
   work.entries = counted(report.factor_entries);

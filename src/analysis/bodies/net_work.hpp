@@ -23,6 +23,6 @@ std::string part_name(const model::Model& model, const model::Mesh& mesh, const 
 
 /// Sizes of a net that has its factor; of one condensed just now also the work.
 void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
-                      results::NetWork& work);
+                      results::NetCost& work);
 
 } // namespace spricka::analysis

@@ -42,7 +42,7 @@ bool wants_bars(const model::Model& model) {
 class GrowthLoop {
 public:
   GrowthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
-             base::Trouble& trouble, results::Run& run)
+             base::Trouble& trouble, results::RunResult& run)
       : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
         on_the_way_(requested_steps(model, false)) {}
@@ -110,7 +110,7 @@ private:
                                    "RESTART", "stations of an earlier run");
     std::optional<results::NamedArrays> state;
     for (int number = 1;; ++number) {
-      std::optional<archive::KeptIncrement> kept =
+      std::optional<archive::StoredIncrement> kept =
           resume_increment(model_, options_.checkpoint, number, 0.0, pictured_at(number));
       if (!kept) {
         return state;
@@ -124,7 +124,7 @@ private:
   growth::GrowthState state_from(const results::NamedArrays& arrays) {
     std::optional<growth::GrowthState> state = growth::from_arrays(arrays.reals);
     if (!state) {
-      throw archive::FileTrouble("E560", "the restart file holds no state of a growth");
+      throw archive::FileFailure("E560", "the restart file holds no state of a growth");
     }
     solver_.restore_state(arrays);
     measure_.restore_state(arrays);
@@ -172,7 +172,7 @@ private:
     const RecordedInterval stretch(options_.recorder, "GROW", "station measured, judged and kept");
     region.log_cost(run_.log);
     LogWriter log(run_.log);
-    const std::optional<results::LoadPath> path = growth_load_path(model_, *increment);
+    const std::optional<results::LoadPathResult> path = growth_load_path(model_, *increment);
     std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tips(
         {*increment, solver_.tips(), solver_.plastic_load_ratios(), cracks, solver_.load_history(),
          solver_.overlap_results(), path ? &*path : nullptr},
@@ -272,7 +272,7 @@ private:
   const SolveOptions& options_;
   base::Diagnostics& diagnostics_;
   base::Trouble& trouble_;
-  results::Run& run_;
+  results::RunResult& run_;
   base::Diagnostics trial_;     ///< of the state that is tried
   base::Trouble trial_trouble_; ///< the same
   GrowthRateEvaluator measure_;
@@ -289,7 +289,7 @@ bool grows_by_law(const model::Model& model) {
 }
 
 bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
+                 base::Diagnostics& diagnostics, base::Trouble& trouble, results::RunResult& run) {
   return GrowthLoop(model, options, diagnostics, trouble, run).run();
 }
 

@@ -55,7 +55,7 @@ std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
 }
 
 // first * K1 + second * K2 on the path.
-base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& part) {
+base::PiecewiseLinear combined(const results::LoadPathTip& tip, const base::Vec2& part) {
   // Straight on: the path's own K1, to the last bit.
   if (part[1] == 0.0 && part[0] == 1.0) {
     return tip.K1;
@@ -122,14 +122,14 @@ std::size_t largest_load_step(const model::Model& model) {
                   : model.growth->kmax.index();
 }
 
-std::optional<results::LoadPath> growth_load_path(const model::Model& model,
-                                                  const results::Increment& increment) {
+std::optional<results::LoadPathResult> growth_load_path(const model::Model& model,
+                                                        const results::Increment& increment) {
   if (!model.growth->spectrum || increment.paths.empty()) {
     return std::nullopt;
   }
   const std::size_t number = model.spectra[*model.growth->spectrum].path;
   const model::LoadPathDefinition& card = model.load_paths[number];
-  const results::LoadPath& path = increment.paths[number];
+  const results::LoadPathResult& path = increment.paths[number];
   return model.growth->corrected ? corrected_path(path, increment.steps[card.from.index()],
                                                   increment.steps[card.to.index()])
                                  : path;
@@ -272,8 +272,9 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const std::string
     return no_rate(
         fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
   }
-  if (!high->doubt.empty() && high->K1 > 0.0) {
-    warnings_.insert({"W508", fmt::format("{}: K at KMAX is in doubt: {}", name, high->doubt)});
+  if (!high->invalid_reason.empty() && high->K1 > 0.0) {
+    warnings_.insert(
+        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", name, high->invalid_reason)});
   }
   const base::Vec2 K = intensity(*high);
   const base::Vec2 part = turn(K, straight, found);
@@ -285,7 +286,7 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const std::string
 }
 
 base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
-                                                   const results::PathTip& tip,
+                                                   const results::LoadPathTip& tip,
                                                    const base::Vec2& part) {
   base::PiecewiseLinear K = combined(tip, part);
   // Without overlap anywhere both ways to K are one.
@@ -293,9 +294,9 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
     return K;
   }
   const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
-  const results::PathTip* free = at.free && path < at.free->paths.size()
-                                     ? results::find_tip(at.free->paths[path], tip.name)
-                                     : nullptr;
+  const results::LoadPathTip* free = at.free && path < at.free->paths.size()
+                                         ? results::find_tip(at.free->paths[path], tip.name)
+                                         : nullptr;
   std::optional<base::PiecewiseLinear> below;
   if (free != nullptr) {
     below = continue_below_zero(K, combined(*free, part), spectrum_->highest());
@@ -310,10 +311,10 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const std::str
                                       bool straight, growth::TipStation& found) {
   const results::Increment& increment = at.increment;
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
-  const results::LoadPath& path = *at.path;
+  const results::LoadPathResult& path = *at.path;
   const results::TipResult* at_end =
       results::find_tip(increment.steps[largest_load_step(model_)], name);
-  const results::PathTip* tip = results::find_tip(path, name);
+  const results::LoadPathTip* tip = results::find_tip(path, name);
   if (at_end != nullptr && at_end->two_materials) {
     return no_rate(
         fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
@@ -331,9 +332,9 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const std::str
       }
     }
   }
-  if (!tip->doubt.empty()) {
+  if (!tip->invalid_reason.empty()) {
     warnings_.insert({"W508", fmt::format("{}: K on load path {} is in doubt: {}", name, path.name,
-                                          tip->doubt)});
+                                          tip->invalid_reason)});
   }
   // The way on is that at the largest load; K of the whole path is then taken at the tip of that
   // kink (growth.8).

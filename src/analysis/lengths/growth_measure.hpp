@@ -32,7 +32,7 @@ struct SolvedCrackState {
   const growth::CrackGeometry& cracks;
   const std::optional<LoadHistoryResult>& followed; ///< where friction makes K a history
   const std::optional<OverlapResults>& free;        ///< faces that may overlap, where they close
-  const results::LoadPath* path;                    ///< path_of_growth(), null: it has none
+  const results::LoadPathResult* path;              ///< path_of_growth(), null: it has none
 };
 
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
@@ -40,11 +40,12 @@ std::size_t largest_load_step(const model::Model& model);
 
 /// The load path of the growth's spectrum as the law is to have it: with the errors of K taken out
 /// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
-std::optional<results::LoadPath> growth_load_path(const model::Model& model,
-                                                  const results::Increment& increment);
+std::optional<results::LoadPathResult> growth_load_path(const model::Model& model,
+                                                        const results::Increment& increment);
 
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
-std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPath& path, const base::Vec3& x);
+std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPathResult& path,
+                                                const base::Vec3& x);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
 double locate_maximum(const base::PiecewiseLinear& K1, double low, double high);
@@ -73,7 +74,7 @@ public:
   /// What it remembers of earlier states, as arrays for a restart file, and back from there.
   void save_state(results::NamedArrays& arrays) const {
     arrays.texts["growth.warnings"] =
-        results::marked(std::vector<results::Warning>(warnings_.begin(), warnings_.end()));
+        results::text_with_code(std::vector<results::Warning>(warnings_.begin(), warnings_.end()));
     arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
     for (const auto& [crack, shear] : shear_) {
       arrays.texts["growth.shear"].insert(arrays.texts["growth.shear"].end(), {crack, shear.what});
@@ -82,7 +83,7 @@ public:
   }
   void restore_state(const results::NamedArrays& arrays) {
     const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
-    for (results::Warning& warning : results::warnings_from(texts)) {
+    for (results::Warning& warning : results::parse_warnings(texts)) {
       warnings_.insert(std::move(warning));
     }
     counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
@@ -102,8 +103,8 @@ private:
   bool by_spectrum(const SolvedCrackState& at, const std::string& name, bool straight,
                    growth::TipStation& found);
   /// K of a tip on the path of the spectrum, with what the law wants where its faces close.
-  [[nodiscard]] base::PiecewiseLinear on_path(const SolvedCrackState& at,
-                                              const results::PathTip& tip, const base::Vec2& part);
+  [[nodiscard]] base::PiecewiseLinear
+  on_path(const SolvedCrackState& at, const results::LoadPathTip& tip, const base::Vec2& part);
   /// K_min by the tip at KMIN; `part` of its K1 and K2 counts.
   [[nodiscard]] double at_smallest(const SolvedCrackState& at, const results::TipResult& tip,
                                    const base::Vec2& part);

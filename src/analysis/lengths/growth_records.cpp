@@ -17,9 +17,9 @@ namespace spricka::analysis {
 
 namespace {
 
-results::LifePoint point_at(const growth::GrowthTrajectory& between, double s, double cycles,
-                            std::size_t tips) {
-  results::LifePoint point;
+results::LifeCurvePoint point_at(const growth::GrowthTrajectory& between, double s, double cycles,
+                                 std::size_t tips) {
+  results::LifeCurvePoint point;
   point.cycles = cycles;
   for (std::size_t tip = 0; tip < tips; ++tip) {
     point.a.push_back(base::remove_round_off(between.crack_extent(tip, s)));
@@ -50,7 +50,7 @@ std::vector<std::array<double, 2>> ranges_of(const life::CountedSpectrum& spectr
   return ranges;
 }
 
-results::GrowingTip record_of(const std::string& name, const growth::TipStation& t) {
+results::GrownTipResult record_of(const std::string& name, const growth::TipStation& t) {
   return {.name = name,
           .a = base::remove_round_off(t.a),
           .K_max = t.K_max,
@@ -65,9 +65,10 @@ results::GrowingTip record_of(const std::string& name, const growth::TipStation&
 
 } // namespace
 
-results::Growth growth_records(const model::Model& model, const growth::GrowthIntegrator& march,
-                               const GrowthRateEvaluator& measure) {
-  results::Growth out;
+results::GrowthResult growth_records(const model::Model& model,
+                                     const growth::GrowthIntegrator& march,
+                                     const GrowthRateEvaluator& measure) {
+  results::GrowthResult out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
   out.corrected = model.growth->corrected;
   out.followed = follows_history(model);
@@ -145,8 +146,8 @@ void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cra
     for (results::StepResult& step : increment.steps) {
       std::ranges::for_each(step.fronts, name);
     }
-    for (results::LoadPath& path : increment.paths) {
-      for (results::PathFront& front : path.fronts) {
+    for (results::LoadPathResult& path : increment.paths) {
+      for (results::LoadPathFront& front : path.fronts) {
         name(front.is);
       }
     }

@@ -10,8 +10,9 @@
 namespace spricka::analysis {
 
 /// What a march found, as records: stations, the dense curve up to the end, how it ended.
-results::Growth growth_records(const model::Model& model, const growth::GrowthIntegrator& march,
-                               const GrowthRateEvaluator& measure);
+results::GrowthResult growth_records(const model::Model& model,
+                                     const growth::GrowthIntegrator& march,
+                                     const GrowthRateEvaluator& measure);
 
 /// Sizes of fronts that K shapes: each has the length of its first tip, as stations and N(a) do.
 /// Others keep theirs.

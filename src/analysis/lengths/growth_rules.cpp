@@ -113,29 +113,29 @@ constexpr double much_of_length = 0.01;
 
 constexpr double same_load = 1e-9;
 
-bool has_a_range(const results::GrowingTip& tip) {
+bool has_a_range(const results::GrownTipResult& tip) {
   return tip.K_max > 0.0 && tip.K_max - tip.K_min > same_load * tip.K_max;
 }
 
-bool has_a_range(const results::Growth& growth) {
+bool has_a_range(const results::GrowthResult& growth) {
   return std::ranges::any_of(growth.stations.front().tips,
-                             [](const results::GrowingTip& tip) { return has_a_range(tip); });
+                             [](const results::GrownTipResult& tip) { return has_a_range(tip); });
 }
 
-bool has_no_range(const results::Growth& growth) {
-  return std::ranges::all_of(growth.stations.front().tips, [](const results::GrowingTip& tip) {
+bool has_no_range(const results::GrowthResult& growth) {
+  return std::ranges::all_of(growth.stations.front().tips, [](const results::GrownTipResult& tip) {
     return tip.K_max > 0.0 && !has_a_range(tip);
   });
 }
 
 // The crack ends at once by where it lies, whatever its law.
-bool drawn_at_an_end(const results::Growth& growth) {
+bool drawn_at_an_end(const results::GrowthResult& growth) {
   return growth.ended == "EDGE" || growth.ended == "LINK-UP" || growth.ended == "PATH END";
 }
 
-void look_at_beginning(const results::Growth& growth, std::vector<std::string>& warnings) {
+void look_at_beginning(const results::GrowthResult& growth, std::vector<std::string>& warnings) {
   const results::GrowthStation& first = growth.stations.front();
-  for (const results::GrowingTip& tip : first.tips) {
+  for (const results::GrownTipResult& tip : first.tips) {
     if (std::isfinite(tip.rate) && tip.rate > much_of_length * tip.a) {
       warnings.push_back(fmt::format(
           "{} grows by {:.2g} of its length in the first {}: a law adds up cycles that are many "
@@ -147,19 +147,19 @@ void look_at_beginning(const results::Growth& growth, std::vector<std::string>& 
 
 // Beyond its rows a table goes straight on, which nobody has measured. Of a spectrum only the
 // largest cycles are known here, and its small ones may well lie below all rows.
-void look_at_table(const results::Growth& growth, const life::GrowthRateLaw& law,
+void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLaw& law,
                    std::vector<std::string>& warnings) {
   const std::optional<std::array<double, 2>> rows = law.table_ends();
   if (!rows) {
     return;
   }
-  const results::GrowingTip* lowest = nullptr;
-  const results::GrowingTip* highest = nullptr;
-  const auto range = [](const results::GrowingTip* tip) {
+  const results::GrownTipResult* lowest = nullptr;
+  const results::GrownTipResult* highest = nullptr;
+  const auto range = [](const results::GrownTipResult* tip) {
     return life::tensile_K_range(tip->K_max, tip->K_min);
   };
   for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrowingTip& tip : station.tips) {
+    for (const results::GrownTipResult& tip : station.tips) {
       if (!(range(&tip) > 0.0)) {
         continue;
       }
@@ -167,7 +167,7 @@ void look_at_table(const results::Growth& growth, const life::GrowthRateLaw& law
       highest = highest == nullptr || range(&tip) > range(highest) ? &tip : highest;
     }
   }
-  const auto warn = [&](const results::GrowingTip& tip, double row, const char* which) {
+  const auto warn = [&](const results::GrownTipResult& tip, double row, const char* which) {
     warnings.push_back(fmt::format(
         "delta K of {} at a = {:.6g} is {:.3g} times that of the {} row of the law's table: the "
         "rate there is the table's straight line gone on, not measured",
@@ -184,10 +184,10 @@ void look_at_table(const results::Growth& growth, const life::GrowthRateLaw& law
 
 } // namespace
 
-std::vector<std::string> life_concerns(const results::Growth& growth,
+std::vector<std::string> life_concerns(const results::GrowthResult& growth,
                                        const life::GrowthRateLaw& law) {
   std::vector<std::string> warnings;
-  const bool nothing = growth.cycles() == 0.0;
+  const bool nothing = growth.final_cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;
   if (nothing && !grew && drawn_at_an_end(growth)) {
     warnings.push_back(fmt::format("the life is over before it begins: {}. Are the first lengths "
@@ -211,10 +211,10 @@ std::vector<std::string> life_concerns(const results::Growth& growth,
     warnings.push_back(fmt::format("the life is over before it begins: {}. Are KC, SFLOW and the "
                                    "units those you mean?",
                                    growth.reason));
-  } else if (growth.cycles() < 1.0) {
+  } else if (growth.final_cycles() < 1.0) {
     warnings.push_back(
         fmt::format("the life is {:.3g} of a {}: a law adds up cycles that are many and small",
-                    growth.cycles(), growth.unit));
+                    growth.final_cycles(), growth.unit));
   }
   return warnings;
 }

@@ -29,7 +29,7 @@ std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& 
 
 /// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
 /// the rows of a table.
-std::vector<std::string> life_concerns(const results::Growth& growth,
+std::vector<std::string> life_concerns(const results::GrowthResult& growth,
                                        const life::GrowthRateLaw& law);
 
 } // namespace spricka::analysis

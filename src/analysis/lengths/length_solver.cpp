@@ -49,8 +49,8 @@ std::size_t unknowns(const std::vector<SubstructuredBody>& bodies) {
   return n;
 }
 
-void log_paths(const std::vector<results::LoadPath>& paths, LogWriter& log) {
-  for (const results::LoadPath& path : paths) {
+void log_paths(const std::vector<results::LoadPathResult>& paths, LogWriter& log) {
+  for (const results::LoadPathResult& path : paths) {
     if (path.t.empty()) {
       continue;
     }
@@ -114,7 +114,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
     tell("condensed");
     increment = {};
     increment.a = a > 0.0 ? a : base::remove_round_off(first);
-    increment.notes = results::notes_of(cut.notes);
+    increment.notes = results::make_notes(cut.notes);
     touching.clear();
     if (!walk_steps(*length, request, log, increment, touching)) {
       return std::nullopt;
@@ -360,7 +360,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
   }
   repeated.drop_extra_stresses(increment.steps);
   increment.paths = paths.solve_paths(solver);
-  for (const results::LoadPath& path : increment.paths) {
+  for (const results::LoadPathResult& path : increment.paths) {
     if (const std::string what = not_finite(path); !what.empty()) {
       trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
                                         .why = fmt::format("load path {}: {}", path.name, what)};

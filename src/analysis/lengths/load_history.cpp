@@ -18,7 +18,7 @@ base::Vector intensities_of(const crack::KLayout& layout, const results::StepRes
   base::Vector K(layout.count());
   std::size_t point = 0;
   for (const results::FrontResult& front : result.fronts) {
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       layout.point_entries(K, point++) << place.smooth[0], place.smooth[1], place.smooth[2];
     }
   }
@@ -37,7 +37,7 @@ double apart_along_fronts(const crack::KLayout& layout, const base::Vector& K,
   double apart = 0.0;
   std::size_t point = 0;
   for (const results::FrontResult& front : own.fronts) {
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       if (!place.closed) {
         apart =
             std::max(apart, (layout.point_entries(K, point) - layout.point_entries(other, point))

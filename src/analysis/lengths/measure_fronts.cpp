@@ -64,16 +64,18 @@ PlaceOnFront place_in_step(const results::StepResult& step, const std::string& c
   const auto front_of = [](const results::FrontResult& f) -> const results::FrontResult& {
     return f;
   };
-  const auto x_of = [](const results::FrontPlace& p) -> const base::Vec3& { return p.x; };
+  const auto x_of = [](const results::FrontPointResult& p) -> const base::Vec3& { return p.x; };
   return nearest_place(step.fronts, crack, x, std::pair(front_of, x_of));
 }
 
-PlaceOnFront place_on_path(const results::LoadPath& path, const std::string& crack,
+PlaceOnFront place_on_path(const results::LoadPathResult& path, const std::string& crack,
                            const base::Vec3& x) {
-  const auto front_of = [](const results::PathFront& f) -> const results::FrontResult& {
+  const auto front_of = [](const results::LoadPathFront& f) -> const results::FrontResult& {
     return f.is;
   };
-  const auto x_of = [](const results::PathPoint& p) -> const base::Vec3& { return p.is.x; };
+  const auto x_of = [](const results::LoadPathFrontPoint& p) -> const base::Vec3& {
+    return p.is.x;
+  };
   return nearest_place(path.fronts, crack, x, std::pair(front_of, x_of));
 }
 
@@ -150,7 +152,7 @@ base::Vec3 place_on_curve(const results::FrontResult& front, const PlaceOnFront&
 }
 
 // Smooth K1 on the path, or K1 and K2 by parts.
-base::PiecewiseLinear K_on_path(const results::PathFront& front, const PlaceOnFront& at,
+base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const PlaceOnFront& at,
                                 const base::Vec2& part) {
   const base::PiecewiseLinear& from = front.points[at.from].smooth[0];
   const auto s_of = [&](std::size_t i) { return front.points[i].is.s; };
@@ -191,7 +193,7 @@ std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
 
 } // namespace
 
-std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPath& path,
+std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPathResult& path,
                                                 const base::Vec3& x) {
   const PlaceOnFront place = place_on_path(path, "", x);
   return place.found() ? std::optional(K_on_path(path.fronts[place.front], place, {1.0, 0.0}))
@@ -221,9 +223,9 @@ bool GrowthRateEvaluator::by_front(const SolvedCrackState& at, const growth::Tra
   if (corrected) {
     warn_of_no_bar(front.name, front.no_bar);
   }
-  if (!front.doubt.empty() && K[0] > 0.0) {
+  if (!front.invalid_reason.empty() && K[0] > 0.0) {
     warnings_.insert(
-        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt)});
+        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.invalid_reason)});
   }
   look_at_shear(crack, K);
   const base::Vec2 part = turn(K.head<2>(), false, found);
@@ -249,7 +251,7 @@ bool GrowthRateEvaluator::by_front(const SolvedCrackState& at, const growth::Tra
   }
   found.K_max = std::max(0.0, part.dot(K.head<2>()));
   found.K_min = part.dot(smooth_K(low.fronts[there.front], there, corrected).head<2>());
-  const results::FrontPlace& nearest = low.fronts[there.front].points[there.from];
+  const results::FrontPointResult& nearest = low.fronts[there.front].points[there.from];
   if (nearest.closed && continues_below_closing(model_)) {
     warn_of_closing(tip.name, low.fronts[there.front].a);
   }
@@ -285,7 +287,7 @@ std::set<results::Warning> GrowthRateEvaluator::warnings() const {
 bool GrowthRateEvaluator::by_front_spectrum(const SolvedCrackState& at, const std::string& crack,
                                             const base::Vec3& aim, growth::TipStation& found) {
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
-  const results::LoadPath& path = *at.path;
+  const results::LoadPathResult& path = *at.path;
   if (model_.growth->corrected) {
     for (const results::FrontResult& front :
          at.increment.steps[model_.load_paths[card.path].from.index()].fronts) {
@@ -298,7 +300,7 @@ bool GrowthRateEvaluator::by_front_spectrum(const SolvedCrackState& at, const st
         fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
                     card.name, spectrum_->highest(), path.name, path.stopped));
   }
-  const results::PathFront& front = path.fronts[place.front];
+  const results::LoadPathFront& front = path.fronts[place.front];
   // The way on is that at the largest load; K of the whole path is that at the tip of the kink.
   const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
   const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});

@@ -65,14 +65,15 @@ base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, 
 double estimated_error(const results::FrontResult& front, std::size_t i) {
   const std::size_t last = front.points.size() - 1;
   const std::size_t near = !front.points[i].at_surface ? i : i == 0 ? 1 : i == last ? last - 1 : i;
-  const results::FrontPlace& place = front.points[near];
-  const bool known = results::has_bar(front) && !front.points[i].closed && !place.closed;
+  const results::FrontPointResult& place = front.points[near];
+  const bool known = results::has_error_bar(front) && !front.points[i].closed && !place.closed;
   return known ? place.bar[0].best - place.K1 : 0.0;
 }
 
-results::LoadPath corrected_path(results::LoadPath path, const results::StepResult& from,
-                                 const results::StepResult& to) {
-  for (results::PathTip& tip : path.tips) {
+results::LoadPathResult corrected_path(results::LoadPathResult path,
+                                       const results::StepResult& from,
+                                       const results::StepResult& to) {
+  for (results::LoadPathTip& tip : path.tips) {
     const results::TipResult* low = results::find_tip(from, tip.name);
     const results::TipResult* high = results::find_tip(to, tip.name);
     if (low != nullptr && high != nullptr) {
@@ -82,7 +83,7 @@ results::LoadPath corrected_path(results::LoadPath path, const results::StepResu
   }
   for (std::size_t f = 0; f < path.fronts.size(); ++f) {
     for (std::size_t i = 0; i < path.fronts[f].points.size(); ++i) {
-      results::PathPoint& point = path.fronts[f].points[i];
+      results::LoadPathFrontPoint& point = path.fronts[f].points[i];
       const double low = estimated_error(from.fronts.at(f), i);
       const double high = estimated_error(to.fronts.at(f), i);
       point.K[0] = correct_K(point.K[0], low, high);

@@ -17,8 +17,9 @@ bool faces_touch(const base::PiecewiseLinear& K1);
 
 /// A path with the errors of K taken out that the bars of its first and its last step estimate;
 /// where they have none K is as computed.
-results::LoadPath corrected_path(results::LoadPath path, const results::StepResult& from,
-                                 const results::StepResult& to);
+results::LoadPathResult corrected_path(results::LoadPathResult path,
+                                       const results::StepResult& from,
+                                       const results::StepResult& to);
 
 /// The estimated error of K1 at point i of a front, at the surface that of the next point; 0 where
 /// there is no bar, or where faces touch. [K]

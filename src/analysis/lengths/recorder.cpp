@@ -23,14 +23,14 @@ ProfileRecorder::ProfileRecorder(const base::Stopwatch& since, double cpu_before
 
 void ProfileRecorder::add_work(const std::string& processor, const std::string& text,
                                const base::Stopwatch& watch, std::optional<double> flops) {
-  results::Stretch stretch{.processor = processor,
-                           .text = text,
-                           .begin = watch.start_time(),
-                           .end = base::steady_seconds(),
-                           .cpu = watch.cpu_time(),
-                           .flops = flops,
-                           .resident = known(base::resident_memory()),
-                           .peak = known(base::peak_memory())};
+  results::ProcessorInterval stretch{.processor = processor,
+                                     .text = text,
+                                     .begin = watch.start_time(),
+                                     .end = base::steady_seconds(),
+                                     .cpu = watch.cpu_time(),
+                                     .flops = flops,
+                                     .resident = known(base::resident_memory()),
+                                     .peak = known(base::peak_memory())};
   const std::scoped_lock lock(guard_);
   if (length_) {
     stretch.length = profile_.lengths.size();
@@ -44,9 +44,9 @@ void ProfileRecorder::add_start(const base::Stopwatch& since) {
   profile_.stretches.back().cpu = base::cpu_seconds() - cpu_before_;
 }
 
-void ProfileRecorder::add_work(std::vector<results::NetWork> nets) {
+void ProfileRecorder::add_work(std::vector<results::NetCost> nets) {
   const std::scoped_lock lock(guard_);
-  for (results::NetWork& net : nets) {
+  for (results::NetCost& net : nets) {
     if (length_) {
       net.length = profile_.lengths.size();
     }
@@ -54,7 +54,7 @@ void ProfileRecorder::add_work(std::vector<results::NetWork> nets) {
   }
 }
 
-void ProfileRecorder::add_work(const results::MesherWork& work) {
+void ProfileRecorder::add_work(const results::MesherCost& work) {
   const std::scoped_lock lock(guard_);
   profile_.mesher.push_back(work);
 }
@@ -82,7 +82,7 @@ void ProfileRecorder::end_length(std::optional<double> a, bool counts) {
   }
 }
 
-results::Profile ProfileRecorder::finish() {
+results::RunProfile ProfileRecorder::finish() {
   const std::scoped_lock lock(guard_);
   profile_.end = base::steady_seconds();
   profile_.cpu = base::cpu_seconds() - cpu_before_;

@@ -24,8 +24,8 @@ public:
   /// What was before all else, since the process began.
   void add_start(const base::Stopwatch& since);
   /// Nets of the length that is worked on.
-  void add_work(std::vector<results::NetWork> nets);
-  void add_work(const results::MesherWork& work);
+  void add_work(std::vector<results::NetCost> nets);
+  void add_work(const results::MesherCost& work);
   /// The lengths of a deck again, on a finer mesh.
   void begin_round();
   void begin_length();
@@ -33,11 +33,11 @@ public:
   void end_length(std::optional<double> a, bool counts);
 
   /// All of it, up to now; the run is over.
-  [[nodiscard]] results::Profile finish();
+  [[nodiscard]] results::RunProfile finish();
 
 private:
   std::mutex guard_;
-  results::Profile profile_;
+  results::RunProfile profile_;
   double cpu_before_;
   int round_ = 0;
   std::optional<base::Stopwatch> length_; ///< empty: between lengths

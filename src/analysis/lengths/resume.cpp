@@ -29,37 +29,38 @@ bool fit_pictures(const std::vector<bool>& pictured, results::Increment& increme
 
 } // namespace
 
-std::optional<archive::KeptIncrement> resume_increment(const model::Model& model,
-                                                       archive::Checkpoint* checkpoint, int number,
-                                                       double asked,
-                                                       const std::vector<bool>& pictured) {
-  if (checkpoint == nullptr || !checkpoint->has(number)) {
+std::optional<archive::StoredIncrement> resume_increment(const model::Model& model,
+                                                         archive::Checkpoint* checkpoint,
+                                                         int number, double asked,
+                                                         const std::vector<bool>& pictured) {
+  if (checkpoint == nullptr || !checkpoint->has_increment(number)) {
     return std::nullopt;
   }
-  if (checkpoint->asked(number) != asked) {
+  if (checkpoint->requested_length(number) != asked) {
     checkpoint->solve_from(number, fmt::format("$GROW asks for length {:.6g} there, it was {:.6g}",
-                                               asked, checkpoint->asked(number)));
+                                               asked, checkpoint->requested_length(number)));
     return std::nullopt;
   }
-  archive::KeptIncrement kept = checkpoint->look_at(number);
+  archive::StoredIncrement kept = checkpoint->load_increment(number);
   if (!fit_pictures(pictured, kept.increment)) {
     checkpoint->solve_from(number, "an output or check asks for stresses that were not kept");
     return std::nullopt;
   }
-  checkpoint->take(number);
+  checkpoint->accept_increment(number);
   keep_removed_members(model.mesh, kept.increment.mesh);
   add_face_nodes(model, kept.increment.mesh);
   return kept;
 }
 
-void append_increment(archive::KeptIncrement kept, results::Run& run) {
+void append_increment(archive::StoredIncrement kept, results::RunResult& run) {
   run.log.insert(run.log.end(), kept.log.begin(), kept.log.end());
   run.cpu += kept.cpu;
   run.wall += kept.wall;
   run.increments.push_back(std::move(kept.increment));
 }
 
-void report_resumed(const SolveOptions& options, const results::Run& run, std::size_t increments) {
+void report_resumed(const SolveOptions& options, const results::RunResult& run,
+                    std::size_t increments) {
   if (options.found) {
     options.found(run.increments.back());
   }
@@ -72,7 +73,7 @@ bool is_time_up(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
   if (checkpoint == nullptr || !checkpoint->out_of_time()) {
     return false;
   }
-  trouble = base::OperationFailure{.kind = base::Outcome::stopped, .why = checkpoint->limit()};
+  trouble = base::OperationFailure{.kind = base::Outcome::stopped, .why = checkpoint->limit_text()};
   return true;
 }
 
@@ -86,8 +87,8 @@ void IncrementStart::store_increment(archive::Checkpoint* checkpoint, double ask
   // over.
   std::vector<results::LogLine> lines(log_.begin() + static_cast<std::ptrdiff_t>(lines_),
                                       log_.end());
-  checkpoint->keep(asked, {increment, std::move(state), std::move(lines), watch_.cpu_time(),
-                           watch_.wall_time()});
+  checkpoint->store_increment(asked, {increment, std::move(state), std::move(lines),
+                                      watch_.cpu_time(), watch_.wall_time()});
 }
 
 } // namespace spricka::analysis

@@ -16,10 +16,10 @@ namespace spricka::analysis {
 
 /// Increment `number`, asked for length `asked`, from an earlier run; empty: it is to be solved.
 /// Its stresses are those of the steps in `pictured`; where one is missing it is solved anew.
-std::optional<archive::KeptIncrement> resume_increment(const model::Model& model,
-                                                       archive::Checkpoint* checkpoint, int number,
-                                                       double asked,
-                                                       const std::vector<bool>& pictured);
+std::optional<archive::StoredIncrement> resume_increment(const model::Model& model,
+                                                         archive::Checkpoint* checkpoint,
+                                                         int number, double asked,
+                                                         const std::vector<bool>& pictured);
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
 /// there (std::out_of_range), the file is in trouble: throws FileTrouble E560.
@@ -27,17 +27,18 @@ template <class Take> auto restore_checked(const Take& take) {
   try {
     return take();
   } catch (const std::out_of_range& trouble) {
-    throw archive::FileTrouble("E560", std::string("the state in the restart file is damaged: ") +
+    throw archive::FileFailure("E560", std::string("the state in the restart file is damaged: ") +
                                            trouble.what());
   }
 }
 
 /// Adds it to a run as if it had been solved now.
-void append_increment(archive::KeptIncrement kept, results::Run& run);
+void append_increment(archive::StoredIncrement kept, results::RunResult& run);
 
 /// Tells of the last increment of a run, which was taken over, as if it had been solved, of so many
 /// in all.
-void report_resumed(const SolveOptions& options, const results::Run& run, std::size_t increments);
+void report_resumed(const SolveOptions& options, const results::RunResult& run,
+                    std::size_t increments);
 
 /// Whether the time is up before the next increment; then `trouble` says so.
 bool is_time_up(const archive::Checkpoint* checkpoint, base::Trouble& trouble);

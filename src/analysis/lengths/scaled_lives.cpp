@@ -39,7 +39,7 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
 }
 
 // In space K1 of the place where a tip stands; in the plane that of the only tip.
-std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
+std::optional<base::PiecewiseLinear> K1_of(const results::LoadPathResult& path,
                                            const growth::TipStation& tip) {
   if (!path.fronts.empty()) {
     return nearest_K1(path, {tip.x, tip.y, tip.z});
@@ -50,8 +50,9 @@ std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
 // Rates of all stations, whose K is on `paths` [station], with K on a line from K0 at t = 0 to the
 // K of the largest load.
 std::optional<std::vector<growth::SolvedStation>>
-on_line(const std::vector<results::LoadPath>& paths, std::vector<growth::SolvedStation> stations,
-        const GrowthRateEvaluator& measure, bool through_zero) {
+on_line(const std::vector<results::LoadPathResult>& paths,
+        std::vector<growth::SolvedStation> stations, const GrowthRateEvaluator& measure,
+        bool through_zero) {
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     for (growth::TipStation& tip : stations[i].tips) {
@@ -97,7 +98,8 @@ std::optional<results::ScaledLife> life(const std::string& name,
 
 } // namespace
 
-std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
+std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
+                                              const results::RunResult& run,
                                               const growth::GrowthIntegrator& march,
                                               const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledLife> out;
@@ -129,9 +131,9 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
     }
     return out;
   }
-  std::vector<results::LoadPath> paths; // [station]
+  std::vector<results::LoadPathResult> paths; // [station]
   for (const results::Increment& increment : run.increments) {
-    if (std::optional<results::LoadPath> path = growth_load_path(model, increment)) {
+    if (std::optional<results::LoadPathResult> path = growth_load_path(model, increment)) {
       paths.push_back(std::move(*path));
     }
   }

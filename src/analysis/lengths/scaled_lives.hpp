@@ -17,7 +17,8 @@ inline constexpr int points_of_interval = 16;
 /// the beginning of its load path to the largest load. Left out: what is the growth itself (K is
 /// such a line), loads that no factor joins, growth of several tips in the plane or with friction.
 /// In space it goes through the same fronts.
-std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
+std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
+                                              const results::RunResult& run,
                                               const growth::GrowthIntegrator& march,
                                               const GrowthRateEvaluator& measure);
 

@@ -24,15 +24,15 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
 
 } // namespace
 
-std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
-  std::vector<results::SurfaceFace> surface;
+std::vector<results::OuterSurfaceFace> outer_surface(const model::Mesh& mesh) {
+  std::vector<results::OuterSurfaceFace> surface;
   if (mesh.dim != 3) {
     return surface;
   }
   for (const model::Face& face : mesh::outer_faces(mesh)) {
     const base::ElementType type = mesh.type[face.element.index()];
     const std::span<const int> side = shape::side_nodes(type, face.side);
-    results::SurfaceFace out;
+    results::OuterSurfaceFace out;
     out.element = face.element;
     const std::size_t corners = shape::side_corners(type, face.side);
     const auto node = [&](std::size_t i) {

@@ -15,6 +15,6 @@ void add_stress(const model::Model& model, const model::Mesh& mesh, results::Ste
 void add_face_nodes(const model::Model& model, model::Mesh& mesh);
 
 /// The outer faces of a solid mesh by their nodes; none in the plane.
-std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh);
+std::vector<results::OuterSurfaceFace> outer_surface(const model::Mesh& mesh);
 
 } // namespace spricka::analysis

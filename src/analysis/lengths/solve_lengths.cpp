@@ -24,7 +24,7 @@ namespace {
 
 // With given lengths nothing grows by KMAX and KMIN, but delta K and a test's K are taken from
 // them.
-void compare_extremes(const model::Model& model, results::Run& run) {
+void compare_extremes(const model::Model& model, results::RunResult& run) {
   constexpr double clearly = 1e-3;
   const bool named = model.growth && model.growth->kmax.valid() && model.growth->kmin.valid();
   if (!named || run.increments.empty()) {
@@ -41,7 +41,7 @@ void compare_extremes(const model::Model& model, results::Run& run) {
              most->K1 < least->K1 - clearly * std::abs(least->K1);
     };
     if (std::ranges::all_of(run.increments, upside_down)) {
-      last.steps[high].notes.push_back(results::odd(
+      last.steps[high].notes.push_back(results::questionable_note(
           fmt::format("K1 of {} is larger at KMIN, step {}, than at KMAX, step {}: are "
                       "the two steps exchanged?",
                       tip.name, model.steps[low].name, model.steps[high].name)));
@@ -72,7 +72,8 @@ RegionPlan one_region(const model::Model& model, const SolveOptions& options,
 
 // The lengths of the deck, one after another.
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
-                   base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
+                   base::Diagnostics& diagnostics, base::Trouble& trouble,
+                   results::RunResult& run) {
   const std::vector<double> lengths = growth::crack_lengths(model);
   const RegionPlan plan = one_region(model, options, lengths, diagnostics);
   if (diagnostics.has_errors()) {
@@ -130,10 +131,11 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
 
 } // namespace
 
-std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
-                                      base::Diagnostics& diagnostics, base::Trouble& trouble) {
+std::optional<results::RunResult> solve_run(const model::Model& model, const SolveOptions& options,
+                                            base::Diagnostics& diagnostics,
+                                            base::Trouble& trouble) {
   const base::Stopwatch watch;
-  results::Run run;
+  results::RunResult run;
   if (options.checkpoint != nullptr) {
     options.checkpoint->begin_round();
   }

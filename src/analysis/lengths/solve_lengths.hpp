@@ -13,7 +13,7 @@ namespace spricka::analysis {
 /// The chain of processors over all crack lengths: TOPOLOGY, STIFFNESS, CONDENSE, CONTACT, VCE,
 /// GROW. Deck mistakes that only the whole model shows go to `diagnostics`; a model that cannot be
 /// solved fills `trouble`. In both cases the result is empty.
-std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
-                                      base::Diagnostics& diagnostics, base::Trouble& trouble);
+std::optional<results::RunResult> solve_run(const model::Model& model, const SolveOptions& options,
+                                            base::Diagnostics& diagnostics, base::Trouble& trouble);
 
 } // namespace spricka::analysis

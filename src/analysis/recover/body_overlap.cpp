@@ -188,7 +188,7 @@ private:
       return;
     }
     const std::optional<std::string> contact = between(a, b);
-    out.notes.push_back(results::no_answer(fmt::format(
+    out.notes.push_back(results::invalid_result_note(fmt::format(
         "bodies {} and {} run into each other by {:.3g} at {}: {}; forces and K are those of "
         "bodies "
         "that pass through each other",

@@ -232,11 +232,12 @@ std::string what_moves(const PairMotionError& one) {
 results::Note judged(const PairMotionError& one, double part) {
   const std::string text = what_moves(one);
   if (part > most_off) {
-    return results::no_answer(text + ": forces, pressures and K of this state answer nothing; draw "
-                                     "the bodies where they end up");
+    return results::invalid_result_note(
+        text + ": forces, pressures and K of this state answer nothing; draw "
+               "the bodies where they end up");
   }
   if (part > worth_a_word) {
-    return results::less_exact(
+    return results::less_exact_note(
         fmt::format("{}: forces and K are off by about {:.1g} %, its pressures by more; draw the "
                     "bodies where they end up to be rid of it",
                     text, 100.0 * part));

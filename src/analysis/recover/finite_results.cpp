@@ -74,16 +74,16 @@ std::string not_finite(const results::StepResult& step) {
   return {};
 }
 
-std::string not_finite(const results::LoadPath& path) {
-  for (const results::PathTip& tip : path.tips) {
+std::string not_finite(const results::LoadPathResult& path) {
+  for (const results::LoadPathTip& tip : path.tips) {
     for (const base::PiecewiseLinear* K : {&tip.K1, &tip.K2}) {
       if (!K->empty() && (!good(K->lowest()) || !good(K->highest()))) {
         return words("K along the load path is");
       }
     }
   }
-  for (const results::PathFront& front : path.fronts) {
-    for (const results::PathPoint& point : front.points) {
+  for (const results::LoadPathFront& front : path.fronts) {
+    for (const results::LoadPathFrontPoint& point : front.points) {
       if (std::ranges::any_of(point.K, [](const base::PiecewiseLinear& K) {
             return !K.empty() && (!good(K.lowest()) || !good(K.highest()));
           })) {

@@ -11,6 +11,6 @@ namespace spricka::analysis {
 std::string not_finite(const results::StepResult& step);
 
 /// The same of K along a load path.
-std::string not_finite(const results::LoadPath& path);
+std::string not_finite(const results::LoadPathResult& path);
 
 } // namespace spricka::analysis

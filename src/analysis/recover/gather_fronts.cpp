@@ -51,9 +51,9 @@ base::Vec3 without_round_off(const base::Vec3& x, double reach) {
   return (x.array().abs() > round_off * reach).select(x, base::Vec3::Zero());
 }
 
-results::FrontPlace place_of(const model::CrackDefinition& crack, const mesh::FrontPoint& point,
-                             const crack::StressIntensity& K) {
-  results::FrontPlace place;
+results::FrontPointResult place_of(const model::CrackDefinition& crack,
+                                   const mesh::FrontPoint& point, const crack::StressIntensity& K) {
+  results::FrontPointResult place;
   place.x = point.x;
   place.growth = point.growth;
   place.s = point.s;

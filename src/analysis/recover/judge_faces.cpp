@@ -51,12 +51,13 @@ void tell_overlap(const TipState& at, results::TipResult& result, results::StepR
                                   "overlap: the law of $GROW takes it as its K_min",
                                   result.name)));
   } else if (negative) {
-    result.doubt = "K1 is negative: the crack faces overlap, which FACES=FREE lets them, so this K "
-                   "is not an answer";
-    out.notes.push_back(results::no_answer(
-        fmt::format("{}: {}; FACES=CONTACT holds them apart", result.name, result.doubt)));
+    result.invalid_reason =
+        "K1 is negative: the crack faces overlap, which FACES=FREE lets them, so this K "
+        "is not an answer";
+    out.notes.push_back(results::invalid_result_note(
+        fmt::format("{}: {}; FACES=CONTACT holds them apart", result.name, result.invalid_reason)));
   } else if (part > overlap_of_round_off) {
-    out.notes.push_back(results::less_exact(
+    out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces overlap over a part of the crack, "
                     "by {:.1e} of their largest displacement, which FACES=FREE "
                     "lets them: K is that of faces that do not bear on each other; "
@@ -69,7 +70,7 @@ void tell_overlap(const TipState& at, results::TipResult& result, results::StepR
 void tell_lone_nodes(const TipState& at, const TipFaces& faces, const results::TipResult& result,
                      results::StepResult& out) {
   if (faces.lone) {
-    out.notes.push_back(results::less_exact(
+    out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces touch at a single node between open ones, "
                     "less than the mesh resolves: K may be off by what that node is worth; a "
                     "smaller SIZE on $TIPNET shows it",
@@ -80,7 +81,7 @@ void tell_lone_nodes(const TipState& at, const TipFaces& faces, const results::T
           ? 0.0
           : crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   if (part > overlap_of_round_off) {
-    out.notes.push_back(results::less_exact(
+    out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces overlap at single nodes, by {:.1e} of their largest "
                     "displacement: less than the mesh resolves, and left open; K may be off by a "
                     "part of that order, and a smaller SIZE on $TIPNET shows it",
@@ -102,7 +103,7 @@ void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
     // Of (K1^2 + K2^2)/E' the part of K2 stays.
     result.G_from_K *= all > 0.0 ? result.K2 * result.K2 / all : 0.0;
     if (std::abs(K1) > worst_closed_K1 * scale) {
-      out.notes.push_back(results::less_exact(
+      out.notes.push_back(results::less_exact_note(
           fmt::format("{}: the crack faces touch at the tip, but the rings "
                       "find K1 = {:.3g}: the mesh there is too coarse, and K2 off by as much; "
                       "take a smaller SIZE on $TIPNET",
@@ -112,7 +113,7 @@ void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
         results::note(fmt::format("{}: the crack faces touch at the tip{}", result.name,
                                   faces.held ? " and have not slipped: K1 = K2 = 0" : ": K1 = 0")));
   } else if (faces.open_nodes > 0 && faces.open_nodes < least_open_nodes) {
-    out.notes.push_back(results::less_exact(
+    out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces are open at the tip over less "
                     "than two elements: K is known by its order alone; take a smaller SIZE "
                     "on $TIPNET",
@@ -121,10 +122,11 @@ void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
   if (!faces.closed && K1 < 0.0 && std::abs(K1) <= small_K1 * scale) {
     result.K1 = 0.0;
   } else if (!faces.closed && K1 < 0.0) {
-    result.doubt = "K1 is negative though the crack faces do not overlap: the mesh at the tip is "
-                   "too coarse, so this K is not an answer";
-    out.notes.push_back(results::no_answer(
-        fmt::format("{}: {}; take a smaller SIZE on $TIPNET", result.name, result.doubt)));
+    result.invalid_reason =
+        "K1 is negative though the crack faces do not overlap: the mesh at the tip is "
+        "too coarse, so this K is not an answer";
+    out.notes.push_back(results::invalid_result_note(
+        fmt::format("{}: {}; take a smaller SIZE on $TIPNET", result.name, result.invalid_reason)));
   }
 }
 
@@ -152,10 +154,11 @@ double k_scale(const TipState& at, const TipFaces& faces) {
 
 void check_crack_faces(const TipState& at, results::TipResult& result, results::StepResult& out) {
   if (at.K.two_materials) {
-    result.doubt = "the tip lies between two materials, where stresses oscillate: it has no K1 and "
-                   "K2, only G";
+    result.invalid_reason =
+        "the tip lies between two materials, where stresses oscillate: it has no K1 and "
+        "K2, only G";
     // No table has a K of it.
-    out.notes.push_back(results::note(fmt::format("{}: {}", result.name, result.doubt)));
+    out.notes.push_back(results::note(fmt::format("{}: {}", result.name, result.invalid_reason)));
     return;
   }
   if (is_round_off(at)) { // nothing loads the crack

@@ -57,24 +57,24 @@ void tell_front_overlap(const FrontState& at, results::FrontResult& result,
   }
   const double least = -small_front_K1 * largest_of(at.K);
   const bool negative = std::ranges::any_of(
-      result.points, [&](const results::FrontPlace& place) { return place.K1 < least; });
+      result.points, [&](const results::FrontPointResult& place) { return place.K1 < least; });
   if (negative) {
-    result.doubt = overlap + ", which FACES=FREE lets them: K1 < 0 is not an answer";
+    result.invalid_reason = overlap + ", which FACES=FREE lets them: K1 < 0 is not an answer";
   }
   out.notes.push_back(
-      negative
-          ? results::no_answer(
-                fmt::format("{}: {}; FACES=CONTACT holds them apart", result.name, result.doubt))
-          : results::less_exact(fmt::format("{}: {}, which FACES=FREE lets them: K is that of "
-                                            "faces that do not bear on each other; FACES=CONTACT "
-                                            "holds them apart",
-                                            result.name, overlap)));
+      negative ? results::invalid_result_note(fmt::format("{}: {}; FACES=CONTACT holds them apart",
+                                                          result.name, result.invalid_reason))
+               : results::less_exact_note(
+                     fmt::format("{}: {}, which FACES=FREE lets them: K is that of "
+                                 "faces that do not bear on each other; FACES=CONTACT "
+                                 "holds them apart",
+                                 result.name, overlap)));
 }
 
 // K1 is 0 where the faces touch, and all of K where they have not slipped either. G of such a point
 // is that of the modes that are left.
 void close_place(const FrontFaces& faces, const crack::StressIntensity& K,
-                 results::FrontPlace& place) {
+                 results::FrontPointResult& place) {
   place.closed = true;
   place.K1 = 0.0;
   place.smooth[0] = 0.0;
@@ -115,8 +115,9 @@ void check_front_faces(const FrontState& at, results::FrontResult& result,
   }
   if (at.faces.empty()) { // no rows have been violated: nodes must say the same
     if (const std::string overlap = face_overlap(at.scene, at.front, at.state); !overlap.empty()) {
-      result.doubt = overlap;
-      out.notes.push_back(results::no_answer(fmt::format("{}: {}", result.name, overlap)));
+      result.invalid_reason = overlap;
+      out.notes.push_back(
+          results::invalid_result_note(fmt::format("{}: {}", result.name, overlap)));
     }
   }
   const double scale = std::max({largest_of(at.K), pressed_scale(at), round_off_scale(at)});
@@ -125,7 +126,7 @@ void check_front_faces(const FrontState& at, results::FrontResult& result,
   double worst = 0.0;  // K1 of closed points
   double lowest = 0.0; // K1 of open ones
   for (std::size_t i = 0; i < result.points.size(); ++i) {
-    results::FrontPlace& place = result.points[i];
+    results::FrontPointResult& place = result.points[i];
     if (i < at.faces.size() && at.faces[i].closed) {
       worst = place.at_surface ? worst : std::max(worst, std::abs(place.K1));
       close_place(at.faces[i], at.K[i], place);
@@ -138,19 +139,19 @@ void check_front_faces(const FrontState& at, results::FrontResult& result,
     place.smooth[0] = std::max(0.0, place.smooth[0]);
   }
   if (worst > worst_closed_front * scale) {
-    out.notes.push_back(results::less_exact(fmt::format(
+    out.notes.push_back(results::less_exact_note(fmt::format(
         "{}: the crack faces touch at the front, but the domains find K1 = {:.3g} there: the mesh "
         "is too coarse, and K elsewhere along the front off by as much; take a smaller SIZE on "
         "$TIPNET",
         result.name, worst)));
   }
   if (lowest < -worst_open_front * scale) {
-    result.doubt =
+    result.invalid_reason =
         fmt::format("K1 is {:.3g} though the crack faces do not overlap: the mesh at the "
                     "front is too coarse, so this K is not an answer",
                     lowest);
-    out.notes.push_back(results::no_answer(
-        fmt::format("{}: {}; take a smaller SIZE on $TIPNET", result.name, result.doubt)));
+    out.notes.push_back(results::invalid_result_note(
+        fmt::format("{}: {}; take a smaller SIZE on $TIPNET", result.name, result.invalid_reason)));
   }
   note_front(closed, held, result, out);
 }

@@ -121,7 +121,7 @@ double mean_strain(const model::Model& model, const model::Mesh& mesh,
 std::string_view body_judged(const results::Note& note) {
   for (const std::string_view words : beginnings_of_judgement) {
     const std::size_t at = note.text.find(words);
-    if (results::warns(note) && at != std::string::npos) {
+    if (results::is_warning(note) && at != std::string::npos) {
       return std::string_view(note.text).substr(0, at);
     }
   }
@@ -131,7 +131,8 @@ std::string_view body_judged(const results::Note& note) {
 /// What is off by so much, as a part of itself, is less exact or no answer.
 results::Note by_size(double off, std::string text) {
   constexpr double most = 0.1;
-  return off > most ? results::no_answer(std::move(text)) : results::less_exact(std::move(text));
+  return off > most ? results::invalid_result_note(std::move(text))
+                    : results::less_exact_note(std::move(text));
 }
 
 bool judges(const results::Increment& increment, std::string_view step, std::string_view body) {
@@ -143,7 +144,7 @@ bool judges(const results::Increment& increment, std::string_view step, std::str
 
 } // namespace
 
-void explain_broken_ligaments(results::Run& run) {
+void explain_broken_ligaments(results::RunResult& run) {
   for (std::size_t i = 1; i < run.increments.size(); ++i) {
     for (results::StepResult& step : run.increments[i].steps) {
       for (results::Note& note : step.notes) {

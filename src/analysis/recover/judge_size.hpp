@@ -18,6 +18,6 @@ void check_small_strain(const model::Model& model, const Discretisation& scene,
 
 /// Bodies that were small in strain and turn at the first length and are not at a later one have
 /// lost their ligament: their notes say so instead of asking for units.
-void explain_broken_ligaments(results::Run& run);
+void explain_broken_ligaments(results::RunResult& run);
 
 } // namespace spricka::analysis

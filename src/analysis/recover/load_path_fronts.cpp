@@ -21,11 +21,11 @@ struct FrontStart {
   Eigen::Index first = 0; ///< among the functionals
 };
 
-results::PathFront follow_front(const FrontStart& front, const solve::SolutionPath& found,
-                                const results::FrontResult& is) {
-  results::PathFront out;
+results::LoadPathFront follow_front(const FrontStart& front, const solve::SolutionPath& found,
+                                    const results::FrontResult& is) {
+  results::LoadPathFront out;
   out.is = is;
-  for (const results::FrontPlace& place : is.points) {
+  for (const results::FrontPointResult& place : is.points) {
     out.points.emplace_back().is = place;
   }
   out.is.points.clear();
@@ -44,7 +44,7 @@ results::PathFront follow_front(const FrontStart& front, const solve::SolutionPa
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    results::PathPoint& point = out.points[i];
+    results::LoadPathFrontPoint& point = out.points[i];
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Index at = front.first + static_cast<Eigen::Index>(3 * i + k);
       point.K[k] = path_functional(found, at);
@@ -59,9 +59,9 @@ results::PathFront follow_front(const FrontStart& front, const solve::SolutionPa
 struct FrontKRange {
   double lowest = 0.0, largest = 0.0;
 };
-FrontKRange range_of(const results::PathFront& front) {
+FrontKRange range_of(const results::LoadPathFront& front) {
   FrontKRange range;
-  for (const results::PathPoint& point : front.points) {
+  for (const results::LoadPathFrontPoint& point : front.points) {
     if (point.is.at_surface) {
       continue;
     }
@@ -76,10 +76,10 @@ FrontKRange range_of(const results::PathFront& front) {
 // K1 is 0 where the faces of the crack touch, as steps have it; at how many points on some part of
 // the path. rows: [point] among those of the path's problem.
 std::size_t close_points(const std::vector<std::optional<std::size_t>>& rows,
-                         const solve::SolutionPath& found, results::PathFront& front) {
+                         const solve::SolutionPath& found, results::LoadPathFront& front) {
   std::size_t touching = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    results::PathPoint& point = front.points[i];
+    results::LoadPathFrontPoint& point = front.points[i];
     if (!rows[i] || !zero_where_closed(found, *rows[i], point.K[0])) {
       continue;
     }
@@ -90,10 +90,10 @@ std::size_t close_points(const std::vector<std::optional<std::size_t>>& rows,
 }
 
 // The largest difference to K of a step.
-double apart_from(const results::PathFront& front, double t, const results::FrontResult& step) {
+double apart_from(const results::LoadPathFront& front, double t, const results::FrontResult& step) {
   double apart = 0.0;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
-    const results::FrontPlace& own = step.points[i];
+    const results::FrontPointResult& own = step.points[i];
     const std::array<double, 3> K{own.K1, own.K2, own.K3};
     for (std::size_t k = 0; k < 3; ++k) {
       const double value = front.points[i].K[k](t);
@@ -130,13 +130,13 @@ base::Matrix LoadPathSolver::front_columns(Eigen::Index first, Eigen::Index most
 }
 
 void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd& from,
-                            const LoadPathEnd& to, results::LoadPath& path) const {
+                            const LoadPathEnd& to, results::LoadPathResult& path) const {
   double size = 0.0;
   double apart = 0.0;
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
-    results::PathFront front =
+    results::LoadPathFront front =
         follow_front({scene_.fronts[f], layout.first_index(first)}, found, from.result.fronts[f]);
     first += front.points.size();
     const std::size_t touching = close_points(rows_behind(f, from.problem.rows), found, front);
@@ -148,19 +148,19 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
     }
     const FrontKRange range = range_of(front);
     size = std::max(size, range.largest);
-    front.is.doubt.clear();
+    front.is.invalid_reason.clear();
     for (const LoadPathEnd* end : {&from, &to}) {
-      if (const std::string& doubt = end->result.fronts[f].doubt;
-          !doubt.empty() && front.is.doubt.empty()) {
-        front.is.doubt = doubt;
-        path.notes.push_back(
-            results::no_answer(fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
+      if (const std::string& doubt = end->result.fronts[f].invalid_reason;
+          !doubt.empty() && front.is.invalid_reason.empty()) {
+        front.is.invalid_reason = doubt;
+        path.notes.push_back(results::invalid_result_note(
+            fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
       }
     }
     const bool bear = scene_.crack_face_pairs[scene_.fronts[f].front.crack.index()].has_value();
     const double allowed = bear ? worst_open_front : 1e-9;
-    if (front.is.doubt.empty() && range.lowest < -allowed * range.largest) {
-      path.notes.push_back(results::no_answer(
+    if (front.is.invalid_reason.empty() && range.lowest < -allowed * range.largest) {
+      path.notes.push_back(results::invalid_result_note(
           fmt::format("{}: K1 is negative at some points on a part of the path: there this K is "
                       "not an answer ({})",
                       front.is.name,

@@ -210,12 +210,12 @@ bool LoadPathSolver::homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
 }
 
 void LoadPathSolver::tips(const solve::SolutionPath& found, const LoadPathEnd& from,
-                          const LoadPathEnd& to, results::LoadPath& path) const {
+                          const LoadPathEnd& to, results::LoadPathResult& path) const {
   const crack::KLayout layout = scene_.k_layout();
   double size = 0.0;
   double apart = 0.0;
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-    results::PathTip tip;
+    results::LoadPathTip tip;
     tip.name = from.result.tips[t].name;
     tip.a = from.result.tips[t].a;
     tip.K1 = path_functional(found, layout.at(t, 1));
@@ -234,17 +234,17 @@ void LoadPathSolver::tips(const solve::SolutionPath& found, const LoadPathEnd& f
                                     "a K_min",
                                     tip.name)));
     } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
-      path.notes.push_back(results::no_answer(
+      path.notes.push_back(results::invalid_result_note(
           fmt::format("{}: K1 is negative on a part of the path: there this K is not an "
                       "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
                       tip.name)));
     }
     for (const LoadPathEnd* end : {&from, &to}) {
       const results::TipResult& own = end->result.tips[t];
-      if (own.K1 >= 0.0 && !own.doubt.empty() && tip.doubt.empty()) {
-        tip.doubt = own.doubt;
-        path.notes.push_back(
-            results::no_answer(fmt::format("{}: at an end of the path {}", tip.name, own.doubt)));
+      if (own.K1 >= 0.0 && !own.invalid_reason.empty() && tip.invalid_reason.empty()) {
+        tip.invalid_reason = own.invalid_reason;
+        path.notes.push_back(results::invalid_result_note(
+            fmt::format("{}: at an end of the path {}", tip.name, own.invalid_reason)));
       }
     }
     if (shifted(model_, scene_.cracked.fronts[t].crack)) {
@@ -270,7 +270,7 @@ void LoadPathSolver::tips(const solve::SolutionPath& found, const LoadPathEnd& f
 }
 
 void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
-                              results::LoadPath& path) const {
+                              results::LoadPathResult& path) const {
   const std::vector<std::size_t>& rows = end.problem.rows;
   std::size_t first = 0; // of a contact among the rows in force
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
@@ -284,7 +284,7 @@ void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEn
     if (normal == 0) {
       continue; // not mounted
     }
-    results::PathContact contact;
+    results::LoadPathContact contact;
     contact.name = scene_.contacts[c].name;
     contact.round = contact::uses_angles(pair);
     contact.rows = static_cast<int>(normal);
@@ -327,7 +327,7 @@ void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEn
     path.contacts.push_back(std::move(contact));
     first = last;
   }
-  std::ranges::stable_sort(path.changes, {}, &results::PathChange::t);
+  std::ranges::stable_sort(path.changes, {}, &results::ContactStatusChange::t);
 }
 
 solve::ParametricProblem LoadPathSolver::path_problem(const model::LoadPathDefinition& card,
@@ -338,11 +338,11 @@ solve::ParametricProblem LoadPathSolver::path_problem(const model::LoadPathDefin
   return problem(ends_.at(card.from.index()), ends_.at(card.to.index()), solver);
 }
 
-results::LoadPath LoadPathSolver::path(const model::LoadPathDefinition& card,
-                                       const StepSolver& solver) {
+results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& card,
+                                             const StepSolver& solver) {
   const LoadPathEnd& from = ends_.at(card.from.index());
   const LoadPathEnd& to = ends_.at(card.to.index());
-  results::LoadPath out;
+  results::LoadPathResult out;
   out.name = card.name;
   out.from = model_.steps[card.from.index()].name;
   out.to = model_.steps[card.to.index()].name;
@@ -366,7 +366,7 @@ results::LoadPath LoadPathSolver::path(const model::LoadPathDefinition& card,
   out.residual = found.residual;
   out.stopped = why_stopped(found, solver);
   if (!out.stopped.empty()) {
-    out.notes.push_back(results::no_answer(
+    out.notes.push_back(results::invalid_result_note(
         fmt::format("it ends at t = {:.6g} of {:.6g}: {}", found.end, card.beyond, out.stopped)));
   }
   if (found.segments.empty()) {
@@ -390,8 +390,8 @@ results::LoadPath LoadPathSolver::path(const model::LoadPathDefinition& card,
   return out;
 }
 
-std::vector<results::LoadPath> LoadPathSolver::solve_paths(const StepSolver& solver) {
-  std::vector<results::LoadPath> out;
+std::vector<results::LoadPathResult> LoadPathSolver::solve_paths(const StepSolver& solver) {
+  std::vector<results::LoadPathResult> out;
   for (const model::LoadPathDefinition& card : model_.load_paths) {
     out.push_back(path(card, solver));
   }

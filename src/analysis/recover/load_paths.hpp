@@ -24,7 +24,7 @@ public:
   /// Keeps what paths that begin or end at this step need; called behind each step.
   void record_step(std::size_t step, const StepSolver& solver, const results::StepResult& result);
   /// All paths of the model, once the steps are done.
-  [[nodiscard]] std::vector<results::LoadPath> solve_paths(const StepSolver& solver);
+  [[nodiscard]] std::vector<results::LoadPathResult> solve_paths(const StepSolver& solver);
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
   /// yet (analysis/steps/crack_face_contact.hpp).
   [[nodiscard]] const std::vector<std::size_t>& overlapping_lines() const { return touching_; }
@@ -87,15 +87,15 @@ private:
   [[nodiscard]] base::Vector free_values(const base::Vector& case_factor) const;
   [[nodiscard]] solve::ParametricProblem problem(const LoadPathEnd& from, const LoadPathEnd& to,
                                                  const StepSolver& solver) const;
-  [[nodiscard]] results::LoadPath path(const model::LoadPathDefinition& card,
-                                       const StepSolver& solver);
+  [[nodiscard]] results::LoadPathResult path(const model::LoadPathDefinition& card,
+                                             const StepSolver& solver);
   void contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
-                results::LoadPath& path) const;
+                results::LoadPathResult& path) const;
   void tips(const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
-            results::LoadPath& path) const;
+            results::LoadPathResult& path) const;
   /// K along fronts in space, and how far it is from that of the steps at the path's ends.
   void fronts(const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
-              results::LoadPath& path) const;
+              results::LoadPathResult& path) const;
   /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
   bool close_tip(std::size_t t, const LoadPathEnd& end, const solve::SolutionPath& found,
                  base::PiecewiseLinear& K1) const;

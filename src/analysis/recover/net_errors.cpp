@@ -46,7 +46,7 @@ double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
 
 // The strain energy of a net, where the records have it.
 double energy_of(const results::StepResult& step, const std::string& net) {
-  const auto found = std::ranges::find(step.nets, net, &results::Balance::body);
+  const auto found = std::ranges::find(step.nets, net, &results::ForceBalance::body);
   return found == step.nets.end() ? std::numeric_limits<double>::infinity() : found->energy;
 }
 
@@ -146,10 +146,10 @@ std::vector<bool> singular_elements(const model::Model& model, const Discretisat
   return singular;
 }
 
-results::NetError error_of(const std::string& name, std::vector<base::ElementId> elements,
-                           const fe::ErrorEstimate& estimate, const std::vector<double>& energy,
-                           double floor) {
-  results::NetError found;
+results::NetErrorEstimate error_of(const std::string& name, std::vector<base::ElementId> elements,
+                                   const fe::ErrorEstimate& estimate,
+                                   const std::vector<double>& energy, double floor) {
+  results::NetErrorEstimate found;
   found.net = name;
   double error = 0.0;
   double strain = 0.0;
@@ -180,7 +180,7 @@ results::NetError error_of(const std::string& name, std::vector<base::ElementId>
 
 bool has_bars(const results::StepResult& step) {
   return std::ranges::any_of(step.tips, [](const auto& tip) { return tip.no_bar.empty(); }) ||
-         std::ranges::any_of(step.fronts, results::has_bar);
+         std::ranges::any_of(step.fronts, results::has_error_bar);
 }
 
 } // namespace
@@ -208,16 +208,16 @@ void add_energy_errors(const model::Model& model, const Discretisation& scene,
   step.errors.push_back(error_of("*", std::move(all), estimate, energy, floor));
 }
 
-std::vector<std::string> coarse_nets(const results::Run& run) {
+std::vector<std::string> coarse_nets(const results::RunResult& run) {
   struct Worst {
-    const results::NetError* error = nullptr;
+    const results::NetErrorEstimate* error = nullptr;
     const results::Increment* increment = nullptr;
     const results::StepResult* step = nullptr;
   };
   double most = 0.0;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::Balance& net : step.nets) {
+      for (const results::ForceBalance& net : step.nets) {
         most = std::max(most, net.energy);
       }
     }
@@ -225,7 +225,7 @@ std::vector<std::string> coarse_nets(const results::Run& run) {
   std::map<std::string, Worst> by_net;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::NetError& error : step.errors) {
+      for (const results::NetErrorEstimate& error : step.errors) {
         if (energy_of(step, error.net) < no_energy * most) {
           continue; // next to nothing strains it
         }

@@ -53,13 +53,13 @@ bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
   return any;
 }
 
-void warn_of_mismatch(results::LoadPath& path) {
+void warn_of_mismatch(results::LoadPathResult& path) {
   if (!(path.mismatch <= worst_mismatch)) {
-    path.notes.push_back(
-        results::less_exact(fmt::format("K on the path differs from K of the steps at its "
-                                        "ends by {:.1e} of the largest: between them it is off by "
-                                        "about as much",
-                                        path.mismatch)));
+    path.notes.push_back(results::less_exact_note(
+        fmt::format("K on the path differs from K of the steps at its "
+                    "ends by {:.1e} of the largest: between them it is off by "
+                    "about as much",
+                    path.mismatch)));
   }
 }
 

@@ -18,6 +18,6 @@ bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
 
 /// Warns where K on the path and K of the steps at its ends, which come from the same numbers by
 /// different ways, are apart.
-void warn_of_mismatch(results::LoadPath& path);
+void warn_of_mismatch(results::LoadPathResult& path);
 
 } // namespace spricka::analysis

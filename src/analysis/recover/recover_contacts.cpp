@@ -149,7 +149,7 @@ void tell_small_spots(const std::vector<SmallContactSpot>& spots, results::StepR
   }
   for (const SmallContactSpot& spot : spots) {
     if (spot.across < least_across_peak && spot.force > counts * most) {
-      out.notes.push_back(results::less_exact(small_spot_note(spot.contact, spot.across)));
+      out.notes.push_back(results::less_exact_note(small_spot_note(spot.contact, spot.across)));
     }
   }
 }
@@ -299,7 +299,7 @@ void recover_contacts(const Discretisation& scene, const StepState& state,
     count_from_mouth(scene, c, result);
     note_parting(scene, c, result, out);
     if (p.unrest > most_unrest) {
-      out.notes.push_back(results::less_exact(
+      out.notes.push_back(results::less_exact_note(
           unrest_note(result.name, p.unrest, scene.contacts[c].gap.has_value())));
     }
     if (unilateral && result.mounted) {

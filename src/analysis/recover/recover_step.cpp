@@ -77,11 +77,11 @@ void gather_tips(const model::Model& model, const Discretisation& scene, const S
       }
     }
     if (K.shift_error && std::abs(*K.shift_error) > 2e-5) { // of G; 1e-5 of K (crack.15)
-      out.notes.push_back(
-          results::less_exact(fmt::format("{}: G by the finite shift is {:+.2g} of the analytic "
-                                          "one off, and K by half of that: the shift is too "
-                                          "large or lost in round-off; leave SHIFT of $VCE out",
-                                          result.name, *K.shift_error)));
+      out.notes.push_back(results::less_exact_note(
+          fmt::format("{}: G by the finite shift is {:+.2g} of the analytic "
+                      "one off, and K by half of that: the shift is too "
+                      "large or lost in round-off; leave SHIFT of $VCE out",
+                      result.name, *K.shift_error)));
     }
     if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainIntensity& d) {
           return std::isnan(d.G);
@@ -97,7 +97,7 @@ void gather_tips(const model::Model& model, const Discretisation& scene, const S
   }
 }
 
-void add_node(results::Balance& balance, const StepState& state, base::NodeId n, int dim) {
+void add_node(results::ForceBalance& balance, const StepState& state, base::NodeId n, int dim) {
   const auto at = static_cast<Eigen::Index>(n.index()) * dim;
   balance.applied.head(dim) += state.force.segment(at, dim);
   balance.contact.head(dim) += state.contact.segment(at, dim);
@@ -107,7 +107,7 @@ void add_node(results::Balance& balance, const StepState& state, base::NodeId n,
   }
 }
 
-void drop_radial(results::Balance& balance) { // radial forces balance round the circumference
+void drop_radial(results::ForceBalance& balance) { // radial forces balance round the circumference
   for (base::Vec3* sum : {&balance.applied, &balance.contact, &balance.reaction, &balance.tie}) {
     sum->x() = 0.0;
   }
@@ -117,7 +117,7 @@ void gather_bodies(const model::Model& model, const Discretisation& scene,
                    const std::vector<SubstructuredBody>& bodies, const StepState& state,
                    results::StepResult& out) {
   for (const SubstructuredBody& body : bodies) {
-    results::Balance balance;
+    results::ForceBalance balance;
     balance.body = body.name;
     for (const base::NodeId n : body.body.nodes) {
       add_node(balance, state, n, scene.cracked.mesh.dim);
@@ -134,9 +134,9 @@ void gather_bodies(const model::Model& model, const Discretisation& scene,
 
 // What presses on a rigid target has to be taken by whatever holds it.
 void gather_targets(const model::Model& model, const results::StepResult& found,
-                    std::vector<results::Balance>& targets) {
+                    std::vector<results::ForceBalance>& targets) {
   for (std::size_t r = 0; r < model.rigids.size(); ++r) {
-    results::Balance balance;
+    results::ForceBalance balance;
     balance.body = model.rigids[r].name;
     bool used = false;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -158,7 +158,7 @@ void gather_targets(const model::Model& model, const results::StepResult& found,
 void gather_nets(const model::Model& model, const Discretisation& scene, const StepState& state,
                  results::StepResult& out) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<results::Balance> nets(model.nets.size());
+  std::vector<results::ForceBalance> nets(model.nets.size());
   std::vector<bool> used(model.nets.size(), false);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     used[mesh.element_net[e].index()] = true;

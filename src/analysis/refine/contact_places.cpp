@@ -81,7 +81,7 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
   // K changes by the pressure that one pair more takes: with the square of its distance
   // (tolerance.4).
   const double factor = std::max(least_factor, std::sqrt(may / wide.bar.edge));
-  const double ends = estimate::share_of_flip * wide.bar.flip;
+  const double ends = estimate::share_of_flip * wide.bar.set_change;
   for (const results::ContactResult& contact : wide.step.contacts) {
     for (std::size_t i = 1; i < contact.points.size() && ends > least_share * may; ++i) {
       const results::ContactPoint& a = contact.points[i - 1];

@@ -21,7 +21,7 @@ constexpr double most_in_round = 1.6; // elements of a patch grow with its cube
 
 double largest_K(const results::FrontResult& front) {
   double most = 0.0;
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     most = std::max(most, std::hypot(place.K1, place.K2, place.K3));
   }
   return most;
@@ -36,7 +36,7 @@ struct WantedFront {
   double K = 0.0; ///< the largest along it
 };
 
-void for_each_front(const model::Model& model, const results::Run& run,
+void for_each_front(const model::Model& model, const results::RunResult& run,
                     const std::function<void(const WantedFront&)>& look) {
   double largest = 0.0;
   for (const results::Increment& increment : run.increments) {
@@ -54,7 +54,7 @@ void for_each_front(const model::Model& model, const results::Run& run,
           const std::string& name = model.cracks[tip.crack.index()].name;
           const bool own = front.name == name || front.name.starts_with(name + ".");
           // What is below is what round-off leaves of a step without loads.
-          if (own && tip.tolerance && (K > 1e-9 * largest || !front.doubt.empty())) {
+          if (own && tip.tolerance && (K > 1e-9 * largest || !front.invalid_reason.empty())) {
             look({increment, step, front, tip.crack.index(), *tip.tolerance, K});
           }
         }
@@ -65,14 +65,14 @@ void for_each_front(const model::Model& model, const results::Run& run,
 
 } // namespace
 
-ToleranceShortfall front_shortfall(const model::Model& model, const results::Run& run) {
+ToleranceShortfall front_shortfall(const model::Model& model, const results::RunResult& run) {
   ToleranceShortfall worst;
   for_each_front(model, run, [&](const WantedFront& at) {
     if (!at.front.no_bar.empty()) {
       worst.no_bar = fmt::format("{}, step {}: {}", at.front.name, at.step.step, at.front.no_bar);
       return;
     }
-    for (const results::FrontPlace& place : at.front.points) {
+    for (const results::FrontPointResult& place : at.front.points) {
       for (std::size_t k = 0; k < 3 && !place.at_surface; ++k) {
         const double part = place.bar[k].size() / at.K;
         worst.below_floor = worst.below_floor || place.bar[k].floor >= at.tolerance * at.K;
@@ -89,12 +89,12 @@ ToleranceShortfall front_shortfall(const model::Model& model, const results::Run
   return worst;
 }
 
-std::vector<double> front_refinement(const model::Model& model, const results::Run& run) {
+std::vector<double> front_refinement(const model::Model& model, const results::RunResult& run) {
   std::vector<double> finer(model.cracks.size(), 1.0);
   for_each_front(model, run, [&](const WantedFront& at) {
-    for (const results::FrontPlace& place : at.front.points) {
+    for (const results::FrontPointResult& place : at.front.points) {
       for (std::size_t k = 0; k < 3 && !place.at_surface && at.front.no_bar.empty(); ++k) {
-        const results::KBar& bar = place.bar[k];
+        const results::KErrorBar& bar = place.bar[k];
         const double room = aim_along * (at.tolerance * at.K - bar.floor);
         const double over = room > 0.0 ? bar.mesh / room : std::pow(most_in_round, order_along);
         finer[at.crack] =

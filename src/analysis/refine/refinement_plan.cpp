@@ -188,7 +188,7 @@ void add_elements(const model::Model& model, const results::Increment& increment
   }
 }
 
-Demands demands_of(const model::Model& model, const results::Run& run) {
+Demands demands_of(const model::Model& model, const results::RunResult& run) {
   const std::vector<ExcessiveErrorBar> bars = wide_error_bars(model, run);
   Demands demands;
   demands.patch.assign(model.cracks.size(), 1.0);
@@ -218,7 +218,8 @@ RefinementPlan::RefinementPlan(const model::Model& model) : finer_(model.cracks.
   }
 }
 
-std::string RefinementPlan::refine_fronts(const model::Model& model, const results::Run& run) {
+std::string RefinementPlan::refine_fronts(const model::Model& model,
+                                          const results::RunResult& run) {
   std::vector<std::string> made;
   patch_growth_ = 1.0;
   const std::vector<double> finer = front_refinement(model, run);
@@ -233,7 +234,7 @@ std::string RefinementPlan::refine_fronts(const model::Model& model, const resul
   return fmt::format("{}", fmt::join(made, "; "));
 }
 
-std::string RefinementPlan::refine(const model::Model& model, const results::Run& run) {
+std::string RefinementPlan::refine(const model::Model& model, const results::RunResult& run) {
   if (model.mesh.dim == 3) {
     return refine_fronts(model, run);
   }

@@ -19,7 +19,7 @@ public:
 
   /// Takes the errors of a solution into account. Returns what is made finer, in words; empty if
   /// nothing is left that would help.
-  std::string refine(const model::Model& model, const results::Run& run);
+  std::string refine(const model::Model& model, const results::RunResult& run);
 
   /// For deck::read_deck.
   [[nodiscard]] const std::map<std::string, deck::Refinement>& refinements() const { return nets_; }
@@ -30,7 +30,7 @@ public:
   [[nodiscard]] double patch_growth() const { return patch_growth_; }
 
 private:
-  std::string refine_fronts(const model::Model& model, const results::Run& run);
+  std::string refine_fronts(const model::Model& model, const results::RunResult& run);
 
   double patch_growth_ = 1.0;
   std::map<std::string, deck::Refinement> nets_;

@@ -37,7 +37,8 @@ std::optional<double> tolerance_of(const model::Model& model, base::CrackId crac
 // K below this part of the largest of the run is what round-off leaves of unloaded steps.
 constexpr double no_K = 1e-9;
 
-template <class F> void for_each_tip(const model::Model& model, const results::Run& run, F&& f) {
+template <class F>
+void for_each_tip(const model::Model& model, const results::RunResult& run, F&& f) {
   double largest = 0.0;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
@@ -50,7 +51,8 @@ template <class F> void for_each_tip(const model::Model& model, const results::R
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
         const std::optional<double> tolerance = tolerance_of(model, crack_of(model, tip.name));
-        const bool loaded = std::hypot(tip.K1, tip.K2) > no_K * largest || !tip.doubt.empty();
+        const bool loaded =
+            std::hypot(tip.K1, tip.K2) > no_K * largest || !tip.invalid_reason.empty();
         if (tolerance && loaded) {
           f(increment, step, tip, *tolerance);
         }
@@ -61,7 +63,8 @@ template <class F> void for_each_tip(const model::Model& model, const results::R
 
 } // namespace
 
-std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model, const results::Run& run) {
+std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model,
+                                               const results::RunResult& run) {
   std::vector<ExcessiveErrorBar> list;
   for_each_tip(model, run,
                [&](const results::Increment& increment, const results::StepResult& step,
@@ -83,7 +86,7 @@ std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model, const 
   return list;
 }
 
-ToleranceShortfall shortfall(const model::Model& model, const results::Run& run) {
+ToleranceShortfall shortfall(const model::Model& model, const results::RunResult& run) {
   ToleranceShortfall worst;
   for_each_tip(model, run,
                [&](const results::Increment& increment, const results::StepResult& step,
@@ -92,7 +95,8 @@ ToleranceShortfall shortfall(const model::Model& model, const results::Run& run)
                    worst.no_bar = fmt::format("{}, step {}: {}", tip.name, step.step, tip.no_bar);
                    return;
                  }
-                 if (const std::string parted = sense::parting_at(step, tip); !parted.empty()) {
+                 if (const std::string parted = sense::describe_tip_mismatch(step, tip);
+                     !parted.empty()) {
                    worst.parted = fmt::format("{}, step {}: {}", tip.name, step.step, parted);
                  }
                  const double K = std::hypot(tip.K1, tip.K2);

@@ -18,14 +18,14 @@ struct ToleranceShortfall {
   std::string parted;       ///< "C1, step LOAD: .." of a tip with TOL, see two_ways.hpp; or empty
   std::string no_bar;       ///< of a tip with TOL: why it has no bar; empty: all have one
 };
-ToleranceShortfall shortfall(const model::Model& model, const results::Run& run);
+ToleranceShortfall shortfall(const model::Model& model, const results::RunResult& run);
 
 /// One K whose bar is too large.
 struct ExcessiveErrorBar {
   const results::Increment& increment;
   const results::StepResult& step;
   const results::TipResult& tip;
-  const results::KBar& bar;
+  const results::KErrorBar& bar;
   int mode = 1;
   base::CrackId crack;
   double allowed = 0.0; ///< [stress intensity]
@@ -33,6 +33,7 @@ struct ExcessiveErrorBar {
 };
 
 /// Of all increments, steps and tips with TOL. They look into `run`.
-std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model, const results::Run& run);
+std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model,
+                                               const results::RunResult& run);
 
 } // namespace spricka::analysis

@@ -17,7 +17,7 @@ bool continues_below_closing(const model::Model& model);
 /// K of a state of the cracks whose faces may overlap, all other contacts as the deck has them.
 struct OverlapResults {
   std::vector<std::vector<results::TipResult>> steps; ///< [step] tips
-  std::vector<results::LoadPath> paths;               ///< [load path]
+  std::vector<results::LoadPathResult> paths;         ///< [load path]
 };
 
 /// Of a tip at a step; null: there is none.

@@ -86,7 +86,7 @@ bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnost
     }
   }
   return check_force_nodes(model, scene, diagnostics) && good &&
-         sense::loads_are_sound(model, mesh, diagnostics) &&
+         sense::check_load_totals(model, mesh, diagnostics) &&
          prescribe_dependents(model, scene, diagnostics);
 }
 

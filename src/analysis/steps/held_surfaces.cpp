@@ -69,14 +69,14 @@ void warn_of_held_rows(const Discretisation& scene,
     const std::string& name = scene.contacts[c].name;
     if (found[c].overlap > least) {
       const base::Vec3& x = scene.cracked.mesh.x[found[c].node.index()];
-      notes.push_back(results::no_answer(fmt::format(
+      notes.push_back(results::invalid_result_note(fmt::format(
           "contact {}: both sides are held or prescribed where they overlap by up to "
           "{:.3g}, at ({:.5g}, {:.5g}): contact cannot press there; free one of them along the "
           "normal",
           name, found[c].overlap, x.x(), x.y())));
     }
     if (found[c].slip > least && motion.pressed[c]) {
-      notes.push_back(results::less_exact(fmt::format(
+      notes.push_back(results::less_exact_note(fmt::format(
           "contact {}: both sides are held or prescribed where they slide by up to "
           "{:.3g}: what friction does there is in no reaction, shear or work; free one of them "
           "along the surface",

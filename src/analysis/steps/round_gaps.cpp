@@ -118,7 +118,7 @@ void warn_of_facet_gaps(const Discretisation& scene, const contact::ContactSyste
     const double most =
         change(pressures(scene, drawn, smooth, c), pressures(scene, round, other, c));
     if (most > worst_change) {
-      notes.push_back(results::less_exact(fmt::format(
+      notes.push_back(results::less_exact_note(fmt::format(
           "contact {}: its gap is measured between element edges, which leave the circles "
           "through their nodes by {:.2g}: between those circles pressures differ by up to {:.2g} % "
           "of the largest; declare GAP, INTERFERENCE or DIAMETRAL, or use more or curved elements",

@@ -114,7 +114,7 @@ struct Halving {
 
 void note_slips(const Halving& cut, bool given, StepState& state) {
   if (cut.slip_error() > work_tolerance) {
-    state.notes.push_back(results::less_exact(
+    state.notes.push_back(results::less_exact_note(
         fmt::format("with friction followed in {} increments, its work or the largest slip is off "
                     "by about {:.2g} %: {}",
                     cut.now, 100.0 * cut.slip_error(),
@@ -132,12 +132,12 @@ void note_increments(const Halving& cut, bool given, StepState& state) {
     state.notes.push_back(results::note(
         fmt::format("friction walked in {} increments: {} (root mean square)", cut.now, off)));
   } else if (given) {
-    state.notes.push_back(results::less_exact(fmt::format(
+    state.notes.push_back(results::less_exact_note(fmt::format(
         "SUBSTEPS={} leaves the {} (root mean square, from the change between {} and {} "
         "increments); without SUBSTEPS the step is cut until 1 % is left",
         cut.now, off, std::min(cut.before, cut.now), std::max(cut.before, cut.now))));
   } else {
-    state.notes.push_back(results::less_exact(fmt::format(
+    state.notes.push_back(results::less_exact_note(fmt::format(
         "friction walked in {} increments leaves the {} (root mean square): SUBSTEPS may "
         "ask for more",
         cut.now, off)));
@@ -337,7 +337,7 @@ void StepSolver::note_uniqueness(const StepIncrementation& walk, StepState& stat
   if (!certain_ && walk.problem.rows.size() <= most_rows_tested &&
       solve::has_other_solutions({system_->condensed(walk.problem), walk.problem.friction, {}},
                                  {walk.solution.contact, walk.solution.touch, false})) {
-    state.notes.push_back(results::odd(
+    state.notes.push_back(results::questionable_note(
         "with this much friction the end of the step is one of several solutions: shear, pressures "
         "and K are those of one of them"));
   }

@@ -22,7 +22,7 @@ namespace spricka::program {
 
 namespace {
 
-double tip_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
+double tip_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run) {
   const std::string tip = args.name("a crack");
   const std::string step = args.name("a step");
   const Place at = find_place(run, step, args.number());
@@ -33,17 +33,17 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
                       : fmt::format("no tip {}", tip));
   }
   const results::TipQuantity& asked = *results::find_tip_quantity(quantity);
-  if (!found->doubt.empty() &&
-      !(found->two_materials && asked.given == results::TipGiven::always)) {
-    throw Missing(found->doubt);
+  if (!found->invalid_reason.empty() &&
+      !(found->two_materials && asked.given == results::TipQuantityCondition::always)) {
+    throw Missing(found->invalid_reason);
   }
-  if (asked.given == results::TipGiven::with_bar && !found->no_bar.empty()) {
+  if (asked.given == results::TipQuantityCondition::with_bar && !found->no_bar.empty()) {
     throw Missing("no error bar: " + found->no_bar);
   }
-  return asked.of(*found);
+  return asked.extract_value(*found);
 }
 
-double reaction(const model::Model& model, Arguments& args, const results::Run& run) {
+double reaction(const model::Model& model, Arguments& args, const results::RunResult& run) {
   const std::string set = args.name("a set");
   const std::string step = args.name("a step");
   const Eigen::Index axis = axis_of(args.name("X, Y or Z"));
@@ -64,56 +64,58 @@ double reaction(const model::Model& model, Arguments& args, const results::Run& 
   return sum;
 }
 
-double energy(Arguments& args, const results::Run& run) {
+double energy(Arguments& args, const results::RunResult& run) {
   const std::string net = args.name("a net or *");
   const std::string step = args.name("a step");
   const results::StepResult& at = *find_place(run, step, args.number()).step;
   if (net == "*") {
     return at.energy;
   }
-  const auto found = std::ranges::find(at.nets, net, &results::Balance::body);
+  const auto found = std::ranges::find(at.nets, net, &results::ForceBalance::body);
   if (found == at.nets.end()) {
     throw Missing(fmt::format("net {} has no elements", net));
   }
   return found->energy;
 }
 
-double estimated_error(Arguments& args, const results::Run& run) {
+double estimated_error(Arguments& args, const results::RunResult& run) {
   const std::string net = args.name("a net or *");
   const std::string step = args.name("a step");
   const results::StepResult& at = *find_place(run, step, args.number()).step;
-  const auto found = std::ranges::find(at.errors, net, &results::NetError::net);
+  const auto found = std::ranges::find(at.errors, net, &results::NetErrorEstimate::net);
   if (found == at.errors.end()) {
     throw Missing(fmt::format("net {} has no elements outside crack patches", net));
   }
   return found->part;
 }
 
-results::Cause cause_of(const std::string& quantity) {
+results::SensitivityParameter cause_of(const std::string& quantity) {
   if (quantity.ends_with(".LOAD")) {
-    return results::Cause::load;
+    return results::SensitivityParameter::load;
   }
   if (quantity.ends_with(".FIT")) {
-    return results::Cause::fit;
+    return results::SensitivityParameter::fit;
   }
-  return quantity.ends_with(".E") ? results::Cause::modulus : results::Cause::length;
+  return quantity.ends_with(".E") ? results::SensitivityParameter::modulus
+                                  : results::SensitivityParameter::length;
 }
 
 // Value times derivative. At a change of contact there are two derivatives and no answer.
-double derivative(const std::string& quantity, Arguments& args, const results::Run& run) {
-  const results::Cause cause = cause_of(quantity);
+double derivative(const std::string& quantity, Arguments& args, const results::RunResult& run) {
+  const results::SensitivityParameter cause = cause_of(quantity);
   const std::string tip = args.name("a crack");
   const std::string step = args.name("a step");
-  const std::string name = cause == results::Cause::length ? tip : args.name("a name");
+  const std::string name =
+      cause == results::SensitivityParameter::length ? tip : args.name("a name");
   const results::TipResult* found =
       results::find_tip(*find_place(run, step, args.number()).step, tip);
   if (found == nullptr) {
     throw Missing(fmt::format("no tip {}", tip));
   }
-  if (!found->doubt.empty()) {
-    throw Missing(found->doubt);
+  if (!found->invalid_reason.empty()) {
+    throw Missing(found->invalid_reason);
   }
-  const results::Sensitivities& all = found->sensitivities;
+  const results::TipSensitivityResults& all = found->sensitivities;
   const auto it = std::ranges::find_if(
       all.of, [&](const results::Sensitivity& s) { return s.cause == cause && s.name == name; });
   if (it == all.of.end()) {
@@ -132,7 +134,7 @@ double derivative(const std::string& quantity, Arguments& args, const results::R
 }
 
 // Cycles until the first of the growing tips has a length, or to the end.
-double cycles(const std::string& quantity, Arguments& args, const results::Run& run) {
+double cycles(const std::string& quantity, Arguments& args, const results::RunResult& run) {
   if (!run.growth) {
     throw Missing("no crack grows by a law");
   }
@@ -140,7 +142,7 @@ double cycles(const std::string& quantity, Arguments& args, const results::Run& 
     throw Missing("the growth ended early: " + run.growth->reason);
   }
   if (quantity == "LIFE") {
-    return run.growth->cycles();
+    return run.growth->final_cycles();
   }
   const std::optional<double> a = args.number();
   double first = std::numeric_limits<double>::infinity();
@@ -157,7 +159,7 @@ double cycles(const std::string& quantity, Arguments& args, const results::Run& 
 // A line of $CHECK: its word, and what is left of its arguments.
 struct Line {
   const model::Model& model;
-  const results::Run& run;
+  const results::RunResult& run;
   const std::string& word;
   Arguments args;
 };
@@ -199,7 +201,7 @@ Reader reader_of(std::string_view word) {
 }
 
 double evaluate(const model::Model& model, const model::ResultCheck& check,
-                const results::Run& run) {
+                const results::RunResult& run) {
   const Reader read = reader_of(check.quantity);
   if (read == nullptr) {
     throw Missing(fmt::format("{} is not available in this version", check.quantity));
@@ -221,7 +223,8 @@ std::string bar_word(const std::string& word) {
   return one ? word.substr(0, 2) + ".BAR" + place : std::string();
 }
 
-double bar_of(const model::Model& model, const model::ResultCheck& check, const results::Run& run) {
+double bar_of(const model::Model& model, const model::ResultCheck& check,
+              const results::RunResult& run) {
   model::ResultCheck asked = check;
   asked.quantity = bar_word(check.quantity);
   if (!asked.quantity.empty() && is_available(asked.quantity)) {
@@ -251,7 +254,7 @@ bool is_available(std::string_view word) {
 }
 
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
-                                                  const results::Run& run) {
+                                                  const results::RunResult& run) {
   std::vector<results::CheckResult> all;
   for (const model::ResultCheck& check : model.checks) {
     results::CheckResult result;

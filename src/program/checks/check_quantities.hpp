@@ -13,7 +13,7 @@ namespace spricka::program {
 /// Evaluates every line of $CHECK on the results. A quantity that cannot be found (no such length,
 /// a point outside the body) fails with the reason in `trouble`.
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
-                                                  const results::Run& run);
+                                                  const results::RunResult& run);
 
 /// "K1.AT(C1,0,46.8,1.5,LOAD)".
 std::string check_text(const model::ResultCheck& check);

@@ -166,22 +166,25 @@ const results::ContactQuantity* find_member(std::string_view word) {
 bool plane_only(Argument argument, const std::string& word) {
   const results::ContactQuantity* const member = find_member(word);
   return argument == Argument::place || argument == Argument::part || word == "ARC.PARTS" ||
-         (member != nullptr && (member->given == results::ContactGiven::in_plane ||
-                                member->given == results::ContactGiven::where_it_sticks));
+         (member != nullptr &&
+          (member->given == results::ContactQuantityCondition::in_plane ||
+           member->given == results::ContactQuantityCondition::where_it_sticks));
 }
 
 double member_of(const results::ContactResult& contact, const results::ContactQuantity& quantity) {
-  const bool friction = quantity.given == results::ContactGiven::with_friction ||
-                        quantity.given == results::ContactGiven::with_friction_in_space ||
-                        quantity.given == results::ContactGiven::where_it_sticks;
+  const bool friction =
+      quantity.given == results::ContactQuantityCondition::with_friction ||
+      quantity.given == results::ContactQuantityCondition::with_friction_in_space ||
+      quantity.given == results::ContactQuantityCondition::where_it_sticks;
   if (friction && !contact.rubs) {
     throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
   }
-  if (quantity.given == results::ContactGiven::where_it_sticks && contact.sticking == 0) {
+  if (quantity.given == results::ContactQuantityCondition::where_it_sticks &&
+      contact.sticking == 0) {
     throw Missing("nothing sticks");
   }
-  const bool space = quantity.given == results::ContactGiven::in_space ||
-                     quantity.given == results::ContactGiven::with_friction_in_space;
+  const bool space = quantity.given == results::ContactQuantityCondition::in_space ||
+                     quantity.given == results::ContactQuantityCondition::with_friction_in_space;
   if (space && !contact.space) {
     throw Missing(fmt::format("contact {} is one of the plane, which has arcs", contact.name));
   }
@@ -205,7 +208,7 @@ bool is_contact_quantity(std::string_view word) {
 }
 
 double contact_quantity(const model::Model& model, const std::string& word, Arguments& args,
-                        const results::Run& run) {
+                        const results::RunResult& run) {
   const Word* const asked = find_word(word);
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");

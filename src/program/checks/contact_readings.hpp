@@ -14,6 +14,6 @@ bool is_contact_quantity(std::string_view word);
 
 /// The value of such a word. Throws Missing where there is none.
 double contact_quantity(const model::Model& model, const std::string& word, Arguments& args,
-                        const results::Run& run);
+                        const results::RunResult& run);
 
 } // namespace spricka::program

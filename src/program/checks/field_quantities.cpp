@@ -15,7 +15,7 @@
 
 namespace spricka::program {
 
-Place find_place(const results::Run& run, const std::string& step, std::optional<double> a) {
+Place find_place(const results::RunResult& run, const std::string& step, std::optional<double> a) {
   // From the end: without a length the last increment is meant.
   for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
     const results::StepResult* found = results::find_step(*it, step);
@@ -150,7 +150,7 @@ double displacement_at(const model::Mesh& mesh, const base::Vector& u, const bas
 } // namespace
 
 double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
-                      const results::Run& run) {
+                      const results::RunResult& run) {
   const FieldName field = split(quantity);
   if (field.how == "AT") {
     base::Vec3 x = base::Vec3::Zero();

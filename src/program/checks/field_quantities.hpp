@@ -58,7 +58,7 @@ struct Place {
 };
 
 /// The increment whose length is `a` (to 1e-6), or the last one when no length is given.
-Place find_place(const results::Run& run, const std::string& step, std::optional<double> a);
+Place find_place(const results::RunResult& run, const std::string& step, std::optional<double> a);
 
 /// Nodes of the node, face or element set of that name, perhaps several times.
 std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name);
@@ -68,6 +68,6 @@ Eigen::Index axis_of(const std::string& component);
 
 /// U.X.MAX, S.XX.AT and their like.
 double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
-                      const results::Run& run);
+                      const results::RunResult& run);
 
 } // namespace spricka::program

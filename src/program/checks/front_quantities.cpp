@@ -23,19 +23,21 @@ namespace {
 struct FrontWord {
   const results::FrontQuantity* quantity = nullptr;
   std::string_view where;
-  std::optional<results::Cause> by; ///< a derivative: "DK1.LOAD.AT"
+  std::optional<results::SensitivityParameter> by; ///< a derivative: "DK1.LOAD.AT"
 };
 
 // Of the crack itself: no name tells which.
-bool is_of_crack(results::Cause cause) {
-  return cause == results::Cause::length || cause == results::Cause::axis;
+bool is_of_crack(results::SensitivityParameter cause) {
+  return cause == results::SensitivityParameter::length ||
+         cause == results::SensitivityParameter::axis;
 }
 
-std::optional<results::Cause> cause_named(std::string_view word) {
-  for (const results::Cause cause :
-       {results::Cause::load, results::Cause::fit, results::Cause::modulus, results::Cause::length,
-        results::Cause::axis}) {
-    if (results::word_of(cause) == word) {
+std::optional<results::SensitivityParameter> cause_named(std::string_view word) {
+  for (const results::SensitivityParameter cause :
+       {results::SensitivityParameter::load, results::SensitivityParameter::fit,
+        results::SensitivityParameter::modulus, results::SensitivityParameter::length,
+        results::SensitivityParameter::axis}) {
+    if (results::display_word(cause) == word) {
       return cause;
     }
   }
@@ -48,7 +50,7 @@ FrontWord derivative_word(std::string_view of, std::string_view where) {
   if (point != 3 || (where != "AT" && where != "PHI")) {
     return {};
   }
-  const std::optional<results::Cause> by = cause_named(of.substr(point + 1));
+  const std::optional<results::SensitivityParameter> by = cause_named(of.substr(point + 1));
   return by ? FrontWord{results::find_front_quantity(of.substr(1, 2)), where, by} : FrontWord{};
 }
 
@@ -86,8 +88,8 @@ Fronts fronts_of(const std::vector<results::FrontResult>& all, const std::string
     throw Missing(fmt::format("no front of {}", crack));
   }
   for (const results::FrontResult* front : fronts) {
-    if (!front->doubt.empty()) {
-      throw Missing(front->doubt);
+    if (!front->invalid_reason.empty()) {
+      throw Missing(front->invalid_reason);
     }
   }
   return fronts;
@@ -108,8 +110,8 @@ double extreme(const Fronts& fronts, const FrontWord& word) {
   const double sign = word.where == "MAX" ? 1.0 : -1.0;
   std::optional<double> best;
   for (const results::FrontResult* front : fronts) {
-    for (const results::FrontPlace& place : front->points) {
-      const double value = sign * word.quantity->of(place);
+    for (const results::FrontPointResult& place : front->points) {
+      const double value = sign * word.quantity->extract_value(place);
       if (!place.at_surface && (!best || value > *best)) {
         best = value;
       }
@@ -141,7 +143,7 @@ Nearest nearest_of(const Fronts& fronts, const base::Vec3& x) {
   Nearest nearest;
   for (const results::FrontResult* front : fronts) {
     std::vector<base::Vec3> line;
-    for (const results::FrontPlace& place : front->points) {
+    for (const results::FrontPointResult& place : front->points) {
       line.push_back(place.x);
     }
     if (front->closed) {
@@ -181,14 +183,15 @@ bool is_front_quantity(std::string_view word) {
 namespace {
 
 // K1 < 0 is no answer, as at the end of a step; the place of t on the path.
-std::vector<results::FrontResult> fronts_at(const results::LoadPath& path, double t) {
+std::vector<results::FrontResult> fronts_at(const results::LoadPathResult& path, double t) {
   std::vector<results::FrontResult> fronts;
-  for (const results::PathFront& front : path.fronts) {
+  for (const results::LoadPathFront& front : path.fronts) {
     fronts.push_back(front.at(t));
-    for (const results::FrontPlace& place : fronts.back().points) {
+    for (const results::FrontPointResult& place : fronts.back().points) {
       const double other = std::max(std::abs(place.K2), std::abs(place.K3));
       if (!place.at_surface && place.K1 < 0.0 && std::abs(place.K1) > 1e-2 * other) {
-        fronts.back().doubt = "K1 is negative at some points there: the crack faces overlap";
+        fronts.back().invalid_reason =
+            "K1 is negative at some points there: the crack faces overlap";
       }
     }
   }
@@ -201,8 +204,8 @@ namespace {
 
 // Value times derivative in the place of K. At a change of contact there are two of them and no
 // answer.
-results::FrontResult derivative_of(const results::FrontResult& front, results::Cause cause,
-                                   const std::string& name) {
+results::FrontResult derivative_of(const results::FrontResult& front,
+                                   results::SensitivityParameter cause, const std::string& name) {
   const auto& all = front.sensitivities.of;
   const auto it = std::ranges::find_if(all, [&](const results::FrontSensitivity& s) {
     return s.cause == cause && (is_of_crack(cause) || s.name == name);
@@ -212,12 +215,12 @@ results::FrontResult derivative_of(const results::FrontResult& front, results::C
                       ? fmt::format("{} has no value in that step", name)
                       : front.sensitivities.notes.front());
   }
-  if (!it->smooth()) {
+  if (!it->is_smooth()) {
     throw Missing("the contact changes at this very state: there are two derivatives");
   }
   results::FrontResult out = front;
   for (std::size_t i = 0; i < out.points.size(); ++i) {
-    results::FrontPlace& place = out.points[i];
+    results::FrontPointResult& place = out.points[i];
     place.K1 = it->value * it->above[i][0];
     place.K2 = it->value * it->above[i][1];
     place.K3 = it->value * it->above[i][2];
@@ -235,7 +238,7 @@ struct Asked {
   Fronts fronts;
 };
 
-Asked asked_of(const std::string& text, Arguments& args, const results::Run& run) {
+Asked asked_of(const std::string& text, Arguments& args, const results::RunResult& run) {
   const bool on_path = text.starts_with(of_path);
   Asked asked;
   asked.word = front_word(text);
@@ -273,7 +276,7 @@ constexpr double about = 0.05;
 
 } // namespace
 
-double front_quantity(const std::string& text, Arguments& args, const results::Run& run) {
+double front_quantity(const std::string& text, Arguments& args, const results::RunResult& run) {
   const Asked asked = asked_of(text, args, run);
   if (asked.word.where == "AT") {
     return at_place(asked.fronts, asked.word, asked.x);
@@ -283,7 +286,7 @@ double front_quantity(const std::string& text, Arguments& args, const results::R
 }
 
 std::optional<std::string> far_from_front(const model::ResultCheck& check, const std::string& unit,
-                                          const results::Run& run) {
+                                          const results::RunResult& run) {
   if (front_word(check.quantity).where != "AT") {
     return std::nullopt;
   }

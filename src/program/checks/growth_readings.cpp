@@ -49,22 +49,23 @@ std::optional<AtLength> on_axis(const results::StepResult& at, const model::Mode
                                 const model::GrowthTestReadings& test) {
   const model::CrackDefinition& crack = model.cracks[test.crack.index()];
   for (const results::FrontResult& front : at.fronts) {
-    if (results::crack_of_front(model, front.name) != &crack || !front.doubt.empty()) {
+    if (results::find_crack_by_front(model, front.name) != &crack ||
+        !front.invalid_reason.empty()) {
       continue;
     }
     std::vector<base::Vec3> points;
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       points.push_back(place.x);
     }
-    const std::vector<results::AxisEnd> ends = results::axis_ends(crack, points, front.closed);
-    const auto end = std::ranges::find(ends, !test.on_c, &results::AxisEnd::on_a);
+    const std::vector<results::FrontAxisEnd> ends = results::axis_ends(crack, points, front.closed);
+    const auto end = std::ranges::find(ends, !test.on_c, &results::FrontAxisEnd::on_a);
     if (end != ends.end()) {
       const auto [a, c] = results::half_axes(ends);
-      return AtLength{
-          .tip = end->tip,
-          .a = test.on_c ? c : a,
-          .K1 = end->between(front.points[end->from].smooth[0], front.points[end->to].smooth[0]),
-          .other = test.on_c ? a : c};
+      return AtLength{.tip = end->tip,
+                      .a = test.on_c ? c : a,
+                      .K1 = end->interpolate(front.points[end->from].smooth[0],
+                                             front.points[end->to].smooth[0]),
+                      .other = test.on_c ? a : c};
     }
   }
   return std::nullopt;
@@ -83,7 +84,7 @@ std::optional<AtLength> found_at(const results::Increment& increment, base::Step
   const std::string& crack = model.cracks[test.crack.index()].name;
   const results::TipResult* tip = results::find_tip(*at, crack);
   tip = tip != nullptr ? tip : results::find_tip(*at, crack + ".1");
-  return tip == nullptr || !tip->doubt.empty()
+  return tip == nullptr || !tip->invalid_reason.empty()
              ? std::nullopt
              : std::optional(AtLength{.tip = tip->name, .a = tip->a, .K1 = tip->K1});
 }
@@ -91,7 +92,7 @@ std::optional<AtLength> found_at(const results::Increment& increment, base::Step
 /// K and R of the increments between their lengths.
 class ComputedK {
 public:
-  ComputedK(const model::Model& model, const results::Run& run,
+  ComputedK(const model::Model& model, const results::RunResult& run,
             const model::GrowthTestReadings& test) {
     const model::CrackGrowthSettings& growth = *model.growth;
     std::vector<std::array<double, 4>> found; // log a, log K, R, other half axis
@@ -207,9 +208,9 @@ std::string reference_words(const model::Model& model, const model::GrowthTestRe
 
 // Cycles over the lengths that test and computation share.
 void compare_lives(const ComputedK& computed, const life::GrowthRateLaw& law,
-                   results::GrowthTest& test) {
-  std::vector<const results::TestPoint*> shared;
-  for (const results::TestPoint& p : test.points) {
+                   results::GrowthTestResult& test) {
+  std::vector<const results::GrowthTestPoint*> shared;
+  for (const results::GrowthTestPoint& p : test.points) {
     if (!std::isnan(p.computed) && (shared.empty() || p.a > shared.back()->a)) {
       shared.push_back(&p);
     }
@@ -231,7 +232,7 @@ void compare_lives(const ComputedK& computed, const life::GrowthRateLaw& law,
 }
 
 // What is missing in the points, counted.
-void add_notes(results::GrowthTest& test) {
+void add_notes(results::GrowthTestResult& test) {
   const auto count = [&](auto&& condition) {
     return std::ranges::count_if(test.points, condition);
   };
@@ -244,22 +245,22 @@ void add_notes(results::GrowthTest& test) {
         outside, test.points.size())));
   }
   if (none > 0) {
-    test.notes.push_back(results::odd(
+    test.notes.push_back(results::questionable_note(
         fmt::format("{} of {} points have a rate that no K of the reference gives (scatter made it "
                     "negative, or it is below the threshold); they are left out",
                     none, test.points.size())));
   }
   if (beyond > 0) {
     test.notes.push_back(
-        results::odd(fmt::format("{} of {} points have a rate beyond the rows of the "
-                                 "reference, which was drawn straight on",
-                                 beyond, test.points.size())));
+        results::questionable_note(fmt::format("{} of {} points have a rate beyond the rows of the "
+                                               "reference, which was drawn straight on",
+                                               beyond, test.points.size())));
   }
 }
 
 // Where both half axes were read, K is of the shape that was computed.
 void compare_shapes(const ComputedK& computed, const model::GrowthTestReadings& card,
-                    results::GrowthTest& test) {
+                    results::GrowthTestResult& test) {
   constexpr double alike = 0.05;
   double most = 0.0;
   double where = 0.0;
@@ -272,17 +273,17 @@ void compare_shapes(const ComputedK& computed, const model::GrowthTestReadings& 
     }
   }
   if (std::abs(most) > alike) {
-    test.notes.push_back(results::odd(fmt::format(
+    test.notes.push_back(results::questionable_note(fmt::format(
         "the crack that was read has another shape than the one that was computed: at {} = {:.4g} "
         "its {} is {:+.0f} % off. K is of the computed shape",
         card.on_c ? "c" : "a", where, card.on_c ? "a" : "c", 100.0 * most)));
   }
 }
 
-results::GrowthTest invert(const model::Model& model, const results::Run& run,
-                           const model::GrowthTestReadings& card) {
+results::GrowthTestResult invert(const model::Model& model, const results::RunResult& run,
+                                 const model::GrowthTestReadings& card) {
   const ComputedK computed(model, run, card);
-  results::GrowthTest test;
+  results::GrowthTestResult test;
   test.name = card.name;
   test.tip = computed.tip();
   test.method = word_of(card);
@@ -318,8 +319,8 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
   return test;
 }
 
-const results::GrowthTest& test_of(const results::Run& run, const std::string& name) {
-  const auto found = std::ranges::find(run.tests, name, &results::GrowthTest::name);
+const results::GrowthTestResult& test_of(const results::RunResult& run, const std::string& name) {
+  const auto found = std::ranges::find(run.tests, name, &results::GrowthTestResult::name);
   if (found == run.tests.end()) {
     throw Missing(fmt::format("no test {}", name));
   }
@@ -328,16 +329,17 @@ const results::GrowthTest& test_of(const results::Run& run, const std::string& n
 
 } // namespace
 
-std::vector<results::GrowthTest> invert_tests(const model::Model& model, const results::Run& run) {
-  std::vector<results::GrowthTest> tests;
+std::vector<results::GrowthTestResult> invert_tests(const model::Model& model,
+                                                    const results::RunResult& run) {
+  std::vector<results::GrowthTestResult> tests;
   for (const model::GrowthTestReadings& card : model.tests) {
     tests.push_back(invert(model, run, card));
   }
   return tests;
 }
 
-double test_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
-  const results::GrowthTest& test = test_of(run, args.name("a test"));
+double test_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run) {
+  const results::GrowthTestResult& test = test_of(run, args.name("a test"));
   if (quantity == "TEST.SCATTER") {
     return test.scatter;
   }
@@ -357,7 +359,7 @@ double test_quantity(const std::string& quantity, Arguments& args, const results
   }
   const double from = args.number().value_or(0.0);
   const double to = args.number().value_or(std::numeric_limits<double>::infinity());
-  const results::TestComparison found = results::compare(test, from, to);
+  const results::GrowthTestComparison found = results::compare_test_k(test, from, to);
   if (found.points == 0) {
     throw Missing(
         fmt::format("test {} has no point there with a measured and a computed K", test.name));

@@ -7,10 +7,10 @@ namespace spricka::program {
 
 namespace {
 
-const results::LoadPath& path_of(const results::Run& run, const std::string& name,
-                                 std::optional<double> a) {
+const results::LoadPathResult& path_of(const results::RunResult& run, const std::string& name,
+                                       std::optional<double> a) {
   for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
-    const results::LoadPath* path = results::find_path(*it, name);
+    const results::LoadPathResult* path = results::find_path(*it, name);
     if (path == nullptr || (a && std::abs(it->a - *a) > 1e-6 * std::abs(*a))) {
       continue;
     }
@@ -23,13 +23,13 @@ const results::LoadPath& path_of(const results::Run& run, const std::string& nam
                   : fmt::format("no results of load path {}", name));
 }
 
-const results::PathTip& tip_of(const results::LoadPath& path, const std::string& name) {
-  const results::PathTip* tip = results::find_tip(path, name);
+const results::LoadPathTip& tip_of(const results::LoadPathResult& path, const std::string& name) {
+  const results::LoadPathTip* tip = results::find_tip(path, name);
   if (tip == nullptr) {
     throw Missing(fmt::format("no tip {}", name));
   }
-  if (!tip->doubt.empty()) {
-    throw Missing(tip->doubt);
+  if (!tip->invalid_reason.empty()) {
+    throw Missing(tip->invalid_reason);
   }
   return *tip;
 }
@@ -42,12 +42,12 @@ void refuse_closed(double K1, double K2) {
   }
 }
 
-double at_place(const std::string& quantity, Arguments& args, const results::Run& run) {
+double at_place(const std::string& quantity, Arguments& args, const results::RunResult& run) {
   const std::string tip_name = args.name("a crack");
   const std::string path_name = args.name("a load path");
   const double t = args.needed("a place t");
-  const results::LoadPath& path = path_at(run, path_name, t, args.number());
-  const results::PathTip& tip = tip_of(path, tip_name);
+  const results::LoadPathResult& path = path_at(run, path_name, t, args.number());
+  const results::LoadPathTip& tip = tip_of(path, tip_name);
   refuse_closed(tip.K1(t), tip.K2(t));
   if (quantity == "PATH.SLOPE") {
     std::size_t s = tip.K1.find_segment(t);
@@ -57,14 +57,14 @@ double at_place(const std::string& quantity, Arguments& args, const results::Run
   return quantity == "PATH.K2" ? tip.K2(t) : tip.K1(t);
 }
 
-double of_two(Arguments& args, const results::Run& run) {
+double of_two(Arguments& args, const results::RunResult& run) {
   const std::string tip_name = args.name("a crack");
   const std::string path_name = args.name("a load path");
   const double from = args.needed("a factor of FROM");
   const double to = args.needed("a factor of TO");
-  const results::LoadPath& path = path_of(run, path_name, args.number());
-  const results::PathTip& tip = tip_of(path, tip_name);
-  const std::optional<double> K1 = results::k_of_two(path, tip, 1, from, to);
+  const results::LoadPathResult& path = path_of(run, path_name, args.number());
+  const results::LoadPathTip& tip = tip_of(path, tip_name);
+  const std::optional<double> K1 = results::k_at_load_combination(path, tip, 1, from, to);
   if (!K1) {
     throw Missing(path.homogeneous
                       ? fmt::format("load path {} does not cover that ratio", path_name)
@@ -72,15 +72,15 @@ double of_two(Arguments& args, const results::Run& run) {
                                     "factors must add up to 1",
                                     path_name));
   }
-  refuse_closed(*K1, results::k_of_two(path, tip, 2, from, to).value_or(0.0));
+  refuse_closed(*K1, results::k_at_load_combination(path, tip, 2, from, to).value_or(0.0));
   return *K1;
 }
 
 } // namespace
 
-const results::LoadPath& path_at(const results::Run& run, const std::string& name, double t,
-                                 std::optional<double> a) {
-  const results::LoadPath& path = path_of(run, name, a);
+const results::LoadPathResult& path_at(const results::RunResult& run, const std::string& name,
+                                       double t, std::optional<double> a) {
+  const results::LoadPathResult& path = path_of(run, name, a);
   if (!(t >= path.t.front() && t <= path.t.back())) {
     throw Missing(fmt::format("load path {} goes from t = {:.6g} to {:.6g}{}{}", name,
                               path.t.front(), path.t.back(), path.stopped.empty() ? "" : ": ",
@@ -89,7 +89,7 @@ const results::LoadPath& path_at(const results::Run& run, const std::string& nam
   return path;
 }
 
-double path_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
+double path_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run) {
   if (quantity == "PATH.K1.SUM") {
     return of_two(args, run);
   }
@@ -100,8 +100,8 @@ double path_quantity(const std::string& quantity, Arguments& args, const results
   if (quantity == "PATH.OPENING") {
     const std::string contact_name = args.name("a contact");
     const std::string name = args.name("a load path");
-    const results::LoadPath& path = path_of(run, name, args.number());
-    const results::PathContact* contact = results::find_contact(path, contact_name);
+    const results::LoadPathResult& path = path_of(run, name, args.number());
+    const results::LoadPathContact* contact = results::find_contact(path, contact_name);
     if (contact == nullptr) {
       throw Missing(fmt::format("contact {} is not mounted", contact_name));
     }

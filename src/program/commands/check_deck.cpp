@@ -116,7 +116,7 @@ public:
       if (i == 0) {
         look_closely(scene, length->bodies());
       }
-      results::LengthPreview figures = preview_length(model_, scene);
+      results::CrackLengthPreview figures = preview_length(model_, scene);
       figures.number = static_cast<int>(i) + 1;
       if (forecast) {
         future.add(length->request(), length->bodies(), scene, scene_cpu, figures);
@@ -125,7 +125,7 @@ public:
     }
   }
 
-  results::Preview preview;
+  results::DeckPreview preview;
   base::Diagnostics diagnostics;              ///< mistakes of cards
   std::vector<base::OperationFailure> unheld; ///< what the whole model shows
   double stations = 1.0;                      ///< that a growth by a law takes at least
@@ -140,9 +140,10 @@ private:
     preview.pairs = preview_pairs(scene);
     preview.bodies = analysis::rigid_mode_support(model_, scene, bodies);
     preview.loads = sense::load_totals(model_);
-    preview.mirrors = sense::find_mirrors(model_);
-    for (results::MirrorPreview& mirror : preview.mirrors) {
-      mirror.no_half = mirror.against.empty() ? sense::against_half(model_, mirror.axis) : "";
+    preview.mirrors = sense::find_symmetry_planes(model_);
+    for (results::SymmetryPlanePreview& mirror : preview.mirrors) {
+      mirror.no_half =
+          mirror.against.empty() ? sense::half_model_obstacle(model_, mirror.axis) : "";
     }
     unheld = analysis::unsupported_loads(model_, scene, bodies);
   }
@@ -164,7 +165,7 @@ base::Outcome verdict(const base::SourceTexts& sources, const Previewer& found, 
 
 // The points of a sweep, read and put together one after another.
 base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, const Log& log,
-                           results::Preview& preview) {
+                           results::DeckPreview& preview) {
   base::Outcome worst = base::Outcome::done;
   if (deck.model->sweeps.empty()) {
     return worst;
@@ -198,9 +199,9 @@ base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, con
   return worst;
 }
 
-void add_sums(double read_cpu, double stations, results::Preview& preview) {
+void add_sums(double read_cpu, double stations, results::DeckPreview& preview) {
   preview.seconds = read_cpu;
-  for (const results::LengthPreview& length : preview.lengths) {
+  for (const results::CrackLengthPreview& length : preview.lengths) {
     preview.flops += stations * length.flops;
     preview.seconds += stations * length.seconds;
     preview.memory = std::max(preview.memory, length.memory);
@@ -209,7 +210,7 @@ void add_sums(double read_cpu, double stations, results::Preview& preview) {
 }
 
 // What no step before its own knows of, which a deck shows only by what it does not say.
-void add_late_contacts(const model::Model& model, results::Preview& preview) {
+void add_late_contacts(const model::Model& model, results::DeckPreview& preview) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const auto mounts = [&](const model::Step& step) {
       return std::ranges::any_of(step.actions, [&](const model::Action& action) {
@@ -232,7 +233,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
   Previewer look(model, thread_count(options, model));
   look.look(true);
   const base::Outcome own = verdict(deck.sources, look, log);
-  results::Preview& preview = look.preview;
+  results::DeckPreview& preview = look.preview;
   preview.deck = base::printable(options.deck.string());
   preview.title = model.title;
   preview.length_unit = model.units.length_name;

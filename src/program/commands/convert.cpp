@@ -82,7 +82,7 @@ void refuse_to_replace_input(const ConvertOptions& options, const base::SourceTe
   for (const std::filesystem::path& file : read) {
     std::error_code unknown;
     if (std::filesystem::equivalent(file, options.out, unknown)) {
-      throw archive::FileTrouble("E464",
+      throw archive::FileFailure("E464",
                                  fmt::format("{} is read here, and is not overwritten; give OUT "
                                              "another name",
                                              options.out.string()));
@@ -94,7 +94,7 @@ void refuse_to_replace_input(const ConvertOptions& options, const base::SourceTe
 void refuse_to_replace_output(const ConvertOptions& options) {
   std::error_code unknown;
   if (!options.replace && std::filesystem::is_regular_file(options.out, unknown)) {
-    throw archive::FileTrouble("E464",
+    throw archive::FileFailure("E464",
                                fmt::format("there is a file {} already, and it is left as it is; "
                                            "give OUT another name, or --replace",
                                            options.out.string()));
@@ -150,7 +150,7 @@ base::Outcome convert(const ConvertOptions& options) {
     } else {
       model = deck::read_deck(options.in, {options.defines}, sources, diagnostics);
       if (model) {
-        sense::keep_sides(*model, diagnostics);
+        sense::reduce_to_half_model(*model, diagnostics);
       }
     }
     log.diagnostics(sources, diagnostics);
@@ -160,7 +160,7 @@ base::Outcome convert(const ConvertOptions& options) {
     refuse_to_replace_input(options, sources, *model);
     refuse_to_replace_output(options);
     return write(options, sources, *model, log);
-  } catch (const archive::FileTrouble& trouble) {
+  } catch (const archive::FileFailure& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
     return base::Outcome::file_trouble;
   } catch (const std::system_error& trouble) {

@@ -117,7 +117,7 @@ base::Outcome run_deck(const RunOptions& given) {
     }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
-  } catch (const archive::FileTrouble& trouble) {
+  } catch (const archive::FileFailure& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
     return base::Outcome::file_trouble;
   } catch (const std::system_error& trouble) {

@@ -112,7 +112,7 @@ private:
   void open_folder() {
     check_folder(out_, true);
     fs::create_directories(out_);
-    lock_ = archive::FolderLock::take(out_, out_);
+    lock_ = archive::FolderLock::acquire_lock(out_, out_);
     check_folder(out_, true); // another run may have ended meanwhile
     if (!lock_) {
       throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
@@ -138,7 +138,7 @@ private:
       }
     }
     for (const fs::path& folder : others) {
-      archive::remove_own(folder);
+      archive::remove_own_files(folder);
     }
   }
 
@@ -164,7 +164,7 @@ private:
     try {
       open_point(point);
       solve_point(i, point);
-    } catch (const archive::FileTrouble& trouble) {
+    } catch (const archive::FileFailure& trouble) {
       point.outcome = base::Outcome::file_trouble;
       point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
     } catch (const std::system_error& trouble) {
@@ -242,7 +242,7 @@ private:
     current_ = checkpoint;
   }
 
-  static void record(const model::Model& model, const results::Run& run, SweepPoint& point) {
+  static void record(const model::Model& model, const results::RunResult& run, SweepPoint& point) {
     point.checks = static_cast<int>(run.checks.size());
     point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
                                                   [](const auto& c) { return c.passed; }));
@@ -277,7 +277,7 @@ private:
     const archive::FolderMark mark = archive::read_mark(out_).value_or(archive::FolderMark{});
     if (std::ranges::find(mark.files, name) == mark.files.end()) {
       if (fs::exists(fs::symlink_status(out_ / name))) {
-        throw archive::FileTrouble("E464",
+        throw archive::FileFailure("E464",
                                    fmt::format("{} is there, and no sweep wrote it; name another "
                                                "folder with --out",
                                                (out_ / name).string()));
@@ -351,7 +351,7 @@ private:
   fs::path out_;
   std::optional<archive::FolderLock> lock_;
   std::vector<PointValues> points_;
-  results::Sweep sweep_;
+  results::SweepResult sweep_;
   std::atomic<std::size_t> done_{0};
   std::mutex current_guard_;
   archive::Checkpoint* current_ = nullptr; ///< of the point that is computed; guarded

@@ -37,7 +37,7 @@ namespace spricka::program {
 
 namespace {
 
-int report_checks(const results::Run& run, const Log& log) {
+int report_checks(const results::RunResult& run, const Log& log) {
   int failed = 0;
   for (const results::CheckResult& check : run.checks) {
     if (!check.passed) {
@@ -49,25 +49,27 @@ int report_checks(const results::Run& run, const Log& log) {
 }
 
 // What a reader of the results must not miss, behind what meshes with cracks have been warned of.
-void add_warnings(const model::Model& model, const results::Run& run, base::Diagnostics& list) {
+void add_warnings(const model::Model& model, const results::RunResult& run,
+                  base::Diagnostics& list) {
   for (const results::Warning& of_growth : run.warnings) {
     list.warning({}, of_growth.code, of_growth.text);
   }
-  for (const report::PlacedNote& note : report::collect_notes(run)) {
-    if (note.first.doubt) {
-      list.warning({}, std::string(results::code_of(*note.first.doubt)), report::words_of(note));
+  for (const report::LocatedNote& note : report::collect_notes(run)) {
+    if (note.first.kind) {
+      list.warning({}, std::string(results::warning_code(*note.first.kind)),
+                   report::located_note_text(note));
     }
   }
   for (std::string& coarse : analysis::coarse_nets(run)) {
     list.warning({}, "W504", std::move(coarse));
   }
-  for (std::string& parted : sense::two_ways_warnings(run)) {
+  for (std::string& parted : sense::k_consistency_warnings(run)) {
     list.warning({}, "W570", std::move(parted));
   }
-  for (std::string& parted : sense::front_ways_warnings(run)) {
+  for (std::string& parted : sense::front_consistency_warnings(run)) {
     list.warning({}, "W570", std::move(parted));
   }
-  for (sense::EndWarning& warning : sense::end_warnings(model, run)) {
+  for (sense::RunWarning& warning : sense::find_run_warnings(model, run)) {
     list.warning({}, std::string(warning.code), std::move(warning.text));
   }
   for (const model::ResultCheck& check : model.checks) {
@@ -96,7 +98,7 @@ std::vector<results::Warning> all_warnings(const base::Diagnostics& reading,
 }
 
 struct Solved {
-  std::optional<results::Run> run;
+  std::optional<results::RunResult> run;
   base::Trouble trouble;
   std::optional<ReadyDeck> finer; ///< what was solved, where it is not the deck as given
   std::string why_not;            ///< why K is not within its tolerance
@@ -126,7 +128,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
       }
     };
     solve.found = [&](const results::Increment& increment) { so_far.take(increment); };
-    std::optional<results::Run> run = analysis::solve_run(model, solve, own, trouble);
+    std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
       trouble = base::OperationFailure{.kind = base::Outcome::deck_error,
                                        .why = first_error(deck.sources, own)};
@@ -175,7 +177,7 @@ void tell_of(const base::OperationFailure& answer, base::Diagnostics& diagnostic
 }
 
 // How a run ends that has its results.
-RunOutcome judged(const Solved& solved, const results::Run& run, const Log& log) {
+RunOutcome judged(const Solved& solved, const results::RunResult& run, const Log& log) {
   const int failed = report_checks(run, log);
   RunOutcome outcome;
   if (failed > 0) {
@@ -224,12 +226,12 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
     return refused(deck.sources, diagnostics, solved.trouble->kind, log);
   }
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
-  results::Run& run = *solved.run;
+  results::RunResult& run = *solved.run;
   std::optional<analysis::RecordedInterval> checking(std::in_place, options.recorder.get(),
                                                      "CHECKS", "checks, warnings");
   if (!run.increments.empty()) { // of the cracks as they begin
     std::vector<results::Note>& notes = run.increments.front().notes;
-    const std::vector<results::Note> flaws = results::notes_of(deck.flaws);
+    const std::vector<results::Note> flaws = results::make_notes(deck.flaws);
     notes.insert(notes.begin(), flaws.begin(), flaws.end());
   }
   run.tests = invert_tests(*used.model, run);
@@ -276,8 +278,8 @@ void print_tip(const std::string& before, const results::TipResult& tip,
 // A line for each mode of a front that is not nothing: its ends and where they are.
 void print_front(const std::string& before, const results::FrontResult& front,
                  const base::UnitSystem& units) {
-  std::vector<const results::FrontPlace*> inside;
-  for (const results::FrontPlace& place : front.points) {
+  std::vector<const results::FrontPointResult*> inside;
+  for (const results::FrontPointResult& place : front.points) {
     if (!place.at_surface) {
       inside.push_back(&place);
     }
@@ -285,16 +287,16 @@ void print_front(const std::string& before, const results::FrontResult& front,
   if (inside.empty()) {
     return;
   }
-  const auto range = [&](double results::FrontPlace::*K) {
+  const auto range = [&](double results::FrontPointResult::*K) {
     const auto [low, high] = std::ranges::minmax_element(
-        inside, {}, [&](const results::FrontPlace* place) { return place->*K; });
+        inside, {}, [&](const results::FrontPointResult* place) { return place->*K; });
     return std::pair((*low)->*K, (*high)->*K);
   };
   std::string text = fmt::format("{} {:<8} a = {:<10.6g}", before, front.name, front.a);
-  const auto [low, high] = range(&results::FrontPlace::K1);
+  const auto [low, high] = range(&results::FrontPointResult::K1);
   text += fmt::format(" K1 = {:.7g} .. {:.7g}", low, high);
   int mode = 2;
-  for (const auto K : {&results::FrontPlace::K2, &results::FrontPlace::K3}) {
+  for (const auto K : {&results::FrontPointResult::K2, &results::FrontPointResult::K3}) {
     const auto [least, most] = range(K);
     if (std::max(std::abs(least), std::abs(most)) >
         1e-3 * std::max(std::abs(low), std::abs(high))) {
@@ -307,11 +309,11 @@ void print_front(const std::string& before, const results::FrontResult& front,
 }
 
 // A line for each tip: of a growth by a law at KMAX of each station, else of every step.
-void print_tips(const model::Model& model, const results::Run& run) {
+void print_tips(const model::Model& model, const results::RunResult& run) {
   const std::string leading = run.growth ? report::leading_step(model) : std::string();
   const auto behind_the_end = [&](std::size_t i) { // its cycles are not lived
     return run.growth && i > 0 && i < run.growth->stations.size() &&
-           run.growth->stations[i].cycles > run.growth->cycles() * (1.0 + 1e-9);
+           run.growth->stations[i].cycles > run.growth->final_cycles() * (1.0 + 1e-9);
   };
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
     for (const results::StepResult& step : run.increments[i].steps) {
@@ -336,7 +338,7 @@ void print_tips(const model::Model& model, const results::Run& run) {
 
 } // namespace
 
-void print_summary(const ReadyDeck& deck, const results::Run& run,
+void print_summary(const ReadyDeck& deck, const results::RunResult& run,
                    const std::filesystem::path& folder) {
   for (const std::string& flaw : deck.flaws) {
     to_stdout(flaw + "\n");
@@ -345,7 +347,7 @@ void print_summary(const ReadyDeck& deck, const results::Run& run,
   if (run.growth) {
     // That nothing grows is an answer, but N = 0 alone does not read like it.
     const bool stands = run.growth->ended == "THRESHOLD";
-    to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n", run.growth->cycles(),
+    to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n", run.growth->final_cycles(),
                           run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended,
                           stands ? ": " + run.growth->reason : ""));
   }

@@ -26,7 +26,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
                            archive::Checkpoint* checkpoint, const Log& log);
 
 /// What bodies have of cracks in space, and the table of results, on stdout.
-void print_summary(const ReadyDeck& deck, const results::Run& run,
+void print_summary(const ReadyDeck& deck, const results::RunResult& run,
                    const std::filesystem::path& folder);
 
 } // namespace spricka::program

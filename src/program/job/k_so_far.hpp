@@ -20,7 +20,7 @@ public:
 private:
   const model::Model& model_;
   RunFolder& folder_;
-  results::Run run_; ///< K alone
+  results::RunResult run_; ///< K alone
   std::size_t finished_ = 0;
 };
 

@@ -37,18 +37,18 @@ bool shows_surfaces(const results::StepResult& step) {
 
 // What ParaView shows as the time of an increment: its cycles, where a law tells them, else its
 // crack length; of a run with one increment alone the number of the step.
-double picture_time(const results::Run& run, std::size_t increment, std::size_t step) {
+double picture_time(const results::RunResult& run, std::size_t increment, std::size_t step) {
   if (run.growth && increment < run.growth->stations.size()) {
     return run.growth->stations[increment].cycles;
   }
   return run.increments.size() > 1 ? run.increments[increment].a : static_cast<double>(step) + 1.0;
 }
 
-std::vector<report::CollectedFile> write_step(const model::Model& model,
-                                              const results::Increment& increment,
-                                              const results::StepResult& step, double time,
-                                              const PutFile& put) {
-  std::vector<report::CollectedFile> entries;
+std::vector<report::PvdEntry> write_step(const model::Model& model,
+                                         const results::Increment& increment,
+                                         const results::StepResult& step, double time,
+                                         const PutFile& put) {
+  std::vector<report::PvdEntry> entries;
   const auto add = [&](const std::string& stem, int part, const auto& write) {
     const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
     put(name, write);
@@ -68,11 +68,11 @@ std::vector<report::CollectedFile> write_step(const model::Model& model,
 } // namespace
 
 // Over several increments each step has a collection of its own, as all its files have one time.
-void write_pictures(const model::Model& model, const results::Run& run, const PutFile& put) {
+void write_pictures(const model::Model& model, const results::RunResult& run, const PutFile& put) {
   const std::string stem = picture_stem(model);
   const std::string leading = report::leading_step(model);
   const bool grows = run.increments.size() > 1 || run.growth;
-  std::map<std::string, std::vector<report::CollectedFile>> collections{{stem, {}}};
+  std::map<std::string, std::vector<report::PvdEntry>> collections{{stem, {}}};
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
     const results::Increment& increment = run.increments[i];
     for (std::size_t s = 0; s < increment.steps.size(); ++s) {
@@ -80,7 +80,7 @@ void write_pictures(const model::Model& model, const results::Run& run, const Pu
       if (step.stress.empty()) {
         continue;
       }
-      std::vector<report::CollectedFile>& into =
+      std::vector<report::PvdEntry>& into =
           collections[grows && step.step != leading ? stem + "_" + step.step : stem];
       std::ranges::move(write_step(model, increment, step, picture_time(run, i, s), put),
                         std::back_inserter(into));

@@ -16,6 +16,6 @@ using PutFile = std::function<void(const std::string& name,
 /// The .vtu files of all steps whose stresses were recovered, and the .pvd files that collect them.
 /// Their time is the number of cycles where a law tells it, else the crack length; of a run with
 /// one increment the number of the step. Throws std::system_error.
-void write_pictures(const model::Model& model, const results::Run& run, const PutFile& put);
+void write_pictures(const model::Model& model, const results::RunResult& run, const PutFile& put);
 
 } // namespace spricka::program

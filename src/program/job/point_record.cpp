@@ -61,7 +61,7 @@ std::optional<SweepPoint> point_from(const json& record) {
 
 } // namespace
 
-std::string write_point_record(const results::Sweep& sweep, const SweepPoint& point,
+std::string write_point_record(const results::SweepResult& sweep, const SweepPoint& point,
                                const std::string& digest) {
   json record{{"spricka", SPRICKA_VERSION},
               {"digest", digest},

@@ -13,7 +13,7 @@ inline constexpr const char* point_record_name = "point.json";
 
 /// The record of a finished point: digest of its deck, version, values, outcome and cells. Numbers
 /// read back to the same bits.
-std::string write_point_record(const results::Sweep& sweep, const results::SweepPoint& point,
+std::string write_point_record(const results::SweepResult& sweep, const results::SweepPoint& point,
                                const std::string& digest);
 
 /// The record in a point's folder; empty if there is none, it is not whole, or its digest is

@@ -111,14 +111,14 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
   if (model) {
-    sense::keep_sides(*model, ready.diagnostics);
+    sense::reduce_to_half_model(*model, ready.diagnostics);
     warn_of_locking(*model, ready.diagnostics);
-    sense::warn_of_contacts(*model, ready.diagnostics);
+    sense::warn_of_implausible_contacts(*model, ready.diagnostics);
     sense::warn_of_unjoined_bodies(*model, ready.diagnostics);
-    sense::warn_of_held_places(*model, ready.diagnostics);
-    sense::warn_of_path_mouths(*model, ready.diagnostics);
+    sense::warn_of_loads_on_supports(*model, ready.diagnostics);
+    sense::warn_of_misplaced_crack_mouths(*model, ready.diagnostics);
     if (!ready.diagnostics.has_errors()) {
-      ready.flaws = sense::tell_of_flaws(*model, ready.diagnostics);
+      ready.flaws = sense::describe_solid_cracks(*model, ready.diagnostics);
     }
   }
   if (model && !ready.diagnostics.has_errors()) {
@@ -148,7 +148,7 @@ ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptio
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics);
   if (model) {
-    sense::keep_sides(*model, ready.diagnostics);
+    sense::reduce_to_half_model(*model, ready.diagnostics);
   }
   if (!model || ready.diagnostics.has_errors()) {
     ready.refusal.error = first_error(ready.sources, ready.diagnostics);

@@ -19,7 +19,7 @@ namespace spricka::program {
 struct RunOutcome {
   base::Outcome kind = base::Outcome::done;
   std::string error; ///< the first one, with its place, or how many checks failed
-  std::optional<results::Run> run;
+  std::optional<results::RunResult> run;
   std::string profile = {}; ///< the table of --profile, where it is asked for
 };
 

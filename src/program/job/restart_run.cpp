@@ -23,10 +23,10 @@ bool is_there_or_kept(const fs::path& file) {
   return fs::exists(file, unknown) || fs::exists(before, unknown);
 }
 
-archive::CheckpointPlace place_of(const RunOptions& options, const model::RestartFiles& card,
-                                  const fs::path& folder) {
+archive::CheckpointOptions place_of(const RunOptions& options, const model::RestartFiles& card,
+                                    const fs::path& folder) {
   const fs::path beside = folder.empty() ? options.deck.parent_path() : folder;
-  archive::CheckpointPlace place;
+  archive::CheckpointOptions place;
   // Points of a sweep have their files in folders of their own.
   const auto file = [&](const std::string& name) {
     return folder.empty() ? (beside / name).lexically_normal() : beside / fs::path(name).filename();
@@ -69,7 +69,7 @@ void refuse_state_in_folder(const RunOptions& options, const model::Model& model
   const fs::path file = options.deck.parent_path() / model.restart->write;
   const fs::path inside = resolved_folder(file).lexically_relative(resolved_folder(options.out));
   if (!inside.empty() && *inside.begin() != "..") {
-    throw archive::FileTrouble(
+    throw archive::FileFailure(
         "E469", fmt::format("$RESTART WRITE='{}' lies in the run folder {}, which is "
                             "replaced as a whole; give it a place beside",
                             model.restart->write, options.out.string()));
@@ -88,7 +88,7 @@ OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
   }
   auto checkpoint = std::make_unique<archive::Checkpoint>(place_of(options, *card, folder),
                                                           options.deck, deck.sources, *deck.model);
-  if (const std::optional<archive::Misfit> misfit = checkpoint->misfit()) {
+  if (const std::optional<archive::CheckpointMismatch> misfit = checkpoint->find_mismatch()) {
     base::Diagnostics list;
     list.error(misfit->span, misfit->code, misfit->text,
                "start from the beginning, or take the deck that wrote the file");
@@ -109,20 +109,21 @@ void tell_restart(archive::Checkpoint* checkpoint, const Log& log) {
   });
 }
 
-void finish_restart(archive::Checkpoint* checkpoint, results::Run& run) {
+void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run) {
   if (checkpoint == nullptr) {
     return;
   }
   // Increments that EVERY has held back are written now.
   checkpoint->flush();
-  for (const auto& [code, text] : checkpoint->told()) {
+  for (const auto& [code, text] : checkpoint->reported()) {
     run.log.push_back({"RESTART", text, 0.0, 0.0});
   }
-  if (checkpoint->taken() > 0) {
-    run.log.push_back({"RESTART",
-                       fmt::format("{} of {} increments taken over from {}", checkpoint->taken(),
-                                   run.increments.size(), checkpoint->taken_from().string()),
-                       0.0, 0.0});
+  if (checkpoint->accepted_count() > 0) {
+    run.log.push_back(
+        {"RESTART",
+         fmt::format("{} of {} increments taken over from {}", checkpoint->accepted_count(),
+                     run.increments.size(), checkpoint->source_file().string()),
+         0.0, 0.0});
   }
 }
 
@@ -136,7 +137,7 @@ std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoin
                                 kept == 1 ? " is" : "s are", checkpoint.file().string());
     log.message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
     return kept == 0 ? std::nullopt : std::optional(base::Outcome::stopped);
-  } catch (const archive::FileTrouble& trouble) {
+  } catch (const archive::FileFailure& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
     return base::Outcome::file_trouble;
   }

@@ -32,7 +32,7 @@ OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
 /// What a checkpoint (or null) passes over is said on stderr from now on, as it turns out.
 void tell_restart(archive::Checkpoint* checkpoint, const Log& log);
 /// Puts the last increments on disk, and what was taken over or passed over into the run's log.
-void finish_restart(archive::Checkpoint* checkpoint, results::Run& run);
+void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run);
 
 /// Puts what is finished on disk and says so: how a run ends that is stopped by a signal or its
 /// time limit. Empty: nothing is finished yet. From any thread.

@@ -55,7 +55,7 @@ bool is_mount_point(const fs::path& folder) {
 }
 
 [[noreturn]] void not_ours(const std::string& why) {
-  throw archive::FileTrouble("E464", why + "; name another folder with --out");
+  throw archive::FileFailure("E464", why + "; name another folder with --out");
 }
 
 std::system_error trouble_with(const fs::path& file) {
@@ -131,7 +131,7 @@ void RunFolder::open_place() {
       not_ours(fmt::format("{} is a mount point, which no folder can take the place of",
                            folder_.string()));
     }
-    place_lock_ = archive::FolderLock::take(folder_, part_);
+    place_lock_ = archive::FolderLock::acquire_lock(folder_, part_);
     check_folder(folder_, false); // another run may have ended meanwhile
     replaces_ = is_there(folder_ / listing_name);
   }
@@ -151,7 +151,7 @@ void RunFolder::open_part() {
     if (fs::is_symlink(part_) || !fs::is_directory(part_)) {
       not_ours(fmt::format("{} is in the way, which no run wrote", part_.string()));
     }
-    std::optional<archive::FolderLock> lock = archive::FolderLock::take(part_, part_);
+    std::optional<archive::FolderLock> lock = archive::FolderLock::acquire_lock(part_, part_);
     if (!lock) {
       continue;
     }
@@ -162,7 +162,7 @@ void RunFolder::open_part() {
       not_ours(fmt::format("{} is in the way: it holds '{}', which no run wrote", part_.string(),
                            foreign.front()));
     }
-    archive::remove_own(part_);
+    archive::remove_own_files(part_);
     if (!is_there(part_)) {
       continue; // of a killed run: the name is free now
     }
@@ -175,7 +175,7 @@ void RunFolder::open_part() {
     archive::write_mark(part_, {archive::FolderKind::run, {}});
     archive::write_owner(part_);
   } catch (...) { // a full disk
-    archive::remove_own(part_);
+    archive::remove_own_files(part_);
     std::error_code ignored;
     fs::remove(part_, ignored); // where it is empty
     throw;
@@ -184,14 +184,14 @@ void RunFolder::open_part() {
 
 RunFolder::~RunFolder() {
   if (!done_) {
-    archive::remove_own(part_);
+    archive::remove_own_files(part_);
   }
 }
 
 void RunFolder::put(const std::string& name, const std::function<void(const fs::path&)>& write) {
   const std::scoped_lock lock(writing_);
   if (std::ranges::find(names_, name) != names_.end()) {
-    throw archive::FileTrouble("E464",
+    throw archive::FileFailure("E464",
                                fmt::format("two results would be written into one file '{}'; give "
                                            "one $OUTPUT another FILE",
                                            name));
@@ -203,7 +203,7 @@ void RunFolder::put(const std::string& name, const std::function<void(const fs::
   write(part_ / name);
 }
 
-void RunFolder::put_requested(const model::Model& model, const results::Run& run) {
+void RunFolder::put_requested(const model::Model& model, const results::RunResult& run) {
   for (const model::Output& output : model.outputs) {
     if (output.format == model::OutputFormat::csv) {
       put(fs::path(output.file).filename().string(),
@@ -212,7 +212,7 @@ void RunFolder::put_requested(const model::Model& model, const results::Run& run
   }
 }
 
-void RunFolder::show_k(const model::Model& model, const results::Run& so_far) {
+void RunFolder::show_k(const model::Model& model, const results::RunResult& so_far) {
   const std::scoped_lock lock(writing_);
   try {
     if (!shows_k_) {
@@ -231,7 +231,7 @@ std::optional<fs::path> RunFolder::leave_k() {
     table = base::read_file(part_ / k_table_name, base::largest_number_file);
   } catch (const std::exception&) { // no K has been found yet
   }
-  archive::remove_own(part_);
+  archive::remove_own_files(part_);
   if (!table || ::mkdir(part_.c_str(), 0777) != 0) {
     return std::nullopt;
   }
@@ -242,9 +242,10 @@ std::optional<fs::path> RunFolder::leave_k() {
 }
 
 void RunFolder::write(const base::SourceTexts& sources, const model::Model& model,
-                      results::Run& run, const std::vector<results::ScriptConstant>& scripts) {
+                      results::RunResult& run,
+                      const std::vector<results::ReportedScriptConstant>& scripts) {
   const base::Stopwatch watch;
-  using Table = void (*)(const fs::path&, const model::Model&, const results::Run&);
+  using Table = void (*)(const fs::path&, const model::Model&, const results::RunResult&);
   constexpr std::array<std::pair<const char*, Table>, 9> tables{
       {{k_table_name, report::write_k_csv},
        {"sensitivity.csv", report::write_sensitivity_csv},
@@ -313,14 +314,14 @@ void RunFolder::move_into_place() {
     throw trouble_with(folder_);
   }
   if (!place_lock_) {
-    place_lock_ = archive::FolderLock::take(folder_, part_);
+    place_lock_ = archive::FolderLock::acquire_lock(folder_, part_);
   }
   // The new folder has the permissions of the one that it replaces.
   fs::permissions(part_, fs::status(folder_).permissions());
   exchange(part_, folder_);
   take_over_foreign(part_);
   if (archive::read_mark(part_)) {
-    archive::remove_own(part_);
+    archive::remove_own_files(part_);
   } else {
     fs::remove(part_); // an empty folder
   }
@@ -335,7 +336,7 @@ void RunFolder::commit() {
   try {
     move_into_place();
   } catch (const std::exception& trouble) {
-    throw archive::FileTrouble(
+    throw archive::FileFailure(
         "E464", fmt::format("{}; the results are in {}", trouble.what(),
                             is_there(part_ / listing_name) ? part_.string() : folder_.string()));
   }
@@ -351,7 +352,7 @@ std::optional<fs::path> RunFolder::abandon(bool leaves_k) {
     if (leaves_k) {
       return leave_k();
     }
-    archive::remove_own(part_);
+    archive::remove_own_files(part_);
   }
   return std::nullopt;
 }

@@ -45,11 +45,11 @@ public:
 
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
-  void write(const base::SourceTexts& sources, const model::Model& model, results::Run& run,
-             const std::vector<results::ScriptConstant>& scripts);
+  void write(const base::SourceTexts& sources, const model::Model& model, results::RunResult& run,
+             const std::vector<results::ReportedScriptConstant>& scripts);
   /// Writes k.csv of what is found so far into FOLDER.part, where it can be read while the run goes
   /// on; write() replaces it. From one thread.
-  void show_k(const model::Model& model, const results::Run& so_far);
+  void show_k(const model::Model& model, const results::RunResult& so_far);
   /// Leaves FOLDER.part with that table alone, for a run that ends without results; the next run
   /// removes it. The file; empty: no K was found, and nothing stays.
   std::optional<std::filesystem::path> leave_k();
@@ -68,7 +68,7 @@ private:
   void open_part();
   /// Writes a file of ours with `write`, which gets its path.
   void put(const std::string& name, const std::function<void(const std::filesystem::path&)>& write);
-  void put_requested(const model::Model& model, const results::Run& run);
+  void put_requested(const model::Model& model, const results::RunResult& run);
   void move_into_place();
   void take_over_foreign(const std::filesystem::path& old) const;
 

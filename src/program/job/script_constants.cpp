@@ -7,8 +7,8 @@
 
 namespace spricka::program {
 
-std::vector<results::ScriptConstant> script_constants(const ReadyDeck& deck) {
-  std::vector<results::ScriptConstant> result;
+std::vector<results::ReportedScriptConstant> script_constants(const ReadyDeck& deck) {
+  std::vector<results::ReportedScriptConstant> result;
   for (const deck::ScriptTable& script : deck.scripts) {
     std::string file = std::filesystem::path(script.file).filename().string();
     if (!script.net.empty()) {

@@ -8,6 +8,6 @@
 namespace spricka::program {
 
 /// The constants of a deck's geometry scripts, for listing and check.
-std::vector<results::ScriptConstant> script_constants(const ReadyDeck& deck);
+std::vector<results::ReportedScriptConstant> script_constants(const ReadyDeck& deck);
 
 } // namespace spricka::program

@@ -21,7 +21,7 @@ namespace {
 // A round leaves at least 0.3 of every size: eight rounds are more than any mesh can use.
 constexpr int most_rounds = 8;
 
-std::size_t unknowns(const results::Run& run) {
+std::size_t unknowns(const results::RunResult& run) {
   std::size_t most = 0;
   for (const results::Increment& increment : run.increments) {
     const std::vector<bool> used = model::nodes_in_use(increment.mesh);
@@ -32,7 +32,7 @@ std::size_t unknowns(const results::Run& run) {
 }
 
 // Bars against what is asked for; `why_not` where no mesh can give it.
-results::ToleranceRound look_at(const model::Model& model, const results::Run& run,
+results::ToleranceRound look_at(const model::Model& model, const results::RunResult& run,
                                 std::string& why_not) {
   const analysis::ToleranceShortfall now =
       model.mesh.dim == 3 ? analysis::front_shortfall(model, run) : analysis::shortfall(model, run);
@@ -169,7 +169,7 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
   for (int number = 1; out.why_not.empty(); ++number) {
     const base::Stopwatch watch;
     base::Trouble trouble;
-    std::optional<results::Run> run = solve(finer ? *finer->model : *deck.model, trouble);
+    std::optional<results::RunResult> run = solve(finer ? *finer->model : *deck.model, trouble);
     if (!run) {
       out.why_not = "a finer mesh has no solution: " + trouble->why;
       break;

@@ -18,14 +18,14 @@ using ReadFiner = std::function<ReadyDeck(const std::map<std::string, deck::Refi
 
 /// A run that was refined until every K with a tolerance has it, or why it ended before.
 struct ToleratedRun {
-  std::optional<results::Run> run; ///< of the last round, its `rounds` filled; empty: refused
-  std::optional<ReadyDeck> deck;   ///< what was solved; empty: the deck as it was given
-  std::string why_not;             ///< why K is not within its tolerance; empty: it is
+  std::optional<results::RunResult> run; ///< of the last round, its `rounds` filled; empty: refused
+  std::optional<ReadyDeck> deck;         ///< what was solved; empty: the deck as it was given
+  std::string why_not;                   ///< why K is not within its tolerance; empty: it is
 };
 
 /// One solution of a model; where there is none, why.
 using SolveOnce =
-    std::function<std::optional<results::Run>(const model::Model&, base::Trouble& trouble)>;
+    std::function<std::optional<results::RunResult>(const model::Model&, base::Trouble& trouble)>;
 
 /// Solves, finds by the error bars of K what is too coarse, meshes that finer and solves again
 /// (manual, tolerance.1 to 4). Where a finer mesh cannot be read or solved, the round before

@@ -153,7 +153,7 @@ double Forecast::contact_flops(const std::vector<analysis::SubstructuredBody>& b
 void Forecast::add(const analysis::CondensationRequest& request,
                    const std::vector<analysis::SubstructuredBody>& bodies,
                    const analysis::Discretisation& scene, double scene_cpu,
-                   results::LengthPreview& length) {
+                   results::CrackLengthPreview& length) {
   if (resident_ == 0.0) {
     resident_ = static_cast<double>(base::resident_memory());
   }

@@ -24,7 +24,8 @@ public:
   /// and contact rows took. Lengths in the order of the run.
   void add(const analysis::CondensationRequest& request,
            const std::vector<analysis::SubstructuredBody>& bodies,
-           const analysis::Discretisation& scene, double scene_cpu, results::LengthPreview& length);
+           const analysis::Discretisation& scene, double scene_cpu,
+           results::CrackLengthPreview& length);
 
 private:
   struct Needs; ///< of one length

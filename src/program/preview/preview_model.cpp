@@ -58,7 +58,7 @@ void count_freedoms(const analysis::Discretisation& scene, const std::vector<boo
 
 void add_quality(const model::Model& model, const model::Mesh& mesh, const std::string& where,
                  const std::vector<base::ElementId>& elements,
-                 std::vector<results::QualityPreview>& list) {
+                 std::vector<results::MeshQualityPreview>& list) {
   const std::optional<mesh::MeshQuality> quality = mesh::measure_quality(mesh, elements);
   if (!quality) {
     return;
@@ -108,9 +108,9 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model,
   return nets;
 }
 
-std::vector<results::QualityPreview> preview_quality(const model::Model& model,
-                                                     const analysis::Discretisation& scene) {
-  std::vector<results::QualityPreview> list;
+std::vector<results::MeshQualityPreview> preview_quality(const model::Model& model,
+                                                         const analysis::Discretisation& scene) {
+  std::vector<results::MeshQualityPreview> list;
   std::vector<base::ElementId> host;
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
     host.emplace_back(e);
@@ -126,8 +126,8 @@ std::vector<results::QualityPreview> preview_quality(const model::Model& model,
   return list;
 }
 
-std::vector<results::PairPreview> preview_pairs(const analysis::Discretisation& scene) {
-  std::vector<results::PairPreview> list;
+std::vector<results::ContactPairPreview> preview_pairs(const analysis::Discretisation& scene) {
+  std::vector<results::ContactPairPreview> list;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];
     const model::Contact& card = scene.contacts[c];
@@ -137,7 +137,7 @@ std::vector<results::PairPreview> preview_pairs(const analysis::Discretisation& 
         pair.rigid ? contact::GapSurvey() : contact::survey_gaps(pair.target, pair.contact);
     const contact::GapSurvey& slave = pair.swapped ? other : own;
     const contact::GapSurvey& master = pair.swapped ? own : other;
-    results::PairPreview preview;
+    results::ContactPairPreview preview;
     preview.name = card.name;
     preview.rigid = pair.rigid.has_value();
     preview.declared = card.gap.has_value();
@@ -161,9 +161,9 @@ std::vector<results::PairPreview> preview_pairs(const analysis::Discretisation& 
   return list;
 }
 
-results::LengthPreview preview_length(const model::Model& model,
-                                      const analysis::Discretisation& scene) {
-  results::LengthPreview length;
+results::CrackLengthPreview preview_length(const model::Model& model,
+                                           const analysis::Discretisation& scene) {
+  results::CrackLengthPreview length;
   const mesh::CrackedMesh& cracked = scene.cracked;
   length.nodes = cracked.mesh.node_count();
   length.elements = cracked.mesh.element_count();

@@ -17,7 +17,7 @@ namespace {
 void listen_to_mesher(const std::shared_ptr<analysis::ProfileRecorder>& recorder) {
   mesh::mesher_listener() = [recorder](const mesh::MesherUsage& use) {
     recorder->add_work(
-        results::MesherWork{.begin = use.begin, .end = use.end, .cpu = use.cpu, .peak = use.peak});
+        results::MesherCost{.begin = use.begin, .end = use.end, .cpu = use.cpu, .peak = use.peak});
   };
 }
 
@@ -39,7 +39,7 @@ std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::
 
 double floors(const ProfileRecord& record) {
   double cpu = record.profile.cpu;
-  for (const results::MesherWork& work : record.profile.mesher) {
+  for (const results::MesherCost& work : record.profile.mesher) {
     cpu += work.cpu.value_or(0.0);
   }
   return record.floor.why_not.empty() && record.floor.plain() > 0.0
@@ -52,7 +52,7 @@ ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::Source
   mesh::mesher_listener() = nullptr; // the floor is no part of the run
   ProfileRecord record;
   record.profile = recorder.finish();
-  record.bytes_read = archive::bytes_of_deck(sources, model);
+  record.bytes_read = archive::deck_byte_count(sources, model);
   record.bytes_written = written;
   record.floor = find_floor(model);
   return {.table = profile_text(record),

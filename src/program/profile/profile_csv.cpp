@@ -106,9 +106,9 @@ std::optional<std::size_t> counted(const std::optional<std::size_t>& length) {
   return length ? std::optional(*length + 1) : std::nullopt;
 }
 
-std::string net_rows(const results::Profile& profile) {
+std::string net_rows(const results::RunProfile& profile) {
   std::string text;
-  for (const results::NetWork& net : profile.nets) {
+  for (const results::NetCost& net : profile.nets) {
     Row row("net", net.name);
     row.set("length", counted(net.length));
     if (net.length && *net.length < profile.lengths.size()) {
@@ -128,7 +128,7 @@ std::string net_rows(const results::Profile& profile) {
   return text;
 }
 
-std::string length_rows(const results::Profile& profile) {
+std::string length_rows(const results::RunProfile& profile) {
   std::string text;
   std::size_t number = 0;
   for (const LengthSum& sum : by_length(profile)) {

@@ -9,7 +9,7 @@ namespace spricka::program {
 
 /// A profile and what stands beside it.
 struct ProfileRecord {
-  results::Profile profile;
+  results::RunProfile profile;
   Floor floor;
   std::uintmax_t bytes_read = 0;    ///< deck, what it includes and what it imports
   std::uintmax_t bytes_written = 0; ///< files of the run folder, without those of the profile

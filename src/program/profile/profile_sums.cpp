@@ -12,10 +12,10 @@ namespace spricka::program {
 
 namespace {
 
-using results::MesherWork;
-using results::NetWork;
-using results::Profile;
-using results::Stretch;
+using results::MesherCost;
+using results::NetCost;
+using results::ProcessorInterval;
+using results::RunProfile;
 
 // As a run goes along. Others stand behind these.
 constexpr std::array<std::string_view, 17> order{
@@ -29,10 +29,10 @@ template <typename T> void add(std::optional<T>& sum, const std::optional<T>& mo
 
 class Sums {
 public:
-  explicit Sums(const Profile& profile) : profile_(profile) {}
+  explicit Sums(const RunProfile& profile) : profile_(profile) {}
 
   ProcessorSums make() {
-    for (const Stretch& stretch : profile_.stretches) {
+    for (const ProcessorInterval& stretch : profile_.stretches) {
       add_stretch(stretch);
     }
     add_mesher();
@@ -68,15 +68,15 @@ private:
   }
 
   // Requests come one after another: none lies in two.
-  [[nodiscard]] double waited(const Stretch& stretch) const {
+  [[nodiscard]] double waited(const ProcessorInterval& stretch) const {
     double wall = 0.0;
-    for (const MesherWork& work : profile_.mesher) {
+    for (const MesherCost& work : profile_.mesher) {
       wall += std::max(0.0, std::min(work.end, stretch.end) - std::max(work.begin, stretch.begin));
     }
     return wall;
   }
 
-  void add_stretch(const Stretch& stretch) {
+  void add_stretch(const ProcessorInterval& stretch) {
     double cpu = stretch.cpu;
     double wall = stretch.end - stretch.begin - waited(stretch);
     if (stretch.processor == "CONDENSE") {
@@ -101,14 +101,14 @@ private:
   }
 
   // What its nets took for their stiffness. Nets side by side share the time on the wall.
-  void take_stiffness(const Stretch& stretch, double& cpu, double& wall) {
+  void take_stiffness(const ProcessorInterval& stretch, double& cpu, double& wall) {
     double stiffness = 0.0;
     double both = 0.0;
     double busy = 0.0; // on the wall, with one net or several
     double until = stretch.begin;
     double stiffness_cpu = 0.0;
     std::size_t calls = 0;
-    for (const NetWork* net : nets_within(stretch)) {
+    for (const NetCost* net : nets_within(stretch)) {
       stiffness += net->assembled - net->begin;
       both += net->end - net->begin;
       busy += std::max(0.0, net->end - std::max(until, net->begin));
@@ -130,19 +130,19 @@ private:
   }
 
   // Those condensed in a stretch, by when they began.
-  [[nodiscard]] std::vector<const NetWork*> nets_within(const Stretch& stretch) const {
-    std::vector<const NetWork*> nets;
-    for (const NetWork& net : profile_.nets) {
+  [[nodiscard]] std::vector<const NetCost*> nets_within(const ProcessorInterval& stretch) const {
+    std::vector<const NetCost*> nets;
+    for (const NetCost& net : profile_.nets) {
       if (!net.reused && net.begin >= stretch.begin && net.begin <= stretch.end) {
         nets.push_back(&net);
       }
     }
-    std::ranges::sort(nets, {}, [](const NetWork* net) { return net->begin; });
+    std::ranges::sort(nets, {}, [](const NetCost* net) { return net->begin; });
     return nets;
   }
 
   void add_mesher() {
-    for (const MesherWork& work : profile_.mesher) {
+    for (const MesherCost& work : profile_.mesher) {
       ProcessorSum& row = row_of("MESHER");
       ++row.calls;
       add(row.cpu, work.cpu);
@@ -152,20 +152,20 @@ private:
     }
   }
 
-  const Profile& profile_;
+  const RunProfile& profile_;
   std::vector<ProcessorSum> rows_;
   std::size_t highest_ = 0; ///< [bytes] the peak so far
 };
 
 } // namespace
 
-ProcessorSums by_processor(const Profile& profile) {
+ProcessorSums by_processor(const RunProfile& profile) {
   return Sums(profile).make();
 }
 
-std::vector<NetSum> by_net(const Profile& profile) {
+std::vector<NetSum> by_net(const RunProfile& profile) {
   std::vector<NetSum> sums;
-  for (const NetWork& net : profile.nets) {
+  for (const NetCost& net : profile.nets) {
     auto sum = std::ranges::find(sums, net.name, &NetSum::name);
     if (sum == sums.end()) {
       sums.push_back({.name = net.name, .entries = {}, .flops = 0.0});
@@ -187,25 +187,25 @@ std::vector<NetSum> by_net(const Profile& profile) {
   return sums;
 }
 
-std::vector<LengthSum> by_length(const Profile& profile) {
+std::vector<LengthSum> by_length(const RunProfile& profile) {
   std::vector<LengthSum> sums(profile.lengths.size());
   const bool rounds = !sums.empty() && profile.lengths.back().round > 1;
   int round = 0;
   int increment = 0;
   for (std::size_t l = 0; l < sums.size(); ++l) {
-    const results::LengthWork& work = profile.lengths[l];
+    const results::CrackLengthCost& work = profile.lengths[l];
     increment = work.round == round ? increment : 0;
     round = work.round;
     sums[l].work = &work;
     sums[l].label = (rounds ? fmt::format("round {}: ", round) : "") +
                     (work.counts ? fmt::format("increment {}", ++increment) : "tried");
-    for (const MesherWork& asked : profile.mesher) {
+    for (const MesherCost& asked : profile.mesher) {
       if (asked.begin >= work.begin && asked.begin <= work.end) {
         add(sums[l].mesher_cpu, asked.cpu);
       }
     }
   }
-  for (const NetWork& net : profile.nets) {
+  for (const NetCost& net : profile.nets) {
     if (!net.length || *net.length >= sums.size()) {
       continue;
     }

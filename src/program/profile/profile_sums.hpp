@@ -38,7 +38,7 @@ struct ProcessorSums {
   /// Program and mesher, as far as it is known [s].
   [[nodiscard]] double cpu() const { return program_cpu + mesher_cpu.value_or(0.0); }
 };
-ProcessorSums by_processor(const results::Profile& profile);
+ProcessorSums by_processor(const results::RunProfile& profile);
 
 /// All that was done for the net of one name.
 struct NetSum {
@@ -50,16 +50,16 @@ struct NetSum {
   double stiffness_cpu = 0.0, analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s]
 };
 /// In the order in which they came first.
-std::vector<NetSum> by_net(const results::Profile& profile);
+std::vector<NetSum> by_net(const results::RunProfile& profile);
 
 /// What was done for one crack length.
 struct LengthSum {
   std::string label; ///< "increment 2", "tried"; with a tolerance of K "round 2: increment 1"
-  const results::LengthWork* work = nullptr;
+  const results::CrackLengthCost* work = nullptr;
   std::optional<double> mesher_cpu = 0.0;     ///< [s]
   std::optional<double> flops = 0.0;          ///< of its nets
   std::vector<std::string> condensed, reused; ///< nets
 };
-std::vector<LengthSum> by_length(const results::Profile& profile);
+std::vector<LengthSum> by_length(const results::RunProfile& profile);
 
 } // namespace spricka::program

@@ -15,7 +15,7 @@ namespace spricka::program {
 
 namespace {
 
-using report::Table;
+using report::ReportTable;
 
 constexpr const char* unknown = "unknown";
 constexpr double mebi = 1048576.0;
@@ -41,19 +41,19 @@ std::string rate(const std::optional<double>& flops, double cpu) {
   return flops && *flops > 0.0 && cpu > 1e-6 ? fmt::format("{:.2f}", 1e-9 * *flops / cpu) : unknown;
 }
 
-Table processor_table(const ProcessorSums& sums) {
-  Table table{"Profile by processor",
-              {{"", "", true},
-               {"calls", "", false},
-               {"cpu", "s", false},
-               {"wall", "s", false},
-               {"share", "%", false},
-               {"flops", "", false},
-               {"rate", "Gflop/s", false},
-               {"resident", "MiB", false},
-               {"peak", "MiB", false},
-               {"raised", "MiB", false}},
-              {}};
+ReportTable processor_table(const ProcessorSums& sums) {
+  ReportTable table{"Profile by processor",
+                    {{"", "", true},
+                     {"calls", "", false},
+                     {"cpu", "s", false},
+                     {"wall", "s", false},
+                     {"share", "%", false},
+                     {"flops", "", false},
+                     {"rate", "Gflop/s", false},
+                     {"resident", "MiB", false},
+                     {"peak", "MiB", false},
+                     {"raised", "MiB", false}},
+                    {}};
   const double all = sums.cpu();
   for (const ProcessorSum& row : sums.rows) {
     const std::string at_least = row.flops && !row.all_counted ? ">" : "";
@@ -69,20 +69,20 @@ Table processor_table(const ProcessorSums& sums) {
   return table;
 }
 
-Table net_table(const std::vector<NetSum>& nets) {
-  Table table{"Nets",
-              {{"", "", true},
-               {"freedoms", "", false},
-               {"externals", "", false},
-               {"nonzeros", "", false},
-               {"condensed", "", false},
-               {"reused", "", false},
-               {"flops", "", false},
-               {"stiffness", "s", false},
-               {"analysis", "s", false},
-               {"numeric", "s", false},
-               {"rate", "Gflop/s", false}},
-              {}};
+ReportTable net_table(const std::vector<NetSum>& nets) {
+  ReportTable table{"Nets",
+                    {{"", "", true},
+                     {"freedoms", "", false},
+                     {"externals", "", false},
+                     {"nonzeros", "", false},
+                     {"condensed", "", false},
+                     {"reused", "", false},
+                     {"flops", "", false},
+                     {"stiffness", "s", false},
+                     {"analysis", "s", false},
+                     {"numeric", "s", false},
+                     {"rate", "Gflop/s", false}},
+                    {}};
   for (const NetSum& net : nets) {
     table.rows.push_back({net.name, fmt::format("{}", net.freedoms),
                           fmt::format("{}", net.externals), number(net.entries),
@@ -105,19 +105,19 @@ std::string names(std::vector<std::string> list) {
   return list.size() > most ? fmt::format("{}, {} more", text, list.size() - most) : text;
 }
 
-Table length_table(const std::vector<LengthSum>& lengths) {
-  Table table{"Crack lengths",
-              {{"", "", true},
-               {"a", "", false},
-               {"cpu", "s", false},
-               {"wall", "s", false},
-               {"mesher", "s", false},
-               {"flops", "", false},
-               {"condensed", "", true},
-               {"reused", "", true}},
-              {}};
+ReportTable length_table(const std::vector<LengthSum>& lengths) {
+  ReportTable table{"Crack lengths",
+                    {{"", "", true},
+                     {"a", "", false},
+                     {"cpu", "s", false},
+                     {"wall", "s", false},
+                     {"mesher", "s", false},
+                     {"flops", "", false},
+                     {"condensed", "", true},
+                     {"reused", "", true}},
+                    {}};
   for (const LengthSum& sum : lengths) {
-    const results::LengthWork& work = *sum.work;
+    const results::CrackLengthCost& work = *sum.work;
     table.rows.push_back({sum.label, work.a ? report::six_digits(*work.a) : unknown,
                           seconds(work.cpu), seconds(work.end - work.begin),
                           seconds(sum.mesher_cpu), number(sum.flops), names(sum.condensed),

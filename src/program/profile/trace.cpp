@@ -30,7 +30,7 @@ struct Track {
 
 class Trace {
 public:
-  explicit Trace(const results::Profile& profile) : profile_(profile) {}
+  explicit Trace(const results::RunProfile& profile) : profile_(profile) {}
 
   std::string text() {
     name("process_name", {program_number, 0}, "spricka");
@@ -45,7 +45,7 @@ public:
       name("process_name", {mesher_number, 0}, "spricka-mesher");
       name("thread_name", {mesher_number, 0}, "mesher");
     }
-    for (const results::MesherWork& work : profile_.mesher) {
+    for (const results::MesherCost& work : profile_.mesher) {
       Json args = Json::object();
       put(args, "cpu_s", work.cpu);
       put(args, "peak_bytes", work.peak);
@@ -99,7 +99,7 @@ private:
 
   void add_lengths() {
     for (const LengthSum& sum : by_length(profile_)) {
-      const results::LengthWork& work = *sum.work;
+      const results::CrackLengthCost& work = *sum.work;
       Json args = Json::object();
       args["cpu_s"] = work.cpu;
       put(args, "a", work.a);
@@ -111,7 +111,7 @@ private:
   }
 
   void add_stretches() {
-    for (const results::Stretch& stretch : profile_.stretches) {
+    for (const results::ProcessorInterval& stretch : profile_.stretches) {
       Json args = Json::object();
       args["what"] = stretch.text;
       args["cpu_s"] = stretch.cpu;
@@ -132,14 +132,14 @@ private:
 
   void add_nets() {
     std::vector<double> busy_until; // of each thread beside the main one
-    std::vector<const results::NetWork*> nets;
-    for (const results::NetWork& net : profile_.nets) {
+    std::vector<const results::NetCost*> nets;
+    for (const results::NetCost& net : profile_.nets) {
       if (!net.reused) {
         nets.push_back(&net);
       }
     }
-    std::ranges::stable_sort(nets, {}, [](const results::NetWork* net) { return net->begin; });
-    for (const results::NetWork* net : nets) {
+    std::ranges::stable_sort(nets, {}, [](const results::NetCost* net) { return net->begin; });
+    for (const results::NetCost* net : nets) {
       const Track track{program_number, net->beside ? free_thread(*net, busy_until) : 0};
       Json assembling = Json::object();
       assembling["cpu_s"] = net->stiffness_cpu;
@@ -157,7 +157,7 @@ private:
   }
 
   // Threads have no names of their own: a net gets the first that is free.
-  int free_thread(const results::NetWork& net, std::vector<double>& busy_until) {
+  int free_thread(const results::NetCost& net, std::vector<double>& busy_until) {
     auto thread =
         std::ranges::find_if(busy_until, [&](double until) { return until <= net.begin; });
     if (thread == busy_until.end()) {
@@ -169,13 +169,13 @@ private:
     return static_cast<int>(thread - busy_until.begin()) + 1;
   }
 
-  const results::Profile& profile_;
+  const results::RunProfile& profile_;
   Json events_ = Json::array();
 };
 
 } // namespace
 
-std::string trace_json(const results::Profile& profile) {
+std::string trace_json(const results::RunProfile& profile) {
   return Trace(profile).text();
 }
 

@@ -10,6 +10,6 @@ namespace spricka::program {
 /// in microseconds since the run began. Process 1 is the program, its thread 0 the main one;
 /// process 2 the mesher. Memory after each stretch comes as a counter. Events of one thread lie
 /// within each other or one after another.
-std::string trace_json(const results::Profile& profile);
+std::string trace_json(const results::RunProfile& profile);
 
 } // namespace spricka::program

@@ -69,7 +69,7 @@ base::Trouble ShellSession::map_case(const std::string& load_case, double from, 
   return trouble;
 }
 
-const results::LoadPath* ShellSession::mapped() const {
+const results::LoadPathResult* ShellSession::mapped() const {
   return mapped_.empty() || !bench_->ready()
              ? nullptr
              : results::find_path(bench_->run().increments.front(), mapped_);
@@ -119,8 +119,8 @@ std::vector<std::string> ShellSession::new_notes() {
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
   for (const results::Note& note : now().notes) {
-    if (results::warns(note)) {
-      warnings.push_back(results::marked(note));
+    if (results::is_warning(note)) {
+      warnings.push_back(results::text_with_code(note));
     } else if (told_.insert(note.text).second) {
       notes.push_back("note: " + note.text);
     }
@@ -167,8 +167,8 @@ void ShellSession::remember() {
   known_.push_back(std::move(known));
 }
 
-results::Run ShellSession::lengths() const {
-  results::Run out;
+results::RunResult ShellSession::lengths() const {
+  results::RunResult out;
   const std::string present = setting();
   for (const Known& known : known_) {
     if (known.setting == present) {

@@ -101,7 +101,7 @@ void ShellBench::begin_run() {
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
   increment.a = base::remove_round_off(length_->first_crack_size());
-  increment.notes = results::notes_of(scene.notes);
+  increment.notes = results::make_notes(scene.notes);
   increment.mesh = cracked.mesh;
   increment.surface = analysis::outer_surface(increment.mesh);
   analysis::keep_removed_members(parts_.model.mesh, increment.mesh);
@@ -294,7 +294,7 @@ base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
   model::LoadPathDefinition own = card;
   own.from = base::StepId(path_from);
   own.to = base::StepId(path_to);
-  std::vector<results::LoadPath> found;
+  std::vector<results::LoadPathResult> found;
   base::Trouble trouble;
   const auto to_end = [&](const std::vector<model::Step>& way, Reached& reached) {
     // The present state is the beginning of this way: its last step is all that is missing.
@@ -339,8 +339,8 @@ base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
   if (!trouble) {
     found.front().from = from.back().name;
     found.front().to = to.back().name;
-    std::vector<results::LoadPath>& paths = run_.increments.front().paths;
-    std::erase_if(paths, [&](const results::LoadPath& p) { return p.name == card.name; });
+    std::vector<results::LoadPathResult>& paths = run_.increments.front().paths;
+    std::erase_if(paths, [&](const results::LoadPathResult& p) { return p.name == card.name; });
     paths.push_back(std::move(found.front()));
   }
   return trouble;

@@ -41,7 +41,7 @@ public:
 
   /// One increment with the mesh and the present state as its step NOW; then what was asked of the
   /// deck's own steps, and the load paths that were followed.
-  [[nodiscard]] const results::Run& run() const { return run_; }
+  [[nodiscard]] const results::RunResult& run() const { return run_; }
   [[nodiscard]] const results::StepResult& now() const { return run_.increments.front().steps[0]; }
   /// The model as it is shown: its only step with results is NOW.
   [[nodiscard]] const model::Model& shown() const { return shown_; }
@@ -91,7 +91,7 @@ private:
   std::optional<analysis::StepState> state_;
   std::vector<model::Step> way_;
   bool estimated_ = false;
-  results::Run run_;
+  results::RunResult run_;
 };
 
 } // namespace spricka::program

@@ -18,15 +18,15 @@ namespace spricka::program {
 
 namespace {
 
-using results::FrontPlace;
+using results::FrontPointResult;
 using results::FrontResult;
 
 /// The points with the smallest and the largest K1, those at the surface left out: K there is a
 /// number of the mesh.
-std::pair<const FrontPlace*, const FrontPlace*> extremes(const FrontResult& front) {
-  const FrontPlace* least = nullptr;
-  const FrontPlace* most = nullptr;
-  for (const FrontPlace& place : front.points) {
+std::pair<const FrontPointResult*, const FrontPointResult*> extremes(const FrontResult& front) {
+  const FrontPointResult* least = nullptr;
+  const FrontPointResult* most = nullptr;
+  for (const FrontPointResult& place : front.points) {
     if (place.at_surface && front.points.size() > 2) {
       continue;
     }
@@ -56,14 +56,14 @@ results::Increment fronts_alone(const ShellSession& session, const std::string& 
 std::string summary(const ShellSession& session) {
   const base::UnitSystem& units = session.model().units;
   const std::string K = units.stress_intensity_name();
-  report::Table table{"",
-                      {{"front", "", true},
-                       {"K1", "", true},
-                       {"point", "", false},
-                       {"x", units.length_name, false},
-                       {"y", units.length_name, false},
-                       {"z", units.length_name, false}},
-                      {}};
+  report::ReportTable table{"",
+                            {{"front", "", true},
+                             {"K1", "", true},
+                             {"point", "", false},
+                             {"x", units.length_name, false},
+                             {"y", units.length_name, false},
+                             {"z", units.length_name, false}},
+                            {}};
   for (const char* name : {"K1", "K2", "K3"}) {
     table.columns.push_back({name, K, false});
     table.columns.push_back({"+-", K, false});
@@ -81,8 +81,8 @@ std::string summary(const ShellSession& session) {
       const std::array<double, 3> of{place->K1, place->K2, place->K3};
       for (std::size_t mode = 0; mode < of.size(); ++mode) {
         row.push_back(fmt::format("{:.7g}", of[mode]));
-        row.push_back(results::has_bar(front) ? fmt::format("{:.2g}", place->bar[mode].size())
-                                              : std::string("-"));
+        row.push_back(results::has_error_bar(front) ? fmt::format("{:.2g}", place->bar[mode].size())
+                                                    : std::string("-"));
       }
       table.rows.push_back(std::move(row));
     }
@@ -97,9 +97,9 @@ std::string front_reply(const ShellSession& session, const std::string& only) {
     return summary(session);
   }
   std::string text;
-  const std::vector<report::Table> tables =
+  const std::vector<report::ReportTable> tables =
       report::front_tables(session.shown(), fronts_alone(session, only));
-  for (const report::Table& table : tables) {
+  for (const report::ReportTable& table : tables) {
     text += report::to_text(tables.size() == 1 ? report::untitled(table) : table);
   }
   return text;
@@ -108,8 +108,8 @@ std::string front_reply(const ShellSession& session, const std::string& only) {
 std::string front_doubts(const ShellSession& session) {
   std::string text;
   for (const FrontResult& front : session.now().fronts) {
-    if (!front.doubt.empty()) {
-      text += fmt::format("warning: {}: {}\n", front.name, front.doubt);
+    if (!front.invalid_reason.empty()) {
+      text += fmt::format("warning: {}: {}\n", front.name, front.invalid_reason);
     }
   }
   return text;
@@ -121,10 +121,10 @@ std::string front_notes(const ShellSession& session, const std::string& only) {
     if (!is_of_crack(front.name, only)) {
       continue;
     }
-    if (!front.doubt.empty()) {
-      text += fmt::format("warning: {}: {}\n", front.name, front.doubt);
+    if (!front.invalid_reason.empty()) {
+      text += fmt::format("warning: {}: {}\n", front.name, front.invalid_reason);
     }
-    const auto closed = std::ranges::count_if(front.points, &FrontPlace::closed);
+    const auto closed = std::ranges::count_if(front.points, &FrontPointResult::closed);
     if (closed > 0) {
       text += fmt::format("note: {}: the crack's faces touch at {} of {} points, K1 is 0 there\n",
                           front.name, closed, front.points.size());
@@ -149,21 +149,21 @@ std::string fronts_state(const ShellSession& session) {
   return text;
 }
 
-std::vector<MappedPoint> mapped_points(const results::LoadPath& path) {
+std::vector<MappedPoint> mapped_points(const results::LoadPathResult& path) {
   std::vector<MappedPoint> out;
   if (path.t.empty()) {
     return out;
   }
-  for (const results::PathFront& front : path.fronts) {
+  for (const results::LoadPathFront& front : path.fronts) {
     const FrontResult at_end = front.at(path.t.back());
     const auto [least, most] = extremes(at_end);
     std::vector<int> numbers;
-    for (const FrontPlace* place : {least, most}) {
+    for (const FrontPointResult* place : {least, most}) {
       if (place != nullptr && std::ranges::find(numbers, place->number) == numbers.end()) {
         numbers.push_back(place->number);
       }
     }
-    for (const results::PathPoint& point : front.points) {
+    for (const results::LoadPathFrontPoint& point : front.points) {
       if (std::ranges::find(numbers, point.is.number) != numbers.end()) {
         out.push_back({fmt::format("{} point {}", front.is.name, point.is.number), &point.K[0]});
       }

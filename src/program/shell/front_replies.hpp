@@ -25,6 +25,6 @@ struct MappedPoint {
   const base::PiecewiseLinear* K1 = nullptr;
 };
 /// Of each front the points inside with the largest and the smallest K1 at the end of the path.
-std::vector<MappedPoint> mapped_points(const results::LoadPath& path);
+std::vector<MappedPoint> mapped_points(const results::LoadPathResult& path);
 
 } // namespace spricka::program

@@ -60,30 +60,30 @@ std::string stacked(const std::vector<report::Figure>& figures) {
                      width, height, body);
 }
 
-std::string path_picture(const ShellSession& session, const results::LoadPath& path) {
+std::string path_picture(const ShellSession& session, const results::LoadPathResult& path) {
   const MapRange& range = session.map_range();
   report::Plot plot;
   plot.label = fmt::format("K1 from {} to {}", path.from, path.to);
   plot.x_name = range.what == "t" ? fmt::format("t  ({} to {})", path.from, path.to)
                                   : fmt::format("factor of {}", path.name);
   plot.y_name =
-      fmt::format("K₁  [{}]", report::print_unit(session.model().units.stress_intensity_name()));
+      fmt::format("K₁  [{}]", report::typeset_unit(session.model().units.stress_intensity_name()));
   std::vector<MappedPoint> curves = mapped_points(path);
-  for (const results::PathTip& tip : path.tips) {
+  for (const results::LoadPathTip& tip : path.tips) {
     curves.push_back({tip.name, &tip.K1});
   }
   for (const MappedPoint& curve : curves) {
-    report::Series series;
+    report::PlotSeries series;
     series.name = curve.name;
-    series.colour = report::colour(plot.series.size());
-    series.dash = report::dash(plot.series.size());
+    series.colour = report::palette_colour(plot.series.size());
+    series.dash = report::dash_pattern(plot.series.size());
     for (std::size_t k = 0; k < path.t.size(); ++k) {
       series.points.push_back(
           {range.from + (range.to - range.from) * path.t[k], curve.K1->at_knot(k)});
     }
     plot.series.push_back(std::move(series));
   }
-  return report::draw(plot);
+  return report::draw_svg(plot);
 }
 
 // The sizes tried with these loads and fits as steps of one increment, each front a figure.
@@ -137,7 +137,7 @@ base::Trouble picture(const ShellSession& session, const std::string& kind, std:
   } else if (kind == "mesh") {
     svg = stacked(report::mesh_figures(session.shown(), session.run()));
   } else if (kind == "path") {
-    const results::LoadPath* path = session.mapped();
+    const results::LoadPathResult* path = session.mapped();
     if (path == nullptr || (path->tips.empty() && path->fronts.empty())) {
       return misuse("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }

@@ -196,11 +196,11 @@ base::Trouble do_map(const ShellCall& call) {
   if (trouble) {
     return trouble;
   }
-  const results::LoadPath& path = *call.session.mapped();
+  const results::LoadPathResult& path = *call.session.mapped();
   call.reply.out = map_reply(call.session);
   for (const results::Note& note : path.notes) {
-    call.reply.messages +=
-        fmt::format("{}{}\n", results::warns(note) ? "" : "note: ", results::marked(note));
+    call.reply.messages += fmt::format(
+        "{}{}\n", results::is_warning(note) ? "" : "note: ", results::text_with_code(note));
   }
   return {};
 }

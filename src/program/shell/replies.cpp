@@ -20,7 +20,7 @@ namespace spricka::program {
 namespace {
 
 constexpr double degree = 180.0 / std::numbers::pi;
-using report::Table;
+using report::ReportTable;
 
 std::string number(double value) {
   return fmt::format("{:.7g}", value);
@@ -34,11 +34,11 @@ std::string bar(const results::TipResult& tip, int mode) {
 std::vector<std::string> k_row(const results::TipResult& tip) {
   std::vector<std::string> row{tip.name};
   for (const results::TipQuantity& q : results::tip_quantities) {
-    if (!q.is(results::in_shell)) {
+    if (!q.appears_in(results::in_shell)) {
       continue;
     }
     const bool given = q.is_given(tip);
-    row.push_back(given ? fmt::format("{:.{}g}", q.of(tip), q.shell_digits) : "");
+    row.push_back(given ? fmt::format("{:.{}g}", q.extract_value(tip), q.shell_digits) : "");
     if (q.bar >= 0) {
       row.push_back(given ? bar(tip, q.bar) : "");
     }
@@ -87,12 +87,12 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
     return front_reply(session, only);
   }
   const base::UnitSystem& units = session.model().units;
-  Table table{"", {{"tip", "", true}}, {}};
+  ReportTable table{"", {{"tip", "", true}}, {}};
   for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.is(results::in_shell)) {
+    if (q.appears_in(results::in_shell)) {
       table.columns.push_back({q.name, base::unit_name(units, q.kind), false});
     }
-    if (q.is(results::in_shell) && q.bar >= 0) {
+    if (q.appears_in(results::in_shell) && q.bar >= 0) {
       table.columns.push_back({"+-", base::unit_name(units, q.kind), false});
     }
   }
@@ -110,8 +110,8 @@ std::string k_notes(const ShellSession& session, const std::string& only) {
     if (!is_of_crack(tip.name, only)) {
       continue;
     }
-    if (!tip.doubt.empty()) {
-      text += fmt::format("warning: {}: {}\n", tip.name, tip.doubt);
+    if (!tip.invalid_reason.empty()) {
+      text += fmt::format("warning: {}: {}\n", tip.name, tip.invalid_reason);
     }
     if (tip.closed) {
       text += fmt::format("note: {}: the crack's faces touch at the tip, K1 is 0\n", tip.name);
@@ -145,8 +145,8 @@ std::string state_notes(ShellSession& session) {
     text += note + "\n";
   }
   for (const results::TipResult& tip : session.now().tips) {
-    if (!tip.doubt.empty()) {
-      text += fmt::format("warning: {}: {}\n", tip.name, tip.doubt);
+    if (!tip.invalid_reason.empty()) {
+      text += fmt::format("warning: {}: {}\n", tip.name, tip.invalid_reason);
     }
   }
   return text + front_doubts(session);
@@ -158,7 +158,7 @@ std::string pressure_reply(const ShellSession& session, const results::ContactRe
       std::ranges::find(session.model().contacts, contact.name, &model::Contact::name);
   const bool consistent = card != session.model().contacts.end() &&
                           card->recovery == model::PressureRecovery::consistent;
-  Table table{
+  ReportTable table{
       "",
       {{"x", units.length_name, false},
        {"y", units.length_name, false},
@@ -207,11 +207,11 @@ std::string arc_reply(const ShellSession& session, const results::ContactResult&
 }
 
 std::string map_reply(const ShellSession& session) {
-  const results::LoadPath& path = *session.mapped();
+  const results::LoadPathResult& path = *session.mapped();
   const MapRange& range = session.map_range();
   const std::string K = session.model().units.stress_intensity_name();
-  Table table{"", {{range.what, "", false}}, {}};
-  for (const results::PathTip& tip : path.tips) {
+  ReportTable table{"", {{range.what, "", false}}, {}};
+  for (const results::LoadPathTip& tip : path.tips) {
     const std::string of = path.tips.size() > 1 ? " " + tip.name : "";
     table.columns.push_back({"K1" + of, K, false});
     table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
@@ -222,13 +222,13 @@ std::string map_reply(const ShellSession& session) {
     table.columns.push_back({"K1 " + point.name, K, false});
     table.columns.push_back({fmt::format("dK1/d{} {}", range.what, point.name), K, false});
   }
-  for (const results::PathContact& contact : path.contacts) {
+  for (const results::LoadPathContact& contact : path.contacts) {
     table.columns.push_back({contact.name, "closed", false});
   }
   const double width = range.to - range.from;
   for (std::size_t k = 0; k < path.t.size(); ++k) {
     std::vector<std::string> row{number(range.from + width * path.t[k])};
-    for (const results::PathTip& tip : path.tips) {
+    for (const results::LoadPathTip& tip : path.tips) {
       row.push_back(number(tip.K1.at_knot(k)));
       row.push_back(number(tip.K1.slope_after(k) / width));
       row.push_back(number(tip.K2.at_knot(k)));
@@ -237,7 +237,7 @@ std::string map_reply(const ShellSession& session) {
       row.push_back(number(point.K1->at_knot(k)));
       row.push_back(number(point.K1->slope_after(k) / width));
     }
-    for (const results::PathContact& contact : path.contacts) {
+    for (const results::LoadPathContact& contact : path.contacts) {
       row.push_back(fmt::format("{}/{}", contact.closed[k], contact.rows));
     }
     table.rows.push_back(std::move(row));

@@ -80,7 +80,7 @@ public:
 
   // Answers about the present state; what is pending is solved before.
   base::Trouble estimate(); ///< error bars and sensitivities of K, once for a state
-  [[nodiscard]] const results::Run& run() const { return bench_->run(); }
+  [[nodiscard]] const results::RunResult& run() const { return bench_->run(); }
   [[nodiscard]] const results::StepResult& now() const { return bench_->now(); }
   /// Notes of the present state that were not given before, and its warnings, first.
   std::vector<std::string> new_notes();
@@ -94,12 +94,12 @@ public:
   /// has the name of the case.
   base::Trouble map_case(const std::string& load_case, double from, double to);
   /// The path that was followed last; null: none at this state.
-  [[nodiscard]] const results::LoadPath* mapped() const;
+  [[nodiscard]] const results::LoadPathResult* mapped() const;
   [[nodiscard]] const MapRange& map_range() const { return range_; }
 
   /// States with the present loads and fits at different lengths, ascending: each an increment
   /// whose only step is NOW, tips only.
-  [[nodiscard]] results::Run lengths() const;
+  [[nodiscard]] results::RunResult lengths() const;
   /// The same in space: the size of the first crack and all fronts.
   struct TriedFronts {
     CrackSize size;

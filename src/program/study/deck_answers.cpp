@@ -60,7 +60,7 @@ std::string with_part(std::string_view quantity, std::string_view part) {
 /// Makes the questions that a deck has not asked.
 class Questions {
 public:
-  explicit Questions(const results::Run& run) : run_(run) {}
+  explicit Questions(const results::RunResult& run) : run_(run) {}
 
   std::vector<model::ResultCheck> of_cracks() {
     for (const results::Increment* increment : shown_increments()) {
@@ -106,7 +106,7 @@ private:
   }
 
   void of_tip(const std::string& step, const results::TipResult& tip) {
-    if (!tip.doubt.empty()) {
+    if (!tip.invalid_reason.empty()) {
       return;
     }
     const double K = std::hypot(tip.K1, tip.K2);
@@ -123,8 +123,8 @@ private:
   }
 
   void of_front(const std::string& step, const results::FrontResult& front) {
-    std::vector<const results::FrontPlace*> places;
-    for (const results::FrontPlace& place : front.points) {
+    std::vector<const results::FrontPointResult*> places;
+    for (const results::FrontPointResult& place : front.points) {
       if (!place.at_surface) {
         places.push_back(&place);
       }
@@ -132,7 +132,7 @@ private:
     constexpr std::size_t wanted = 8;
     const std::size_t count = std::min(wanted, places.size());
     for (std::size_t i = 0; i < count; ++i) {
-      const results::FrontPlace& place = *places[(2 * i + 1) * places.size() / (2 * count)];
+      const results::FrontPointResult& place = *places[(2 * i + 1) * places.size() / (2 * count)];
       Arguments arguments{front.name, place.x.x(), place.x.y(), place.x.z(), step};
       if (run_.increments.size() > 1) {
         arguments.emplace_back(front.a);
@@ -150,13 +150,13 @@ private:
     made_.push_back(std::move(check));
   }
 
-  const results::Run& run_;
+  const results::RunResult& run_;
   std::vector<model::ResultCheck> made_;
 };
 
 // Evaluates lines on a run; trouble, or a line without a quantity, leaves no number.
 std::vector<double> values_of(model::Model& model, const std::vector<model::ResultCheck>& checks,
-                              const results::Run& run) {
+                              const results::RunResult& run) {
   std::vector<double> values(checks.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<std::size_t> asked;
   model.checks.clear();
@@ -191,7 +191,7 @@ const char* name_of(AnswerGroup group) {
   return names.at(static_cast<std::size_t>(group));
 }
 
-std::vector<Answer> answers_of(const model::Model& model, const results::Run& run) {
+std::vector<Answer> answers_of(const model::Model& model, const results::RunResult& run) {
   std::vector<Answer> answers;
   const auto add = [&](const model::ResultCheck& check, bool own) {
     const std::optional<AnswerGroup> group = group_of(check.quantity);
@@ -230,7 +230,7 @@ std::vector<Answer> answers_of(const model::Model& model, const results::Run& ru
 }
 
 std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
-                                  const results::Run& run) {
+                                  const results::RunResult& run) {
   model::Model asked = model;
   std::vector<model::ResultCheck> value;
   std::vector<model::ResultCheck> bar;

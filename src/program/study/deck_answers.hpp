@@ -37,11 +37,11 @@ struct Reading {
 /// Of a deck that checks no K of its cracks K1 and K2 of each tip at the end of each step and
 /// length, along fronts at eight points; without cracks and checks mean pressures of its contacts,
 /// and the energy.
-std::vector<Answer> answers_of(const model::Model& model, const results::Run& run);
+std::vector<Answer> answers_of(const model::Model& model, const results::RunResult& run);
 
 /// [answer]
 std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
-                                  const results::Run& run);
+                                  const results::RunResult& run);
 
 /// What errors of each answer are parts of: the amount of `found`, or where an answer may be zero
 /// (an absolute tolerance, none at all) the largest amount in the answers of its group about the

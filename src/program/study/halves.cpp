@@ -34,13 +34,13 @@ bool is_odd_extreme(const Answer& answer, const std::string& mirrored) {
 PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text) {
   PartOfModel part;
   deck::DeckText changed = text;
-  for (const results::MirrorPreview& mirror : sense::find_mirrors(model)) {
+  for (const results::SymmetryPlanePreview& mirror : sense::find_symmetry_planes(model)) {
     const bool there = std::ranges::any_of(
         model.mirrors, [&](const model::MirrorPlane& plane) { return plane.axis == mirror.axis; });
     const char axis = "xyz"[mirror.axis];
     std::string against = mirror.against;
     if (against.empty() && !there) {
-      against = sense::against_half(model, mirror.axis);
+      against = sense::half_model_obstacle(model, mirror.axis);
     }
     if (there || !against.empty()) {
       if (!there) {

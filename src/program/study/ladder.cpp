@@ -27,7 +27,7 @@ bool is_of_step(const Answer& answer, const std::string& step) {
 
 // The step with the largest amount among these answers.
 std::string largest_step(const std::vector<Answer>& answers, const model::Model& model,
-                         const results::Run& run) {
+                         const results::RunResult& run) {
   const std::vector<Reading> readings = read_answers(model, answers, run);
   double most = -1.0;
   std::string largest = report::leading_step(model);
@@ -114,7 +114,7 @@ const char* name_of(RungVerdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-std::vector<Answer> ladder_answers(const model::Model& model, const results::Run& run) {
+std::vector<Answer> ladder_answers(const model::Model& model, const results::RunResult& run) {
   std::vector<Answer> all = answers_of(model, run);
   if (all.empty()) {
     return all;

@@ -50,7 +50,7 @@ struct Ladder {
 
 /// Answers of the most telling group that there are: K before pressures and the rest. Those that
 /// are not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
-std::vector<Answer> ladder_answers(const model::Model& model, const results::Run& run);
+std::vector<Answer> ladder_answers(const model::Model& model, const results::RunResult& run);
 
 /// Fills differences, verdicts and the cheapest rung.
 void compare(Ladder& ladder);

@@ -119,7 +119,7 @@ private:
     }
   }
 
-  void read(RungResult& result, const results::Run& run) const {
+  void read(RungResult& result, const results::RunResult& run) const {
     if (!result.rung.section) {
       result.readings = read_answers(*ready_.model, ladder_.answers, run);
       tell_of_whole(result.readings, ladder_.answers, result.rung.mirrored);
@@ -165,7 +165,7 @@ base::Outcome ladder_deck(const LadderOptions& given) {
   }
   try {
     return LadderRun(options, log).run();
-  } catch (const archive::FileTrouble& trouble) {
+  } catch (const archive::FileFailure& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
     return base::Outcome::file_trouble;
   } catch (const std::system_error& trouble) {

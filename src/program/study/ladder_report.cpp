@@ -33,8 +33,8 @@ std::string number_or_none(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
 }
 
-report::Table rungs_table(const model::Model& model, const Ladder& ladder) {
-  report::Table table{"Rungs", {{"rung", "", true}}, {}};
+report::ReportTable rungs_table(const model::Model& model, const Ladder& ladder) {
+  report::ReportTable table{"Rungs", {{"rung", "", true}}, {}};
   const std::string unit = unit_of(model, ladder.answers.front().group);
   table.columns.push_back({ladder.answers.front().text, unit, false});
   if (ladder.answers.size() > 1) {
@@ -68,8 +68,8 @@ report::Table rungs_table(const model::Model& model, const Ladder& ladder) {
   return table;
 }
 
-report::Table left_out_table(const Ladder& ladder) {
-  report::Table table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
+report::ReportTable left_out_table(const Ladder& ladder) {
+  report::ReportTable table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
   for (const RungResult& rung : ladder.rungs) {
     if (rung.readings.empty()) {
       table.rows.push_back({rung.rung.name, rung.trouble});
@@ -120,15 +120,15 @@ report::Plot ladder_plot(const Ladder& ladder) {
     if (rung.verdict == RungVerdict::richest || !(std::abs(rung.difference) > 0.0)) {
       continue;
     }
-    report::Series series;
+    report::PlotSeries series;
     series.name = rung.rung.name;
     series.points = {{rung.end.cpu, 100.0 * std::abs(rung.difference)}};
-    series.colour = report::colour(plot.series.size());
+    series.colour = report::palette_colour(plot.series.size());
     series.marker = report::closed_marker(plot.series.size());
     series.joined = false;
     plot.series.push_back(std::move(series));
   }
-  report::Series limit;
+  report::PlotSeries limit;
   limit.name = "the tolerance";
   limit.colour = "#888";
   limit.dash = "5 4";
@@ -142,7 +142,7 @@ report::Plot ladder_plot(const Ladder& ladder) {
 
 std::string ladder_text(const model::Model& model, const Ladder& ladder) {
   std::string out = report::to_text(rungs_table(model, ladder)) + "\n";
-  const report::Table left = left_out_table(ladder);
+  const report::ReportTable left = left_out_table(ladder);
   out += left.rows.empty() ? "" : report::to_text(left) + "\n";
   return out + ladder_sentence(ladder) + "\n";
 }
@@ -171,19 +171,21 @@ std::string ladder_csv(const Ladder& ladder) {
 
 std::string ladder_page(const base::SourceTexts& sources, const model::Model& model,
                         const Ladder& ladder) {
-  report::Page page;
+  report::HtmlPage page;
   const std::string title = model.title.empty() ? "spricka ladder" : model.title;
-  page.add(fmt::format("<h1>{}</h1>\n", report::escape(title)));
-  page.add(fmt::format("<p class=\"about\">Simpler models of {}. Computed by spricka {}.</p>\n",
-                       report::escape(report::deck_name(sources, 0)), SPRICKA_VERSION));
-  page.add(fmt::format("<p>{}</p>\n", report::escape(ladder_sentence(ladder))));
-  page.figure({{draw(ladder_plot(ladder))},
-               "",
-               "The largest difference of each rung from the richest, of all answers, against the "
-               "CPU time of its run."});
-  page.table(rungs_table(model, ladder));
-  page.table(left_out_table(ladder));
-  return page.finish(title);
+  page.add_html(fmt::format("<h1>{}</h1>\n", report::escape_xml(title)));
+  page.add_html(
+      fmt::format("<p class=\"about\">Simpler models of {}. Computed by spricka {}.</p>\n",
+                  report::escape_xml(report::deck_name(sources, 0)), SPRICKA_VERSION));
+  page.add_html(fmt::format("<p>{}</p>\n", report::escape_xml(ladder_sentence(ladder))));
+  page.add_figure(
+      {{draw_svg(ladder_plot(ladder))},
+       "",
+       "The largest difference of each rung from the richest, of all answers, against the "
+       "CPU time of its run."});
+  page.add_table(rungs_table(model, ladder));
+  page.add_table(left_out_table(ladder));
+  return page.finish_page(title);
 }
 
 } // namespace spricka::program

@@ -42,7 +42,7 @@ public:
 
 private:
   model::Model model_;
-  results::Run run_;
+  results::RunResult run_;
 };
 
 // A component of the stress in the place of the displacement in X. [dim * node]

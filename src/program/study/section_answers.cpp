@@ -125,14 +125,14 @@ private:
       return std::nullopt;
     }
     const int axis = c - 'X';
-    if (axis == plane.direction(1)) {
+    if (axis == plane.space_axis(1)) {
       return 'Y';
     }
     if (!plane.round) {
-      return axis == plane.direction(0) ? std::optional('X') : std::nullopt;
+      return axis == plane.space_axis(0) ? std::optional('X') : std::nullopt;
     }
     const base::Vec3 x = place == nullptr ? base::Vec3::Zero() : place_of(*place, 0);
-    const double radius = plane.place(x).x();
+    const double radius = plane.section_coordinates(x).x();
     constexpr double askew = 1e-6;
     const bool radial = axis != plane.axis && radius > 0.0 && x[axis] > (1.0 - askew) * radius;
     return radial ? std::optional('X') : std::nullopt;
@@ -149,7 +149,7 @@ private:
 
   // x, y, z from `first` on become the two of the section.
   void put_place(Arguments& arguments, std::size_t first) const {
-    const base::Vec3 x = view_.plane.place(place_of(arguments, first));
+    const base::Vec3 x = view_.plane.section_coordinates(place_of(arguments, first));
     arguments[first] = x.x();
     arguments[first + 1] = x.y();
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(first) + 2);
@@ -172,7 +172,7 @@ std::vector<Counterpart> as_in_section(const SectionView& view,
 
 std::vector<Reading> read_counterparts(const model::Model& model,
                                        const std::vector<Counterpart>& asked,
-                                       const results::Run& run) {
+                                       const results::RunResult& run) {
   std::vector<Answer> own;
   for (const Counterpart& counterpart : asked) {
     own.emplace_back().check = counterpart.check.value_or(model::ResultCheck{});

@@ -37,7 +37,7 @@ bool is_replaced(std::string_view card) {
 
 class SectionMaker {
 public:
-  SectionMaker(const model::Model& model, const DeckText& given, sense::Section section,
+  SectionMaker(const model::Model& model, const DeckText& given, sense::PlaneSection section,
                const std::string& state)
       : model_(model), given_(given), section_(std::move(section)), state_(state),
         mesh_(model, section_.mesh) {
@@ -140,14 +140,15 @@ private:
     }
     const Vec3 along = (own->second - own->first).normalized();
     const double turned = std::abs(along[plane().axis]);
-    const Vec3 first = plane().place(own->first);
+    const Vec3 first = plane().section_coordinates(own->first);
     flat.set("X0", number(first.x()));
     flat.set("Y0", number(first.y()));
     if (own->shape == model::RigidTargetShape::cylinder && turned > 1.0 - near) {
       flat.set("SHAPE", "ARC");
       flat.set("R", number(own->radius));
     } else if (own->shape == model::RigidTargetShape::plane && turned < near) {
-      put_line(flat, first, plane().place(along) - plane().place(Vec3::Zero()));
+      put_line(flat, first,
+               plane().section_coordinates(along) - plane().section_coordinates(Vec3::Zero()));
     } else {
       refuse(reason);
     }
@@ -184,18 +185,19 @@ private:
     for (const char* key : of_space) {
       flat.erase(key);
     }
-    const Vec3 tip = plane().place(own->points.front());
-    const Vec3 within = plane().place(own->plane.place);
-    const std::optional<Vec3> mouth = (within - tip).norm() > 0.0
-                                          ? sense::way_out(section_.mesh, own->net, tip, within)
-                                          : std::nullopt;
+    const Vec3 tip = plane().section_coordinates(own->points.front());
+    const Vec3 within = plane().section_coordinates(own->plane.place);
+    const std::optional<Vec3> mouth =
+        (within - tip).norm() > 0.0 ? sense::find_exit_point(section_.mesh, own->net, tip, within)
+                                    : std::nullopt;
     if (!mouth) {
       refuse(fmt::format("crack {} reaches no surface", card.word("NAME")));
       return flat;
     }
     flat.data = fmt::format("  {}  {}\n  {}  {}\n", number(mouth->x()), number(mouth->y()),
                             number(tip.x()), number(tip.y()));
-    const Vec3 normal = plane().place(own->plane.normal) - plane().place(Vec3::Zero());
+    const Vec3 normal =
+        plane().section_coordinates(own->plane.normal) - plane().section_coordinates(Vec3::Zero());
     const Vec3 way = tip - *mouth;
     const double left = way.x() * normal.y() - way.y() * normal.x();
     made_.view.sign_of_K2[card.word("NAME")] = left > 0.0 ? 1.0 : -1.0;
@@ -211,9 +213,10 @@ private:
     double first = plane().last;
     double last = plane().first;
     for (const Vec3& x : crack.points) {
-      first = std::min(first, plane().along(x));
-      last = std::max(last, plane().along(x));
-      if ((plane().place(x) - plane().place(crack.points.front())).norm() > room) {
+      first = std::min(first, plane().normal_coordinate(x));
+      last = std::max(last, plane().normal_coordinate(x));
+      if ((plane().section_coordinates(x) - plane().section_coordinates(crack.points.front()))
+              .norm() > room) {
         return false;
       }
     }
@@ -223,15 +226,16 @@ private:
   void hold(DeckText& after) {
     for (const model::FreedomAssignment& freedom : model_.freedoms) {
       const std::vector<base::NodeId>& nodes = model_.mesh.set_with_id(freedom.nodes).nodes;
-      std::array<bool, 2> held{freedom.dof.at(static_cast<std::size_t>(plane().direction(0))),
-                               freedom.dof.at(static_cast<std::size_t>(plane().direction(1)))};
+      std::array<bool, 2> held{freedom.dof.at(static_cast<std::size_t>(plane().space_axis(0))),
+                               freedom.dof.at(static_cast<std::size_t>(plane().space_axis(1)))};
       if (plane().round) {
         held[0] = holds_radius(model_, section_, freedom);
       }
       if (!held[0] && !held[1]) {
         continue;
       }
-      const std::vector<base::NodeId> own = nodes_before(section_, model_.mesh, nodes);
+      const std::vector<base::NodeId> own =
+          project_nodes_onto_section(section_, model_.mesh, nodes);
       if (own.empty()) {
         refuse("a support lies away from the section");
         continue;
@@ -268,7 +272,7 @@ private:
 
   const model::Model& model_;
   const DeckText& given_;
-  sense::Section section_;
+  sense::PlaneSection section_;
   std::string state_;
   MeshCards mesh_;
   SectionDeck made_;
@@ -285,15 +289,16 @@ SectionDeck section_deck(const model::Model& model, const DeckText& text,
     return none;
   }
   const bool round = state == "AXI";
-  std::vector<sense::Section> sections =
-      round ? sense::round_sections(model.mesh) : sense::extruded_sections(model.mesh);
+  std::vector<sense::PlaneSection> sections =
+      round ? sense::revolved_sections(model.mesh) : sense::extruded_sections(model.mesh);
   // Where flat faces are held it is plane strain; the thinner a body, the plainer its stress.
-  std::ranges::stable_sort(sections, [&](const sense::Section& a, const sense::Section& b) {
-    const bool fits_a = ends_are_held(model, a) == (state != "STRESS");
-    const bool fits_b = ends_are_held(model, b) == (state != "STRESS");
-    return fits_a != fits_b ? fits_a : a.plane.depth() < b.plane.depth();
-  });
-  for (sense::Section& section : sections) {
+  std::ranges::stable_sort(sections,
+                           [&](const sense::PlaneSection& a, const sense::PlaneSection& b) {
+                             const bool fits_a = ends_are_held(model, a) == (state != "STRESS");
+                             const bool fits_b = ends_are_held(model, b) == (state != "STRESS");
+                             return fits_a != fits_b ? fits_a : a.plane.depth() < b.plane.depth();
+                           });
+  for (sense::PlaneSection& section : sections) {
     SectionDeck made = SectionMaker(model, text, std::move(section), state).run();
     if (made.text) {
       return made;

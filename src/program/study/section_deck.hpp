@@ -46,6 +46,6 @@ std::vector<Counterpart> as_in_section(const SectionView& view, const std::vecto
 /// What a run of the section's `model` says of them, as the solid's. [answer]
 std::vector<Reading> read_counterparts(const model::Model& model,
                                        const std::vector<Counterpart>& asked,
-                                       const results::Run& run);
+                                       const results::RunResult& run);
 
 } // namespace spricka::program

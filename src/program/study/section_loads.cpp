@@ -29,7 +29,7 @@ bool has_direction(model::LoadType type) {
 // y and across it.
 Vec3 in_frame(const model::Load& load, const sense::SectionPlane& plane, const Vec3& at,
               double along) {
-  const Vec3 x = plane.in_space(at, along);
+  const Vec3 x = plane.space_point(at, along);
   Vec3 value = Vec3::Zero();
   for (std::size_t d = 0; d < load.value.size(); ++d) {
     value[static_cast<Eigen::Index>(d)] = load.value[d](x);
@@ -37,8 +37,8 @@ Vec3 in_frame(const model::Load& load, const sense::SectionPlane& plane, const V
   if (!has_direction(load.type)) {
     return {value[0], 0.0, 0.0};
   }
-  const double u = value[plane.direction(0)];
-  const double v = plane.round ? value[(plane.axis + 2) % 3] : value[plane.direction(1)];
+  const double u = value[plane.space_axis(0)];
+  const double v = plane.round ? value[(plane.axis + 2) % 3] : value[plane.space_axis(1)];
   if (!plane.round) {
     return {u, v, value[plane.axis]};
   }
@@ -48,7 +48,7 @@ Vec3 in_frame(const model::Load& load, const sense::SectionPlane& plane, const V
 
 // Whether it is the same all along the axis, or round it as well at angle 0, and acts in the
 // section alone.
-bool is_uniform(const model::Load& load, const sense::Section& section) {
+bool is_uniform(const model::Load& load, const sense::PlaneSection& section) {
   const sense::SectionPlane& plane = section.plane;
   constexpr std::array shares{0.0, 0.37, 1.0}; // of the depth
   constexpr double same = 1e-9;
@@ -66,7 +66,7 @@ bool is_uniform(const model::Load& load, const sense::Section& section) {
   return uneven <= same * largest;
 }
 
-std::string against(const model::Load& load, const sense::Section& section) {
+std::string against(const model::Load& load, const sense::PlaneSection& section) {
   if (load.type == model::LoadType::force) {
     return "forces on single nodes";
   }
@@ -129,7 +129,7 @@ private:
     // What does not change along the axis, or round it, is taken in the section, or at angle 0.
     const int axis = name[0] - 'X';
     const std::string at = plane_.round ? "0" : fmt::format("({:.15g})", plane_.first);
-    return axis == plane_.direction(0) ? "x" : axis == plane_.direction(1) ? "y" : at;
+    return axis == plane_.space_axis(0) ? "x" : axis == plane_.space_axis(1) ? "y" : at;
   }
 
   const sense::SectionPlane& plane_;
@@ -143,7 +143,7 @@ bool is_crack_face(const std::string& set) {
 
 } // namespace
 
-std::string loads_against_section(const model::Model& model, const sense::Section& section) {
+std::string loads_against_section(const model::Model& model, const sense::PlaneSection& section) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (const std::string reason = against(load, section); !reason.empty()) {
@@ -180,7 +180,7 @@ deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionP
       return false;
     }
     for (const int d : {0, 1}) {
-      const std::string own = value(1 + static_cast<std::size_t>(plane.direction(d)));
+      const std::string own = value(1 + static_cast<std::size_t>(plane.space_axis(d)));
       lines += whole_turn
                    ? fmt::format("  ({:.15g}*{})", 2.0 * std::numbers::pi / plane.depth(), own)
                    : "  " + own;
@@ -192,7 +192,7 @@ deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionP
   return flat;
 }
 
-bool holds_radius(const model::Model& model, const sense::Section& section,
+bool holds_radius(const model::Model& model, const sense::PlaneSection& section,
                   const model::FreedomAssignment& freedom) {
   const sense::SectionPlane& plane = section.plane;
   const auto one = static_cast<std::size_t>((plane.axis + 1) % 3);
@@ -212,7 +212,7 @@ bool holds_radius(const model::Model& model, const sense::Section& section,
   });
 }
 
-bool ends_are_held(const model::Model& model, const sense::Section& section) {
+bool ends_are_held(const model::Model& model, const sense::PlaneSection& section) {
   const sense::SectionPlane& plane = section.plane;
   std::vector<std::array<bool, 3>> held(model.mesh.node_count(), {false, false, false});
   for (const model::FreedomAssignment& freedom : model.freedoms) {
@@ -225,7 +225,7 @@ bool ends_are_held(const model::Model& model, const sense::Section& section) {
   const std::vector<bool> used = model::nodes_in_use(model.mesh);
   for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
     const Vec3& x = model.mesh.x[n];
-    const double along = plane.along(x);
+    const double along = plane.normal_coordinate(x);
     constexpr double reach = 1e-6; // of the thickness, or rad
     const auto lies_at = [&](double at) {
       return plane.round ? std::abs(std::remainder(along - at, 2.0 * std::numbers::pi)) <= reach

@@ -11,17 +11,17 @@ namespace spricka::program {
 
 /// What of the loads differs along the axis, or round it, or acts across the section; empty:
 /// nothing.
-std::string loads_against_section(const model::Model& model, const sense::Section& section);
+std::string loads_against_section(const model::Model& model, const sense::PlaneSection& section);
 
 /// A $LOAD card with the values of the section; what it cannot say goes to an empty `reason`.
 deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionPlane& plane,
                                std::string& reason);
 
 /// Whether supports hold the radius of a round section in the section.
-bool holds_radius(const model::Model& model, const sense::Section& section,
+bool holds_radius(const model::Model& model, const sense::PlaneSection& section,
                   const model::FreedomAssignment& freedom);
 
 /// Whether all nodes of both flat faces, or at both ends of a sector, are held across them.
-bool ends_are_held(const model::Model& model, const sense::Section& section);
+bool ends_are_held(const model::Model& model, const sense::PlaneSection& section);
 
 } // namespace spricka::program

@@ -68,10 +68,10 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
   double high = 0.0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto [family, corrected] = curves.at(i);
-    report::Series series;
+    report::PlotSeries series;
     series.name = fmt::format("{}{}", name_of(family), corrected ? ", corrected" : "");
-    series.colour = report::colour(i);
-    series.dash = report::dash(i / 7 + (corrected ? 1 : 0));
+    series.colour = report::palette_colour(i);
+    series.dash = report::dash_pattern(i / 7 + (corrected ? 1 : 0));
     series.marker = report::closed_marker(i);
     series.joined = is_joined(family);
     for (const std::size_t row : rows_of(study, family)) {
@@ -90,7 +90,7 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
     }
   }
   if (group.floor > 0.0 && high > low) {
-    report::Series floor;
+    report::PlotSeries floor;
     floor.name = "the reference is no better";
     floor.colour = "#888";
     floor.dash = "5 4";
@@ -104,7 +104,8 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
 
 std::vector<report::Figure> study_figures(const Study& study, const GroupVerdict& group) {
   report::Figure figure;
-  figure.drawings = {draw(group_plot(study, group, true)), draw(group_plot(study, group, false))};
+  figure.drawings = {draw_svg(group_plot(study, group, true)),
+                     draw_svg(group_plot(study, group, false))};
   figure.caption = fmt::format(
       "The largest error of {} of all answers of the group, against the CPU time of the whole run "
       "and against its freedoms.",

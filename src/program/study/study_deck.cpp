@@ -182,7 +182,7 @@ base::Outcome study_deck(const StudyOptions& given) {
   }
   try {
     return StudyRun(options, log).run();
-  } catch (const archive::FileTrouble& trouble) {
+  } catch (const archive::FileFailure& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
     return base::Outcome::file_trouble;
   } catch (const std::system_error& trouble) {

@@ -64,11 +64,11 @@ std::string reference_words(const Study& study) {
 
 std::string study_text(const Study& study) {
   std::string out = report::to_text(settings_table(study)) + "\n";
-  const report::Table series = series_table(study);
+  const report::ReportTable series = series_table(study);
   if (!series.rows.empty()) {
     out += report::to_text(series) + "\n";
   }
-  const report::Table distrusted = distrusted_table(study);
+  const report::ReportTable distrusted = distrusted_table(study);
   if (!distrusted.rows.empty()) {
     out += report::to_text(distrusted) + "\n";
   }
@@ -112,31 +112,32 @@ std::string study_csv(const Study& study) {
 
 std::string study_page(const base::SourceTexts& sources, const model::Model& model,
                        const Study& study) {
-  report::Page page;
+  report::HtmlPage page;
   const std::string title = model.title.empty() ? "spricka study" : model.title;
-  page.add(fmt::format("<h1>{}</h1>\n", report::escape(title)));
-  page.add(fmt::format("<p class=\"about\">Work against precision of {}: {}. Computed by spricka "
-                       "{}.</p>\n",
-                       report::escape(report::deck_name(sources, 0)),
-                       report::escape(reference_words(study)), SPRICKA_VERSION));
-  page.heading("The cheapest settings");
+  page.add_html(fmt::format("<h1>{}</h1>\n", report::escape_xml(title)));
+  page.add_html(
+      fmt::format("<p class=\"about\">Work against precision of {}: {}. Computed by spricka "
+                  "{}.</p>\n",
+                  report::escape_xml(report::deck_name(sources, 0)),
+                  report::escape_xml(reference_words(study)), SPRICKA_VERSION));
+  page.add_heading("The cheapest settings");
   for (const std::string& words : sentences(study)) {
-    page.add(fmt::format("<p>{}</p>\n", report::escape(words)));
+    page.add_html(fmt::format("<p>{}</p>\n", report::escape_xml(words)));
   }
-  page.heading("Error and cost");
+  page.add_heading("Error and cost");
   for (const GroupVerdict& group : study.verdict.groups) {
     for (const report::Figure& figure : study_figures(study, group)) {
-      page.figure(figure);
+      page.add_figure(figure);
     }
   }
-  page.table(series_table(study));
-  page.table(distrusted_table(study));
-  page.heading("Settings");
-  page.table(report::untitled(settings_table(study)));
+  page.add_table(series_table(study));
+  page.add_table(distrusted_table(study));
+  page.add_heading("Settings");
+  page.add_table(report::untitled(settings_table(study)));
   for (const std::string& note : study.notes) {
-    page.paragraph(note);
+    page.add_paragraph(note);
   }
-  return page.finish(title);
+  return page.finish_page(title);
 }
 
 } // namespace spricka::program

@@ -24,13 +24,13 @@ std::string slope_words(const SeriesVerdict& series) {
 
 } // namespace
 
-report::Table settings_table(const Study& study) {
-  report::Table table{"Settings",
-                      {{"setting", "", true},
-                       {"freedoms", "", false},
-                       {"CPU", "s", false},
-                       {"memory", "MiB", false}},
-                      {}};
+report::ReportTable settings_table(const Study& study) {
+  report::ReportTable table{"Settings",
+                            {{"setting", "", true},
+                             {"freedoms", "", false},
+                             {"CPU", "s", false},
+                             {"memory", "MiB", false}},
+                            {}};
   for (const GroupVerdict& group : study.verdict.groups) {
     const std::string name = name_of(group.group);
     table.columns.push_back({name + " error", "%", false});
@@ -59,15 +59,15 @@ report::Table settings_table(const Study& study) {
   return table;
 }
 
-report::Table series_table(const Study& study) {
-  report::Table table{"Slopes and plateaus",
-                      {{"answers", "", true},
-                       {"series", "", true},
-                       {"power", "", false},
-                       {"theory", "", false},
-                       {"plateau", "", false},
-                       {"why", "", true}},
-                      {}};
+report::ReportTable series_table(const Study& study) {
+  report::ReportTable table{"Slopes and plateaus",
+                            {{"answers", "", true},
+                             {"series", "", true},
+                             {"power", "", false},
+                             {"theory", "", false},
+                             {"plateau", "", false},
+                             {"why", "", true}},
+                            {}};
   for (const GroupVerdict& group : study.verdict.groups) {
     for (const SeriesVerdict& series : group.series) {
       table.rows.push_back(
@@ -80,13 +80,13 @@ report::Table series_table(const Study& study) {
   return table;
 }
 
-report::Table distrusted_table(const Study& study) {
-  report::Table table{"References of the deck that finer meshes do not go to",
-                      {{"check", "", true},
-                       {"off by", "%", false},
-                       {"finest is sure to", "%", false},
-                       {"source", "", true}},
-                      {}};
+report::ReportTable distrusted_table(const Study& study) {
+  report::ReportTable table{"References of the deck that finer meshes do not go to",
+                            {{"check", "", true},
+                             {"off by", "%", false},
+                             {"finest is sure to", "%", false},
+                             {"source", "", true}},
+                            {}};
   std::map<std::string, std::size_t> worst; // by source
   for (std::size_t a = 0; a < study.verdict.references.size(); ++a) {
     const double off = study.verdict.references[a].deck_is_off;

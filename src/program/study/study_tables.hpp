@@ -6,12 +6,12 @@
 namespace spricka::program {
 
 /// A row for each setting: freedoms, CPU, memory, the largest error of each group.
-report::Table settings_table(const Study& study);
+report::ReportTable settings_table(const Study& study);
 
 /// A row for each series of each group: the power that errors fall by, where they stop, and why.
-report::Table series_table(const Study& study);
+report::ReportTable series_table(const Study& study);
 
 /// References of the deck that are not used, and what they are off by; the largest of each source.
-report::Table distrusted_table(const Study& study);
+report::ReportTable distrusted_table(const Study& study);
 
 } // namespace spricka::program

@@ -30,7 +30,7 @@ private:
 /// How one variant has ended, and its results if there are some.
 struct VariantEnd {
   ChildEnd end;
-  std::optional<results::Run> run;
+  std::optional<results::RunResult> run;
   std::size_t unknowns = 0; ///< of its largest increment
   std::string trouble;      ///< why there are no results, in one line
 };

@@ -18,28 +18,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-results::Table table_of(const results::StoreGroup& root, const std::string& name) {
-  return root.has(name) ? root.table(name) : results::Table{};
+results::ColumnTable table_of(const results::StoreGroup& root, const std::string& name) {
+  return root.has_member(name) ? root.read_table(name) : results::ColumnTable{};
 }
 
 DeckOutcome read_results(const fs::path& file) {
   const std::string bytes = base::read_file(file, base::largest_mesh_file);
   const results::Store store = results::Store::from_bytes(bytes);
   const results::StoreGroup root = store.root();
-  DeckOutcome outcome{.title = root.text("title"),
-                      .program = root.text("program"),
+  DeckOutcome outcome{.title = root.text_attribute("title"),
+                      .program = root.text_attribute("program"),
                       .point = {},
                       .checks = results::read_checks(root),
-                      .warnings = root.has("warnings") ? root.texts("warnings")
-                                                       : std::vector<std::string>(),
+                      .warnings = root.has_member("warnings") ? root.read_texts("warnings")
+                                                              : std::vector<std::string>(),
                       .unknowns = 0,
                       .k = table_of(root, "k"),
                       .fronts = table_of(root, "fronts"),
                       .pressure = table_of(root, "pressure")};
   const results::StoreGroup increments = root.group("increments");
   for (const std::string& name : increments.names()) {
-    outcome.unknowns = std::max(
-        outcome.unknowns, static_cast<std::size_t>(increments.group(name).integer("unknowns")));
+    outcome.unknowns =
+        std::max(outcome.unknowns,
+                 static_cast<std::size_t>(increments.group(name).integer_attribute("unknowns")));
   }
   return outcome;
 }
@@ -56,8 +57,10 @@ std::vector<std::pair<std::string, double>> point_of(const fs::path& record) {
   return values;
 }
 
-template <class T> std::vector<T> column_of(const results::Table& table, const std::string& name) {
-  const auto found = std::ranges::find(table.columns, name, &results::Table::Column::name);
+template <class T>
+std::vector<T> column_of(const results::ColumnTable& table, const std::string& name) {
+  const auto found =
+      std::ranges::find(table.columns, name, &results::ColumnTable::NamedColumn::name);
   if (found == table.columns.end()) {
     return {};
   }
@@ -89,13 +92,13 @@ std::vector<DeckOutcome> read_outcomes(const fs::path& folder) {
   return all;
 }
 
-std::vector<double> numbers(const results::Table& table, const std::string& column) {
+std::vector<double> numbers(const results::ColumnTable& table, const std::string& column) {
   const std::vector<std::int64_t> whole = column_of<std::int64_t>(table, column);
   return whole.empty() ? column_of<double>(table, column)
                        : std::vector<double>(whole.begin(), whole.end());
 }
 
-std::vector<std::string> words(const results::Table& table, const std::string& column) {
+std::vector<std::string> words(const results::ColumnTable& table, const std::string& column) {
   return column_of<std::string>(table, column);
 }
 

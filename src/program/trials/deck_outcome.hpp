@@ -22,7 +22,7 @@ struct DeckOutcome {
   std::size_t unknowns = 0; ///< of the largest of its increments
   /// The tables `k`, `fronts` and `pressure` of results.h5 (manual/results_file.md); without
   /// columns where there is none.
-  results::Table k, fronts, pressure;
+  results::ColumnTable k, fronts, pressure;
 };
 
 /// The outcome in a run folder, or one for each point of the folder of a sweep, in order; those
@@ -31,8 +31,8 @@ struct DeckOutcome {
 std::vector<DeckOutcome> read_outcomes(const std::filesystem::path& folder);
 
 /// A column of numbers; empty if there is none of that name.
-std::vector<double> numbers(const results::Table& table, const std::string& column);
+std::vector<double> numbers(const results::ColumnTable& table, const std::string& column);
 /// A column of words; empty if there is none of that name.
-std::vector<std::string> words(const results::Table& table, const std::string& column);
+std::vector<std::string> words(const results::ColumnTable& table, const std::string& column);
 
 } // namespace spricka::program

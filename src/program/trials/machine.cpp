@@ -49,9 +49,9 @@ std::string program_name() {
   std::string piece(base::mebibyte, '\0');
   std::string hashes;
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
-    hashes += archive::hash_of({piece.data(), static_cast<std::size_t>(file.gcount())});
+    hashes += archive::hash_bytes({piece.data(), static_cast<std::size_t>(file.gcount())});
   }
-  const std::string hash = archive::hash_of(hashes);
+  const std::string hash = archive::hash_bytes(hashes);
   return fmt::format("spricka {} ({})", SPRICKA_VERSION, hash.substr(0, 8));
 }
 

@@ -18,10 +18,10 @@ std::string cell_text(const std::string& text) {
   return out;
 }
 
-std::string markdown(const report::Table& table, bool code_first) {
+std::string markdown(const report::ReportTable& table, bool code_first) {
   std::string names = "|";
   std::string rule = "|";
-  for (const report::Table::Column& column : table.columns) {
+  for (const report::ReportTable::ReportColumn& column : table.columns) {
     names += fmt::format(" {} |", column.name);
     rule += column.words ? "---|" : "---:|";
   }
@@ -74,7 +74,7 @@ std::string problem_sections(const Verification& verification,
   }
   std::string out = "## Problems of the open collections\n\n" +
                     markdown(problem_table(verification, problems), false);
-  const report::Table missing = uncovered_table(problems);
+  const report::ReportTable missing = uncovered_table(problems);
   if (!missing.rows.empty()) {
     out += "## Not covered\n\n" + markdown(missing, false);
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr double smallest_drawn = 1e-9;
 
 // The largest relative error of a deck against a reference, by what it takes; empty: it has none.
-std::optional<report::Point> mark_of(const VerifiedDeck& deck) {
+std::optional<report::DrawingPoint> mark_of(const VerifiedDeck& deck) {
   std::optional<double> worst;
   for (const VerifiedPoint& point : deck.points) {
     for (const results::CheckResult& check : point.checks) {
@@ -30,7 +30,7 @@ std::optional<report::Point> mark_of(const VerifiedDeck& deck) {
   if (!worst || deck.cpu <= 0.0) {
     return std::nullopt;
   }
-  return report::Point{deck.cpu, *worst};
+  return report::DrawingPoint{deck.cpu, *worst};
 }
 
 report::Figure error_over_cpu(const Verification& verification) {
@@ -40,27 +40,27 @@ report::Figure error_over_cpu(const Verification& verification) {
   plot.y_name = "largest relative error";
   plot.log_x = plot.log_y = true;
   plot.legend_below = true;
-  report::Series passed;
+  report::PlotSeries passed;
   passed.name = "all checks passed";
   passed.joined = false;
-  passed.colour = report::colour(0);
+  passed.colour = report::palette_colour(0);
   passed.marker = report::closed_marker(0);
-  report::Series failed = passed;
+  report::PlotSeries failed = passed;
   failed.name = "a check missed";
-  failed.colour = report::colour(1);
+  failed.colour = report::palette_colour(1);
   failed.marker = report::closed_marker(1);
   for (const VerifiedDeck& deck : verification.decks) {
-    if (const std::optional<report::Point> mark = mark_of(deck)) {
+    if (const std::optional<report::DrawingPoint> mark = mark_of(deck)) {
       (deck.failed() ? failed : passed).points.push_back(*mark);
     }
   }
-  for (report::Series& series : {std::ref(passed), std::ref(failed)}) {
+  for (report::PlotSeries& series : {std::ref(passed), std::ref(failed)}) {
     if (!series.points.empty()) {
       plot.series.push_back(series);
     }
   }
   return {
-      {report::draw(plot)},
+      {report::draw_svg(plot)},
       "",
       "A mark for each deck: its largest relative error against a reference, and what it takes "
       "on this machine. Errors below 1e-9 are drawn there. How small an error a deck has is its "
@@ -75,38 +75,38 @@ std::string machine_words(const Verification& verification) {
       verification.wall, 1e-6 * static_cast<double>(count(verification).memory));
 }
 
-void add_comparison(report::Page& page, const Comparison& comparison) {
-  page.heading("Since the last verification");
-  page.paragraph(fmt::format("Before: {} on {}. {}.", comparison.program, comparison.machine,
-                             summary(comparison)));
-  page.paragraph(
+void add_comparison(report::HtmlPage& page, const Comparison& comparison) {
+  page.add_heading("Since the last verification");
+  page.add_paragraph(fmt::format("Before: {} on {}. {}.", comparison.program, comparison.machine,
+                                 summary(comparison)));
+  page.add_paragraph(
       comparison.same_machine
           ? fmt::format("CPU of all decks is {:.2f} times that before, in the median: a deck is "
                         "slower when it takes 1.5 times more than that.",
                         comparison.pace)
           : "Times are not compared: the machine is another one.");
-  page.table(change_table(comparison));
+  page.add_table(change_table(comparison));
 }
 
-void add_problems(report::Page& page, const Verification& verification,
+void add_problems(report::HtmlPage& page, const Verification& verification,
                   const std::vector<Problem>& problems) {
   if (problems.empty()) {
     return;
   }
-  page.heading("Problems of the open collections");
-  page.table(problem_table(verification, problems));
-  page.table(uncovered_table(problems));
+  page.add_heading("Problems of the open collections");
+  page.add_table(problem_table(verification, problems));
+  page.add_table(uncovered_table(problems));
 }
 
-void add_decks(report::Page& page, const Verification& verification) {
-  page.heading("Decks");
+void add_decks(report::HtmlPage& page, const Verification& verification) {
+  page.add_heading("Decks");
   std::string unchecked;
   for (const VerifiedDeck& deck : verification.decks) {
     bool any = false;
     for (const VerifiedPoint& point : deck.points) {
-      report::Table table = check_table(point);
+      report::ReportTable table = check_table(point);
       table.title = fmt::format("{} ({})", heading_of(deck, point), cost_of(deck, point));
-      page.table(table);
+      page.add_table(table);
       any = any || !table.rows.empty();
     }
     if (!any) {
@@ -114,7 +114,7 @@ void add_decks(report::Page& page, const Verification& verification) {
     }
   }
   if (!unchecked.empty()) {
-    page.paragraph("Without a check: " + unchecked + ".");
+    page.add_paragraph("Without a check: " + unchecked + ".");
   }
 }
 
@@ -123,28 +123,30 @@ void add_decks(report::Page& page, const Verification& verification) {
 std::string verification_page(const Verification& verification,
                               const std::vector<Problem>& problems,
                               const std::optional<Comparison>& comparison) {
-  report::Page page;
+  report::HtmlPage page;
   const bool failed = outcome_of(verification) != base::Outcome::done;
-  page.add("<h1>Verification</h1>\n");
-  page.add(fmt::format("<p class=\"about\">{}</p>\n", report::escape(machine_words(verification))));
+  page.add_html("<h1>Verification</h1>\n");
+  page.add_html(
+      fmt::format("<p class=\"about\">{}</p>\n", report::escape_xml(machine_words(verification))));
   for (const std::string& line : summary(verification)) {
-    page.add(
-        fmt::format("<p class=\"{}\">{}</p>\n", failed ? "failed" : "about", report::escape(line)));
+    page.add_html(fmt::format("<p class=\"{}\">{}</p>\n", failed ? "failed" : "about",
+                              report::escape_xml(line)));
   }
-  page.add(fmt::format("<p class=\"about\">Asked for: {}.</p>\n",
-                       report::escape(fmt::format("{}", fmt::join(verification.asked, " ")))));
+  page.add_html(
+      fmt::format("<p class=\"about\">Asked for: {}.</p>\n",
+                  report::escape_xml(fmt::format("{}", fmt::join(verification.asked, " ")))));
   if (failed) {
-    page.heading("Failed");
-    page.table(failed_table(verification));
+    page.add_heading("Failed");
+    page.add_table(failed_table(verification));
   }
   if (comparison) {
     add_comparison(page, *comparison);
   }
-  page.heading("Error and cost");
-  page.figure(error_over_cpu(verification));
+  page.add_heading("Error and cost");
+  page.add_figure(error_over_cpu(verification));
   add_problems(page, verification, problems);
   add_decks(page, verification);
-  return page.finish("Verification");
+  return page.finish_page("Verification");
 }
 
 } // namespace spricka::program

@@ -87,7 +87,7 @@ std::string standing(const Verification& verification, const Problem& problem) {
                                      : fmt::format("{} of {} run", run, problem.decks.size());
 }
 
-void add_changes(const std::vector<Change>& changes, const char* how, report::Table& table) {
+void add_changes(const std::vector<Change>& changes, const char* how, report::ReportTable& table) {
   for (const Change& change : changes) {
     table.rows.push_back({how, change.deck, change.what, fmt::format("{:.3g}", change.before),
                           fmt::format("{:.3g}", change.now)});
@@ -114,16 +114,16 @@ std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
                      deck.points.size() > 1 ? " with all points" : "");
 }
 
-report::Table check_table(const VerifiedPoint& point) {
-  report::Table table{"",
-                      {{"check", "", true},
-                       {"reference", "", false},
-                       {"result", "", false},
-                       {"error", "", false},
-                       {"allowed", "", false},
-                       {"error bar", "", false},
-                       {"source", "", true}},
-                      {}};
+report::ReportTable check_table(const VerifiedPoint& point) {
+  report::ReportTable table{"",
+                            {{"check", "", true},
+                             {"reference", "", false},
+                             {"result", "", false},
+                             {"error", "", false},
+                             {"allowed", "", false},
+                             {"error bar", "", false},
+                             {"source", "", true}},
+                            {}};
   for (const results::CheckResult& check : point.checks) {
     const bool found = check.trouble.empty();
     table.rows.push_back({check.text, report::six_digits(check.wanted),
@@ -135,16 +135,16 @@ report::Table check_table(const VerifiedPoint& point) {
   return table;
 }
 
-report::Table deck_table(const Verification& verification) {
-  report::Table table{"",
-                      {{"deck", "", true},
-                       {"what", "", true},
-                       {"checks", "", false},
-                       {"passed", "", false},
-                       {"error / allowed", "", false},
-                       {"CPU, s", "", false},
-                       {"memory, MB", "", false}},
-                      {}};
+report::ReportTable deck_table(const Verification& verification) {
+  report::ReportTable table{"",
+                            {{"deck", "", true},
+                             {"what", "", true},
+                             {"checks", "", false},
+                             {"passed", "", false},
+                             {"error / allowed", "", false},
+                             {"CPU, s", "", false},
+                             {"memory, MB", "", false}},
+                            {}};
   for (const VerifiedDeck& deck : verification.decks) {
     std::string cpu = fmt::format("{:.2f}", deck.cpu);
     std::string memory = fmt::format("{:.0f}", 1e-6 * static_cast<double>(deck.memory));
@@ -160,15 +160,15 @@ report::Table deck_table(const Verification& verification) {
   return table;
 }
 
-report::Table problem_table(const Verification& verification,
-                            const std::vector<Problem>& problems) {
-  report::Table table{"",
-                      {{"problem", "", true},
-                       {"what", "", true},
-                       {"decks, other tests", "", true},
-                       {"", "", true},
-                       {"remark", "", true}},
-                      {}};
+report::ReportTable problem_table(const Verification& verification,
+                                  const std::vector<Problem>& problems) {
+  report::ReportTable table{"",
+                            {{"problem", "", true},
+                             {"what", "", true},
+                             {"decks, other tests", "", true},
+                             {"", "", true},
+                             {"remark", "", true}},
+                            {}};
   for (const Problem& problem : problems) {
     if (problem.covered()) {
       std::vector<std::string> by = problem.decks;
@@ -180,8 +180,8 @@ report::Table problem_table(const Verification& verification,
   return table;
 }
 
-report::Table uncovered_table(const std::vector<Problem>& problems) {
-  report::Table table{
+report::ReportTable uncovered_table(const std::vector<Problem>& problems) {
+  report::ReportTable table{
       "", {{"problem", "", true}, {"what", "", true}, {"not covered, because", "", true}}, {}};
   for (const Problem& problem : problems) {
     if (!problem.covered()) {
@@ -191,13 +191,13 @@ report::Table uncovered_table(const std::vector<Problem>& problems) {
   return table;
 }
 
-report::Table failed_table(const Verification& verification) {
-  report::Table table{"",
-                      {{"deck", "", true},
-                       {"ended with", "", true},
-                       {"checks missed", "", false},
-                       {"said last", "", true}},
-                      {}};
+report::ReportTable failed_table(const Verification& verification) {
+  report::ReportTable table{"",
+                            {{"deck", "", true},
+                             {"ended with", "", true},
+                             {"checks missed", "", false},
+                             {"said last", "", true}},
+                            {}};
   for (const VerifiedDeck& deck : verification.decks) {
     if (!deck.failed()) {
       continue;
@@ -212,14 +212,14 @@ report::Table failed_table(const Verification& verification) {
   return table;
 }
 
-report::Table change_table(const Comparison& comparison) {
-  report::Table table{"",
-                      {{"what", "", true},
-                       {"deck", "", true},
-                       {"check", "", true},
-                       {"before", "", false},
-                       {"now", "", false}},
-                      {}};
+report::ReportTable change_table(const Comparison& comparison) {
+  report::ReportTable table{"",
+                            {{"what", "", true},
+                             {"deck", "", true},
+                             {"check", "", true},
+                             {"before", "", false},
+                             {"now", "", false}},
+                            {}};
   add_changes(comparison.failed, "missed now (error)", table);
   add_changes(comparison.worse, "larger error", table);
   add_changes(comparison.slower, "slower (CPU, s)", table);

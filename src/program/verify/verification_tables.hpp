@@ -16,21 +16,22 @@ std::string heading_of(const VerifiedDeck& deck, const VerifiedPoint& point);
 std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point);
 
 /// The checks of a point: check, reference, result, error, allowed, bar, source.
-report::Table check_table(const VerifiedPoint& point);
+report::ReportTable check_table(const VerifiedPoint& point);
 
 /// Every deck, and every point of a sweep: how many checks, how many passed, the largest error over
 /// what is allowed, costs of the deck.
-report::Table deck_table(const Verification& verification);
+report::ReportTable deck_table(const Verification& verification);
 
 /// Problems of the open collections: which decks and tests stand for each, and how they ended.
-report::Table problem_table(const Verification& verification, const std::vector<Problem>& problems);
+report::ReportTable problem_table(const Verification& verification,
+                                  const std::vector<Problem>& problems);
 /// Those that are not covered, with the reason.
-report::Table uncovered_table(const std::vector<Problem>& problems);
+report::ReportTable uncovered_table(const std::vector<Problem>& problems);
 
 /// Decks that have not ended with 0, and why.
-report::Table failed_table(const Verification& verification);
+report::ReportTable failed_table(const Verification& verification);
 
 /// What has changed since the last verification; without rows: nothing.
-report::Table change_table(const Comparison& comparison);
+report::ReportTable change_table(const Comparison& comparison);
 
 } // namespace spricka::program

@@ -292,7 +292,7 @@ private:
     if (comparison) {
       to_stdout(
           fmt::format("Since the last time ({}): {}\n", comparison->program, summary(*comparison)));
-      const report::Table changes = change_table(*comparison);
+      const report::ReportTable changes = change_table(*comparison);
       if (!changes.rows.empty() && !options_.quiet) {
         to_stdout(report::to_text(changes));
       }

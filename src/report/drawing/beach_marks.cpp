@@ -21,9 +21,10 @@ constexpr double marks_tallest = 1.2; // of the width
 constexpr double marks_text_line = 14.0;
 
 struct MarksBox {
-  Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Point high{-low.x, -low.y};
-  void take(const Point& p) {
+  DrawingPoint low{std::numeric_limits<double>::infinity(),
+                   std::numeric_limits<double>::infinity()};
+  DrawingPoint high{-low.x, -low.y};
+  void take(const DrawingPoint& p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
@@ -31,8 +32,10 @@ struct MarksBox {
 
 } // namespace
 
-std::string draw(const BeachView& view) {
-  const auto flat = [&](const base::Vec3& x) { return Point{view.right.dot(x), view.up.dot(x)}; };
+std::string draw_svg(const BeachMarkView& view) {
+  const auto flat = [&](const base::Vec3& x) {
+    return DrawingPoint{view.right.dot(x), view.up.dot(x)};
+  };
   MarksBox box;
   for (const BeachMark& mark : view.marks) {
     for (const std::vector<base::Vec3>& front : mark.fronts) {
@@ -48,24 +51,24 @@ std::string draw(const BeachView& view) {
   const double scale = std::min(room / std::max(across, 1e-9 * high),
                                 marks_tallest * room / std::max(high, 1e-9 * across));
   const double top = marks_title_height + marks_margin;
-  Svg svg(view.width, top + scale * high + marks_margin + marks_scale_height, view.title);
+  SvgDrawing svg(view.width, top + scale * high + marks_margin + marks_scale_height, view.title);
   const auto pixel = [&](const base::Vec3& x) {
-    const Point p = flat(x);
-    return Point{marks_margin + scale * (p.x - box.low.x), top + scale * (box.high.y - p.y)};
+    const DrawingPoint p = flat(x);
+    return DrawingPoint{marks_margin + scale * (p.x - box.low.x), top + scale * (box.high.y - p.y)};
   };
   svg.text({marks_margin, 16.0}, view.title, TextStyle{.bold = true});
-  std::vector<Point> rightmost; // [mark]
+  std::vector<DrawingPoint> rightmost; // [mark]
   for (std::size_t k = 0; k < view.marks.size(); ++k) {
     const bool border = k == 0 || k + 1 == view.marks.size();
-    Point last{-1.0, 0.0};
+    DrawingPoint last{-1.0, 0.0};
     for (const std::vector<base::Vec3>& front : view.marks[k].fronts) {
-      std::vector<Point> points;
+      std::vector<DrawingPoint> points;
       std::ranges::transform(front, std::back_inserter(points), pixel);
-      svg.polyline(points, Style{.stroke = std::string(colour(border ? 1 : 0)),
-                                 .width = border ? 2.0 : 1.0,
-                                 .fill = "none",
-                                 .dash = ""});
-      for (const Point& p : points) {
+      svg.polyline(points, ShapeStyle{.stroke = std::string(palette_colour(border ? 1 : 0)),
+                                      .width = border ? 2.0 : 1.0,
+                                      .fill = "none",
+                                      .dash = ""});
+      for (const DrawingPoint& p : points) {
         last = p.x > last.x ? p : last;
       }
     }
@@ -74,7 +77,7 @@ std::string draw(const BeachView& view) {
   // Beside the place of a mark that is farthest to the right, the last mark's before all others.
   std::vector<double> told;
   for (std::size_t k = view.marks.size(); k-- > 0;) {
-    const Point& at = rightmost[k];
+    const DrawingPoint& at = rightmost[k];
     const bool free =
         std::ranges::all_of(told, [&](double y) { return std::abs(y - at.y) > marks_text_line; });
     if (free && at.x >= 0.0) {
@@ -83,13 +86,13 @@ std::string draw(const BeachView& view) {
       told.push_back(at.y);
     }
   }
-  const double bar = round_down(0.4 * std::max(across, high));
+  const double bar = round_number_below(0.4 * std::max(across, high));
   const double y = top + scale * high + marks_margin + 8.0;
   svg.line({marks_margin, y}, {marks_margin + scale * bar, y},
-           Style{.stroke = "#000", .width = 2.0, .fill = "none", .dash = ""});
+           ShapeStyle{.stroke = "#000", .width = 2.0, .fill = "none", .dash = ""});
   svg.text({marks_margin + scale * bar + 6.0, y + 4.0},
            fmt::format("{:.6g} {}", bar, view.length_name), TextStyle{});
-  return svg.finish();
+  return svg.svg_text();
 }
 
 } // namespace spricka::report

@@ -14,7 +14,7 @@ struct BeachMark {
 };
 
 /// Fronts of one crack, in the order of its growth, as marks on the face of the crack.
-struct BeachView {
+struct BeachMarkView {
   std::string title;
   base::Vec3 right = base::Vec3::UnitX(); ///< unit, in the crack's plane
   base::Vec3 up = base::Vec3::UnitY();
@@ -25,6 +25,6 @@ struct BeachView {
 
 /// Seen along the normal, both directions to one scale; cycles beside marks that have room for
 /// them. Empty: there is nothing to be seen.
-std::string draw(const BeachView& view);
+std::string draw_svg(const BeachMarkView& view);
 
 } // namespace spricka::report

@@ -39,8 +39,8 @@ std::string band_colour(std::size_t band) {
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
-void draw_colour_legend(Svg& svg, const ColourScale& scale, Point corner, double width,
-                        std::string_view words) {
+void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint corner,
+                        double width, std::string_view words) {
   const double part = width / static_cast<double>(colour_bands);
   for (std::size_t b = 0; b < colour_bands; ++b) {
     const std::string fill = band_colour(b);
@@ -52,9 +52,9 @@ void draw_colour_legend(Svg& svg, const ColourScale& scale, Point corner, double
     const double x = corner.x + width * (value - scale.low) / (scale.high - scale.low);
     svg.line({x, corner.y + 11.0}, {x, corner.y + 15.0}, {"#000", 0.8, "none", ""});
     svg.text({x, corner.y + 27.0}, tick_text(value, ticks.size() > 1 ? ticks[1] - ticks[0] : value),
-             {Anchor::middle, 11.0});
+             {TextAnchor::middle, 11.0});
   }
-  svg.text({corner.x + width, corner.y - 5.0}, words, {Anchor::end, 11.0});
+  svg.text({corner.x + width, corner.y - 5.0}, words, {TextAnchor::end, 11.0});
 }
 
 } // namespace spricka::report

@@ -25,7 +25,7 @@ ColourScale scale_between(double low, double high);
 std::string band_colour(std::size_t band);
 
 /// The bands with round numbers below and `words` above; corner: upper left.
-void draw_colour_legend(Svg& svg, const ColourScale& scale, Point corner, double width,
-                        std::string_view words);
+void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint corner,
+                        double width, std::string_view words);
 
 } // namespace spricka::report

@@ -18,9 +18,9 @@ constexpr double in_plane = 1e-5;
 using Key = std::array<long long, 3>;
 
 /// Places of nodes as whole numbers, the same for nodes that lie on each other.
-class Places {
+class CoincidenceGrid {
 public:
-  Places(const base::Vec3& origin, double step) : origin_(origin), step_(step) {}
+  CoincidenceGrid(const base::Vec3& origin, double step) : origin_(origin), step_(step) {}
   [[nodiscard]] Key key(const base::Vec3& x) const {
     const base::Vec3 d = (x - origin_) / step_;
     return {std::llround(d[0]), std::llround(d[1]), std::llround(d[2])};
@@ -39,7 +39,7 @@ base::Vec3 area_of(const model::Mesh& mesh, const std::vector<base::NodeId>& out
   return area;
 }
 
-bool lies_in(const CrackFrame& frame, const model::Mesh& mesh,
+bool lies_in(const FittedFrontPlane& frame, const model::Mesh& mesh,
              const std::vector<base::NodeId>& outline) {
   return std::ranges::all_of(outline, [&](base::NodeId n) {
     return std::abs(frame.normal.dot(mesh.x[n.index()] - frame.centre)) < in_plane * frame.size;
@@ -52,13 +52,13 @@ base::Vec3 displacement(const results::StepResult& step, base::NodeId n) {
 
 } // namespace
 
-std::optional<CrackFrame> crack_frame(const results::FrontResult& front) {
+std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& front) {
   const std::size_t n = front.points.size();
   if (n < 3) {
     return std::nullopt;
   }
-  CrackFrame frame;
-  for (const results::FrontPlace& p : front.points) {
+  FittedFrontPlane frame;
+  for (const results::FrontPointResult& p : front.points) {
     frame.centre += p.x / static_cast<double>(n);
     frame.growth += p.growth / static_cast<double>(n);
   }
@@ -70,10 +70,10 @@ std::optional<CrackFrame> crack_frame(const results::FrontResult& front) {
     return std::nullopt;
   }
   frame.normal.normalize();
-  for (const results::FrontPlace& p : front.points) {
+  for (const results::FrontPointResult& p : front.points) {
     frame.size = std::max(frame.size, (p.x - frame.centre).norm());
   }
-  const bool plane = std::ranges::all_of(front.points, [&](const results::FrontPlace& p) {
+  const bool plane = std::ranges::all_of(front.points, [&](const results::FrontPointResult& p) {
     return std::abs(frame.normal.dot(p.x - frame.centre)) < in_plane * frame.size &&
            std::abs(frame.normal.dot(p.growth)) < 1e-3;
   });
@@ -83,10 +83,11 @@ std::optional<CrackFrame> crack_frame(const results::FrontResult& front) {
   return plane ? std::optional(frame) : std::nullopt;
 }
 
-std::vector<OpenFace> open_faces(const results::Increment& increment,
-                                 const results::StepResult& step, const CrackFrame& frame) {
+std::vector<CrackFaceOpening> crack_face_openings(const results::Increment& increment,
+                                                  const results::StepResult& step,
+                                                  const FittedFrontPlane& frame) {
   const model::Mesh& mesh = increment.mesh;
-  const Places places(frame.centre, one_place * frame.size);
+  const CoincidenceGrid places(frame.centre, one_place * frame.size);
   // of the lower side, whose outer normal is the crack's: faces by the place of their middle
   std::map<Key, const std::vector<base::NodeId>*> lower;
   std::vector<const std::vector<base::NodeId>*> upper;
@@ -97,7 +98,7 @@ std::vector<OpenFace> open_faces(const results::Increment& increment,
     }
     return x;
   };
-  for (const results::SurfaceFace& face : increment.surface) {
+  for (const results::OuterSurfaceFace& face : increment.surface) {
     if (!lies_in(frame, mesh, face.outline)) {
       continue;
     }
@@ -107,7 +108,7 @@ std::vector<OpenFace> open_faces(const results::Increment& increment,
       upper.push_back(&face.outline);
     }
   }
-  std::vector<OpenFace> open;
+  std::vector<CrackFaceOpening> open;
   for (const std::vector<base::NodeId>* const outline : upper) {
     const auto twin = lower.find(places.key(middle(*outline)));
     if (twin == lower.end() || twin->second->size() != outline->size()) {

@@ -8,7 +8,7 @@
 namespace spricka::report {
 
 /// The plane that the points of a front lie in.
-struct CrackFrame {
+struct FittedFrontPlane {
   base::Vec3 centre = base::Vec3::Zero(); ///< middle of the points
   base::Vec3 normal = base::Vec3::Zero(); ///< unit, from the lower face to the upper
   double size = 0.0;                      ///< largest distance of a point from the centre
@@ -17,17 +17,18 @@ struct CrackFrame {
 };
 
 /// Empty where the points are no plane or too few to tell.
-std::optional<CrackFrame> crack_frame(const results::FrontResult& front);
+std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& front);
 
 /// A face on the upper side of a crack, and how far the lower one is away from it.
-struct OpenFace {
+struct CrackFaceOpening {
   std::vector<base::NodeId> outline;
   double opening = 0.0; ///< along the normal, mean over the nodes [length]
   double sliding = 0.0; ///< in the plane [length]
 };
 
 /// Faces of the body's surface in the crack's plane that have another one in the same place.
-std::vector<OpenFace> open_faces(const results::Increment& increment,
-                                 const results::StepResult& step, const CrackFrame& frame);
+std::vector<CrackFaceOpening> crack_face_openings(const results::Increment& increment,
+                                                  const results::StepResult& step,
+                                                  const FittedFrontPlane& frame);
 
 } // namespace spricka::report

@@ -27,7 +27,9 @@ struct Eye {
   base::Vec3 towards;
   base::Vec3 right;
   base::Vec3 up;
-  [[nodiscard]] Point operator()(const base::Vec3& x) const { return {right.dot(x), up.dot(x)}; }
+  [[nodiscard]] DrawingPoint operator()(const base::Vec3& x) const {
+    return {right.dot(x), up.dot(x)};
+  }
 };
 
 Eye eye_at(const base::Vec3& towards, const base::Vec3& up) {
@@ -36,7 +38,7 @@ Eye eye_at(const base::Vec3& towards, const base::Vec3& up) {
 }
 
 /// Of slanted views with z up the one that sees most of the crack's face and its mouth.
-Eye eye_for(const CrackFrame& frame) {
+Eye eye_for(const FittedFrontPlane& frame) {
   Eye best;
   double most = -std::numeric_limits<double>::infinity();
   for (const double first : {0.5, -0.5, 0.75, -0.75}) {
@@ -59,12 +61,12 @@ Eye eye_for(const CrackFrame& frame) {
 /// From places as the eye has them to pixels, y down.
 class CrackWindow {
 public:
-  void take(Point p) {
+  void take(DrawingPoint p) {
     low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
     high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
   }
   /// No more of it than `half` each way from a place.
-  void narrow(Point middle, double half) {
+  void narrow(DrawingPoint middle, double half) {
     low_ = {std::max(low_.x, middle.x - half), std::max(low_.y, middle.y - half)};
     high_ = {std::min(high_.x, middle.x + half), std::min(high_.y, middle.y + half)};
   }
@@ -75,15 +77,15 @@ public:
   }
   [[nodiscard]] bool empty() const { return !(high_.x > low_.x && high_.y > low_.y); }
   [[nodiscard]] double height() const { return scale_ * (high_.y - low_.y) + 2.0 * edge_margin; }
-  [[nodiscard]] Point operator()(Point p) const {
+  [[nodiscard]] DrawingPoint operator()(DrawingPoint p) const {
     return {left_ + scale_ * (p.x - low_.x),
             crack_title_room + edge_margin + scale_ * (high_.y - p.y)};
   }
 
 private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  Point low_{infinite, infinite};
-  Point high_{-infinite, -infinite};
+  DrawingPoint low_{infinite, infinite};
+  DrawingPoint high_{-infinite, -infinite};
   double scale_ = 1.0;
   double left_ = 0.0;
 };
@@ -100,7 +102,7 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
   constexpr double kink = 0.9; // cosine, 26 degrees
   const model::Mesh& mesh = increment.mesh;
   std::map<std::pair<base::NodeId, base::NodeId>, RidgeEdge> edges;
-  for (const results::SurfaceFace& face : increment.surface) {
+  for (const results::OuterSurfaceFace& face : increment.surface) {
     if (mesh.element_net[face.element.index()] != net) {
       continue;
     }
@@ -152,9 +154,10 @@ base::NetId net_of_front(const results::Increment& increment, const results::Fro
 }
 
 /// Points of the front in the picture, the first once more where it is closed.
-std::vector<Point> front_line(const CrackView& view, const Eye& eye, const CrackWindow& window) {
-  std::vector<Point> line;
-  for (const results::FrontPlace& p : view.front->points) {
+std::vector<DrawingPoint> front_line(const CrackView& view, const Eye& eye,
+                                     const CrackWindow& window) {
+  std::vector<DrawingPoint> line;
+  for (const results::FrontPointResult& p : view.front->points) {
     line.push_back(window(eye(p.x)));
   }
   if (view.front->closed) {
@@ -167,7 +170,7 @@ std::vector<Point> front_line(const CrackView& view, const Eye& eye, const Crack
 ColourScale k_scale(const results::FrontResult& front) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const results::FrontPlace& p : front.points) {
+  for (const results::FrontPointResult& p : front.points) {
     if (!p.at_surface) {
       low = std::min(low, p.K1);
       high = std::max(high, p.K1);
@@ -177,32 +180,32 @@ ColourScale k_scale(const results::FrontResult& front) {
 }
 
 /// Piece by piece in the colour of the mean of K1 at its ends.
-void draw_front_line(Svg& svg, const CrackView& view, const std::vector<Point>& line,
+void draw_front_line(SvgDrawing& svg, const CrackView& view, const std::vector<DrawingPoint>& line,
                      const ColourScale& scale) {
   svg.polyline(line, {"#fff", 6.0, "none", ""});
   const auto& points = view.front->points;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const results::FrontPlace& a = points[i];
-    const results::FrontPlace& b = points[(i + 1) % points.size()];
+    const results::FrontPointResult& a = points[i];
+    const results::FrontPointResult& b = points[(i + 1) % points.size()];
     const double K = a.at_surface ? b.K1 : b.at_surface ? a.K1 : 0.5 * (a.K1 + b.K1);
     svg.line(line[i], line[i + 1], {band_colour(scale.band(K)), 4.0, "none", ""});
   }
 }
 
-void title_of(Svg& svg, double width, const std::string& words) {
-  svg.text({0.5 * width, 15.0}, words, {Anchor::middle, 13.0, "#000", 0.0, false, true});
+void title_of(SvgDrawing& svg, double width, const std::string& words) {
+  svg.text({0.5 * width, 15.0}, words, {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
 }
 
-void draw_legend(Svg& svg, const ColourScale& scale, double top, double width,
+void draw_legend(SvgDrawing& svg, const ColourScale& scale, double top, double width,
                  const std::string& words) {
   if (scale.high > scale.low) {
     draw_colour_legend(svg, scale, {0.2 * width, top + 12.0}, 0.6 * width, words);
   }
 }
 
-PathData outline_path(const std::vector<base::NodeId>& outline, const model::Mesh& mesh,
-                      const Eye& eye, const CrackWindow& window) {
-  PathData path;
+SvgPathData outline_path(const std::vector<base::NodeId>& outline, const model::Mesh& mesh,
+                         const Eye& eye, const CrackWindow& window) {
+  SvgPathData path;
   path.move(window(eye(mesh.x[outline.front().index()])));
   for (std::size_t i = 1; i < outline.size(); ++i) {
     path.line(window(eye(mesh.x[outline[i].index()])));
@@ -213,7 +216,7 @@ PathData outline_path(const std::vector<base::NodeId>& outline, const model::Mes
 } // namespace
 
 std::string draw_front(const CrackView& view) {
-  const std::optional<CrackFrame> frame = crack_frame(*view.front);
+  const std::optional<FittedFrontPlane> frame = fit_front_plane(*view.front);
   const results::Increment& increment = *view.increment;
   if (!frame || increment.surface.empty()) {
     return {};
@@ -233,7 +236,7 @@ std::string draw_front(const CrackView& view) {
   }
   window.fit(view.width);
   const std::string title = fmt::format("{} in its body", view.front->name);
-  Svg svg(view.width, crack_title_room + window.height() + colours_room, title);
+  SvgDrawing svg(view.width, crack_title_room + window.height() + colours_room, title);
   title_of(svg, view.width, title);
   svg.clip(fmt::format("front-{}", view.front->name), {0.0, crack_title_room}, view.width,
            window.height());
@@ -241,13 +244,13 @@ std::string draw_front(const CrackView& view) {
     // behind the body: both faces look away
     const bool hidden = std::ranges::all_of(
         edge.normal, [&](const base::Vec3& n) { return n.dot(eye.towards) < 0.0; });
-    std::vector<Point> line;
+    std::vector<DrawingPoint> line;
     for (const base::NodeId n : edge.nodes) {
       line.push_back(window(eye(increment.mesh.x[n.index()])));
     }
     svg.polyline(line, {hidden ? "#b8bec8" : "#334", hidden ? 0.6 : 0.9, "none", ""});
   }
-  for (const OpenFace& face : open_faces(increment, *view.step, *frame)) {
+  for (const CrackFaceOpening& face : crack_face_openings(increment, *view.step, *frame)) {
     svg.path(outline_path(face.outline, increment.mesh, eye, window),
              {"#e8c9a0", 0.5, "#e8c9a0", ""});
   }
@@ -256,16 +259,16 @@ std::string draw_front(const CrackView& view) {
   draw_front_line(svg, view, front_line(view, eye, window), scale);
   draw_legend(svg, scale, crack_title_room + window.height(), view.width,
               fmt::format("K1, {}", view.k_name));
-  return svg.finish();
+  return svg.svg_text();
 }
 
 std::string draw_opening(const CrackView& view) {
-  const std::optional<CrackFrame> frame = crack_frame(*view.front);
+  const std::optional<FittedFrontPlane> frame = fit_front_plane(*view.front);
   const results::Increment& increment = *view.increment;
   if (!frame || view.step->u.size() != static_cast<Eigen::Index>(3 * increment.mesh.node_count())) {
     return {};
   }
-  const std::vector<OpenFace> faces = open_faces(increment, *view.step, *frame);
+  const std::vector<CrackFaceOpening> faces = crack_face_openings(increment, *view.step, *frame);
   if (faces.empty()) {
     return {};
   }
@@ -276,7 +279,7 @@ std::string draw_opening(const CrackView& view) {
   CrackWindow window;
   double opening = 0.0;
   double sliding = 0.0;
-  for (const OpenFace& face : faces) {
+  for (const CrackFaceOpening& face : faces) {
     opening = std::max(opening, std::abs(face.opening));
     sliding = std::max(sliding, face.sliding);
     for (const base::NodeId n : face.outline) {
@@ -289,26 +292,26 @@ std::string draw_opening(const CrackView& view) {
   window.fit(view.width);
   const bool slides = opening < 1e-3 * sliding; // closed, and one face along the other
   double low = 0.0;
-  for (const OpenFace& face : faces) {
+  for (const CrackFaceOpening& face : faces) {
     low = slides ? low : std::min(low, face.opening);
   }
   const ColourScale scale = scale_between(low, slides ? sliding : opening);
   const std::string title =
       fmt::format("{}, {} of its faces", view.front->name, slides ? "sliding" : "opening");
-  Svg svg(view.width, crack_title_room + window.height() + colours_room, title);
+  SvgDrawing svg(view.width, crack_title_room + window.height() + colours_room, title);
   title_of(svg, view.width, title);
-  for (const OpenFace& face : faces) {
+  for (const CrackFaceOpening& face : faces) {
     svg.path(outline_path(face.outline, increment.mesh, eye, window),
              {"#223", 0.3, band_colour(scale.band(slides ? face.sliding : face.opening)), ""});
   }
-  const std::vector<Point> line = front_line(view, eye, window);
+  const std::vector<DrawingPoint> line = front_line(view, eye, window);
   svg.polyline(line, {"#d55e00", 2.0, "none", ""});
   for (std::size_t i = 0; i < view.front->points.size(); ++i) {
-    svg.marker(Marker::circle, line[i], {"#d55e00", 1.0, "#fff", ""});
+    svg.marker(MarkerShape::circle, line[i], {"#d55e00", 1.0, "#fff", ""});
   }
   draw_legend(svg, scale, crack_title_room + window.height(), view.width,
               fmt::format("{}, {}", slides ? "sliding" : "opening", view.length_name));
-  return svg.finish();
+  return svg.svg_text();
 }
 
 } // namespace spricka::report

@@ -28,12 +28,12 @@ public:
 
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] double height() const { return scale_ * (view_.high.y - view_.low.y); }
-  [[nodiscard]] Point operator()(const Point& p) const {
+  [[nodiscard]] DrawingPoint operator()(const DrawingPoint& p) const {
     return {scale_ * (p.x - view_.low.x), title_height + scale_ * (view_.high.y - p.y)};
   }
-  [[nodiscard]] Point operator()(base::NodeId n) const {
+  [[nodiscard]] DrawingPoint operator()(base::NodeId n) const {
     const base::Vec3& x = view_.mesh->x[n.index()];
-    Point p{x[0], x[1]};
+    DrawingPoint p{x[0], x[1]};
     if (view_.u != nullptr) {
       const auto row = static_cast<Eigen::Index>(2 * n.index());
       p.x += view_.magnify * ((*view_.u)[row] - view_.rest[0]);
@@ -47,7 +47,7 @@ private:
   double scale_;
 };
 
-struct Edge {
+struct DrawnEdge {
   base::NodeId low; ///< the smaller of the two ends
   base::NodeId high;
   base::NodeId mid; ///< invalid on straight edges
@@ -55,13 +55,13 @@ struct Edge {
 };
 
 /// Adds the side s of an element to a path that stands at its first end.
-void add_side(PathData& path, const Projection& project, std::span<const base::NodeId> nodes,
+void add_side(SvgPathData& path, const Projection& project, std::span<const base::NodeId> nodes,
               const base::ElementInfo& info, std::size_t s) {
   const auto corners = static_cast<std::size_t>(info.corners);
-  const Point a = project(nodes[s]);
-  const Point b = project(nodes[(s + 1) % corners]);
+  const DrawingPoint a = project(nodes[s]);
+  const DrawingPoint b = project(nodes[(s + 1) % corners]);
   if (info.quadratic) {
-    const Point m = project(nodes[corners + s]);
+    const DrawingPoint m = project(nodes[corners + s]);
     path.quadratic({2.0 * m.x - 0.5 * (a.x + b.x), 2.0 * m.y - 0.5 * (a.y + b.y)}, b);
   } else {
     path.line(b);
@@ -70,10 +70,10 @@ void add_side(PathData& path, const Projection& project, std::span<const base::N
 
 bool in_window(const MeshView& view, const Projection& project,
                std::span<const base::NodeId> nodes) {
-  Point low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  Point high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+  DrawingPoint low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  DrawingPoint high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
   for (const base::NodeId n : nodes) {
-    const Point p = project(n);
+    const DrawingPoint p = project(n);
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
@@ -82,23 +82,23 @@ bool in_window(const MeshView& view, const Projection& project,
 }
 
 struct Drawn {
-  std::vector<PathData> areas; ///< [net], of a field [colour band]
-  std::vector<Edge> edges;     ///< of every element: inner ones twice
+  std::vector<SvgPathData> areas; ///< [net], of a field [colour band]
+  std::vector<DrawnEdge> edges;   ///< of every element: inner ones twice
 };
 
 /// A corner of a cell: where it is drawn and the field there.
-struct Sample {
-  Point at;
+struct DrawnCorner {
+  DrawingPoint at;
   double value = 0.0;
 };
 
-void add_cell(const std::vector<Sample>& corners, const ColourScale& scale,
-              std::vector<PathData>& bands) {
+void add_cell(const std::vector<DrawnCorner>& corners, const ColourScale& scale,
+              std::vector<SvgPathData>& bands) {
   double mean = 0.0;
-  for (const Sample& s : corners) {
+  for (const DrawnCorner& s : corners) {
     mean += s.value / static_cast<double>(corners.size());
   }
-  PathData& path = bands[scale.band(mean)].move(corners.front().at);
+  SvgPathData& path = bands[scale.band(mean)].move(corners.front().at);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     path.line(corners[i].at);
   }
@@ -106,8 +106,8 @@ void add_cell(const std::vector<Sample>& corners, const ColourScale& scale,
 }
 
 /// The middle of a quadrilateral with eight nodes: its shape functions at the origin.
-Sample middle_of(const std::vector<Sample>& nodes) {
-  Sample sum;
+DrawnCorner middle_of(const std::vector<DrawnCorner>& nodes) {
+  DrawnCorner sum;
   for (std::size_t i = 0; i < 8; ++i) {
     const double N = i < 4 ? -0.25 : 0.5;
     sum.at = {sum.at.x + N * nodes[i].at.x, sum.at.y + N * nodes[i].at.y};
@@ -118,11 +118,11 @@ Sample middle_of(const std::vector<Sample>& nodes) {
 
 /// A linear element is one cell, a quadratic one four.
 void add_cells(const MeshView& view, const Projection& project, base::ElementId e,
-               std::vector<PathData>& bands) {
+               std::vector<SvgPathData>& bands) {
   const model::Mesh& mesh = *view.mesh;
   const base::ElementInfo& info = base::element_info(mesh.type[e.index()]);
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
-  std::vector<Sample> at;
+  std::vector<DrawnCorner> at;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto k = static_cast<std::size_t>(mesh.first[e.index()]) + i;
     at.push_back({project(nodes[i]), view.field[k]});
@@ -132,10 +132,10 @@ void add_cells(const MeshView& view, const Projection& project, base::ElementId 
     add_cell(at, view.scale, bands);
     return;
   }
-  const Sample middle = corners == 4 ? middle_of(at) : Sample();
+  const DrawnCorner middle = corners == 4 ? middle_of(at) : DrawnCorner();
   for (std::size_t s = 0; s < corners; ++s) {
-    const Sample& before = at[corners + (s + corners - 1) % corners];
-    std::vector<Sample> cell{before, at[s], at[corners + s]};
+    const DrawnCorner& before = at[corners + (s + corners - 1) % corners];
+    std::vector<DrawnCorner> cell{before, at[s], at[corners + s]};
     if (corners == 4) {
       cell.push_back(middle);
     }
@@ -161,7 +161,7 @@ Drawn collect(const MeshView& view, const Projection& project) {
     if (view.field.empty()) {
       const std::size_t layer = net.valid() ? net.index() : 0;
       drawn.areas.resize(std::max(drawn.areas.size(), layer + 1));
-      PathData& area = drawn.areas[layer].move(project(nodes[0]));
+      SvgPathData& area = drawn.areas[layer].move(project(nodes[0]));
       for (std::size_t s = 0; s < corners; ++s) {
         add_side(area, project, nodes, info, s);
       }
@@ -176,24 +176,25 @@ Drawn collect(const MeshView& view, const Projection& project) {
     }
   }
   std::sort(drawn.edges.begin(), drawn.edges.end(),
-            [](const Edge& a, const Edge& b) { return a.key() < b.key(); });
+            [](const DrawnEdge& a, const DrawnEdge& b) { return a.key() < b.key(); });
   return drawn;
 }
 
-void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& edges, bool inside) {
-  PathData inner;
-  PathData outline;
+void draw_edges(SvgDrawing& svg, const Projection& project, const std::vector<DrawnEdge>& edges,
+                bool inside) {
+  SvgPathData inner;
+  SvgPathData outline;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t next = i + 1;
     while (next < edges.size() && edges[next].key() == edges[i].key()) {
       ++next;
     }
-    PathData& path = next == i + 1 ? outline : inner;
-    const Point a = project(edges[i].low);
-    const Point b = project(edges[i].high);
+    SvgPathData& path = next == i + 1 ? outline : inner;
+    const DrawingPoint a = project(edges[i].low);
+    const DrawingPoint b = project(edges[i].high);
     path.move(a);
     if (edges[i].mid.valid()) {
-      const Point m = project(edges[i].mid);
+      const DrawingPoint m = project(edges[i].mid);
       path.quadratic({2.0 * m.x - 0.5 * (a.x + b.x), 2.0 * m.y - 0.5 * (a.y + b.y)}, b);
     } else {
       path.line(b);
@@ -207,39 +208,40 @@ void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& ed
 }
 
 /// A bar of a round length that takes about a quarter of the width.
-void draw_bar(Svg& svg, const MeshView& view, const Projection& project) {
-  const double length = round_down(0.25 * view.width / project.scale());
+void draw_bar(SvgDrawing& svg, const MeshView& view, const Projection& project) {
+  const double length = round_number_below(0.25 * view.width / project.scale());
   const double y = title_height + project.height() + 14.0;
   const double right = 2.0 + length * project.scale();
-  const Style style{"#000", 1.2, "none", ""};
+  const ShapeStyle style{"#000", 1.2, "none", ""};
   svg.line({2.0, y}, {right, y}, style);
   svg.line({2.0, y - 4.0}, {2.0, y + 4.0}, style);
   svg.line({right, y - 4.0}, {right, y + 4.0}, style);
   svg.text({right + 7.0, y + 4.0}, fmt::format("{:.3g} {}", length, view.length_name),
-           {Anchor::start, 11.0});
+           {TextAnchor::start, 11.0});
   if (view.u != nullptr) {
     svg.text({view.width, y + 4.0}, fmt::format("displacements × {:.3g}", view.magnify),
-             {Anchor::end, 11.0});
+             {TextAnchor::end, 11.0});
   }
 }
 
 } // namespace
 
-std::string draw(const MeshView& view) {
+std::string draw_svg(const MeshView& view) {
   const Projection project(view);
   const Drawn drawn = collect(view, project);
   const bool coloured = !view.field.empty();
   const double foot = title_height + project.height() + foot_height;
-  Svg svg(view.width, foot + (coloured ? scale_height : 0.0), view.title);
-  svg.text({0.5 * view.width, 14.0}, view.title, {Anchor::middle, 13.0, "#000", 0.0, false, true});
+  SvgDrawing svg(view.width, foot + (coloured ? scale_height : 0.0), view.title);
+  svg.text({0.5 * view.width, 14.0}, view.title,
+           {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
   svg.clip(view.id, {0.0, title_height}, view.width, project.height());
   for (std::size_t i = 0; i < drawn.areas.size(); ++i) {
     const std::string tint = coloured ? band_colour(i) : tints[i % tints.size()];
     svg.path(drawn.areas[i], {tint, 0.6, tint, ""}); // the stroke hides the seams
   }
   draw_edges(svg, project, drawn.edges, !coloured);
-  const Window window{view.low, view.high, project.scale(),
-                      [&](const Point& p) { return project(p); }};
+  const DrawingWindow window{view.low, view.high, project.scale(),
+                             [&](const DrawingPoint& p) { return project(p); }};
   for (const model::RigidTarget& rigid : view.rigids) {
     if (rigid.shape == model::RigidTargetShape::line ||
         rigid.shape == model::RigidTargetShape::arc) {
@@ -250,9 +252,9 @@ std::string draw(const MeshView& view) {
     draw_model_marks(svg, *view.marks, window);
   }
   for (const auto& [at, words] : view.labels) {
-    const Point p = project(at);
+    const DrawingPoint p = project(at);
     svg.circle(p, 2.6, {"#d55e00", 1.2, "#d55e00", ""});
-    svg.text({p.x + 6.0, p.y - 6.0}, words, {Anchor::start, 12.0, "#d55e00", 0.0, true, true});
+    svg.text({p.x + 6.0, p.y - 6.0}, words, {TextAnchor::start, 12.0, "#d55e00", 0.0, true, true});
   }
   svg.unclip();
   svg.rectangle({0.5, title_height}, view.width - 1.0, project.height(), {"#999", 0.8, "none", ""});
@@ -261,7 +263,7 @@ std::string draw(const MeshView& view) {
     draw_colour_legend(svg, view.scale, {0.1 * view.width, foot + 14.0}, 0.8 * view.width,
                        view.field_words);
   }
-  return svg.finish();
+  return svg.svg_text();
 }
 
 } // namespace spricka::report

@@ -18,13 +18,13 @@ struct MeshView {
   const model::Mesh* mesh = nullptr;
   std::string id; ///< unique on the page
   std::string title;
-  Point low; ///< the window's corners [length]
-  Point high;
+  DrawingPoint low; ///< the window's corners [length]
+  DrawingPoint high;
   base::NetId net;                 ///< the only net to be drawn; invalid: all
   const base::Vector* u = nullptr; ///< displacements to add; null: none
   double magnify = 1.0;
   base::Vec2 rest = base::Vec2::Zero(); ///< the displacement that stays where it is
-  std::vector<std::pair<Point, std::string>> labels;
+  std::vector<std::pair<DrawingPoint, std::string>> labels;
   std::vector<model::RigidTarget> rigids; ///< targets to be drawn
   const model::Model* marks = nullptr; ///< its supports, loads and contacts are shown; null: none
   /// Colours in the place of tints and inner edges, with their legend below the picture.
@@ -35,6 +35,6 @@ struct MeshView {
   double width = 320.0; ///< [px]
 };
 
-std::string draw(const MeshView& view);
+std::string draw_svg(const MeshView& view);
 
 } // namespace spricka::report

@@ -32,21 +32,21 @@ std::size_t stride(std::size_t count) {
   return std::max<std::size_t>(1, (count + most_marks - 1) / most_marks);
 }
 
-Point point_of(const base::Vec3& x) {
+DrawingPoint point_of(const base::Vec3& x) {
   return {x[0], x[1]};
 }
 
 /// A side of a plane element: ends, middle and outer normal; the body lies on the left of it.
-struct Side {
+struct DrawnElementSide {
   base::Vec3 from, to, middle, normal;
 };
 
-Side side_of(const model::Mesh& mesh, const model::Face& face) {
+DrawnElementSide side_of(const model::Mesh& mesh, const model::Face& face) {
   const base::ElementInfo& info = base::element_info(mesh.type[face.element.index()]);
   const auto corners = static_cast<std::size_t>(info.corners);
   const auto s = static_cast<std::size_t>(face.side);
   const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-  Side side;
+  DrawnElementSide side;
   side.from = mesh.x[nodes[s].index()];
   side.to = mesh.x[nodes[(s + 1) % corners].index()];
   side.middle =
@@ -73,7 +73,7 @@ base::Vec3 vector_of(const model::Load& load, const base::Vec3& x) {
 void add_on_faces(const model::Mesh& mesh, const model::Load& load, std::vector<Arrow>& arrows) {
   const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
   for (std::size_t i = 0; i < faces.size(); i += stride(faces.size())) {
-    const Side side = side_of(mesh, faces[i]);
+    const DrawnElementSide side = side_of(mesh, faces[i]);
     const bool pressure = load.type == LoadType::pressure;
     const base::Vec3 value = pressure && !load.value.empty()
                                  ? base::Vec3(-load.value.front()(side.middle) * side.normal)
@@ -124,12 +124,12 @@ std::vector<Arrow> arrows_of(const model::Mesh& mesh, const model::Load& load) {
   return arrows;
 }
 
-void draw_arrow(Svg& svg, Point tip, const base::Vec2& way, const char* colour) {
+void draw_arrow(SvgDrawing& svg, DrawingPoint tip, const base::Vec2& way, const char* colour) {
   const base::Vec2 along = way.normalized();
   const base::Vec2 across(-along.y(), along.x());
-  const Point tail{tip.x - way.x(), tip.y - way.y()};
+  const DrawingPoint tail{tip.x - way.x(), tip.y - way.y()};
   svg.line(tail, tip, {colour, 1.3, "none", ""});
-  PathData head;
+  SvgPathData head;
   head.move(tip);
   for (const double side : {1.0, -1.0}) {
     const base::Vec2 back = -7.0 * along + side * 2.8 * across;
@@ -138,7 +138,7 @@ void draw_arrow(Svg& svg, Point tip, const base::Vec2& way, const char* colour) 
   svg.path(head.close(), {colour, 0.5, colour, ""});
 }
 
-void draw_loads(Svg& svg, const model::Model& model, const Window& window) {
+void draw_loads(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       const std::vector<Arrow> arrows = arrows_of(model.mesh, load);
@@ -159,12 +159,12 @@ void draw_loads(Svg& svg, const model::Model& model, const Window& window) {
   }
 }
 
-void draw_dot(Svg& svg, Point at) {
+void draw_dot(SvgDrawing& svg, DrawingPoint at) {
   svg.circle(at, 1.7, {heat_colour, 0.5, heat_colour, ""});
 }
 
 /// Dots inside the elements that a case gives a temperature.
-void draw_heated(Svg& svg, const model::Model& model, const Window& window) {
+void draw_heated(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (load.type != LoadType::temperature || !load.elements.valid()) {
@@ -186,9 +186,9 @@ void draw_heated(Svg& svg, const model::Model& model, const Window& window) {
 }
 
 /// A triangle below a node for y, beside it for x; both for both.
-void draw_held(Svg& svg, Point at, const std::array<bool, 3>& dof) {
+void draw_held(SvgDrawing& svg, DrawingPoint at, const std::array<bool, 3>& dof) {
   const auto triangle = [&](double dx, double dy) {
-    PathData path;
+    SvgPathData path;
     path.move(at);
     path.line({at.x + 7.0 * dx + 4.0 * dy, at.y + 7.0 * dy + 4.0 * dx});
     path.line({at.x + 7.0 * dx - 4.0 * dy, at.y + 7.0 * dy - 4.0 * dx});
@@ -202,7 +202,7 @@ void draw_held(Svg& svg, Point at, const std::array<bool, 3>& dof) {
   }
 }
 
-void draw_supports(Svg& svg, const model::Model& model, const Window& window) {
+void draw_supports(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
   for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (!is_held(freedom.cls) || !freedom.nodes.valid()) {
       continue;
@@ -214,19 +214,19 @@ void draw_supports(Svg& svg, const model::Model& model, const Window& window) {
   }
 }
 
-void draw_contacts(Svg& svg, const model::Model& model, const Window& window) {
+void draw_contacts(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     for (const base::FaceSetId set : {model.contacts[c].slave, model.contacts[c].master}) {
-      PathData path;
+      SvgPathData path;
       for (const model::Face& face :
            set.valid() ? model.mesh.set_with_id(set).faces : std::vector<model::Face>()) {
-        const Side side = side_of(model.mesh, face);
+        const DrawnElementSide side = side_of(model.mesh, face);
         const base::Vec3 control = 2.0 * side.middle - 0.5 * (side.from + side.to);
         path.move(window.project(point_of(side.from)));
         path.quadratic(window.project(point_of(control)), window.project(point_of(side.to)));
       }
       if (!path.empty()) {
-        svg.path(path, {std::string(colour(c)), 2.6, "none", ""});
+        svg.path(path, {std::string(palette_colour(c)), 2.6, "none", ""});
       }
     }
   }
@@ -278,7 +278,7 @@ std::vector<MarkEntry> entries_of(const model::Model& model) {
 
 } // namespace
 
-void draw_model_marks(Svg& svg, const model::Model& model, const Window& window) {
+void draw_model_marks(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
   draw_heated(svg, model, window);
   draw_contacts(svg, model, window);
   draw_supports(svg, model, window);
@@ -294,11 +294,12 @@ std::string model_legend(const model::Model& model, double width) {
   }
   const auto across = static_cast<std::size_t>(std::max(1.0, std::floor(width / column)));
   const std::size_t down = (entries.size() + across - 1) / across;
-  Svg svg(width, line * static_cast<double>(down) + 4.0, "Signs in the picture of the model");
+  SvgDrawing svg(width, line * static_cast<double>(down) + 4.0,
+                 "Signs in the picture of the model");
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::size_t row = i / across;
-    const Point at{column * static_cast<double>(i % across),
-                   line * (static_cast<double>(row) + 0.5)};
+    const DrawingPoint at{column * static_cast<double>(i % across),
+                          line * (static_cast<double>(row) + 0.5)};
     const MarkEntry& entry = entries[i];
     if (entry.sign == MarkEntry::Sign::held) {
       draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false});
@@ -308,14 +309,14 @@ std::string model_legend(const model::Model& model, double width) {
       }
     } else if (entry.sign == MarkEntry::Sign::contact) {
       svg.line({at.x, at.y}, {at.x + 26.0, at.y},
-               {std::string(colour(entry.number)), 2.6, "none", ""});
+               {std::string(palette_colour(entry.number)), 2.6, "none", ""});
     } else {
       draw_arrow(svg, {at.x + 26.0, at.y}, {24.0, 0.0},
                  entry.sign == MarkEntry::Sign::load ? load_colour : moved_colour);
     }
-    svg.text({at.x + 34.0, at.y + 4.0}, entry.words, {Anchor::start, 11.0});
+    svg.text({at.x + 34.0, at.y + 4.0}, entry.words, {TextAnchor::start, 11.0});
   }
-  return svg.finish();
+  return svg.svg_text();
 }
 
 } // namespace spricka::report

@@ -10,7 +10,7 @@ namespace spricka::report {
 
 /// Draws onto a plane mesh what acts on it: contact surfaces as coloured lines, held nodes as
 /// triangles and dots, loads as arrows of one length for the largest value of each load.
-void draw_model_marks(Svg& svg, const model::Model& model, const Window& window);
+void draw_model_marks(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window);
 
 /// What these marks mean, as a drawing of its own; empty where there is none of them.
 std::string model_legend(const model::Model& model, double width);

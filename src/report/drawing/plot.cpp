@@ -25,7 +25,7 @@ constexpr std::size_t letters_beside = 28;
 constexpr std::size_t letters_below = 48;
 
 /// What an axis shows; of a logarithmic one the powers of ten.
-struct Range {
+struct AxisRange {
   double low = 0.0;
   double high = 0.0;
   bool log = false;
@@ -34,15 +34,15 @@ struct Range {
 };
 
 /// Both axes show 0: crack lengths and stress intensities are compared with it.
-Range range_of(const Plot& plot, double Point::*member) {
-  const bool upright = member == &Point::y;
-  Range range;
+AxisRange range_of(const Plot& plot, double DrawingPoint::*member) {
+  const bool upright = member == &DrawingPoint::y;
+  AxisRange range;
   range.log = upright ? plot.log_y : plot.log_x;
   if (range.log) {
     range.low = std::numeric_limits<double>::max();
     range.high = std::numeric_limits<double>::lowest();
   }
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const double at = series.points[i].*member;
       const bool barred = upright && i < series.bars.size() && std::isfinite(series.bars[i]);
@@ -63,7 +63,7 @@ Range range_of(const Plot& plot, double Point::*member) {
   return range;
 }
 
-Point place(Point p, const Range& x, const Range& y) {
+DrawingPoint place(DrawingPoint p, const AxisRange& x, const AxisRange& y) {
   return {x.left + box_width * (x.on(p.x) - x.low) / (x.high - x.low),
           box_top + box_height * (y.high - y.on(p.y)) / (y.high - y.low)};
 }
@@ -93,7 +93,7 @@ std::string decade_text(int lead, int d) {
 }
 
 /// Powers of ten, with 2 and 5 between them where there are few, or all digits within one.
-std::vector<Tick> decade_ticks(const Range& range) {
+std::vector<Tick> decade_ticks(const AxisRange& range) {
   std::vector<Tick> ticks;
   const auto first = static_cast<int>(std::floor(range.low));
   const auto last = static_cast<int>(std::ceil(range.high));
@@ -111,7 +111,7 @@ std::vector<Tick> decade_ticks(const Range& range) {
   return ticks;
 }
 
-std::vector<Tick> ticks_of(const Range& range, int wanted) {
+std::vector<Tick> ticks_of(const AxisRange& range, int wanted) {
   if (range.log) {
     return decade_ticks(range);
   }
@@ -136,12 +136,12 @@ double width_of(const std::vector<Tick>& ticks) {
 }
 
 /// Wide enough for the numbers of the upright axis and its title beside them.
-double box_left(const Range& y) {
+double box_left(const AxisRange& y) {
   return std::max(least_left, title_room + width_of(ticks_of(y, 6)));
 }
 
 /// As many as stand side by side with a letter between them.
-std::vector<Tick> ticks_side_by_side(const Range& range) {
+std::vector<Tick> ticks_side_by_side(const AxisRange& range) {
   std::vector<Tick> ticks;
   for (int wanted = 7; wanted > 1; --wanted) {
     ticks = ticks_of(range, wanted);
@@ -153,61 +153,63 @@ std::vector<Tick> ticks_side_by_side(const Range& range) {
   return ticks;
 }
 
-void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
-  const Style grid{"#ddd", 0.7, "none", ""};
-  const Style axis{"#000", 0.9, "none", ""};
+void draw_axes(SvgDrawing& svg, const Plot& plot, const AxisRange& x, const AxisRange& y) {
+  const ShapeStyle grid{"#ddd", 0.7, "none", ""};
+  const ShapeStyle axis{"#000", 0.9, "none", ""};
   const double bottom = box_top + box_height;
   for (const Tick& tick : ticks_side_by_side(x)) {
     const double at = place({tick.value, 1.0}, x, y).x;
     svg.line({at, box_top}, {at, bottom}, grid);
     svg.line({at, bottom}, {at, bottom - 5.0}, axis);
-    svg.text({at, bottom + 16.0}, tick.text, {Anchor::middle});
+    svg.text({at, bottom + 16.0}, tick.text, {TextAnchor::middle});
   }
   for (const Tick& tick : ticks_of(y, 6)) {
     const double at = place({1.0, tick.value}, x, y).y;
     svg.line({x.left, at}, {x.left + box_width, at}, grid);
     svg.line({x.left, at}, {x.left + 5.0, at}, axis);
-    svg.text({x.left - 7.0, at + 4.0}, tick.text, {Anchor::end});
+    svg.text({x.left - 7.0, at + 4.0}, tick.text, {TextAnchor::end});
   }
   svg.rectangle({x.left, box_top}, box_width, box_height, axis);
-  svg.text({x.left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {Anchor::middle, 13.0});
-  svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name, {Anchor::middle, 13.0, "#000", 90.0});
+  svg.text({x.left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {TextAnchor::middle, 13.0});
+  svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name,
+           {TextAnchor::middle, 13.0, "#000", 90.0});
 }
 
-Style line_style(const Series& series) {
+ShapeStyle line_style(const PlotSeries& series) {
   return {series.colour, 1.6, "none", series.dash};
 }
 
-void draw_marker(Svg& svg, const Series& series, Point at) {
-  const bool open = *series.marker == Marker::plus || *series.marker == Marker::cross;
+void draw_marker(SvgDrawing& svg, const PlotSeries& series, DrawingPoint at) {
+  const bool open = *series.marker == MarkerShape::plus || *series.marker == MarkerShape::cross;
   svg.marker(*series.marker, at, {series.colour, open ? 1.6 : 1.3, open ? "none" : "#fff", ""});
 }
 
 /// A vertical line with a foot at either end; shorter than a pixel it would not be seen.
-void draw_bars(Svg& svg, const Series& series, const Range& x, const Range& y) {
+void draw_bars(SvgDrawing& svg, const PlotSeries& series, const AxisRange& x, const AxisRange& y) {
   constexpr double foot = 3.0;
-  const Style style{series.colour, 1.1, "none", ""};
+  const ShapeStyle style{series.colour, 1.1, "none", ""};
   for (std::size_t i = 0; i < series.bars.size(); ++i) {
-    const Point& p = series.points[i];
+    const DrawingPoint& p = series.points[i];
     if (!std::isfinite(series.bars[i]) || !std::isfinite(p.x) || !std::isfinite(p.y)) {
       continue;
     }
-    const Point top = place({p.x, p.y + series.bars[i]}, x, y);
-    const Point bottom = place({p.x, p.y - series.bars[i]}, x, y);
+    const DrawingPoint top = place({p.x, p.y + series.bars[i]}, x, y);
+    const DrawingPoint bottom = place({p.x, p.y - series.bars[i]}, x, y);
     if (bottom.y - top.y < 1.0) {
       continue;
     }
     svg.line(top, bottom, style);
-    for (const Point& end : {top, bottom}) {
+    for (const DrawingPoint& end : {top, bottom}) {
       svg.line({end.x - foot, end.y}, {end.x + foot, end.y}, style);
     }
   }
 }
 
-void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y) {
-  std::vector<Point> points;
-  for (const Point& p : series.points) {
-    const Point at = place(p, x, y);
+void draw_series(SvgDrawing& svg, const PlotSeries& series, const AxisRange& x,
+                 const AxisRange& y) {
+  std::vector<DrawingPoint> points;
+  for (const DrawingPoint& p : series.points) {
+    const DrawingPoint at = place(p, x, y);
     if (std::isfinite(at.x) && std::isfinite(at.y)) {
       points.push_back(at);
     }
@@ -217,7 +219,7 @@ void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y)
   }
   draw_bars(svg, series, x, y);
   if (series.marker) {
-    for (const Point& p : points) {
+    for (const DrawingPoint& p : points) {
       draw_marker(svg, series, p);
     }
   }
@@ -239,14 +241,14 @@ std::vector<std::string> wrap(std::string_view words, std::size_t letters) {
 }
 
 /// Legend lines of all series: what stands there and how many lines each entry takes.
-struct Entry {
-  const Series* series = nullptr;
+struct LegendEntry {
+  const PlotSeries* series = nullptr;
   std::vector<std::string> lines;
 };
 
-std::vector<Entry> legend_entries(const Plot& plot) {
-  std::vector<Entry> entries;
-  for (const Series& series : plot.series) {
+std::vector<LegendEntry> legend_entries(const Plot& plot) {
+  std::vector<LegendEntry> entries;
+  for (const PlotSeries& series : plot.series) {
     if (!series.name.empty()) {
       entries.push_back(
           {&series, wrap(series.name, plot.legend_below ? letters_below : letters_beside)});
@@ -255,18 +257,18 @@ std::vector<Entry> legend_entries(const Plot& plot) {
   return entries;
 }
 
-double legend_height(const std::vector<Entry>& entries) {
+double legend_height(const std::vector<LegendEntry>& entries) {
   double height = 0.0;
-  for (const Entry& entry : entries) {
+  for (const LegendEntry& entry : entries) {
     height += line_height * static_cast<double>(entry.lines.size()) + 4.0;
   }
   return height;
 }
 
-void draw_legend(Svg& svg, const std::vector<Entry>& entries, Point corner) {
+void draw_legend(SvgDrawing& svg, const std::vector<LegendEntry>& entries, DrawingPoint corner) {
   double y = corner.y + 10.0;
-  for (const Entry& entry : entries) {
-    const Series& series = *entry.series;
+  for (const LegendEntry& entry : entries) {
+    const PlotSeries& series = *entry.series;
     if (series.joined) {
       svg.line({corner.x, y - 4.0}, {corner.x + 30.0, y - 4.0}, line_style(series));
     }
@@ -283,32 +285,33 @@ void draw_legend(Svg& svg, const std::vector<Entry>& entries, Point corner) {
 
 } // namespace
 
-std::string draw(const Plot& plot) {
-  Range x = range_of(plot, &Point::x);
-  const Range y = range_of(plot, &Point::y);
+std::string draw_svg(const Plot& plot) {
+  AxisRange x = range_of(plot, &DrawingPoint::x);
+  const AxisRange y = range_of(plot, &DrawingPoint::y);
   x.left = box_left(y);
   const double legend_left = x.left + box_width + legend_gap;
-  const std::vector<Entry> entries = legend_entries(plot);
+  const std::vector<LegendEntry> entries = legend_entries(plot);
   const double foot = box_top + box_height + 46.0;
   const double beside = legend_left + legend_width;
-  Svg svg(plot.legend_below ? legend_left : beside,
-          plot.legend_below ? foot + 6.0 + legend_height(entries)
-                            : std::max(foot, box_top + legend_height(entries)),
-          plot.label);
+  SvgDrawing svg(plot.legend_below ? legend_left : beside,
+                 plot.legend_below ? foot + 6.0 + legend_height(entries)
+                                   : std::max(foot, box_top + legend_height(entries)),
+                 plot.label);
   draw_axes(svg, plot, x, y);
-  for (const Series& series : plot.series) {
+  for (const PlotSeries& series : plot.series) {
     draw_series(svg, series, x, y);
   }
   draw_legend(svg, entries,
-              plot.legend_below ? Point{x.left, foot + 6.0} : Point{legend_left, box_top});
-  return svg.finish();
+              plot.legend_below ? DrawingPoint{x.left, foot + 6.0}
+                                : DrawingPoint{legend_left, box_top});
+  return svg.svg_text();
 }
 
-std::string bar_words(const std::vector<Series>& all) {
+std::string error_bar_note(const std::vector<PlotSeries>& all) {
   double widest = 0.0;
   std::size_t barred = 0;
   std::size_t count = 0;
-  for (const Series& series : all) {
+  for (const PlotSeries& series : all) {
     for (std::size_t i = 0; i < series.bars.size(); ++i) {
       const double K = std::abs(series.points[i].y);
       const bool found = std::isfinite(series.bars[i]);

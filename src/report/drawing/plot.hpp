@@ -13,14 +13,14 @@ namespace spricka::report {
 inline constexpr double no_bar = std::numeric_limits<double>::quiet_NaN();
 
 /// Points of one curve, or of marks without a line.
-struct Series {
+struct PlotSeries {
   std::string name; ///< in the legend; empty: not shown there
-  std::vector<Point> points;
+  std::vector<DrawingPoint> points;
   std::vector<double> bars; ///< half heights of error bars [point], or no_bar; empty: none
   std::string colour = "#000";
   std::string dash;
   bool joined = true;
-  std::optional<Marker> marker;
+  std::optional<MarkerShape> marker;
 };
 
 /// Curves over one axis; names of axes come with their units. The y axis starts at 0 unless a
@@ -29,26 +29,26 @@ struct Plot {
   std::string label; ///< what it shows, in words
   std::string x_name;
   std::string y_name;
-  std::vector<Series> series;
+  std::vector<PlotSeries> series;
   bool legend_below = false; ///< else at the right
   bool log_x = false;        ///< logarithmic; values that are not positive are left out
   bool log_y = false;
 };
 
 /// The plot with its legend.
-std::string draw(const Plot& plot);
+std::string draw_svg(const Plot& plot);
 
 /// What a reader has to know of the error bars of K1 in these: most are too small to be seen, and
 /// not every point of the curves that could have one has it. Empty without bars.
-std::string bar_words(const std::vector<Series>& all);
+std::string error_bar_note(const std::vector<PlotSeries>& all);
 
 /// Pressure round a bore. A curve runs in pieces: it is cut at crack mouths.
 struct PolarCurve {
   std::string name;
   std::string colour = "#000";
   std::string dash;
-  std::vector<std::vector<Point>> pieces; ///< x: theta [rad], y: pressure
-  bool tinted = false;                    ///< the area between curve and bore is tinted
+  std::vector<std::vector<DrawingPoint>> pieces; ///< x: theta [rad], y: pressure
+  bool tinted = false;                           ///< the area between curve and bore is tinted
 };
 
 struct PolarPlot {
@@ -61,7 +61,7 @@ struct PolarPlot {
 };
 
 /// Pressure outward from a circle that stands for the bore; negative values point inward.
-std::string draw(const PolarPlot& plot);
+std::string draw_svg(const PolarPlot& plot);
 
 /// The legend of several polar plots, in one row.
 std::string draw_legend(const std::vector<PolarCurve>& curves);

@@ -19,14 +19,14 @@ constexpr double hatch = 7.0;          // their length [px]
 using base::Vec2;
 
 /// A point of the outline and the unit direction into the rigid body.
-struct Spot {
+struct RigidOutlinePoint {
   Vec2 x;
   Vec2 inward;
 };
 
 /// The part of first + t (second - first), 0 <= t <= 1, that the window shows.
 std::optional<std::pair<double, double>> shown(const Vec2& first, const Vec2& chord,
-                                               const Window& window) {
+                                               const DrawingWindow& window) {
   double from = 0.0;
   double to = 1.0;
   const auto cut = [&](double x, double step, double low, double high) {
@@ -43,11 +43,12 @@ std::optional<std::pair<double, double>> shown(const Vec2& first, const Vec2& ch
   return from < to ? std::optional(std::pair(from, to)) : std::nullopt;
 }
 
-std::vector<Spot> along_line(const model::RigidTarget& line, const Window& window) {
+std::vector<RigidOutlinePoint> along_line(const model::RigidTarget& line,
+                                          const DrawingWindow& window) {
   const Vec2 first = line.first.head<2>();
   const Vec2 chord = line.second.head<2>() - first;
   const auto part = shown(first, chord, window);
-  std::vector<Spot> spots;
+  std::vector<RigidOutlinePoint> spots;
   if (!part) {
     return spots;
   }
@@ -62,7 +63,7 @@ std::vector<Spot> along_line(const model::RigidTarget& line, const Window& windo
 }
 
 /// Angles of a circle that the window may show: all, or from its corners as seen from far off.
-std::pair<double, double> angles(const Vec2& centre, const Window& window) {
+std::pair<double, double> angles(const Vec2& centre, const DrawingWindow& window) {
   const Vec2 low(window.low.x, window.low.y);
   const Vec2 high(window.high.x, window.high.y);
   const Vec2 middle = 0.5 * (low + high) - centre;
@@ -81,13 +82,14 @@ std::pair<double, double> angles(const Vec2& centre, const Window& window) {
   return {theta + from, theta + to};
 }
 
-std::vector<Spot> along_arc(const model::RigidTarget& arc, const Window& window) {
+std::vector<RigidOutlinePoint> along_arc(const model::RigidTarget& arc,
+                                         const DrawingWindow& window) {
   const Vec2 centre = arc.first.head<2>();
   const double radius = std::abs(arc.radius);
   const auto [from, to] = angles(centre, window);
   const auto count = static_cast<int>(
       std::clamp(std::ceil((to - from) * radius * window.scale / hatch_distance), 24.0, 4000.0));
-  std::vector<Spot> spots;
+  std::vector<RigidOutlinePoint> spots;
   for (int i = 0; i <= count; ++i) {
     const double theta = from + (to - from) * i / count;
     const Vec2 outward(std::cos(theta), std::sin(theta));
@@ -98,14 +100,14 @@ std::vector<Spot> along_arc(const model::RigidTarget& arc, const Window& window)
 
 } // namespace
 
-void draw_rigid(Svg& svg, const model::RigidTarget& rigid, const Window& window) {
-  const std::vector<Spot> spots = rigid.shape == model::RigidTargetShape::line
-                                      ? along_line(rigid, window)
-                                      : along_arc(rigid, window);
-  PathData outline;
-  PathData hatches;
-  for (const Spot& spot : spots) {
-    const Point p = window.project({spot.x.x(), spot.x.y()});
+void draw_rigid(SvgDrawing& svg, const model::RigidTarget& rigid, const DrawingWindow& window) {
+  const std::vector<RigidOutlinePoint> spots = rigid.shape == model::RigidTargetShape::line
+                                                   ? along_line(rigid, window)
+                                                   : along_arc(rigid, window);
+  SvgPathData outline;
+  SvgPathData hatches;
+  for (const RigidOutlinePoint& spot : spots) {
+    const DrawingPoint p = window.project({spot.x.x(), spot.x.y()});
     outline.empty() ? outline.move(p) : outline.line(p);
     // turned by 45 degrees from the outline; y runs down on the drawing
     const Vec2 d = hatch / std::numbers::sqrt2 *

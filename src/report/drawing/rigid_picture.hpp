@@ -9,15 +9,15 @@ namespace spricka::report {
 
 /// What a drawing shows of the plane: its corners [length], the pixels of a length, and where a
 /// point stands on the drawing.
-struct Window {
-  Point low;
-  Point high;
+struct DrawingWindow {
+  DrawingPoint low;
+  DrawingPoint high;
   double scale = 1.0; ///< [px/length]
-  std::function<Point(const Point&)> project;
+  std::function<DrawingPoint(const DrawingPoint&)> project;
 };
 
 /// Draws a rigid target as a heavy line with hatches on the side of the rigid body, as far as the
 /// window shows it.
-void draw_rigid(Svg& svg, const model::RigidTarget& rigid, const Window& window);
+void draw_rigid(SvgDrawing& svg, const model::RigidTarget& rigid, const DrawingWindow& window);
 
 } // namespace spricka::report

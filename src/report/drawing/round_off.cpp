@@ -37,12 +37,12 @@ double stiffness_times_way(const model::Model& model, const results::Increment& 
 
 } // namespace
 
-double elastic_stress(const model::Model& model, const results::Increment& increment) {
+double reference_elastic_stress(const model::Model& model, const results::Increment& increment) {
   const double size = size_of(increment.mesh);
   return size > 0.0 ? stiffness_times_way(model, increment) / size : 0.0;
 }
 
-double elastic_force(const model::Model& model, const results::Increment& increment) {
+double reference_elastic_force(const model::Model& model, const results::Increment& increment) {
   double depth = 0.0;
   for (const model::ElementProperty& property : model.properties) {
     const bool plane = property.state == model::StressState::plane_stress ||
@@ -60,10 +60,10 @@ double largest_stress(const results::StepResult& step) {
   return largest;
 }
 
-bool is_stressed(const model::Model& model, const results::Increment& increment,
-                 const results::StepResult& step) {
+bool has_significant_stress(const model::Model& model, const results::Increment& increment,
+                            const results::StepResult& step) {
   constexpr double round_off = 1e-9;
-  double scale = elastic_stress(model, increment);
+  double scale = reference_elastic_stress(model, increment);
   for (const results::StepResult& other : increment.steps) {
     scale = std::max(scale, largest_stress(other));
   }

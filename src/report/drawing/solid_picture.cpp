@@ -28,7 +28,7 @@ struct Camera {
 };
 
 struct DrawnFace {
-  std::vector<Point> outline;
+  std::vector<DrawingPoint> outline;
   double depth = 0.0; ///< towards the eye
   double value = 0.0; ///< von Mises
 };
@@ -37,7 +37,7 @@ struct DrawnFace {
 double size_of(const results::Increment& increment) {
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
   base::Vec3 high = -low;
-  for (const results::SurfaceFace& face : increment.surface) {
+  for (const results::OuterSurfaceFace& face : increment.surface) {
     for (const base::NodeId n : face.outline) {
       low = low.cwiseMin(increment.mesh.x[n.index()]);
       high = high.cwiseMax(increment.mesh.x[n.index()]);
@@ -56,7 +56,7 @@ double magnification(const SolidView& view) {
   for (std::size_t n = 0; n < nodes; ++n) {
     largest = std::max(largest, view.step->u.segment<3>(static_cast<Eigen::Index>(3 * n)).norm());
   }
-  return largest > 0.0 ? round_down(size_of(*view.increment) / 15.0 / largest) : 0.0;
+  return largest > 0.0 ? round_number_below(size_of(*view.increment) / 15.0 / largest) : 0.0;
 }
 
 class Painter {
@@ -68,7 +68,7 @@ public:
   /// Faces turned to the eye, the farthest first.
   [[nodiscard]] std::vector<DrawnFace> faces() const {
     std::vector<DrawnFace> drawn;
-    for (const results::SurfaceFace& face : view_.increment->surface) {
+    for (const results::OuterSurfaceFace& face : view_.increment->surface) {
       base::Vec3 area = base::Vec3::Zero();
       base::Vec3 centre = base::Vec3::Zero();
       DrawnFace out;
@@ -99,7 +99,7 @@ private:
     return x;
   }
   // Of the face's own element where properties meet.
-  [[nodiscard]] double von_mises(const results::SurfaceFace& face, std::size_t i) const {
+  [[nodiscard]] double von_mises(const results::OuterSurfaceFace& face, std::size_t i) const {
     const model::Mesh& mesh = view_.increment->mesh;
     const auto nodes = mesh.element_nodes(face.element);
     const auto local = std::ranges::find(nodes, face.outline[i]) - nodes.begin();
@@ -116,10 +116,10 @@ private:
 /// Moves the faces into the picture, y down; returns its height.
 double fit(std::vector<DrawnFace>& faces, double width) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  Point low{infinite, infinite};
-  Point high{-infinite, -infinite};
+  DrawingPoint low{infinite, infinite};
+  DrawingPoint high{-infinite, -infinite};
   for (const DrawnFace& face : faces) {
-    for (const Point& p : face.outline) {
+    for (const DrawingPoint& p : face.outline) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
@@ -128,7 +128,7 @@ double fit(std::vector<DrawnFace>& faces, double width) {
   const double scale = std::min(inner / (high.x - low.x), 0.85 * inner / (high.y - low.y));
   const double left = 0.5 * (width - scale * (high.x - low.x));
   for (DrawnFace& face : faces) {
-    for (Point& p : face.outline) {
+    for (DrawingPoint& p : face.outline) {
       p = {left + scale * (p.x - low.x), head_height + margin + scale * (high.y - p.y)};
     }
   }
@@ -140,29 +140,29 @@ ColourScale scale_of(const std::vector<DrawnFace>& faces) {
   return scale_between(low.value, high.value);
 }
 
-void draw_axes(Svg& svg, const Camera& camera, Point at) {
+void draw_axes(SvgDrawing& svg, const Camera& camera, DrawingPoint at) {
   constexpr double length = 24.0;
   for (int c = 0; c < 3; ++c) {
     const base::Vec3 axis = base::Vec3::Unit(c);
-    const Point way{camera.right.dot(axis), -camera.up.dot(axis)};
+    const DrawingPoint way{camera.right.dot(axis), -camera.up.dot(axis)};
     svg.line(at, {at.x + length * way.x, at.y + length * way.y}, {"#000", 1.1, "none", ""});
     svg.text({at.x + 1.35 * length * way.x, at.y + 1.35 * length * way.y + 4.0},
-             std::string(1, "xyz"[c]), {Anchor::middle, 11.0});
+             std::string(1, "xyz"[c]), {TextAnchor::middle, 11.0});
   }
 }
 
 } // namespace
 
-std::string draw(const SolidView& view) {
+std::string draw_svg(const SolidView& view) {
   const Painter painter(view);
   std::vector<DrawnFace> faces = painter.faces();
   const double height = fit(faces, view.width);
   const ColourScale scale = scale_of(faces);
   const std::string title = "Surface, von Mises stress";
-  Svg svg(view.width, head_height + height + legend_room, title);
-  svg.text({0.5 * view.width, 14.0}, title, {Anchor::middle, 13.0, "#000", 0.0, false, true});
+  SvgDrawing svg(view.width, head_height + height + legend_room, title);
+  svg.text({0.5 * view.width, 14.0}, title, {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
   for (const DrawnFace& face : faces) {
-    PathData path;
+    SvgPathData path;
     path.move(face.outline.front());
     for (std::size_t i = 1; i < face.outline.size(); ++i) {
       path.line(face.outline[i]);
@@ -177,9 +177,9 @@ std::string draw(const SolidView& view) {
   draw_axes(svg, painter.camera(), {40.0, top + 14.0});
   if (painter.magnify() > 0.0) {
     svg.text({view.width - 2.0, head_height + 4.0},
-             fmt::format("displacements × {:.3g}", painter.magnify()), {Anchor::end, 11.0});
+             fmt::format("displacements × {:.3g}", painter.magnify()), {TextAnchor::end, 11.0});
   }
-  return svg.finish();
+  return svg.svg_text();
 }
 
 } // namespace spricka::report

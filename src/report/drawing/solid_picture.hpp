@@ -18,6 +18,6 @@ struct SolidView {
   double width = 560.0; ///< [px]
 };
 
-std::string draw(const SolidView& view);
+std::string draw_svg(const SolidView& view);
 
 } // namespace spricka::report

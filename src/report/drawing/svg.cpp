@@ -33,7 +33,7 @@ std::string pixels(double value) {
   return text;
 }
 
-std::string attributes(const Style& style) {
+std::string attributes(const ShapeStyle& style) {
   std::string out = fmt::format(R"( fill="{}" stroke="{}")", style.fill, style.stroke);
   if (style.stroke != "none") {
     out += fmt::format(R"( stroke-width="{}")", pixels(style.width));
@@ -44,40 +44,40 @@ std::string attributes(const Style& style) {
   return out;
 }
 
-PathData polygon(Point at, std::initializer_list<Point> corners) {
-  PathData data;
-  for (const Point& corner : corners) {
-    const Point p{at.x + corner.x, at.y + corner.y};
+SvgPathData polygon(DrawingPoint at, std::initializer_list<DrawingPoint> corners) {
+  SvgPathData data;
+  for (const DrawingPoint& corner : corners) {
+    const DrawingPoint p{at.x + corner.x, at.y + corner.y};
     data.empty() ? data.move(p) : data.line(p);
   }
   return data.close();
 }
 
-PathData strokes(Point at, double x, double y) {
-  PathData data;
+SvgPathData strokes(DrawingPoint at, double x, double y) {
+  SvgPathData data;
   data.move({at.x - x, at.y - y}).line({at.x + x, at.y + y});
   return data.move({at.x - y, at.y + x}).line({at.x + y, at.y - x});
 }
 
 } // namespace
 
-void PathData::point(Point p) {
+void SvgPathData::point(DrawingPoint p) {
   (text_ += pixels(p.x)) += ' ' + pixels(p.y);
 }
 
-PathData& PathData::move(Point p) {
+SvgPathData& SvgPathData::move(DrawingPoint p) {
   text_ += 'M';
   point(p);
   return *this;
 }
 
-PathData& PathData::line(Point p) {
+SvgPathData& SvgPathData::line(DrawingPoint p) {
   text_ += 'L';
   point(p);
   return *this;
 }
 
-PathData& PathData::quadratic(Point control, Point p) {
+SvgPathData& SvgPathData::quadratic(DrawingPoint control, DrawingPoint p) {
   text_ += 'Q';
   point(control);
   text_ += ' ';
@@ -85,76 +85,77 @@ PathData& PathData::quadratic(Point control, Point p) {
   return *this;
 }
 
-PathData& PathData::arc(double radius, bool large, bool clockwise, Point p) {
+SvgPathData& SvgPathData::arc(double radius, bool large, bool clockwise, DrawingPoint p) {
   text_ += fmt::format("A{0} {0} 0 {1:d} {2:d} ", pixels(radius), large, clockwise);
   point(p);
   return *this;
 }
 
-PathData& PathData::close() {
+SvgPathData& SvgPathData::close() {
   text_ += 'Z';
   return *this;
 }
 
-Svg::Svg(double width, double height, std::string_view label)
+SvgDrawing::SvgDrawing(double width, double height, std::string_view label)
     : body_(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{2}\" "
                         "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
                         "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
                         "stroke-linejoin=\"round\">\n",
-                        pixels(width), pixels(height), escape(label))) {}
+                        pixels(width), pixels(height), escape_xml(label))) {}
 
-void Svg::line(Point a, Point b, const Style& style) {
-  path(PathData().move(a).line(b), style);
+void SvgDrawing::line(DrawingPoint a, DrawingPoint b, const ShapeStyle& style) {
+  path(SvgPathData().move(a).line(b), style);
 }
 
-void Svg::path(const PathData& data, const Style& style) {
+void SvgDrawing::path(const SvgPathData& data, const ShapeStyle& style) {
   if (!data.empty()) {
     body_ += fmt::format("<path d=\"{}\"{}/>\n", data.text(), attributes(style));
   }
 }
 
-void Svg::polyline(std::span<const Point> points, const Style& style) {
-  PathData data;
-  for (const Point& p : points) {
+void SvgDrawing::polyline(std::span<const DrawingPoint> points, const ShapeStyle& style) {
+  SvgPathData data;
+  for (const DrawingPoint& p : points) {
     data.empty() ? data.move(p) : data.line(p);
   }
   path(data, style);
 }
 
-void Svg::circle(Point centre, double radius, const Style& style) {
+void SvgDrawing::circle(DrawingPoint centre, double radius, const ShapeStyle& style) {
   body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", pixels(centre.x),
                        pixels(centre.y), pixels(radius), attributes(style));
 }
 
-void Svg::rectangle(Point corner, double width, double height, const Style& style) {
+void SvgDrawing::rectangle(DrawingPoint corner, double width, double height,
+                           const ShapeStyle& style) {
   body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}/>\n", pixels(corner.x),
                        pixels(corner.y), pixels(width), pixels(height), attributes(style));
 }
 
-void Svg::marker(Marker kind, Point at, const Style& style) {
+void SvgDrawing::marker(MarkerShape kind, DrawingPoint at, const ShapeStyle& style) {
   switch (kind) {
-  case Marker::circle:
+  case MarkerShape::circle:
     circle(at, 3.5, style);
     break;
-  case Marker::square:
+  case MarkerShape::square:
     rectangle({at.x - 3.2, at.y - 3.2}, 6.4, 6.4, style);
     break;
-  case Marker::triangle:
+  case MarkerShape::triangle:
     path(polygon(at, {{0.0, -4.4}, {4.0, 2.8}, {-4.0, 2.8}}), style);
     break;
-  case Marker::diamond:
+  case MarkerShape::diamond:
     path(polygon(at, {{0.0, -4.6}, {4.6, 0.0}, {0.0, 4.6}, {-4.6, 0.0}}), style);
     break;
-  case Marker::plus:
+  case MarkerShape::plus:
     path(strokes(at, 5.0, 0.0), style);
     break;
-  case Marker::cross:
+  case MarkerShape::cross:
     path(strokes(at, 4.0, 4.0), style);
     break;
   }
 }
 
-void Svg::text(Point at, std::string_view words, const TextStyle& style) {
+void SvgDrawing::text(DrawingPoint at, std::string_view words, const TextStyle& style) {
   constexpr std::array<const char*, 3> anchor{"start", "middle", "end"};
   body_ += fmt::format(R"(<text x="{}" y="{}" font-size="{}" fill="{}" text-anchor="{}")",
                        pixels(at.x), pixels(at.y), pixels(style.size), style.fill,
@@ -169,37 +170,37 @@ void Svg::text(Point at, std::string_view words, const TextStyle& style) {
   if (style.bold) {
     body_ += R"( font-weight="bold")";
   }
-  ((body_ += '>') += escape(words)) += "</text>\n";
+  ((body_ += '>') += escape_xml(words)) += "</text>\n";
 }
 
-void Svg::clip(std::string_view id, Point corner, double width, double height) {
+void SvgDrawing::clip(std::string_view id, DrawingPoint corner, double width, double height) {
   body_ += fmt::format("<clipPath id=\"{0}\"><rect x=\"{1}\" y=\"{2}\" width=\"{3}\" "
                        "height=\"{4}\"/></clipPath>\n<g clip-path=\"url(#{0})\">\n",
                        id, pixels(corner.x), pixels(corner.y), pixels(width), pixels(height));
 }
 
-void Svg::unclip() {
+void SvgDrawing::unclip() {
   body_ += "</g>\n";
 }
 
-std::string Svg::finish() const {
+std::string SvgDrawing::svg_text() const {
   return body_ + "</svg>\n";
 }
 
-std::string_view colour(std::size_t i) {
+std::string_view palette_colour(std::size_t i) {
   // Blue, vermilion, green, purple, orange, sky blue, black: outlines are black too.
   constexpr std::array<std::string_view, 7> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                     "#e69f00", "#56b4e9", "#000000"};
   return palette[i % palette.size()];
 }
 
-Marker closed_marker(std::size_t i) {
-  constexpr std::array<Marker, 4> shapes{Marker::circle, Marker::square, Marker::triangle,
-                                         Marker::diamond};
+MarkerShape closed_marker(std::size_t i) {
+  constexpr std::array<MarkerShape, 4> shapes{MarkerShape::circle, MarkerShape::square,
+                                              MarkerShape::triangle, MarkerShape::diamond};
   return shapes[i % shapes.size()];
 }
 
-std::string_view dash(std::size_t i) {
+std::string_view dash_pattern(std::size_t i) {
   constexpr std::array<std::string_view, 4> patterns{"", "7 3", "2 2.5", "7 3 2 3"};
   return patterns[i % patterns.size()];
 }
@@ -224,7 +225,7 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
   return ticks;
 }
 
-double round_down(double value) {
+double round_number_below(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
   const double lead = value / decade;
   if (lead >= 5.0) {

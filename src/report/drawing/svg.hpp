@@ -8,23 +8,23 @@
 /// A small writer of SVG: what a report needs and no more. Lengths are CSS pixels, y runs down.
 namespace spricka::report {
 
-struct Point {
+struct DrawingPoint {
   double x = 0.0;
   double y = 0.0;
 };
 
 /// How a line or an area is drawn; colours as SVG writes them.
-struct Style {
+struct ShapeStyle {
   std::string stroke = "#000";
   double width = 1.0;
   std::string fill = "none";
   std::string dash; ///< "6 3"; empty: solid
 };
 
-enum class Anchor { start, middle, end };
+enum class TextAnchor { start, middle, end };
 
 struct TextStyle {
-  Anchor anchor = Anchor::start;
+  TextAnchor anchor = TextAnchor::start;
   double size = 12.0;
   std::string fill = "#000";
   double angle = 0.0; ///< [deg], about the point, against the clock
@@ -32,41 +32,41 @@ struct TextStyle {
   bool bold = false;
 };
 
-enum class Marker { circle, square, triangle, diamond, plus, cross };
+enum class MarkerShape { circle, square, triangle, diamond, plus, cross };
 
 /// Path data with coordinates rounded to a hundredth of a pixel.
-class PathData {
+class SvgPathData {
 public:
-  PathData& move(Point p);
-  PathData& line(Point p);
-  PathData& quadratic(Point control, Point p);
-  PathData& arc(double radius, bool large, bool clockwise, Point p);
-  PathData& close();
+  SvgPathData& move(DrawingPoint p);
+  SvgPathData& line(DrawingPoint p);
+  SvgPathData& quadratic(DrawingPoint control, DrawingPoint p);
+  SvgPathData& arc(double radius, bool large, bool clockwise, DrawingPoint p);
+  SvgPathData& close();
   [[nodiscard]] bool empty() const { return text_.empty(); }
   [[nodiscard]] const std::string& text() const { return text_; }
 
 private:
-  void point(Point p);
+  void point(DrawingPoint p);
   std::string text_;
 };
 
 /// One drawing. `label` says in words what it shows (for readers that do not see it).
-class Svg {
+class SvgDrawing {
 public:
-  Svg(double width, double height, std::string_view label);
+  SvgDrawing(double width, double height, std::string_view label);
 
-  void line(Point a, Point b, const Style& style);
-  void path(const PathData& data, const Style& style);
-  void polyline(std::span<const Point> points, const Style& style);
-  void circle(Point centre, double radius, const Style& style);
-  void rectangle(Point corner, double width, double height, const Style& style);
-  void marker(Marker kind, Point at, const Style& style);
-  void text(Point at, std::string_view words, const TextStyle& style);
+  void line(DrawingPoint a, DrawingPoint b, const ShapeStyle& style);
+  void path(const SvgPathData& data, const ShapeStyle& style);
+  void polyline(std::span<const DrawingPoint> points, const ShapeStyle& style);
+  void circle(DrawingPoint centre, double radius, const ShapeStyle& style);
+  void rectangle(DrawingPoint corner, double width, double height, const ShapeStyle& style);
+  void marker(MarkerShape kind, DrawingPoint at, const ShapeStyle& style);
+  void text(DrawingPoint at, std::string_view words, const TextStyle& style);
   /// Until unclip() nothing shows outside the rectangle. `id` is unique on the page.
-  void clip(std::string_view id, Point corner, double width, double height);
+  void clip(std::string_view id, DrawingPoint corner, double width, double height);
   void unclip();
   /// The whole element, readable alone and inside HTML.
-  [[nodiscard]] std::string finish() const;
+  [[nodiscard]] std::string svg_text() const;
 
 private:
   std::string body_;
@@ -74,19 +74,19 @@ private:
 
 /// The i-th colour of a palette that colour-blind readers can tell apart (Okabe and Ito, 2008);
 /// starts again after seven.
-std::string_view colour(std::size_t i);
+std::string_view palette_colour(std::size_t i);
 
 /// The i-th marker; starts again after four closed shapes.
-Marker closed_marker(std::size_t i);
+MarkerShape closed_marker(std::size_t i);
 
 /// The i-th dash pattern; the first is solid.
-std::string_view dash(std::size_t i);
+std::string_view dash_pattern(std::size_t i);
 
 /// Steps of 1, 2 or 5 times a power of ten: about `wanted` round numbers inside [low, high].
 std::vector<double> round_ticks(double low, double high, int wanted);
 
 /// 1, 2 or 5 times a power of ten: the largest such number not above a positive value.
-double round_down(double value);
+double round_number_below(double value);
 
 /// A tick's number with the digits that the distance between ticks calls for.
 std::string tick_text(double value, double distance);

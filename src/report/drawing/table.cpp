@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view gap = "  ";
 
-std::vector<std::size_t> widths(const Table& table) {
+std::vector<std::size_t> widths(const ReportTable& table) {
   std::vector<std::size_t> width;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     std::size_t w = std::max(table.columns[c].name.size(), table.columns[c].unit.size());
@@ -36,7 +36,7 @@ void append_line(std::string& out, std::string line) {
 
 } // namespace
 
-std::string to_text(const Table& table) {
+std::string to_text(const ReportTable& table) {
   const std::vector<std::size_t> width = widths(table);
   std::string names;
   std::string units;
@@ -59,7 +59,7 @@ std::string to_text(const Table& table) {
   return out;
 }
 
-Table untitled(Table table) {
+ReportTable untitled(ReportTable table) {
   table.title.clear();
   return table;
 }
@@ -68,7 +68,7 @@ std::string six_digits(double value) {
   return fmt::format("{:.6g}", value);
 }
 
-std::string escape(std::string_view text) {
+std::string escape_xml(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
@@ -91,7 +91,7 @@ std::string escape(std::string_view text) {
   return out;
 }
 
-std::string print_unit(std::string_view unit) {
+std::string typeset_unit(std::string_view unit) {
   std::string out;
   for (std::size_t i = 0; i < unit.size(); ++i) {
     const std::string_view rest = unit.substr(i);
@@ -115,16 +115,16 @@ std::string print_unit(std::string_view unit) {
   return out;
 }
 
-std::string to_html(const Table& table) {
+std::string to_html(const ReportTable& table) {
   std::string out = "<table>\n";
   if (!table.title.empty()) {
-    out += fmt::format("<caption>{}</caption>\n", escape(table.title));
+    out += fmt::format("<caption>{}</caption>\n", escape_xml(table.title));
   }
   out += "<thead><tr>";
-  for (const Table::Column& column : table.columns) {
-    out += fmt::format("<th{}>{}", column.words ? " class=\"w\"" : "", escape(column.name));
+  for (const ReportTable::ReportColumn& column : table.columns) {
+    out += fmt::format("<th{}>{}", column.words ? " class=\"w\"" : "", escape_xml(column.name));
     if (!column.unit.empty()) {
-      out += fmt::format("<br><span>{}</span>", escape(print_unit(column.unit)));
+      out += fmt::format("<br><span>{}</span>", escape_xml(typeset_unit(column.unit)));
     }
     out += "</th>";
   }
@@ -133,7 +133,7 @@ std::string to_html(const Table& table) {
     out += "<tr>";
     for (std::size_t c = 0; c < row.size(); ++c) {
       out += fmt::format("<td{}>{}</td>", table.columns[c].words ? " class=\"w\"" : "",
-                         escape(row[c]));
+                         escape_xml(row[c]));
     }
     out += "</tr>\n";
   }

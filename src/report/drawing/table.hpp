@@ -8,33 +8,33 @@ namespace spricka::report {
 
 /// A table of words and numbers already formatted; the listing and the HTML page show the same
 /// ones. Columns of words stand to the left, of numbers to the right.
-struct Table {
-  struct Column {
+struct ReportTable {
+  struct ReportColumn {
     std::string name;
     std::string unit; ///< as base::UnitSystem writes it; empty: none
     bool words = false;
   };
   std::string title;
-  std::vector<Column> columns;
+  std::vector<ReportColumn> columns;
   std::vector<std::vector<std::string>> rows; ///< each as long as `columns`
 };
 
 /// The table with blanks between its columns, names and units above them, ended by a newline.
-std::string to_text(const Table& table);
+std::string to_text(const ReportTable& table);
 
 /// The table as an HTML element, with units in print style.
-std::string to_html(const Table& table);
+std::string to_html(const ReportTable& table);
 
 /// The table without its title, where a heading says enough.
-Table untitled(Table table);
+ReportTable untitled(ReportTable table);
 
 /// A unit in print: "MPa*mm^0.5" becomes "MPa √mm", "N/mm^2" "N/mm²".
-std::string print_unit(std::string_view unit);
+std::string typeset_unit(std::string_view unit);
 
 /// A number as tables have it.
 std::string six_digits(double value);
 
 /// Text with the characters that XML reserves replaced by entities.
-std::string escape(std::string_view text);
+std::string escape_xml(std::string_view text);
 
 } // namespace spricka::report

@@ -7,18 +7,18 @@
 namespace spricka::report {
 
 /// Bars about zero, one below the other in the order given.
-struct Tornado {
-  struct Bar {
+struct TornadoChart {
+  struct TornadoBar {
     std::string name;
     double more = 0.0; ///< effect of more of it, full bar
     double less = 0.0; ///< of as much less, pale bar
     std::size_t colour = 0;
   };
   std::string title;
-  std::vector<Bar> bars;
+  std::vector<TornadoBar> bars;
 };
 
 /// The drawing; numbers beside the full bars are percent.
-std::string draw(const Tornado& tornado);
+std::string draw_svg(const TornadoChart& tornado);
 
 } // namespace spricka::report

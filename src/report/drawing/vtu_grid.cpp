@@ -45,7 +45,7 @@ std::size_t place_of(ElementType type, std::size_t i) {
   return face ? hexec27_faces[i - 20] : i;
 }
 
-void add_cells(VtuDocument& document, const model::Mesh& mesh, const GridPoints& points) {
+void add_cells(VtuDocument& document, const model::Mesh& mesh, const VtuGridPoints& points) {
   std::vector<std::int64_t> connectivity(mesh.nodes.size());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto first = static_cast<std::size_t>(mesh.first[e]);
@@ -59,11 +59,11 @@ void add_cells(VtuDocument& document, const model::Mesh& mesh, const GridPoints&
     offsets.push_back(mesh.first[e + 1]);
     types.push_back(vtk_cell[static_cast<std::size_t>(mesh.type[e])]);
   }
-  document.line("      <Cells>");
-  document.add("connectivity", "Int64", 1, connectivity);
-  document.add("offsets", "Int64", 1, offsets);
-  document.add("types", "UInt8", 1, types);
-  document.line("      </Cells>");
+  document.add_line("      <Cells>");
+  document.add_array("connectivity", "Int64", 1, connectivity);
+  document.add_array("offsets", "Int64", 1, offsets);
+  document.add_array("types", "UInt8", 1, types);
+  document.add_line("      </Cells>");
 }
 
 class Deflater {
@@ -118,7 +118,7 @@ std::string compress_array(std::string_view data, bool measured) {
   return bytes + sizes + packed;
 }
 
-GridPoints grid_points(const model::Mesh& mesh, bool split) {
+VtuGridPoints grid_points(const model::Mesh& mesh, bool split) {
   model::PropertyPoints sources;
   if (split) {
     sources = model::property_points(mesh);
@@ -134,7 +134,7 @@ GridPoints grid_points(const model::Mesh& mesh, bool split) {
   for (const std::int32_t source : sources.of) {
     point[static_cast<std::size_t>(source)] = 0;
   }
-  GridPoints points;
+  VtuGridPoints points;
   for (std::size_t s = 0; s < point.size(); ++s) {
     if (point[s] == 0) {
       point[s] = static_cast<std::int64_t>(points.node.size());
@@ -154,17 +154,17 @@ namespace {
 
 VtuDocument begin_grid(const std::vector<double>& x, std::size_t cells) {
   VtuDocument document;
-  document.line("<?xml version=\"1.0\"?>");
-  document.line(
+  document.add_line("<?xml version=\"1.0\"?>");
+  document.add_line(
       fmt::format("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" "
                   "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">",
                   std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
-  document.line("  <UnstructuredGrid>");
-  document.line(
+  document.add_line("  <UnstructuredGrid>");
+  document.add_line(
       fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", x.size() / 3, cells));
-  document.line("      <Points>");
-  document.add("Points", "Float64", 3, x);
-  document.line("      </Points>");
+  document.add_line("      <Points>");
+  document.add_array("Points", "Float64", 3, x);
+  document.add_line("      </Points>");
   return document;
 }
 
@@ -182,17 +182,17 @@ VtuDocument simple_cells(const std::vector<double>& x, const std::vector<std::in
   for (std::size_t c = 1; c <= cells; ++c) {
     offsets.push_back(static_cast<std::int64_t>(c * kind.points));
   }
-  document.line("      <Cells>");
-  document.add("connectivity", "Int64", 1, points);
-  document.add("offsets", "Int64", 1, offsets);
-  document.add("types", "UInt8", 1, std::vector<std::uint8_t>(cells, kind.type));
-  document.line("      </Cells>");
+  document.add_line("      <Cells>");
+  document.add_array("connectivity", "Int64", 1, points);
+  document.add_array("offsets", "Int64", 1, offsets);
+  document.add_array("types", "UInt8", 1, std::vector<std::uint8_t>(cells, kind.type));
+  document.add_line("      </Cells>");
   return document;
 }
 
 } // namespace
 
-VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
+VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points) {
   std::vector<double> x;
   for (const std::size_t n : points.node) {
     x.insert(x.end(), mesh.x[n].data(), mesh.x[n].data() + 3);
@@ -218,14 +218,14 @@ void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh) {
     net.push_back(mesh.element_net[e].value);
     label.push_back(mesh.element_label[e]);
   }
-  document.add("net", "Int64", 1, net);
-  document.add("label", "Int64", 1, label);
+  document.add_array("net", "Int64", 1, net);
+  document.add_array("label", "Int64", 1, label);
 }
 
-std::string vtu_end(VtuDocument& document) {
-  document.line("    </Piece>");
-  document.line("  </UnstructuredGrid>");
-  return document.finish();
+std::string finish_vtu_file(VtuDocument& document) {
+  document.add_line("    </Piece>");
+  document.add_line("  </UnstructuredGrid>");
+  return document.document_text();
 }
 
 } // namespace spricka::report

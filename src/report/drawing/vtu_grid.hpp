@@ -24,8 +24,8 @@ std::string compress_array(std::string_view data, bool measured);
 class VtuDocument {
 public:
   template <class T>
-  void add(std::string_view name, std::string_view type, int components,
-           const std::vector<T>& values, std::span<const std::string_view> names = {}) {
+  void add_array(std::string_view name, std::string_view type, int components,
+                 const std::vector<T>& values, std::span<const std::string_view> names = {}) {
     head_ += fmt::format(R"(        <DataArray type="{}" Name="{}")", type, name);
     if (components > 1) {
       head_ += fmt::format(R"( NumberOfComponents="{}")", components);
@@ -38,9 +38,9 @@ public:
         compress_array({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)},
                        std::is_floating_point_v<T>);
   }
-  void line(std::string_view text) { (head_ += text) += '\n'; }
+  void add_line(std::string_view text) { (head_ += text) += '\n'; }
 
-  [[nodiscard]] std::string finish() const {
+  [[nodiscard]] std::string document_text() const {
     return head_ + "  <AppendedData encoding=\"raw\">\n_" + data_ +
            "\n  </AppendedData>\n</VTKFile>\n";
   }
@@ -52,7 +52,7 @@ private:
 
 /// The points of a picture: nodes that an element uses, renumbered without holes (cutting a crack
 /// leaves some unused).
-struct GridPoints {
+struct VtuGridPoints {
   std::vector<std::size_t> node;   ///< [point] mesh node
   std::vector<std::size_t> source; ///< [point] where its stress stands in the results
   std::vector<std::int64_t> point; ///< [node] its first point, or -1
@@ -60,11 +60,11 @@ struct GridPoints {
 };
 
 /// One point for each node; `split`: one more for each further property that meets there.
-GridPoints grid_points(const model::Mesh& mesh, bool split);
+VtuGridPoints grid_points(const model::Mesh& mesh, bool split);
 
 /// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
 /// point data and vtu_end are to follow.
-VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points);
+VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points);
 /// Net and number of each cell, as arrays within <CellData>.
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
 /// A document with points and triangles between them, three places for each.
@@ -72,6 +72,6 @@ VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::i
 /// The same of straight lines. [3 * point], [2 * line]
 VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends);
 /// The whole file.
-std::string vtu_end(VtuDocument& document);
+std::string finish_vtu_file(VtuDocument& document);
 
 } // namespace spricka::report

@@ -22,17 +22,17 @@ namespace spricka::report {
 namespace {
 
 using base::Vec3;
-using results::AxisEnd;
+using results::FrontAxisEnd;
 
 /// Factors of load cases and fits at the end of a step.
-struct Factors {
+struct BetaCsvFactors {
   std::vector<double> of_case, of_fit;
 };
 
 // A fit that no step names is there from the beginning.
-std::vector<Factors> factors_of_steps(const model::Model& model) {
-  Factors now{std::vector<double>(model.cases.size(), 0.0),
-              std::vector<double>(model.contacts.size(), 1.0)};
+std::vector<BetaCsvFactors> factors_of_steps(const model::Model& model) {
+  BetaCsvFactors now{std::vector<double>(model.cases.size(), 0.0),
+                     std::vector<double>(model.contacts.size(), 1.0)};
   for (const model::Step& step : model.steps) {
     for (const model::Action& action : step.actions) {
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
@@ -40,7 +40,7 @@ std::vector<Factors> factors_of_steps(const model::Model& model) {
       }
     }
   }
-  std::vector<Factors> out;
+  std::vector<BetaCsvFactors> out;
   for (const model::Step& step : model.steps) {
     for (const model::Action& action : step.actions) {
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
@@ -54,8 +54,8 @@ std::vector<Factors> factors_of_steps(const model::Model& model) {
   return out;
 }
 
-Factors between(const Factors& from, const Factors& to, double t) {
-  Factors out = from;
+BetaCsvFactors between(const BetaCsvFactors& from, const BetaCsvFactors& to, double t) {
+  BetaCsvFactors out = from;
   for (std::size_t i = 0; i < out.of_case.size(); ++i) {
     out.of_case[i] += t * (to.of_case[i] - from.of_case[i]);
   }
@@ -65,7 +65,7 @@ Factors between(const Factors& from, const Factors& to, double t) {
   return out;
 }
 
-std::string factor_cells(const Factors& factors) {
+std::string factor_cells(const BetaCsvFactors& factors) {
   std::string text;
   for (const double f : factors.of_case) {
     text += fmt::format(",{}", f);
@@ -86,7 +86,7 @@ std::size_t step_index(const model::Model& model, std::string_view name) {
 }
 
 // Empty cells where there is none.
-std::array<std::string, 2> sizes_of(const std::vector<AxisEnd>& ends) {
+std::array<std::string, 2> sizes_of(const std::vector<FrontAxisEnd>& ends) {
   const std::array<double, 2> half = results::half_axes(ends);
   const auto cell = [](double size) { return size > 0.0 ? fmt::format("{}", size) : ""; };
   return {cell(half[0]), cell(half[1])};
@@ -95,7 +95,7 @@ std::array<std::string, 2> sizes_of(const std::vector<AxisEnd>& ends) {
 /// One line of the table in space.
 struct SpaceRow {
   int increment = 0;
-  const AxisEnd& end;
+  const FrontAxisEnd& end;
   const std::array<std::string, 2>& sizes;
   std::string where, factors;
   double K1 = 0.0, K2 = 0.0;
@@ -112,21 +112,21 @@ std::string front_rows(int increment, const model::Model& model, const results::
                        const std::string& factors) {
   std::string text;
   for (const results::FrontResult& front : step.fronts) {
-    const model::CrackDefinition* crack = results::crack_of_front(model, front.name);
+    const model::CrackDefinition* crack = results::find_crack_by_front(model, front.name);
     if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front ||
         front.points.size() < 2) {
       continue;
     }
     std::vector<Vec3> points;
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       points.push_back(place.x);
     }
-    const std::vector<AxisEnd> ends = results::axis_ends(*crack, points, front.closed);
+    const std::vector<FrontAxisEnd> ends = results::axis_ends(*crack, points, front.closed);
     const std::array<std::string, 2> sizes = sizes_of(ends);
-    for (const AxisEnd& end : ends) {
+    for (const FrontAxisEnd& end : ends) {
       const auto K = [&](std::size_t mode) {
-        return end.between(front.points[end.from].smooth.at(mode),
-                           front.points[end.to].smooth.at(mode));
+        return end.interpolate(front.points[end.from].smooth.at(mode),
+                               front.points[end.to].smooth.at(mode));
       };
       text += line_of({increment, end, sizes, step.step + ",", factors, K(0), K(1)});
     }
@@ -134,29 +134,29 @@ std::string front_rows(int increment, const model::Model& model, const results::
   return text;
 }
 
-std::string path_rows(int increment, const model::Model& model, const results::LoadPath& path,
-                      const std::array<const Factors*, 2>& ways) {
+std::string path_rows(int increment, const model::Model& model, const results::LoadPathResult& path,
+                      const std::array<const BetaCsvFactors*, 2>& ways) {
   std::string text;
-  for (const results::PathFront& front : path.fronts) {
-    const model::CrackDefinition* crack = results::crack_of_front(model, front.is.name);
+  for (const results::LoadPathFront& front : path.fronts) {
+    const model::CrackDefinition* crack = results::find_crack_by_front(model, front.is.name);
     if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front ||
         front.points.size() < 2) {
       continue;
     }
     std::vector<Vec3> points;
-    for (const results::PathPoint& point : front.points) {
+    for (const results::LoadPathFrontPoint& point : front.points) {
       points.push_back(point.is.x);
     }
-    const std::vector<AxisEnd> ends = results::axis_ends(*crack, points, front.is.closed);
+    const std::vector<FrontAxisEnd> ends = results::axis_ends(*crack, points, front.is.closed);
     const std::array<std::string, 2> sizes = sizes_of(ends);
-    for (const AxisEnd& end : ends) {
+    for (const FrontAxisEnd& end : ends) {
       for (std::size_t k = 0; k < path.t.size(); ++k) {
         const auto at = [&](std::size_t i, std::size_t mode) {
-          const results::PathPoint& point = front.points[i];
+          const results::LoadPathFrontPoint& point = front.points[i];
           return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(k);
         };
         const auto K = [&](std::size_t mode) {
-          return end.between(at(end.from, mode), at(end.to, mode));
+          return end.interpolate(at(end.from, mode), at(end.to, mode));
         };
         text += line_of({increment, end, sizes, fmt::format("{},{}", path.name, path.t[k]),
                          factor_cells(between(*ways[0], *ways[1], path.t[k])), K(0), K(1)});
@@ -169,7 +169,7 @@ std::string path_rows(int increment, const model::Model& model, const results::L
 } // namespace
 
 void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run) {
+                    const results::RunResult& run) {
   if (model.cracks.empty()) {
     return;
   }
@@ -186,7 +186,7 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
     text += ",fit_" + contact.name;
   }
   text += ",K1,K2,beta\n";
-  const std::vector<Factors> factors = factors_of_steps(model);
+  const std::vector<BetaCsvFactors> factors = factors_of_steps(model);
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       text += front_rows(increment.number, model, step,
@@ -199,11 +199,11 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
         }
       }
     }
-    for (const results::LoadPath& path : increment.paths) {
+    for (const results::LoadPathResult& path : increment.paths) {
       text +=
           path_rows(increment.number, model, path,
                     {&factors[step_index(model, path.from)], &factors[step_index(model, path.to)]});
-      for (const results::PathTip& tip : path.tips) {
+      for (const results::LoadPathTip& tip : path.tips) {
         for (std::size_t k = 0; k < path.t.size(); ++k) {
           text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, path.name,
                               path.t[k]) +

@@ -12,6 +12,6 @@ namespace spricka::report {
 /// the ends of the two axes of a crack, each with K over the root of its own size. Columns in
 /// manual/run_folder.md.
 void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run);
+                    const results::RunResult& run);
 
 } // namespace spricka::report

@@ -30,7 +30,7 @@ constexpr std::size_t most_sizes = 5;
 struct Seen {
   const results::ContactResult* contact = nullptr;
   std::string label; ///< its step, and of several crack sizes which
-  Unrolled surface;
+  UnrolledSurface surface;
 };
 
 bool is_consistent(const model::Contact& contact) {
@@ -48,18 +48,18 @@ const results::ContactResult* closed_bore(const results::StepResult* step,
 }
 
 /// The steps of the last length.
-std::vector<Seen> of_steps(const results::Run& run, const model::Contact& contact) {
+std::vector<Seen> of_steps(const results::RunResult& run, const model::Contact& contact) {
   std::vector<Seen> all;
   for (const results::StepResult& step : run.increments.back().steps) {
     if (const results::ContactResult* const result = closed_bore(&step, contact)) {
-      all.push_back({result, step.step, Unrolled(*result, is_consistent(contact))});
+      all.push_back({result, step.step, UnrolledSurface(*result, is_consistent(contact))});
     }
   }
   return all;
 }
 
 /// The leading step as the crack grows.
-std::vector<Seen> of_sizes(const model::Model& model, const results::Run& run,
+std::vector<Seen> of_sizes(const model::Model& model, const results::RunResult& run,
                            const model::Contact& contact) {
   const std::string step = leading_step(model);
   std::vector<Seen> all;
@@ -68,19 +68,19 @@ std::vector<Seen> of_sizes(const model::Model& model, const results::Run& run,
             closed_bore(results::find_step(*increment, step), contact)) {
       all.push_back({result,
                      fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name),
-                     Unrolled(*result, is_consistent(contact))});
+                     UnrolledSurface(*result, is_consistent(contact))});
     }
   }
   return all;
 }
 
 /// The part of a triangle where pressure is at least (sign 1) or at most (sign -1) a level.
-std::vector<Unrolled::Corner> cut(const std::vector<Unrolled::Corner>& polygon, double level,
-                                  double sign) {
-  std::vector<Unrolled::Corner> kept;
+std::vector<UnrolledSurface::UnrolledCorner>
+cut(const std::vector<UnrolledSurface::UnrolledCorner>& polygon, double level, double sign) {
+  std::vector<UnrolledSurface::UnrolledCorner> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Unrolled::Corner& a = polygon[i];
-    const Unrolled::Corner& b = polygon[(i + 1) % polygon.size()];
+    const UnrolledSurface::UnrolledCorner& a = polygon[i];
+    const UnrolledSurface::UnrolledCorner& b = polygon[(i + 1) % polygon.size()];
     const double at_a = sign * (a.p - level);
     const double at_b = sign * (b.p - level);
     if (at_a >= 0.0) {
@@ -106,31 +106,31 @@ public:
     svg_.text({left, 15.0}, fmt::format("{}, {}", seen_.contact->name, seen_.label),
               {.bold = true});
     svg_.clip(id_, {left, top}, width, height);
-    for (const Unrolled::Triangle& t : surface_.triangles()) {
+    for (const UnrolledSurface::Triangle& t : surface_.triangles()) {
       fill(t, scale);
     }
-    for (const Unrolled::Triangle& t : surface_.triangles()) {
-      edge(t, edge_level * surface_.largest());
+    for (const UnrolledSurface::Triangle& t : surface_.triangles()) {
+      edge(t, edge_level * surface_.largest_pressure());
     }
     svg_.unclip();
     axes();
     draw_colour_legend(svg_, scale, {left + 0.25 * width, top + height + 46.0}, 0.5 * width,
                        fmt::format("p, {}", model_.units.stress_name()));
-    return svg_.finish();
+    return svg_.svg_text();
   }
 
 private:
-  [[nodiscard]] Point place(Point at) const {
-    const double depth = std::max(surface_.high() - surface_.low(), 1e-300);
+  [[nodiscard]] DrawingPoint place(DrawingPoint at) const {
+    const double depth = std::max(surface_.axial_high() - surface_.axial_low(), 1e-300);
     return {left + width * (at.x + pi) / (2.0 * pi),
-            top + height * (surface_.high() - at.y) / depth};
+            top + height * (surface_.axial_high() - at.y) / depth};
   }
 
-  void fill(const Unrolled::Triangle& t, const ColourScale& scale) {
+  void fill(const UnrolledSurface::Triangle& t, const ColourScale& scale) {
     const auto [low, high] = std::minmax({t[0].p, t[1].p, t[2].p});
     const double step = (scale.high - scale.low) / static_cast<double>(colour_bands);
     for (std::size_t band = scale.band(low); band <= scale.band(high); ++band) {
-      std::vector<Unrolled::Corner> polygon(t.begin(), t.end());
+      std::vector<UnrolledSurface::UnrolledCorner> polygon(t.begin(), t.end());
       if (band > 0) {
         polygon = cut(polygon, scale.low + step * static_cast<double>(band), 1.0);
       }
@@ -140,7 +140,7 @@ private:
       if (polygon.size() < 3) {
         continue;
       }
-      PathData path;
+      SvgPathData path;
       path.move(place(polygon[0].at));
       for (std::size_t i = 1; i < polygon.size(); ++i) {
         path.line(place(polygon[i].at));
@@ -152,11 +152,11 @@ private:
     }
   }
 
-  void edge(const Unrolled::Triangle& t, double level) {
-    std::vector<Point> ends;
+  void edge(const UnrolledSurface::Triangle& t, double level) {
+    std::vector<DrawingPoint> ends;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Unrolled::Corner& a = t[i];
-      const Unrolled::Corner& b = t[(i + 1) % 3];
+      const UnrolledSurface::UnrolledCorner& a = t[i];
+      const UnrolledSurface::UnrolledCorner& b = t[(i + 1) % 3];
       if ((a.p > level) != (b.p > level)) {
         const double s = (level - a.p) / (b.p - a.p);
         ends.push_back(place({a.at.x + s * (b.at.x - a.at.x), a.at.y + s * (b.at.y - a.at.y)}));
@@ -171,50 +171,53 @@ private:
     svg_.rectangle({left, top}, width, height, {});
     constexpr int turn = 45;
     for (int degrees = -180; degrees <= 180; degrees += turn) {
-      const double x = place({degrees * pi / 180.0, surface_.low()}).x;
+      const double x = place({degrees * pi / 180.0, surface_.axial_low()}).x;
       svg_.line({x, top + height}, {x, top + height + 4.0}, {});
-      svg_.text({x, top + height + 17.0}, fmt::format("{}", degrees), {.anchor = Anchor::middle});
+      svg_.text({x, top + height + 17.0}, fmt::format("{}", degrees),
+                {.anchor = TextAnchor::middle});
     }
-    svg_.text({left + 0.5 * width, top + height + 33.0}, "θ  [deg]", {.anchor = Anchor::middle});
-    const std::vector<double> ticks = round_ticks(surface_.low(), surface_.high(), 4);
+    svg_.text({left + 0.5 * width, top + height + 33.0}, "θ  [deg]",
+              {.anchor = TextAnchor::middle});
+    const std::vector<double> ticks = round_ticks(surface_.axial_low(), surface_.axial_high(), 4);
     const double distance = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
     for (const double tick : ticks) {
       const double y = place({0.0, tick}).y;
       svg_.line({left - 4.0, y}, {left, y}, {});
-      svg_.text({left - 7.0, y + 4.0}, tick_text(tick, distance), {.anchor = Anchor::end});
+      svg_.text({left - 7.0, y + 4.0}, tick_text(tick, distance), {.anchor = TextAnchor::end});
     }
     svg_.text({16.0, top + 0.5 * height},
               fmt::format("along the axis  [{}]", model_.units.length_name),
-              {.anchor = Anchor::middle, .angle = 90.0});
+              {.anchor = TextAnchor::middle, .angle = 90.0});
   }
 
   const model::Model& model_;
   const Seen& seen_;
-  const Unrolled& surface_;
+  const UnrolledSurface& surface_;
   std::string id_;
-  Svg svg_;
+  SvgDrawing svg_;
 };
 
 // Where colours begin: at 0, but surfaces that are pressed all over and much alike would have one.
 ColourScale common_scale(const std::vector<Seen>& all) {
   double largest = 0.0;
   for (const Seen& seen : all) {
-    largest = std::max(largest, seen.surface.largest());
+    largest = std::max(largest, seen.surface.largest_pressure());
   }
   double least = largest;
   for (const Seen& seen : all) {
-    for (const Unrolled::Triangle& t : seen.surface.triangles()) {
+    for (const UnrolledSurface::Triangle& t : seen.surface.triangles()) {
       least = std::min({least, t[0].p, t[1].p, t[2].p});
     }
   }
   return scale_between(least > 0.5 * largest ? least : 0.0, largest);
 }
 
-Point total_push(const Unrolled& surface) {
-  Point sum;
+DrawingPoint total_push(const UnrolledSurface& surface) {
+  DrawingPoint sum;
   for (int i = 0; i < stations; ++i) {
     const double t = (i + 0.5) / stations;
-    const Point push = surface.push_at(surface.low() + t * (surface.high() - surface.low()));
+    const DrawingPoint push = surface.line_force_at(
+        surface.axial_low() + t * (surface.axial_high() - surface.axial_low()));
     sum.x += push.x / stations;
     sum.y += push.y / stations;
   }
@@ -223,9 +226,10 @@ Point total_push(const Unrolled& surface) {
 
 /// Pressure along the axis at the angle the surface is pushed to and beside it.
 std::string depth_plot(const model::Model& model, const Seen& seen) {
-  const Unrolled& surface = seen.surface;
-  const Point push = total_push(surface);
-  const double even = 1e-3 * seen.contact->radius * surface.largest(); // pressed alike all round
+  const UnrolledSurface& surface = seen.surface;
+  const DrawingPoint push = total_push(surface);
+  const double even =
+      1e-3 * seen.contact->radius * surface.largest_pressure(); // pressed alike all round
   const double middle = std::hypot(push.x, push.y) > even ? std::atan2(push.y, push.x) : 0.0;
   Plot plot{fmt::format("{}, {}: pressure along the axis", seen.contact->name, seen.label),
             fmt::format("along the axis  [{}]", model.units.length_name),
@@ -234,14 +238,14 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
   constexpr std::array<int, 5> beside{0, 45, 90, 135, 180};
   for (std::size_t k = 0; k < beside.size(); ++k) {
     const double angle = std::remainder(middle + beside[k] * pi / 180.0, 2.0 * pi);
-    Series series;
+    PlotSeries series;
     series.name = fmt::format("θ = {:.0f}°", angle * 180.0 / pi);
-    series.colour = colour(k);
-    series.dash = dash(k);
+    series.colour = palette_colour(k);
+    series.dash = dash_pattern(k);
     double most = 0.0;
     for (int i = 0; i < stations; ++i) {
       const double t = static_cast<double>(i) / (stations - 1);
-      const double along = surface.low() + t * (surface.high() - surface.low());
+      const double along = surface.axial_low() + t * (surface.axial_high() - surface.axial_low());
       if (const std::optional<double> p = surface.pressure_at({angle, along})) {
         series.points.push_back({along, *p});
         most = std::max(most, *p);
@@ -251,7 +255,7 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
       plot.series.push_back(std::move(series));
     }
   }
-  return plot.series.empty() ? std::string() : draw(plot);
+  return plot.series.empty() ? std::string() : draw_svg(plot);
 }
 
 /// What pushes the surface for a unit of length along the axis, in the direction of the whole.
@@ -263,30 +267,30 @@ std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
       fmt::format("force per length  [{}/{}]", model.units.force_name, model.units.length_name),
       {}};
   for (std::size_t s = 0; s < all.size(); ++s) {
-    const Unrolled& surface = all[s].surface;
-    const Point push = total_push(surface);
+    const UnrolledSurface& surface = all[s].surface;
+    const DrawingPoint push = total_push(surface);
     const double size = std::hypot(push.x, push.y);
-    if (!(size > 1e-3 * all[s].contact->radius * surface.largest())) {
+    if (!(size > 1e-3 * all[s].contact->radius * surface.largest_pressure())) {
       continue; // pressed alike all round
     }
-    Series series;
+    PlotSeries series;
     series.name = all[s].label;
-    series.colour = colour(s);
-    series.dash = dash(s);
+    series.colour = palette_colour(s);
+    series.dash = dash_pattern(s);
     for (int i = 0; i < stations; ++i) {
       const double t = static_cast<double>(i) / (stations - 1);
-      const double along = surface.low() + t * (surface.high() - surface.low());
-      const Point here = surface.push_at(along);
+      const double along = surface.axial_low() + t * (surface.axial_high() - surface.axial_low());
+      const DrawingPoint here = surface.line_force_at(along);
       series.points.push_back({along, (here.x * push.x + here.y * push.y) / size});
     }
     plot.series.push_back(std::move(series));
   }
-  return plot.series.empty() ? std::string() : draw(plot);
+  return plot.series.empty() ? std::string() : draw_svg(plot);
 }
 
 } // namespace
 
-std::optional<Figure> bore_figure(const model::Model& model, const results::Run& run,
+std::optional<Figure> bore_figure(const model::Model& model, const results::RunResult& run,
                                   const model::Contact& contact) {
   if (run.increments.empty()) {
     return std::nullopt;

@@ -9,7 +9,7 @@ namespace spricka::report {
 
 /// Pressure of a contact between solids round an axis at the steps of the last length: maps of the
 /// unrolled surface, curves along the axis, the line of force. Empty where it has no axis.
-std::optional<Figure> bore_figure(const model::Model& model, const results::Run& run,
+std::optional<Figure> bore_figure(const model::Model& model, const results::RunResult& run,
                                   const model::Contact& contact);
 
 } // namespace spricka::report

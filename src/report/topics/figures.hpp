@@ -19,7 +19,7 @@ struct Figure {
 };
 
 /// A value of K1 that a $CHECK compares with.
-struct Reference {
+struct KReference {
   std::string tip;
   std::string step;
   double a = 0.0;
@@ -28,41 +28,41 @@ struct Reference {
   std::string source;
   double bar = 0.0; ///< error bar of `found`; 0: none
 };
-std::vector<Reference> k_references(const model::Model& model, const results::Run& run);
+std::vector<KReference> k_references(const model::Model& model, const results::RunResult& run);
 
 /// The nominal state that a deck names by its parameters R and SIGMA: K0 = SIGMA sqrt(pi a).
-struct Nominal {
+struct NominalStressState {
   double radius = 0.0; ///< [length]
   double sigma = 0.0;  ///< [stress]
   [[nodiscard]] double k0(double a) const;
 };
 /// Empty unless the deck has both parameters, positive, in any case of letters.
-std::optional<Nominal> nominal(const model::Model& model);
+std::optional<NominalStressState> find_nominal_state(const model::Model& model);
 
 /// K1 over a for every step and tip, references as marks. Empty if no crack has two lengths.
-std::optional<Figure> k_figure(const model::Model& model, const results::Run& run);
+std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run);
 
 /// K1/K0 over a/R at the end of the leading step, beside the table of its references. Empty
 /// without two lengths or a nominal state.
-std::optional<Figure> normalised_figure(const model::Model& model, const results::Run& run);
+std::optional<Figure> normalised_figure(const model::Model& model, const results::RunResult& run);
 
 /// K1 beside its references, for every step. No rows without references.
-Table reference_table(const model::Model& model, const results::Run& run);
+ReportTable reference_table(const model::Model& model, const results::RunResult& run);
 
 /// In the plane the whole mesh with its cracks, then for each tip the mesh round the crack; of
 /// solids the outer surface with its stresses.
-std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> mesh_figures(const model::Model& model, const results::RunResult& run);
 
 /// Pressure of each contact: polar plots on bores, plots along the surface elsewhere; one drawing
 /// for each crack length, at most nine.
-std::vector<Figure> pressure_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> pressure_figures(const model::Model& model, const results::RunResult& run);
 
 /// Lengths over cycles, K of the law over the length, the way of the tips; none without growth by a
 /// law.
-std::vector<Figure> growth_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> growth_figures(const model::Model& model, const results::RunResult& run);
 
 /// At most `limit` increments, evenly chosen, first and last among them.
-std::vector<const results::Increment*> chosen_increments(const results::Run& run,
+std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,
                                                          std::size_t limit);
 
 } // namespace spricka::report

@@ -24,7 +24,7 @@ std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increme
       continue;
     }
     std::vector<base::Vec3>& points = fronts.emplace_back();
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       points.push_back(place.x);
     }
     if (front.closed && !points.empty()) {
@@ -36,14 +36,14 @@ std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increme
 
 } // namespace
 
-std::vector<Figure> front_marks(const model::Model& model, const results::Run& run) {
+std::vector<Figure> beach_mark_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   if (!run.growth || model.mesh.dim != 3) {
     return figures;
   }
   const std::vector<results::GrowthStation>& stations = run.growth->stations;
   for (const model::CrackDefinition& crack : model.cracks) {
-    BeachView view;
+    BeachMarkView view;
     view.title = fmt::format("Fronts of {}", crack.name);
     view.right = crack.plane.along;
     view.up = crack.plane.transverse_axis();
@@ -58,7 +58,7 @@ std::vector<Figure> front_marks(const model::Model& model, const results::Run& r
     if (view.marks.size() < 2) {
       continue;
     }
-    figures.push_back({{draw(view)},
+    figures.push_back({{draw_svg(view)},
                        "",
                        fmt::format("Where the front of {} was solved, seen along the crack's "
                                    "normal; N in {}.",

@@ -7,6 +7,6 @@
 namespace spricka::report {
 
 /// A figure for each crack in space that has grown by a law: its fronts at all stations.
-std::vector<Figure> front_marks(const model::Model& model, const results::Run& run);
+std::vector<Figure> beach_mark_figures(const model::Model& model, const results::RunResult& run);
 
 } // namespace spricka::report

@@ -25,7 +25,7 @@ constexpr double nothing_beside = 5e-3; // of the largest K: not worth a curve
 
 double largest_K(const results::FrontResult& front) {
   double largest = 0.0;
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     largest = std::max({largest, std::abs(place.K1), std::abs(place.K2), std::abs(place.K3)});
   }
   return largest;
@@ -46,12 +46,12 @@ bool shows(const results::FrontQuantity& q, const results::FrontResult& front) {
   return q.listed && (q.given == nullptr || q.given(front));
 }
 
-constexpr std::array front_modes{&results::FrontPlace::K1, &results::FrontPlace::K2,
-                                 &results::FrontPlace::K3};
+constexpr std::array front_modes{&results::FrontPointResult::K1, &results::FrontPointResult::K2,
+                                 &results::FrontPointResult::K3};
 
-std::string front_cell(const results::FrontQuantity& q, const results::FrontPlace& place,
+std::string front_cell(const results::FrontQuantity& q, const results::FrontPointResult& place,
                        double scale) {
-  const double value = q.of(place);
+  const double value = q.extract_value(place);
   switch (q.kind) {
   case base::Quantity::angle:
     return fmt::format("{:.2f}", std::round(value * degrees_per_radian * 100.0) / 100.0 + 0.0);
@@ -72,11 +72,11 @@ std::optional<std::size_t> mode_of(const results::FrontQuantity& q) {
              : std::optional<std::size_t>(std::distance(front_modes.begin(), found));
 }
 
-Table front_table(const model::Model& model, const results::Increment& increment,
-                  const results::FrontResult& first) {
-  Table table{fmt::format("Stress intensity factors along the front of {}", first.name),
-              {{"step", "", true}, {"point", "", false}},
-              {}};
+ReportTable front_table(const model::Model& model, const results::Increment& increment,
+                        const results::FrontResult& first) {
+  ReportTable table{fmt::format("Stress intensity factors along the front of {}", first.name),
+                    {{"step", "", true}, {"point", "", false}},
+                    {}};
   for (const results::FrontQuantity& q : results::front_quantities) {
     if (shows(q, first)) {
       const bool angle = q.kind == base::Quantity::angle;
@@ -94,14 +94,14 @@ Table front_table(const model::Model& model, const results::Increment& increment
       if (front.name != first.name || largest_K(front) <= 1e-9 * scale) {
         continue;
       }
-      for (const results::FrontPlace& place : front.points) {
+      for (const results::FrontPointResult& place : front.points) {
         std::vector<std::string> row{step.step, std::to_string(place.number)};
         for (const results::FrontQuantity& q : results::front_quantities) {
           if (shows(q, front)) {
             row.push_back(front_cell(q, place, scale));
             if (mode_of(q) && first.no_bar.empty()) {
               const bool given = front.no_bar.empty() && !place.at_surface;
-              row.push_back(given ? bar_size(place.bar[*mode_of(q)].size()) : "");
+              row.push_back(given ? format_error_bar(place.bar[*mode_of(q)].size()) : "");
             }
           }
         }
@@ -117,7 +117,7 @@ Table front_table(const model::Model& model, const results::Increment& increment
 /// from -180 degrees on where a whole turn does not fit in.
 std::vector<double> abscissas(const results::FrontResult& front) {
   std::vector<double> at;
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     if (!front.angles) {
       at.push_back(place.s);
       continue;
@@ -136,15 +136,15 @@ std::vector<double> abscissas(const results::FrontResult& front) {
 }
 
 /// A mode over them; points on the surface are left out, as K there is a number of the mesh.
-struct Curve {
-  std::vector<Point> points;
+struct FrontKCurve {
+  std::vector<DrawingPoint> points;
   std::vector<double> bars; ///< empty: there are none
 };
-Curve curve_along(const results::FrontResult& front, std::size_t mode) {
+FrontKCurve curve_along(const results::FrontResult& front, std::size_t mode) {
   const std::vector<double> at = abscissas(front);
-  std::vector<std::pair<Point, double>> points;
+  std::vector<std::pair<DrawingPoint, double>> points;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
-    const results::FrontPlace& place = front.points[i];
+    const results::FrontPointResult& place = front.points[i];
     if (!place.at_surface) {
       points.push_back({{at[i], place.*front_modes[mode]}, place.bar[mode].size()});
     }
@@ -155,7 +155,7 @@ Curve curve_along(const results::FrontResult& front, std::size_t mode) {
     points.push_back(points.front());
     points.back().first.x += round;
   }
-  Curve curve;
+  FrontKCurve curve;
   for (const auto& [point, bar] : points) {
     curve.points.push_back(point);
     if (front.no_bar.empty()) {
@@ -178,7 +178,7 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::I
   view.increment = &increment;
   view.step = &step;
   view.front = &*front;
-  view.k_name = print_unit(model.units.stress_intensity_name());
+  view.k_name = typeset_unit(model.units.stress_intensity_name());
   view.length_name = model.units.length_name;
   Figure figure;
   for (const std::string& drawing : {draw_front(view), draw_opening(view)}) {
@@ -211,8 +211,9 @@ std::vector<const results::FrontResult*> first_of_each(const results::Increment&
 
 } // namespace
 
-std::vector<Table> front_tables(const model::Model& model, const results::Increment& increment) {
-  std::vector<Table> tables;
+std::vector<ReportTable> front_tables(const model::Model& model,
+                                      const results::Increment& increment) {
+  std::vector<ReportTable> tables;
   for (const results::FrontResult* front : first_of_each(increment)) {
     tables.push_back(front_table(model, increment, *front));
   }
@@ -224,7 +225,7 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
   const double scale = largest_K(increment);
   Plot plot;
   plot.label = fmt::format("stress intensity factors along the front of {}", name);
-  plot.y_name = fmt::format("K, {}", print_unit(model.units.stress_intensity_name()));
+  plot.y_name = fmt::format("K, {}", typeset_unit(model.units.stress_intensity_name()));
   plot.legend_below = true;
   double a = 0.0;
   std::size_t ink = 0;
@@ -238,31 +239,32 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
                         ? "angle φ along the front, degrees"
                         : fmt::format("length along the front, {}", model.units.length_name);
       for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
-        Series series;
-        Curve curve = curve_along(front, mode);
+        PlotSeries series;
+        FrontKCurve curve = curve_along(front, mode);
         series.points = std::move(curve.points);
         series.bars = std::move(curve.bars);
-        const bool nothing = std::ranges::all_of(
-            series.points, [&](const Point& p) { return std::abs(p.y) < nothing_beside * scale; });
+        const bool nothing = std::ranges::all_of(series.points, [&](const DrawingPoint& p) {
+          return std::abs(p.y) < nothing_beside * scale;
+        });
         if (mode > 0 && nothing) {
           continue; // an axis already
         }
         series.name = fmt::format("{}: K{}", step.step, mode + 1);
-        series.colour = colour(ink);
-        series.dash = dash(mode);
+        series.colour = palette_colour(ink);
+        series.dash = dash_pattern(mode);
         plot.series.push_back(std::move(series));
       }
       ++ink;
     }
   }
-  return {{draw(plot)},
+  return {{draw_svg(plot)},
           "",
           fmt::format("K along the front of {}, a = {:.4g} {}. Points where the front leaves the "
                       "body are left out: K there depends on the mesh.",
                       name, a, model.units.length_name)};
 }
 
-std::vector<Figure> front_figures(const model::Model& model, const results::Run& run) {
+std::vector<Figure> front_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   if (run.increments.empty()) {
     return figures;

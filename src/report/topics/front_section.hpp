@@ -13,7 +13,8 @@ namespace spricka::report {
 
 /// A table for each front: K at its points, of all steps of an increment in which it is not nothing
 /// but round-off.
-std::vector<Table> front_tables(const model::Model& model, const results::Increment& increment);
+std::vector<ReportTable> front_tables(const model::Model& model,
+                                      const results::Increment& increment);
 
 /// K1, K2 and K3 over the angle (of an ellipse) or the length along the front of that name, steps
 /// of the increment as curves.
@@ -21,6 +22,6 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
                     const std::string& name);
 
 /// The same of each front at the last increment, and the front in its body.
-std::vector<Figure> front_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> front_figures(const model::Model& model, const results::RunResult& run);
 
 } // namespace spricka::report

@@ -19,21 +19,21 @@
 namespace spricka::report {
 namespace {
 
-using results::Growth;
+using results::GrowthResult;
 using results::GrowthStation;
 
 constexpr double label_room = 0.1; // of a picture's width
 
 /// Lengths over cycles: the curve as a line, what was solved as marks on it.
-void add_tip_curve(Plot& plot, const Growth& growth, std::size_t tip) {
-  Series line;
+void add_tip_curve(Plot& plot, const GrowthResult& growth, std::size_t tip) {
+  PlotSeries line;
   line.name = growth.tips[tip];
-  line.colour = colour(tip);
-  line.dash = dash(tip);
-  for (const results::LifePoint& point : growth.curve) {
+  line.colour = palette_colour(tip);
+  line.dash = dash_pattern(tip);
+  for (const results::LifeCurvePoint& point : growth.curve) {
     line.points.push_back({point.cycles, point.a[tip]});
   }
-  Series marks;
+  PlotSeries marks;
   marks.joined = false;
   marks.marker = closed_marker(tip);
   marks.colour = line.colour;
@@ -46,10 +46,10 @@ void add_tip_curve(Plot& plot, const Growth& growth, std::size_t tip) {
 
 /// Cycles that a $CHECK N(a) compares with.
 void add_checks(Plot& plot, const model::Model& model) {
-  Series marks;
+  PlotSeries marks;
   marks.name = "reference";
   marks.joined = false;
-  marks.marker = Marker::plus;
+  marks.marker = MarkerShape::plus;
   for (const model::ResultCheck& check : model.checks) {
     const double* const a = check.quantity == "N" && check.arguments.size() == 1
                                 ? std::get_if<double>(&check.arguments[0])
@@ -77,13 +77,13 @@ double largest_place(const model::SpectrumDefinition& spectrum) {
 
 /// K over the load at a length in the middle, and the lines that the other lives have taken it
 /// from; empty: there is no map.
-std::string lines_picture(const model::Model& model, const results::Run& run) {
+std::string lines_picture(const model::Model& model, const results::RunResult& run) {
   if (run.growth->scaled.empty() || !model.growth->spectrum || run.increments.empty()) {
     return {};
   }
   const model::SpectrumDefinition& spectrum = model.spectra[*model.growth->spectrum];
   const results::Increment& increment = run.increments[run.increments.size() / 2];
-  const results::LoadPath& path = increment.paths.at(spectrum.path);
+  const results::LoadPathResult& path = increment.paths.at(spectrum.path);
   const double top = largest_place(spectrum);
   if (path.tips.size() != 1 || path.t.empty() || top > path.t.back()) {
     return {};
@@ -92,30 +92,30 @@ std::string lines_picture(const model::Model& model, const results::Run& run) {
   Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
                         model.units.length_name),
             fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),
-            fmt::format("K₁  [{}]", print_unit(model.units.stress_intensity_name())),
+            fmt::format("K₁  [{}]", typeset_unit(model.units.stress_intensity_name())),
             {}};
   plot.legend_below = true;
-  Series exact;
+  PlotSeries exact;
   exact.name = "K of every load";
-  exact.colour = colour(0);
+  exact.colour = palette_colour(0);
   for (std::size_t k = 0; k < path.t.size(); ++k) {
     exact.points.push_back({path.t[k], K1.at_knot(k)});
   }
   plot.series.push_back(std::move(exact));
   for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {
     const bool scaled = run.growth->scaled[k].name == "scaled";
-    Series line;
+    PlotSeries line;
     line.name = scaled ? "scaled with the load" : "a line through t = 0 and the largest load";
-    line.colour = colour(1 + k);
-    line.dash = dash(1 + k);
+    line.colour = palette_colour(1 + k);
+    line.dash = dash_pattern(1 + k);
     line.points = {{0.0, scaled ? 0.0 : K1(0.0)}, {top, K1(top)}};
     plot.series.push_back(std::move(line));
   }
-  return draw(plot);
+  return draw_svg(plot);
 }
 
-Figure life_figure(const model::Model& model, const results::Run& run) {
-  const Growth& growth = *run.growth;
+Figure life_figure(const model::Model& model, const results::RunResult& run) {
+  const GrowthResult& growth = *run.growth;
   const std::string units = growth.unit + (growth.unit == "pass" ? "es" : "s");
   Plot plot{"Crack length over " + units,
             fmt::format("N  [{}]", units),
@@ -127,11 +127,11 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
   add_checks(plot, model);
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
-    Series series;
-    series.name = scaled_words(growth.scaled[k]);
-    series.colour = colour(growth.tips.size() + k);
-    series.dash = dash(1 + k);
-    for (const results::LifePoint& point : growth.scaled[k].curve) {
+    PlotSeries series;
+    series.name = scaled_life_legend(growth.scaled[k]);
+    series.colour = palette_colour(growth.tips.size() + k);
+    series.dash = dash_pattern(1 + k);
+    for (const results::LifeCurvePoint& point : growth.scaled[k].curve) {
       series.points.push_back({point.cycles, point.a[0]});
     }
     plot.series.push_back(std::move(series));
@@ -140,14 +140,14 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
     more = " Dashed: the life if K is taken from a straight line over the load, which the computed "
            "K does not follow.";
   }
-  std::vector<std::string> pictures{draw(plot)};
+  std::vector<std::string> pictures{draw_svg(plot)};
   if (std::string lines = lines_picture(model, run); !lines.empty()) {
     pictures.push_back(std::move(lines));
   }
   return {std::move(pictures), "",
           fmt::format(
               "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", units,
-              growth.cycles(),
+              growth.final_cycles(),
               std::isfinite(growth.error)
                   ? fmt::format("; error from the number of solved lengths (marks): about {:.2g} %",
                                 100.0 * growth.error)
@@ -156,8 +156,8 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
 }
 
 /// Error bar of K1 at the largest load of a station.
-double bar_at(const model::Model& model, const results::Run& run, const GrowthStation& station,
-              const std::string& name) {
+double bar_at(const model::Model& model, const results::RunResult& run,
+              const GrowthStation& station, const std::string& name) {
   for (const results::Increment& increment : run.increments) {
     const results::StepResult* const step = increment.number == station.increment
                                                 ? results::find_step(increment, leading_step(model))
@@ -172,21 +172,21 @@ double bar_at(const model::Model& model, const results::Run& run, const GrowthSt
 }
 
 /// What the law was given at the stations.
-Figure range_figure(const model::Model& model, const results::Run& run) {
-  const Growth& growth = *run.growth;
+Figure range_figure(const model::Model& model, const results::RunResult& run) {
+  const GrowthResult& growth = *run.growth;
   Plot plot{"K of the growth law over crack length",
             fmt::format("a  [{}]", model.units.length_name),
-            fmt::format("K  [{}]", print_unit(model.units.stress_intensity_name())),
+            fmt::format("K  [{}]", typeset_unit(model.units.stress_intensity_name())),
             {}};
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
     for (const bool largest : {true, false}) {
-      Series series;
+      PlotSeries series;
       series.name = fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest");
-      series.colour = colour(t);
-      series.dash = dash(largest ? 0 : 1);
+      series.colour = palette_colour(t);
+      series.dash = dash_pattern(largest ? 0 : 1);
       series.marker = closed_marker(t);
       for (const GrowthStation& station : growth.stations) {
-        const results::GrowingTip& tip = station.tips[t];
+        const results::GrownTipResult& tip = station.tips[t];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
         if (largest) {
           series.bars.push_back(bar_at(model, run, station, tip.name));
@@ -195,18 +195,18 @@ Figure range_figure(const model::Model& model, const results::Run& run) {
       plot.series.push_back(std::move(series));
     }
   }
-  return {{draw(plot)},
+  return {{draw_svg(plot)},
           "",
           fmt::format("Largest and smallest K of {} that the growth law used, at the lengths that "
                       "were solved.{}",
                       growth.unit == "pass" ? "a pass of the spectrum" : "a cycle",
-                      bar_words(plot.series))};
+                      error_bar_note(plot.series))};
 }
 
-/// Growth per cycle or pass over the range of K, as the law gave it at the stations: the part of
-/// the law that was used.
-std::optional<Figure> law_figure(const model::Model& model, const Growth& growth) {
-  const std::string unit = print_unit(model.units.stress_intensity_name());
+/// GrowthResult per cycle or pass over the range of K, as the law gave it at the stations: the part
+/// of the law that was used.
+std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& growth) {
+  const std::string unit = typeset_unit(model.units.stress_intensity_name());
   Plot plot{"Growth law over the range it was used in",
             fmt::format("ΔK  [{}]", unit),
             fmt::format("da/dN  [{}/{}]", model.units.length_name, growth.unit),
@@ -216,12 +216,12 @@ std::optional<Figure> law_figure(const model::Model& model, const Growth& growth
   double low = std::numeric_limits<double>::max();
   double high = 0.0;
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
-    Series series;
+    PlotSeries series;
     series.name = growth.tips[t];
-    series.colour = colour(t);
+    series.colour = palette_colour(t);
     series.marker = closed_marker(t);
     for (const GrowthStation& station : growth.stations) {
-      const results::GrowingTip& tip = station.tips[t];
+      const results::GrownTipResult& tip = station.tips[t];
       const double range = tip.K_max - tip.K_min;
       if (range > 0.0 && tip.rate > 0.0) {
         series.points.push_back({range, tip.rate});
@@ -234,7 +234,7 @@ std::optional<Figure> law_figure(const model::Model& model, const Growth& growth
   if (!(high > low)) {
     return std::nullopt;
   }
-  return Figure{{draw(plot)},
+  return Figure{{draw_svg(plot)},
                 "",
                 fmt::format("Growth per {} from the law at the lengths that were solved, over ΔK = "
                             "K_max - K_min{}. The run used the law from {:.4g} to {:.4g} {}.",
@@ -266,8 +266,8 @@ std::vector<Peak> peaks_of(const model::SpectrumDefinition& spectrum) {
 }
 
 /// Levels, falling, and how many reach them, as a curve of steps that begins at half a one.
-std::vector<Point> steps(const std::vector<std::array<double, 2>>& reached) {
-  std::vector<Point> points;
+std::vector<DrawingPoint> steps(const std::vector<std::array<double, 2>>& reached) {
+  std::vector<DrawingPoint> points;
   double before = 0.5;
   for (const auto& [level, count] : reached) {
     points.push_back({std::min(before, count), level}); // a step, down and on
@@ -279,7 +279,7 @@ std::vector<Point> steps(const std::vector<std::array<double, 2>>& reached) {
 
 /// How often one pass of the spectrum exceeds each load, and by cycles of which ranges; none of a
 /// spectrum of one level, which there is nothing to show of.
-std::optional<Figure> exceedance_figure(const model::Model& model, const Growth& growth) {
+std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthResult& growth) {
   if (!model.growth->spectrum) {
     return std::nullopt;
   }
@@ -300,13 +300,13 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const Growth&
   const std::string& path = model.load_paths[spectrum.path].name;
   const auto curve = [](const std::string& title, const std::string& x, const std::string& y,
                         const std::vector<std::array<double, 2>>& of) {
-    Series series;
-    series.colour = colour(0);
+    PlotSeries series;
+    series.colour = palette_colour(0);
     series.points = steps(of);
     Plot plot{title, x, y, {series}};
     plot.log_x = true;
     plot.legend_below = true; // beside each other
-    return draw(plot);
+    return draw_svg(plot);
   };
   return Figure{{curve("Exceedances of the spectrum", "peaks in a pass that reach the load",
                        fmt::format("t of load path {}", path), reached),
@@ -320,13 +320,13 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const Growth&
 }
 
 /// A square that holds all places of tips and the cracks behind them, with room round it.
-void set_window(MeshView& view, const Growth& growth) {
+void set_window(MeshView& view, const GrowthResult& growth) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   base::Vec2 low = base::Vec2::Constant(infinite);
   base::Vec2 high = -low;
   double longest = 0.0;
   for (const GrowthStation& station : growth.stations) {
-    for (const results::GrowingTip& tip : station.tips) {
+    for (const results::GrownTipResult& tip : station.tips) {
       low = low.cwiseMin(tip.x.head<2>());
       high = high.cwiseMax(tip.x.head<2>());
       longest = std::max(longest, tip.a);
@@ -339,8 +339,8 @@ void set_window(MeshView& view, const Growth& growth) {
 }
 
 /// The last mesh with the way that the tips took, K beside it.
-std::optional<Figure> path_figure(const model::Model& model, const results::Run& run,
-                                  const Growth& growth) {
+std::optional<Figure> path_figure(const model::Model& model, const results::RunResult& run,
+                                  const GrowthResult& growth) {
   if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
       run.increments.back().mesh.nodes.empty() || growth.stations.empty()) {
     return std::nullopt;
@@ -356,23 +356,23 @@ std::optional<Figure> path_figure(const model::Model& model, const results::Run&
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
     std::optional<base::Vec3> last;
     for (const GrowthStation& station : growth.stations) {
-      const results::GrowingTip& tip = station.tips[t];
+      const results::GrownTipResult& tip = station.tips[t];
       if (!last || (tip.x - *last).norm() >= apart) {
         view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
         last = tip.x;
       }
     }
   }
-  return Figure{{draw(view)},
+  return Figure{{draw_svg(view)},
                 "",
                 fmt::format("The mesh at the last length that was solved, with places of "
                             "the tips. Numbers: K at the largest load there [{}].",
-                            print_unit(model.units.stress_intensity_name()))};
+                            typeset_unit(model.units.stress_intensity_name()))};
 }
 
 } // namespace
 
-std::vector<Figure> growth_figures(const model::Model& model, const results::Run& run) {
+std::vector<Figure> growth_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   if (!run.growth || run.growth->stations.empty()) {
     return figures;
@@ -388,7 +388,7 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
     figures.push_back(std::move(*path));
   }
-  for (Figure& marks : front_marks(model, run)) {
+  for (Figure& marks : beach_mark_figures(model, run)) {
     figures.push_back(std::move(marks));
   }
   return figures;

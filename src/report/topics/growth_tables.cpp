@@ -21,10 +21,10 @@ namespace {
 constexpr double degree = 180.0 / std::numbers::pi;
 
 // Smallest and largest K_min / K_max of what the law was given; empty where nothing is open.
-std::optional<std::pair<double, double>> range_of_R(const results::Growth& growth) {
+std::optional<std::pair<double, double>> range_of_R(const results::GrowthResult& growth) {
   std::optional<std::pair<double, double>> R;
   for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrowingTip& tip : station.tips) {
+    for (const results::GrownTipResult& tip : station.tips) {
       if (tip.K_max > 0.0) {
         const double here = tip.K_min / tip.K_max;
         R = R ? std::pair(std::min(R->first, here), std::max(R->second, here))
@@ -37,7 +37,7 @@ std::optional<std::pair<double, double>> range_of_R(const results::Growth& growt
 
 // Where faces close K_min below 0 is not that of the crack as it is
 // (analysis/scene/free_faces.hpp).
-bool continued_below_closing(const model::Model& model, const results::Growth& growth) {
+bool continued_below_closing(const model::Model& model, const results::GrowthResult& growth) {
   const bool knows_R = model.growth->law == model::CrackGrowthLaw::nasgro ||
                        model.growth->law == model::CrackGrowthLaw::walker;
   const bool touching =
@@ -47,7 +47,7 @@ bool continued_below_closing(const model::Model& model, const results::Growth& g
 }
 
 // Whether the faces of a crack touch at its tip at the smallest load, somewhere in the growth.
-bool closes_at_smallest(const model::Model& model, const results::Run& run) {
+bool closes_at_smallest(const model::Model& model, const results::RunResult& run) {
   if (model.growth->spectrum || !model.growth->kmin.valid()) {
     return false;
   }
@@ -58,8 +58,8 @@ bool closes_at_smallest(const model::Model& model, const results::Run& run) {
   });
 }
 
-std::string ratio_words(const model::Model& model, const results::Run& run) {
-  const results::Growth& growth = *run.growth;
+std::string ratio_words(const model::Model& model, const results::RunResult& run) {
+  const results::GrowthResult& growth = *run.growth;
   const auto R = range_of_R(growth);
   if (!R) {
     return {};
@@ -84,11 +84,11 @@ std::string ratio_words(const model::Model& model, const results::Run& run) {
 } // namespace
 
 void write_life_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run) {
+                    const results::RunResult& run) {
   if (!run.growth) {
     return;
   }
-  const results::Growth& growth = *run.growth;
+  const results::GrowthResult& growth = *run.growth;
   const bool space = model.mesh.dim == 3;
   std::string text = fmt::format(
       "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
@@ -100,7 +100,7 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
       space ? ",z" : "");
   auto out = std::back_inserter(text);
   for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrowingTip& tip : station.tips) {
+    for (const results::GrownTipResult& tip : station.tips) {
       fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}", station.increment, station.cycles,
                      tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min, tip.K2_max,
                      tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
@@ -118,11 +118,11 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
 }
 
 void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
-                          const results::Run& run) {
+                          const results::RunResult& run) {
   if (!run.growth) {
     return;
   }
-  const results::Growth& growth = *run.growth;
+  const results::GrowthResult& growth = *run.growth;
   std::string text =
       fmt::format("# units: N [{}], a of each tip [{}]\nN", growth.unit, model.units.length_name);
   for (const std::string& tip : growth.tips) {
@@ -145,21 +145,21 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   write_file(file, text);
 }
 
-Table life_table(const model::Model& model, const results::Run& run) {
+ReportTable life_table(const model::Model& model, const results::RunResult& run) {
   const base::UnitSystem& units = model.units;
   const std::string unit = run.growth ? run.growth->unit : "";
   const std::string K = units.stress_intensity_name();
-  Table table{"Growth",
-              {{"increment", "", false},
-               {"N", unit, false},
-               {"tip", "", true},
-               {"a", units.length_name, false},
-               {"K max", K, false},
-               {"K min", K, false},
-               {"K2", K, false},
-               {"da/dN", units.length_name + "/" + unit, false},
-               {"turn", "deg", false}},
-              {}};
+  ReportTable table{"Growth",
+                    {{"increment", "", false},
+                     {"N", unit, false},
+                     {"tip", "", true},
+                     {"a", units.length_name, false},
+                     {"K max", K, false},
+                     {"K min", K, false},
+                     {"K2", K, false},
+                     {"da/dN", units.length_name + "/" + unit, false},
+                     {"turn", "deg", false}},
+                    {}};
   if (!run.growth) {
     return table;
   }
@@ -170,7 +170,7 @@ Table life_table(const model::Model& model, const results::Run& run) {
         {{"K max first", K, false}, {"K min first", K, false}, {"passes", "", false}});
   }
   for (const results::GrowthStation& station : run.growth->stations) {
-    for (const results::GrowingTip& tip : station.tips) {
+    for (const results::GrownTipResult& tip : station.tips) {
       std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{
           std::to_string(station.increment), six_digits(station.cycles), tip.name,
           six_digits(tip.a), six_digits(tip.K_max), six_digits(tip.K_min), six_digits(tip.K2_max),
@@ -187,7 +187,7 @@ Table life_table(const model::Model& model, const results::Run& run) {
 namespace {
 
 // Whether K of the first cycle is that of all others, and how sure it is that they are alike.
-std::string history_summary(const model::Model& model, const results::Growth& growth) {
+std::string history_summary(const model::Model& model, const results::GrowthResult& growth) {
   constexpr double same = 1e-4; // of the largest K
   double largest = 0.0;
   double apart = 0.0;
@@ -196,7 +196,7 @@ std::string history_summary(const model::Model& model, const results::Growth& gr
   for (const results::GrowthStation& station : growth.stations) {
     passes = std::max(passes, station.passes);
     change = std::max(change, station.change);
-    for (const results::GrowingTip& tip : station.tips) {
+    for (const results::GrownTipResult& tip : station.tips) {
       largest = std::max(largest, tip.K_max);
       apart = std::max(
           {apart, std::abs(tip.K_max - tip.first_max), std::abs(tip.K_min - tip.first_min)});
@@ -226,7 +226,7 @@ std::string history_summary(const model::Model& model, const results::Growth& gr
 
 // What the error bars of K at the first station mean for the cycles of cracks in space, where a
 // wish for K, or CORRECT, costs so much that most lives are those of the mesh as it is.
-std::string mesh_words(const model::Model& model, const results::Run& run) {
+std::string mesh_words(const model::Model& model, const results::RunResult& run) {
   const double exponent = model.growth->constants.m;
   if (run.growth->corrected || model.growth->spectrum || !(exponent > 0.0) ||
       run.increments.empty() || model.growth->kmax.index() >= run.increments[0].steps.size()) {
@@ -236,7 +236,7 @@ std::string mesh_words(const model::Model& model, const results::Run& run) {
   std::size_t count = 0;
   for (const results::FrontResult& front :
        run.increments[0].steps[model.growth->kmax.index()].fronts) {
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       if (front.no_bar.empty() && !place.at_surface && place.K1 > 0.0) {
         sum += place.bar[0].size() / place.K1;
         ++count;
@@ -254,28 +254,28 @@ std::string mesh_words(const model::Model& model, const results::Run& run) {
 
 } // namespace
 
-std::string scaled_words(const results::ScaledLife& other) {
+std::string scaled_life_legend(const results::ScaledLife& other) {
   const std::string what = other.name == "scaled" ? "one K scaled with the load"
                                                   : "a line through t = 0 and the largest load";
   return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
                            : fmt::format("{}: {:.2f} times the life", what, other.ratio);
 }
 
-std::string life_summary(const model::Model& model, const results::Run& run) {
+std::string life_summary(const model::Model& model, const results::RunResult& run) {
   if (!run.growth) {
     return {};
   }
-  const results::Growth& growth = *run.growth;
+  const results::GrowthResult& growth = *run.growth;
   std::string out;
   for (const std::string& passage : growth.passages) {
     out += passage + ".\n";
   }
   out += fmt::format("Ended by {}: {}.\n", growth.ended, growth.reason);
-  out += fmt::format("N = {:.7g} {}", growth.cycles(),
+  out += fmt::format("N = {:.7g} {}", growth.final_cycles(),
                      growth.unit == "pass" ? "passes of the spectrum" : "cycles");
   if (growth.unit == "pass") {
     out += fmt::format(" of {:.7g} cycles, {:.7g} cycles in all; cycles are counted on {}",
-                       growth.cycles_per_pass, growth.cycles() * growth.cycles_per_pass,
+                       growth.cycles_per_pass, growth.final_cycles() * growth.cycles_per_pass,
                        growth.counted);
   }
   out += std::isfinite(growth.error)
@@ -288,7 +288,7 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
   }
   out += ratio_words(model, run);
   for (const results::ScaledLife& other : growth.scaled) {
-    out += fmt::format("For comparison, {}.\n", scaled_words(other));
+    out += fmt::format("For comparison, {}.\n", scaled_life_legend(other));
   }
   if (!growth.curve.empty()) {
     for (std::size_t i = 0; i < growth.tips.size(); ++i) {

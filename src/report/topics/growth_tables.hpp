@@ -12,17 +12,17 @@ namespace spricka::report {
 /// life.csv: the stations of a growth by a law, a row for each tip; life_curve.csv: a(N) between
 /// them, a column for each tip. Columns in manual/run_folder.md. Nothing is written without one.
 void write_life_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run);
+                    const results::RunResult& run);
 void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
-                          const results::Run& run);
+                          const results::RunResult& run);
 
 /// Stations of a growth by a law; without rows where there is none.
-Table life_table(const model::Model& model, const results::Run& run);
+ReportTable life_table(const model::Model& model, const results::RunResult& run);
 /// How it ended, after how many cycles, and how good they are: lines of text.
-std::string life_summary(const model::Model& model, const results::Run& run);
+std::string life_summary(const model::Model& model, const results::RunResult& run);
 
 /// What a life by one line of K is and how it compares, for legends: "one K scaled with the load:
 /// 1/4.03 of the life".
-std::string scaled_words(const results::ScaledLife& other);
+std::string scaled_life_legend(const results::ScaledLife& other);
 
 } // namespace spricka::report

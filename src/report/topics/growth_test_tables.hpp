@@ -15,15 +15,15 @@ namespace spricka::report {
 /// one row for each length with a rate; cells of what there is not are empty. Nothing without
 /// tests.
 void write_test_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run);
+                    const results::RunResult& run);
 
 /// One row for each test: how it was read and how far K is from the computed one.
-Table test_table(const model::Model& model, const results::Run& run);
+ReportTable growth_test_table(const model::Model& model, const results::RunResult& run);
 /// The points of one test.
-Table test_points_table(const model::Model& model, const results::GrowthTest& test);
+ReportTable test_points_table(const model::Model& model, const results::GrowthTestResult& test);
 
 /// The readings, and K of the test with its band over the crack length beside the computed K and
 /// what the deck compares K with; over sigma sqrt(pi a) and a/R where the deck names R and SIGMA.
-std::vector<Figure> test_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> growth_test_figures(const model::Model& model, const results::RunResult& run);
 
 } // namespace spricka::report

@@ -8,7 +8,7 @@
 
 namespace spricka::report {
 
-std::string k_with_bar(double K, const results::KBar& bar) {
+std::string k_with_bar(double K, const results::KErrorBar& bar) {
   const double size = bar.size();
   if (!(size > 0.0) || !std::isfinite(size) || std::abs(std::log10(size)) > 9.0) {
     return fmt::format("{:.6g} +- {:.2g}; best {:.6g}", K, size, bar.best);
@@ -23,7 +23,7 @@ std::string k_with_bar(double K, const results::KBar& bar) {
                      number(bar.best));
 }
 
-std::string bar_size(double size) {
+std::string format_error_bar(double size) {
   if (!(size >= 99.5) || size >= 1e6) {
     return fmt::format("{:.2g}", size);
   }

@@ -24,7 +24,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::vector<std::string> tip_names(const results::Run& run) {
+std::vector<std::string> tip_names(const results::RunResult& run) {
   std::vector<std::string> names;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
@@ -39,13 +39,13 @@ std::vector<std::string> tip_names(const results::Run& run) {
 }
 
 /// (a, K1) of one tip at the ends of one step, with the error bars of K1.
-struct History {
-  std::vector<Point> points;
+struct KLengthCurve {
+  std::vector<DrawingPoint> points;
   std::vector<double> bars; ///< [point]
 };
 
-History history(const results::Run& run, std::string_view step, std::string_view tip) {
-  History curve;
+KLengthCurve history(const results::RunResult& run, std::string_view step, std::string_view tip) {
+  KLengthCurve curve;
   for (const results::Increment& increment : run.increments) {
     const results::StepResult* const at = results::find_step(increment, step);
     const results::TipResult* const found = at == nullptr ? nullptr : results::find_tip(*at, tip);
@@ -57,16 +57,17 @@ History history(const results::Run& run, std::string_view step, std::string_view
   return curve;
 }
 
-bool grows(const results::Run& run, const std::vector<std::string>& tips, std::string_view step) {
+bool grows(const results::RunResult& run, const std::vector<std::string>& tips,
+           std::string_view step) {
   return std::any_of(tips.begin(), tips.end(), [&](const std::string& tip) {
-    const std::vector<Point> points = history(run, step, tip).points;
+    const std::vector<DrawingPoint> points = history(run, step, tip).points;
     return !points.empty() && points.front().x != points.back().x;
   });
 }
 
-std::vector<std::string> sources_of(const std::vector<Reference>& references) {
+std::vector<std::string> sources_of(const std::vector<KReference>& references) {
   std::vector<std::string> sources;
-  for (const Reference& reference : references) {
+  for (const KReference& reference : references) {
     if (std::find(sources.begin(), sources.end(), reference.source) == sources.end()) {
       sources.push_back(reference.source);
     }
@@ -75,16 +76,16 @@ std::vector<std::string> sources_of(const std::vector<Reference>& references) {
 }
 
 /// Marks for references, one series for each source; no step: of all steps.
-void add_references(Plot& plot, const std::vector<Reference>& references, std::string_view step) {
-  constexpr std::array<Marker, 4> shapes{Marker::plus, Marker::cross, Marker::diamond,
-                                         Marker::triangle};
+void add_references(Plot& plot, const std::vector<KReference>& references, std::string_view step) {
+  constexpr std::array<MarkerShape, 4> shapes{MarkerShape::plus, MarkerShape::cross,
+                                              MarkerShape::diamond, MarkerShape::triangle};
   const std::vector<std::string> sources = sources_of(references);
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    Series series;
+    PlotSeries series;
     series.name = sources[i].empty() ? "reference" : sources[i];
     series.joined = false;
     series.marker = shapes[i % shapes.size()];
-    for (const Reference& reference : references) {
+    for (const KReference& reference : references) {
       if (reference.source == sources[i] && (step.empty() || reference.step == step)) {
         series.points.push_back({reference.a, reference.wanted});
       }
@@ -96,7 +97,7 @@ void add_references(Plot& plot, const std::vector<Reference>& references, std::s
 }
 
 /// Curves that no eye could tell apart: within a thousandth of the largest value.
-bool coincide(const std::vector<Point>& a, const std::vector<Point>& b) {
+bool coincide(const std::vector<DrawingPoint>& a, const std::vector<DrawingPoint>& b) {
   double largest = 0.0;
   double apart = 0.0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -110,14 +111,14 @@ bool coincide(const std::vector<Point>& a, const std::vector<Point>& b) {
 struct Group {
   std::vector<std::string> tips;
   std::vector<std::string> steps;
-  History curve;
+  KLengthCurve curve;
 };
 
-std::vector<Group> tip_groups(const results::Run& run, const std::vector<std::string>& tips,
+std::vector<Group> tip_groups(const results::RunResult& run, const std::vector<std::string>& tips,
                               const std::string& step) {
   std::vector<Group> groups;
   for (const std::string& tip : tips) {
-    const History curve = history(run, step, tip);
+    const KLengthCurve curve = history(run, step, tip);
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
       return coincide(group.curve.points, curve.points);
     });
@@ -133,7 +134,7 @@ std::vector<Group> tip_groups(const results::Run& run, const std::vector<std::st
   return groups;
 }
 
-std::vector<Group> groups_of(const model::Model& model, const results::Run& run,
+std::vector<Group> groups_of(const model::Model& model, const results::RunResult& run,
                              const std::vector<std::string>& tips) {
   std::vector<Group> groups;
   for (const model::Step& step : model.steps) {
@@ -151,16 +152,16 @@ std::vector<Group> groups_of(const model::Model& model, const results::Run& run,
   return groups;
 }
 
-Series group_series(const Group& group, bool name_tips, std::size_t ink, std::size_t pattern) {
-  Series series;
+PlotSeries group_series(const Group& group, bool name_tips, std::size_t ink, std::size_t pattern) {
+  PlotSeries series;
   series.name = fmt::format("{}", fmt::join(group.steps, ", "));
   if (name_tips) {
     series.name += fmt::format(": {}", fmt::join(group.tips, ", "));
   }
   series.points = group.curve.points;
   series.bars = group.curve.bars;
-  series.colour = colour(ink);
-  series.dash = dash(pattern);
+  series.colour = palette_colour(ink);
+  series.dash = dash_pattern(pattern);
   series.marker = closed_marker(ink);
   return series;
 }
@@ -175,22 +176,22 @@ double find_number(const model::Model& model, std::string_view name) {
 }
 
 /// Empty where the reference is 0.
-std::string percent(const Reference& r) {
+std::string percent(const KReference& r) {
   return r.wanted == 0.0 ? std::string()
                          : fmt::format("{:+.2f}", 100.0 * (r.found / r.wanted - 1.0));
 }
 
 /// What stands beside the normalised plot: the references of its step.
-Table normalised_table(const Nominal& state, const std::vector<Reference>& references,
-                       const std::string& step) {
-  Table table{"K₁ / (σ √(πa))",
-              {{"tip", "", true},
-               {"a/R", "", false},
-               {"computed", "", false},
-               {"reference", "", false},
-               {"error", "%", false}},
-              {}};
-  for (const Reference& r : references) {
+ReportTable normalised_table(const NominalStressState& state,
+                             const std::vector<KReference>& references, const std::string& step) {
+  ReportTable table{"K₁ / (σ √(πa))",
+                    {{"tip", "", true},
+                     {"a/R", "", false},
+                     {"computed", "", false},
+                     {"reference", "", false},
+                     {"error", "%", false}},
+                    {}};
+  for (const KReference& r : references) {
     if (r.step == step) {
       const double k0 = state.k0(r.a);
       table.rows.push_back({r.tip, fmt::format("{:.3g}", r.a / state.radius),
@@ -203,17 +204,17 @@ Table normalised_table(const Nominal& state, const std::vector<Reference>& refer
 
 } // namespace
 
-double Nominal::k0(double a) const {
+double NominalStressState::k0(double a) const {
   return sigma * std::sqrt(std::numbers::pi * a);
 }
 
-std::optional<Nominal> nominal(const model::Model& model) {
-  const Nominal state{find_number(model, "R"), find_number(model, "SIGMA")};
+std::optional<NominalStressState> find_nominal_state(const model::Model& model) {
+  const NominalStressState state{find_number(model, "R"), find_number(model, "SIGMA")};
   return state.radius > 0.0 && state.sigma > 0.0 ? std::optional(state) : std::nullopt;
 }
 
-std::vector<Reference> k_references(const model::Model& model, const results::Run& run) {
-  std::vector<Reference> references;
+std::vector<KReference> k_references(const model::Model& model, const results::RunResult& run) {
+  std::vector<KReference> references;
   for (const model::ResultCheck& check : model.checks) {
     if ((check.quantity != "K" && check.quantity != "K1") || check.arguments.size() < 2) {
       continue;
@@ -241,9 +242,9 @@ std::vector<Reference> k_references(const model::Model& model, const results::Ru
   return references;
 }
 
-std::optional<Figure> k_figure(const model::Model& model, const results::Run& run) {
+std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run) {
   const std::vector<std::string> tips = tip_names(run);
-  const std::string k_unit = print_unit(model.units.stress_intensity_name());
+  const std::string k_unit = typeset_unit(model.units.stress_intensity_name());
   Plot plot{"Stress intensity factor over crack length",
             fmt::format("a  [{}]", model.units.length_name),
             fmt::format("K₁  [{}]", k_unit),
@@ -267,14 +268,14 @@ std::optional<Figure> k_figure(const model::Model& model, const results::Run& ru
   if (!any) {
     return std::nullopt;
   }
-  return Figure{{draw(plot)},
+  return Figure{{draw_svg(plot)},
                 "",
                 "Stress intensity factor K₁ at the ends of the steps over the crack length a." +
-                    bar_words(plot.series)};
+                    error_bar_note(plot.series)};
 }
 
-std::optional<Figure> normalised_figure(const model::Model& model, const results::Run& run) {
-  const std::optional<Nominal> state = nominal(model);
+std::optional<Figure> normalised_figure(const model::Model& model, const results::RunResult& run) {
+  const std::optional<NominalStressState> state = find_nominal_state(model);
   const std::string step = leading_step(model);
   const std::vector<std::string> tips = tip_names(run);
   if (!state || !grows(run, tips, step)) {
@@ -287,9 +288,9 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
     ++ink;
   }
   add_references(plot, k_references(model, run), step);
-  for (Series& series : plot.series) {
+  for (PlotSeries& series : plot.series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
-      Point& p = series.points[i];
+      DrawingPoint& p = series.points[i];
       if (i < series.bars.size()) {
         series.bars[i] /= state->k0(p.x);
       }
@@ -297,43 +298,43 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
     }
   }
   plot.legend_below = true;
-  const Table table = normalised_table(*state, k_references(model, run), step);
+  const ReportTable table = normalised_table(*state, k_references(model, run), step);
   Figure figure{
-      {draw(plot)},
+      {draw_svg(plot)},
       "",
       fmt::format(
           "K₁ at the end of step {} over σ √(πa), against a/R; R = {:.6g} {}, σ = {:.4g} {} "
           "(the deck's parameters R and SIGMA).{}",
           step, state->radius, model.units.length_name, state->sigma, model.units.stress_name(),
           table.rows.empty() ? "" : " Marks: values the deck compares with.") +
-          bar_words(plot.series)};
+          error_bar_note(plot.series)};
   if (!table.rows.empty()) {
     figure.drawings.push_back(to_html(table));
   }
   return figure;
 }
 
-Table reference_table(const model::Model& model, const results::Run& run) {
+ReportTable reference_table(const model::Model& model, const results::RunResult& run) {
   const std::string k_unit = model.units.stress_intensity_name();
-  Table table{"K1 beside its references",
-              {{"tip", "", true},
-               {"step", "", true},
-               {"a", model.units.length_name, false},
-               {"K1", k_unit, false},
-               {"+-", k_unit, false},
-               {"reference", k_unit, false},
-               {"error", "%", false},
-               {"source", "", true}},
-              {}};
-  for (const Reference& r : k_references(model, run)) {
+  ReportTable table{"K1 beside its references",
+                    {{"tip", "", true},
+                     {"step", "", true},
+                     {"a", model.units.length_name, false},
+                     {"K1", k_unit, false},
+                     {"+-", k_unit, false},
+                     {"reference", k_unit, false},
+                     {"error", "%", false},
+                     {"source", "", true}},
+                    {}};
+  for (const KReference& r : k_references(model, run)) {
     table.rows.push_back({r.tip, r.step, fmt::format("{:.4g}", r.a), fmt::format("{:.5g}", r.found),
-                          r.bar > 0.0 ? bar_size(r.bar) : "", fmt::format("{:.5g}", r.wanted),
-                          percent(r), r.source});
+                          r.bar > 0.0 ? format_error_bar(r.bar) : "",
+                          fmt::format("{:.5g}", r.wanted), percent(r), r.source});
   }
   return table;
 }
 
-std::vector<const results::Increment*> chosen_increments(const results::Run& run,
+std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,
                                                          std::size_t limit) {
   std::vector<const results::Increment*> chosen;
   const std::size_t count = std::min(limit, run.increments.size());

@@ -32,7 +32,7 @@ double size_of(const results::TipResult& tip) {
 }
 
 /// Steps in order, with the largest K of each.
-std::vector<std::pair<std::string, double>> largest_of_steps(const results::Run& run) {
+std::vector<std::pair<std::string, double>> largest_of_steps(const results::RunResult& run) {
   std::vector<std::pair<std::string, double>> steps;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
@@ -64,7 +64,7 @@ std::string ranges_of(const std::set<int>& numbers) {
 }
 
 /// Where K has no bar for one reason.
-struct Gap {
+struct MissingBarReason {
   std::string why;
   std::set<int> increments;
   Names steps;
@@ -73,22 +73,22 @@ struct Gap {
 };
 
 /// All that there is, to say "everywhere" where it is so.
-struct Extent {
+struct KResultExtent {
   std::set<int> increments;
   Names steps;
   Names tips;
   std::size_t count = 0;
 };
 
-void extend(Extent& all, const results::Increment& increment, const results::StepResult& step,
-            const results::TipResult& tip) {
+void extend(KResultExtent& all, const results::Increment& increment,
+            const results::StepResult& step, const results::TipResult& tip) {
   all.increments.insert(increment.number);
   add(all.steps, step.step);
   add(all.tips, tip.name);
   ++all.count;
 }
 
-std::string place_of(const Gap& gap, const Extent& all) {
+std::string place_of(const MissingBarReason& gap, const KResultExtent& all) {
   Names parts;
   if (gap.increments != all.increments) {
     parts.push_back(fmt::format("increment{} {}", gap.increments.size() > 1 ? "s" : "",
@@ -122,9 +122,9 @@ Names others_than(const std::string& name, Names names) {
   return names;
 }
 
-std::size_t rows_of(const std::vector<Table>& tables) {
+std::size_t rows_of(const std::vector<ReportTable>& tables) {
   std::size_t rows = 0;
-  for (const Table& table : tables) {
+  for (const ReportTable& table : tables) {
     rows += table.rows.size();
   }
   return rows;
@@ -132,9 +132,9 @@ std::size_t rows_of(const std::vector<Table>& tables) {
 
 } // namespace
 
-std::vector<std::string> missing_bars(const results::Run& run, const Names& steps) {
-  std::vector<Gap> gaps;
-  Extent all;
+std::vector<std::string> missing_bars(const results::RunResult& run, const Names& steps) {
+  std::vector<MissingBarReason> gaps;
+  KResultExtent all;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
@@ -145,9 +145,9 @@ std::vector<std::string> missing_bars(const results::Run& run, const Names& step
         if (tip.no_bar.empty()) {
           continue;
         }
-        auto gap = std::ranges::find(gaps, tip.no_bar, &Gap::why);
+        auto gap = std::ranges::find(gaps, tip.no_bar, &MissingBarReason::why);
         if (gap == gaps.end()) {
-          gap = gaps.insert(gap, Gap{tip.no_bar, {}, {}, {}, 0});
+          gap = gaps.insert(gap, MissingBarReason{tip.no_bar, {}, {}, {}, 0});
         }
         gap->increments.insert(increment.number);
         add(gap->steps, step.step);
@@ -158,13 +158,13 @@ std::vector<std::string> missing_bars(const results::Run& run, const Names& step
   }
   std::vector<std::string> words;
   words.reserve(gaps.size());
-  for (const Gap& gap : gaps) {
+  for (const MissingBarReason& gap : gaps) {
     words.push_back(fmt::format("No error bar {}: {}.", place_of(gap, all), words_of(gap.why)));
   }
   return words;
 }
 
-KSection k_section(const model::Model& model, const results::Run& run) {
+KSection k_section(const model::Model& model, const results::RunResult& run) {
   KSection section;
   const auto steps = largest_of_steps(run);
   const std::string leading = leading_step(model);
@@ -198,7 +198,7 @@ KSection k_section(const model::Model& model, const results::Run& run) {
       section.remarks.push_back(fmt::format("K is 0 at the end of {}.", fmt::join(nothing, ", ")));
     }
   }
-  std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
+  std::erase_if(section.tables, [](const ReportTable& table) { return table.rows.empty(); });
   for (std::string& words : missing_bars(run, shown)) {
     section.remarks.push_back(std::move(words));
   }

@@ -13,14 +13,14 @@ namespace spricka::report {
 struct KSection {
   /// One length: one table of all steps. Several: one of each step whose K is not nothing, the
   /// leading step's first, of too many rows alone.
-  std::vector<Table> tables;
+  std::vector<ReportTable> tables;
   std::vector<std::string> remarks; ///< what the tables leave out, and why some K have no bar
 };
-KSection k_section(const model::Model& model, const results::Run& run);
+KSection k_section(const model::Model& model, const results::RunResult& run);
 
 /// For each reason why a K of these steps has no error bar: "No error bar at increments 2 to 7:
 /// they are worked out at the first length only ..". Empty where all have one.
-std::vector<std::string> missing_bars(const results::Run& run,
+std::vector<std::string> missing_bars(const results::RunResult& run,
                                       const std::vector<std::string>& steps);
 
 } // namespace spricka::report

@@ -16,15 +16,15 @@ namespace {
 
 constexpr double degrees_of_place = 180.0 / std::numbers::pi;
 
-double printed_place(const results::PathContact& contact, double place) {
+double printed_place(const results::LoadPathContact& contact, double place) {
   return contact.round ? place * degrees_of_place : place;
 }
 
 // "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
 // node's place.
-std::string changes_at(const model::Mesh& mesh, const results::LoadPath& path, double t) {
+std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& path, double t) {
   std::string text;
-  for (const results::PathChange& change : path.changes) {
+  for (const results::ContactStatusChange& change : path.changes) {
     if (change.t != t) {
       continue;
     }
@@ -34,7 +34,7 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPath& path, d
                           change.closes ? '+' : '-', change.contact, x.x(), x.y(), x.z());
       continue;
     }
-    const results::PathContact* contact = results::find_contact(path, change.contact);
+    const results::LoadPathContact* contact = results::find_contact(path, change.contact);
     text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
                         change.contact,
                         contact == nullptr ? change.place : printed_place(*contact, change.place));
@@ -48,12 +48,12 @@ struct PathPlace {
 };
 
 void add_row(std::string& text, const std::vector<std::string>& contacts,
-             const results::LoadPath& path, const PathPlace& at,
+             const results::LoadPathResult& path, const PathPlace& at,
              const std::vector<std::string>& tips) {
   const std::size_t k = at.knot;
   auto out = std::back_inserter(text);
   for (const std::string& name : tips) {
-    const results::PathTip* tip = results::find_tip(path, name);
+    const results::LoadPathTip* tip = results::find_tip(path, name);
     if (tip == nullptr) {
       text += ",,,,,,";
       continue;
@@ -63,7 +63,7 @@ void add_row(std::string& text, const std::vector<std::string>& contacts,
                    tip->K2.slope_after(k));
   }
   for (const std::string& name : contacts) {
-    const results::PathContact* contact = results::find_contact(path, name);
+    const results::LoadPathContact* contact = results::find_contact(path, name);
     if (contact == nullptr) {
       text += ",,,";
       continue;
@@ -81,9 +81,9 @@ void add_row(std::string& text, const std::vector<std::string>& contacts,
 
 // One row for each point of a front at a knot.
 template <class Out>
-void add_front(Out out, int increment, const results::LoadPath& path,
-               const results::PathFront& front, std::size_t k) {
-  for (const results::PathPoint& point : front.points) {
+void add_front(Out out, int increment, const results::LoadPathResult& path,
+               const results::LoadPathFront& front, std::size_t k) {
+  for (const results::LoadPathFrontPoint& point : front.points) {
     fmt::format_to(out, "{},{},{},{},{},{:d},{},", increment, path.name, path.t[k], front.is.name,
                    point.is.number, point.is.at_surface, point.is.s);
     if (front.is.angles) {
@@ -98,11 +98,11 @@ void add_front(Out out, int increment, const results::LoadPath& path,
   }
 }
 
-std::vector<std::string> path_tip_names(const results::Run& run) {
+std::vector<std::string> path_tip_names(const results::RunResult& run) {
   std::vector<std::string> names;
   for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
-      for (const results::PathTip& tip : path.tips) {
+    for (const results::LoadPathResult& path : increment.paths) {
+      for (const results::LoadPathTip& tip : path.tips) {
         if (std::ranges::find(names, tip.name) == names.end()) {
           names.push_back(tip.name);
         }
@@ -113,14 +113,14 @@ std::vector<std::string> path_tip_names(const results::Run& run) {
 }
 
 // The deck's contacts, and the faces of its cracks where they touch.
-std::vector<std::string> contact_names(const model::Model& model, const results::Run& run) {
+std::vector<std::string> contact_names(const model::Model& model, const results::RunResult& run) {
   std::vector<std::string> names;
   for (const model::Contact& contact : model.contacts) {
     names.push_back(contact.name);
   }
   for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
-      for (const results::PathContact& contact : path.contacts) {
+    for (const results::LoadPathResult& path : increment.paths) {
+      for (const results::LoadPathContact& contact : path.contacts) {
         if (std::ranges::find(names, contact.name) == names.end()) {
           names.push_back(contact.name);
         }
@@ -133,7 +133,7 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
 } // namespace
 
 void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
-                         const results::Run& run) {
+                         const results::RunResult& run) {
   if (model.load_paths.empty()) {
     return;
   }
@@ -152,7 +152,7 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
   }
   text += '\n';
   for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
+    for (const results::LoadPathResult& path : increment.paths) {
       for (std::size_t k = 0; k < path.t.size(); ++k) {
         text += fmt::format("{},{},{},{}", increment.number, path.name, path.t[k],
                             changes_at(increment.mesh, path, path.t[k]));
@@ -164,7 +164,7 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
 }
 
 void write_load_path_fronts_csv(const std::filesystem::path& file, const model::Model& model,
-                                const results::Run& run) {
+                                const results::RunResult& run) {
   if (model.load_paths.empty() || model.mesh.dim != 3 || model.cracks.empty()) {
     return;
   }
@@ -175,9 +175,9 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
       model.units.stress_intensity_name(), model.units.length_name);
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
+    for (const results::LoadPathResult& path : increment.paths) {
       for (std::size_t k = 0; k < path.t.size(); ++k) {
-        for (const results::PathFront& front : path.fronts) {
+        for (const results::LoadPathFront& front : path.fronts) {
           add_front(out, increment.number, path, front, k);
         }
       }

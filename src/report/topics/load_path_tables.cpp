@@ -18,7 +18,7 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-double in_print(const results::PathContact& contact, double place) {
+double in_print(const results::LoadPathContact& contact, double place) {
   return contact.round ? place * degrees : place;
 }
 
@@ -27,15 +27,17 @@ struct Shown {
   std::string name;
   double a = 0.0;
   const base::PiecewiseLinear* K1 = nullptr;
-  const results::PathTip* tip = nullptr; ///< null: of a front
+  const results::LoadPathTip* tip = nullptr; ///< null: of a front
 };
 
 // Of each front the points with the largest and the smallest K1 at the path's end.
-void add_extremes(const results::PathFront& front, std::vector<Shown>& shown) {
-  const results::PathPoint* low = nullptr;
-  const results::PathPoint* high = nullptr;
-  const auto end = [](const results::PathPoint* p) { return p->K[0].at_knot(p->K[0].segments()); };
-  for (const results::PathPoint& point : front.points) {
+void add_extremes(const results::LoadPathFront& front, std::vector<Shown>& shown) {
+  const results::LoadPathFrontPoint* low = nullptr;
+  const results::LoadPathFrontPoint* high = nullptr;
+  const auto end = [](const results::LoadPathFrontPoint* p) {
+    return p->K[0].at_knot(p->K[0].segments());
+  };
+  for (const results::LoadPathFrontPoint& point : front.points) {
     if (point.is.at_surface) {
       continue;
     }
@@ -50,12 +52,12 @@ void add_extremes(const results::PathFront& front, std::vector<Shown>& shown) {
   }
 }
 
-std::vector<Shown> shown_curves(const results::LoadPath& path) {
+std::vector<Shown> shown_curves(const results::LoadPathResult& path) {
   std::vector<Shown> shown;
-  for (const results::PathTip& tip : path.tips) {
+  for (const results::LoadPathTip& tip : path.tips) {
     shown.push_back({tip.name, tip.a, &tip.K1, &tip});
   }
-  for (const results::PathFront& front : path.fronts) {
+  for (const results::LoadPathFront& front : path.fronts) {
     add_extremes(front, shown);
   }
   return shown;
@@ -80,7 +82,7 @@ Kink sharpest(const base::PiecewiseLinear& K) {
   return kink;
 }
 
-std::string arc(const results::PathContact& contact, std::size_t k) {
+std::string arc(const results::LoadPathContact& contact, std::size_t k) {
   if (contact.closed[k] == 0) {
     return "open";
   }
@@ -89,8 +91,8 @@ std::string arc(const results::PathContact& contact, std::size_t k) {
 }
 
 // The slope as steps.
-std::vector<Point> slopes(const base::PiecewiseLinear& K) {
-  std::vector<Point> points;
+std::vector<DrawingPoint> slopes(const base::PiecewiseLinear& K) {
+  std::vector<DrawingPoint> points;
   for (std::size_t s = 0; s < K.segments(); ++s) {
     points.push_back({K.knots()[s], K.slope(s)});
     points.push_back({K.knots()[s + 1], K.slope(s)});
@@ -98,8 +100,8 @@ std::vector<Point> slopes(const base::PiecewiseLinear& K) {
   return points;
 }
 
-std::vector<Point> values(const base::PiecewiseLinear& K) {
-  std::vector<Point> points;
+std::vector<DrawingPoint> values(const base::PiecewiseLinear& K) {
+  std::vector<DrawingPoint> points;
   for (std::size_t k = 0; k < K.knots().size(); ++k) {
     points.push_back({K.knots()[k], K.at_knot(k)});
   }
@@ -107,12 +109,12 @@ std::vector<Point> values(const base::PiecewiseLinear& K) {
 }
 
 // Error bars of K1 at the ends of the path, which are ends of steps: elsewhere none is worked out.
-Series end_bars(const results::Increment& increment, const results::LoadPath& path,
-                const results::PathTip& tip, const std::string& colour) {
-  Series series;
+PlotSeries end_bars(const results::Increment& increment, const results::LoadPathResult& path,
+                    const results::LoadPathTip& tip, const std::string& colour) {
+  PlotSeries series;
   series.joined = false;
   series.colour = colour;
-  for (const Point& point : values(tip.K1)) {
+  for (const DrawingPoint& point : values(tip.K1)) {
     if (point.x != 0.0 && point.x != 1.0) {
       continue;
     }
@@ -128,15 +130,15 @@ Series end_bars(const results::Increment& increment, const results::LoadPath& pa
 }
 
 // Where contacts begin to open, as marks on the curve of a tip.
-void add_openings(Plot& plot, const results::LoadPath& path, const base::PiecewiseLinear& K1,
+void add_openings(Plot& plot, const results::LoadPathResult& path, const base::PiecewiseLinear& K1,
                   bool named) {
-  constexpr std::array<Marker, 4> shapes{Marker::diamond, Marker::triangle, Marker::plus,
-                                         Marker::cross};
+  constexpr std::array<MarkerShape, 4> shapes{MarkerShape::diamond, MarkerShape::triangle,
+                                              MarkerShape::plus, MarkerShape::cross};
   std::size_t shape = 0;
-  for (const results::PathContact& contact : path.contacts) {
-    const Marker marker = shapes[shape++ % shapes.size()];
+  for (const results::LoadPathContact& contact : path.contacts) {
+    const MarkerShape marker = shapes[shape++ % shapes.size()];
     if (contact.opening) {
-      Series series;
+      PlotSeries series;
       series.name = named ? fmt::format("{} begins to open", contact.name) : std::string();
       series.points = {{*contact.opening, K1(*contact.opening)}};
       series.joined = false;
@@ -146,8 +148,8 @@ void add_openings(Plot& plot, const results::LoadPath& path, const base::Piecewi
   }
 }
 
-Figure figure_of(const model::Model& model, const results::Run& run, std::size_t p) {
-  const std::string unit = print_unit(model.units.stress_intensity_name());
+Figure figure_of(const model::Model& model, const results::RunResult& run, std::size_t p) {
+  const std::string unit = typeset_unit(model.units.stress_intensity_name());
   const std::string x_name = "t";
   Plot value{
       "Stress intensity factor over the load path", x_name, fmt::format("K₁  [{}]", unit), {}};
@@ -156,16 +158,16 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
   std::size_t ink = 0;
   const auto increments = chosen_increments(run, 6);
   for (const results::Increment* increment : increments) {
-    const results::LoadPath& path = increment->paths[p];
+    const results::LoadPathResult& path = increment->paths[p];
     std::size_t pattern = 0;
     const std::vector<Shown> curves = shown_curves(path);
     for (const Shown& tip : curves) {
-      Series series;
+      PlotSeries series;
       series.name =
           fmt::format("{}a = {:.4g} {}", curves.size() > 1 ? tip.name + ", " : std::string(), tip.a,
                       model.units.length_name);
-      series.colour = colour(ink);
-      series.dash = dash(pattern++);
+      series.colour = palette_colour(ink);
+      series.dash = dash_pattern(pattern++);
       series.points = values(*tip.K1);
       value.series.push_back(series);
       if (tip.tip != nullptr) {
@@ -177,39 +179,39 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
     ++ink;
   }
   for (const results::Increment* increment : increments) {
-    const results::LoadPath& path = increment->paths[p];
+    const results::LoadPathResult& path = increment->paths[p];
     if (const std::vector<Shown> curves = shown_curves(path); !curves.empty()) {
       add_openings(value, path, *curves.front().K1, increment == increments.front());
     }
   }
-  const results::LoadPath& path = increments.front()->paths[p];
-  return {{draw(value), draw(slope)},
+  const results::LoadPathResult& path = increments.front()->paths[p];
+  return {{draw_svg(value), draw_svg(slope)},
           "",
           fmt::format("Load path {}: K₁ under the loads and fits (1 − t) {} + t {}, and its slope. "
                       "K₁ is a straight line between the breakpoints, where a pair of contact "
                       "nodes opens or closes. Marks: the first pair of a contact opens.{}",
-                      path.name, path.from, path.to, bar_words(value.series))};
+                      path.name, path.from, path.to, error_bar_note(value.series))};
 }
 
 } // namespace
 
-Table load_path_table(const model::Model& model, const results::Increment& increment) {
+ReportTable load_path_table(const model::Model& model, const results::Increment& increment) {
   const std::string unit = model.units.stress_intensity_name();
-  Table table{"Load paths: K1 over t",
-              {{"path", "", true},
-               {"from", "", true},
-               {"to", "", true},
-               {"tip", "", true},
-               {"breakpoints", "", false},
-               {"t end", "", false},
-               {"K1 begin", unit, false},
-               {"K1 end", unit, false},
-               {"slope begin", unit, false},
-               {"slope end", unit, false},
-               {"largest jump", "%", false},
-               {"at t", "", false}},
-              {}};
-  for (const results::LoadPath& path : increment.paths) {
+  ReportTable table{"Load paths: K1 over t",
+                    {{"path", "", true},
+                     {"from", "", true},
+                     {"to", "", true},
+                     {"tip", "", true},
+                     {"breakpoints", "", false},
+                     {"t end", "", false},
+                     {"K1 begin", unit, false},
+                     {"K1 end", unit, false},
+                     {"slope begin", unit, false},
+                     {"slope end", unit, false},
+                     {"largest jump", "%", false},
+                     {"at t", "", false}},
+                    {}};
+  for (const results::LoadPathResult& path : increment.paths) {
     for (const Shown& tip : shown_curves(path)) {
       const base::PiecewiseLinear& K1 = *tip.K1;
       const Kink kink = sharpest(K1);
@@ -226,22 +228,22 @@ Table load_path_table(const model::Model& model, const results::Increment& incre
   return table;
 }
 
-Table opening_table(const results::Increment& increment) {
+ReportTable opening_table(const results::Increment& increment) {
   const bool arcs = increment.mesh.dim == 2;
-  Table table{"Load paths: contact",
-              {{"path", "", true},
-               {"contact", "", true},
-               {"first pair opens at t", "", false},
-               {"closed at begin", "", false},
-               {"at end", "", false},
-               {"of", "", false}},
-              {}};
+  ReportTable table{"Load paths: contact",
+                    {{"path", "", true},
+                     {"contact", "", true},
+                     {"first pair opens at t", "", false},
+                     {"closed at begin", "", false},
+                     {"at end", "", false},
+                     {"of", "", false}},
+                    {}};
   if (arcs) {
     table.columns.push_back({"arc at begin", "", false});
     table.columns.push_back({"arc at end", "", false});
   }
-  for (const results::LoadPath& path : increment.paths) {
-    for (const results::PathContact& contact : path.contacts) {
+  for (const results::LoadPathResult& path : increment.paths) {
+    for (const results::LoadPathContact& contact : path.contacts) {
       const std::size_t last = contact.closed.size() - 1;
       std::vector<std::string> row{path.name,
                                    contact.name,
@@ -259,7 +261,7 @@ Table opening_table(const results::Increment& increment) {
   return table;
 }
 
-std::vector<Figure> load_path_figures(const model::Model& model, const results::Run& run) {
+std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   for (std::size_t p = 0; p < model.load_paths.size(); ++p) {
     const bool drawn = !run.increments.empty() &&

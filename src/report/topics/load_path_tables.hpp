@@ -16,20 +16,20 @@ namespace spricka::report {
 /// each contact the closed pairs and the first and last of them behind the breakpoint (angles in
 /// degrees). Nothing is written without paths.
 void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
-                         const results::Run& run);
+                         const results::RunResult& run);
 
 /// load_path_fronts.csv: K1, K2, K3 and their slopes of each point of a front in space, one row for
 /// each point and t. Nothing is written without cracks in space.
 void write_load_path_fronts_csv(const std::filesystem::path& file, const model::Model& model,
-                                const results::Run& run);
+                                const results::RunResult& run);
 
 /// K1 and its slope at both ends and the sharpest kink, for each path and tip; of a
 /// front its points with the largest and the smallest K1.
-Table load_path_table(const model::Model& model, const results::Increment& increment);
+ReportTable load_path_table(const model::Model& model, const results::Increment& increment);
 /// When each contact begins to open, and what is closed at both ends.
-Table opening_table(const results::Increment& increment);
+ReportTable opening_table(const results::Increment& increment);
 
 /// K1 over t and its slope, with the kinks; one figure for each path, at most six lengths.
-std::vector<Figure> load_path_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run);
 
 } // namespace spricka::report

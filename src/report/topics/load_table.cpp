@@ -5,9 +5,9 @@
 
 namespace spricka::report {
 
-Table load_table(const std::vector<results::LoadTotal>& loads, const LoadTableForm& form) {
+ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form) {
   const std::string moment = form.force_unit + " " + form.length_unit;
-  Table table{
+  ReportTable table{
       "Load cases: totals with factor 1 (moments about the origin; without loads on crack faces)",
       {{"case", "", true}, {"Fx", form.force_unit, false}, {"Fy", form.force_unit, false}},
       {}};

@@ -9,12 +9,12 @@
 namespace spricka::report {
 
 /// Units and form of a model, as far as totals of loads need them.
-struct LoadTableForm {
+struct LoadTableUnits {
   std::string length_unit, force_unit;
   int dim = 2;
 };
 
 /// Total force and moment of each load case with factor 1.
-Table load_table(const std::vector<results::LoadTotal>& loads, const LoadTableForm& form);
+ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form);
 
 } // namespace spricka::report

@@ -34,14 +34,14 @@ base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x) {
   return nearest;
 }
 
-struct TipPlace {
+struct TipMeshPlace {
   base::NodeId node;
   base::NetId net;
   double element = 0.0; ///< largest extent of the elements that meet at the tip
 };
 
-TipPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
-  TipPlace place;
+TipMeshPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
+  TipMeshPlace place;
   place.node = nearest_node(mesh, x);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
@@ -76,7 +76,7 @@ void deform(MeshView& view, const results::StepResult& step, base::NodeId tip) {
   }
   if (largest > 0.0) {
     view.u = &step.u;
-    view.magnify = round_down((view.high.x - view.low.x) / 12.0 / largest);
+    view.magnify = round_number_below((view.high.x - view.low.x) / 12.0 / largest);
   }
 }
 
@@ -87,7 +87,7 @@ void set_window(MeshView& view, const base::Vec3& centre, double half) {
 
 std::string tip_drawing(const model::Model& model, const results::Increment& increment,
                         const results::TipResult& tip, bool close) {
-  const TipPlace place = find_tip_place(increment.mesh, tip.x);
+  const TipMeshPlace place = find_tip_place(increment.mesh, tip.x);
   MeshView view;
   view.mesh = &increment.mesh;
   view.id = fmt::format("mesh-{}-{}-{}", tip.name, increment.number, close ? "tip" : "crack");
@@ -100,7 +100,7 @@ std::string tip_drawing(const model::Model& model, const results::Increment& inc
   if (const results::StepResult* const step = leading(model, increment)) {
     deform(view, *step, place.node);
   }
-  return draw(view);
+  return draw_svg(view);
 }
 
 /// A view of all there is, at most `width` wide, with room for what stands beside the bodies.
@@ -143,7 +143,7 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
       }
     }
   }
-  return {{draw(view)},
+  return {{draw_svg(view)},
           model_legend(model, 660.0),
           fmt::format("The mesh, {} elements, one tint for each part (net){}. Heavy lines are "
                       "edges of one element only: outlines and crack faces.{}",
@@ -162,8 +162,8 @@ void deform_all(MeshView& view, const results::StepResult& step) {
   }
   if (largest > 0.0) {
     view.u = &step.u;
-    view.magnify =
-        round_down(std::max(view.high.x - view.low.x, view.high.y - view.low.y) / 15.0 / largest);
+    view.magnify = round_number_below(std::max(view.high.x - view.low.x, view.high.y - view.low.y) /
+                                      15.0 / largest);
   }
 }
 
@@ -212,9 +212,9 @@ std::string stress_drawing(const model::Model& model, const results::Increment& 
   largest = high;
   const double most = level_of_most(mesh, view.field);
   view.scale = scale_between(low, most > low ? most : high);
-  view.field_words = fmt::format("von Mises, {}", print_unit(model.units.stress_name()));
+  view.field_words = fmt::format("von Mises, {}", typeset_unit(model.units.stress_name()));
   deform_all(view, step);
-  return draw(view);
+  return draw_svg(view);
 }
 
 std::string displacement_drawing(const model::Model& model, const results::Increment& increment,
@@ -231,7 +231,7 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
   view.scale = scale_between(0.0, largest);
   view.field_words = fmt::format("|u|, {}", model.units.length_name);
   deform_all(view, step);
-  return draw(view);
+  return draw_svg(view);
 }
 
 /// The leading step, or where its stresses are round-off that with the largest; null without
@@ -239,7 +239,7 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
 const results::StepResult* stressed(const model::Model& model,
                                     const results::Increment& increment) {
   const results::StepResult* best = leading(model, increment);
-  if (best == nullptr || is_stressed(model, increment, *best)) {
+  if (best == nullptr || has_significant_stress(model, increment, *best)) {
     return best == nullptr || best->stress.empty() ? nullptr : best;
   }
   for (const results::StepResult& step : increment.steps) {
@@ -267,7 +267,7 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Inc
   double largest = 0.0;
   Figure figure;
   const std::string place = place_words(model, increment, *step);
-  if (!is_stressed(model, increment, *step)) {
+  if (!has_significant_stress(model, increment, *step)) {
     figure.drawings.push_back(displacement_drawing(model, increment, *step));
     figure.caption =
         fmt::format("Displacement at the end of {}, deformed. The stresses are only round-off "
@@ -284,12 +284,12 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Inc
       "Von Mises stress, mean of the elements that meet at a node, and displacement at the end of "
       "{}, deformed. The stress colours end at the value that 99 % of the area is below. The "
       "largest stress is {:.4g} {}; at a crack tip or a sharp corner it depends on the mesh.",
-      place, largest, print_unit(model.units.stress_name()));
+      place, largest, typeset_unit(model.units.stress_name()));
   return figure;
 }
 
 /// First and last length, then the last tip from near by.
-std::optional<Figure> crack_figure(const model::Model& model, const results::Run& run,
+std::optional<Figure> crack_figure(const model::Model& model, const results::RunResult& run,
                                    const std::string& name) {
   Figure figure;
   const results::Increment* last = nullptr;
@@ -331,17 +331,18 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::Incr
   view.increment = &increment;
   view.step = step;
   view.stress_name = model.units.stress_name();
-  return {{{draw(view)},
+  return {{{draw_svg(view)},
            "",
-           fmt::format("The outer surface at the end of {}, {} elements, deformed. Colours: von "
-                       "Mises stress, mean over the nodes of each face{}.",
-                       place_words(model, increment, *step), increment.mesh.element_count(),
-                       is_stressed(model, increment, *step) ? "" : ": nothing but round-off")}};
+           fmt::format(
+               "The outer surface at the end of {}, {} elements, deformed. Colours: von "
+               "Mises stress, mean over the nodes of each face{}.",
+               place_words(model, increment, *step), increment.mesh.element_count(),
+               has_significant_stress(model, increment, *step) ? "" : ": nothing but round-off")}};
 }
 
 } // namespace
 
-std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& run) {
+std::vector<Figure> mesh_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   if (!run.increments.empty() && run.increments.back().mesh.dim == 3) {
     return solid_figures(model, run.increments.back());

@@ -11,7 +11,7 @@
 
 namespace spricka::report {
 
-std::string side_note(const model::Model& model) {
+std::string symmetry_note(const model::Model& model) {
   std::string sides;
   for (const model::MirrorPlane& plane : model.mirrors) {
     sides += fmt::format("{}{} {} {:.6g}", sides.empty() ? "" : ", ", "xyz"[plane.axis],
@@ -23,8 +23,8 @@ std::string side_note(const model::Model& model) {
                                      sides);
 }
 
-Table net_table(const model::Model& model) {
-  Table table{
+ReportTable net_table(const model::Model& model) {
+  ReportTable table{
       "Nets",
       {{"net", "", true}, {"nodes", "", false}, {"elements", "", false}, {"of type", "", true}},
       {}};
@@ -60,17 +60,17 @@ Table net_table(const model::Model& model) {
   return table;
 }
 
-Table property_table(const model::Model& model) {
+ReportTable property_table(const model::Model& model) {
   constexpr std::array<const char*, 4> state{"plane stress", "plane strain", "axisymmetric",
                                              "solid"};
-  Table table{"Properties",
-              {{"elements", "", true},
-               {"material", "", true},
-               {"E", model.units.stress_name(), false},
-               {"nu", "", false},
-               {"state", "", true},
-               {"thickness", model.units.length_name, false}},
-              {}};
+  ReportTable table{"Properties",
+                    {{"elements", "", true},
+                     {"material", "", true},
+                     {"E", model.units.stress_name(), false},
+                     {"nu", "", false},
+                     {"state", "", true},
+                     {"thickness", model.units.length_name, false}},
+                    {}};
   for (const model::ElementProperty& p : model.properties) {
     const model::ElasticMaterial& m = model.materials[p.material.index()];
     const bool plane =
@@ -92,16 +92,16 @@ const std::string& master_name(const model::Model& model, const model::Contact& 
 
 } // namespace
 
-Table contact_pair_table(const model::Model& model) {
-  Table table{"Contacts",
-              {{"contact", "", true},
-               {"slave", "", true},
-               {"master", "", true},
-               {"type", "", true},
-               {"pairing", "", true},
-               {"declared gap", model.units.length_name, false},
-               {"mu", "", false}},
-              {}};
+ReportTable contact_pair_table(const model::Model& model) {
+  ReportTable table{"Contacts",
+                    {{"contact", "", true},
+                     {"slave", "", true},
+                     {"master", "", true},
+                     {"type", "", true},
+                     {"pairing", "", true},
+                     {"declared gap", model.units.length_name, false},
+                     {"mu", "", false}},
+                    {}};
   for (const model::Contact& c : model.contacts) {
     table.rows.push_back({c.name, model.mesh.set_with_id(c.slave).name, master_name(model, c),
                           c.type == model::ContactType::bonded ? "bonded" : "unilateral",
@@ -112,15 +112,15 @@ Table contact_pair_table(const model::Model& model) {
   return table;
 }
 
-Table rigid_table(const model::Model& model) {
+ReportTable rigid_table(const model::Model& model) {
   const std::string& unit = model.units.length_name;
-  Table table{"Rigid targets",
-              {{"target", "", true},
-               {"shape", "", true},
-               {"from or centre", unit, true},
-               {"to", unit, true},
-               {"radius", unit, false}},
-              {}};
+  ReportTable table{"Rigid targets",
+                    {{"target", "", true},
+                     {"shape", "", true},
+                     {"from or centre", unit, true},
+                     {"to", unit, true},
+                     {"radius", unit, false}},
+                    {}};
   static constexpr std::array shapes{"line", "arc", "plane", "cylinder", "cone", "sphere"};
   for (const model::RigidTarget& r : model.rigids) {
     const bool round = r.radius != 0.0 || r.second_radius != 0.0;

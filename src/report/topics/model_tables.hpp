@@ -7,16 +7,16 @@
 namespace spricka::report {
 
 /// Nodes and elements of each net that has any.
-Table net_table(const model::Model& model);
+ReportTable net_table(const model::Model& model);
 
 /// "Symmetry: only the part y >= 0 is modelled. ..": what results are of; empty: of the whole.
-std::string side_note(const model::Model& model);
+std::string symmetry_note(const model::Model& model);
 
 /// Material, state and thickness of each element set that has a property.
-Table property_table(const model::Model& model);
+ReportTable property_table(const model::Model& model);
 
 /// The contact pairs as declared.
-Table contact_pair_table(const model::Model& model);
-Table rigid_table(const model::Model& model);
+ReportTable contact_pair_table(const model::Model& model);
+ReportTable rigid_table(const model::Model& model);
 
 } // namespace spricka::report

@@ -33,18 +33,18 @@ std::string without_numbers(std::string_view text) {
 class Collector {
 public:
   void add(std::string where, const results::Note& note, const std::string& group) {
-    const auto [at, fresh] =
-        seen_.try_emplace(group + '\n' + without_numbers(results::marked(note)), notes.size());
+    const auto [at, fresh] = seen_.try_emplace(
+        group + '\n' + without_numbers(results::text_with_code(note)), notes.size());
     if (fresh) {
       notes.push_back({.where = std::move(where), .first = note, .last = {}});
     } else {
-      PlacedNote& alike = notes[at->second];
+      LocatedNote& alike = notes[at->second];
       ++alike.times;
       alike.last = std::move(where);
     }
   }
 
-  std::vector<PlacedNote> notes;
+  std::vector<LocatedNote> notes;
 
 private:
   std::map<std::string, std::size_t> seen_;
@@ -52,7 +52,7 @@ private:
 
 } // namespace
 
-std::vector<PlacedNote> collect_notes(const results::Run& run) {
+std::vector<LocatedNote> collect_notes(const results::RunResult& run) {
   Collector found;
   for (const results::Increment& increment : run.increments) {
     const std::string where = fmt::format("increment {}", increment.number);
@@ -66,14 +66,14 @@ std::vector<PlacedNote> collect_notes(const results::Run& run) {
     }
   }
   for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
+    for (const results::LoadPathResult& path : increment.paths) {
       for (const results::Note& note : path.notes) {
         found.add(fmt::format("increment {}, load path {}", increment.number, path.name), note,
                   path.name);
       }
     }
   }
-  for (const results::GrowthTest& test : run.tests) {
+  for (const results::GrowthTestResult& test : run.tests) {
     for (const results::Note& note : test.notes) {
       found.add(fmt::format("test {}", test.name), note, test.name);
     }
@@ -81,7 +81,7 @@ std::vector<PlacedNote> collect_notes(const results::Run& run) {
   return std::move(found.notes);
 }
 
-std::string words_of(const PlacedNote& note) {
+std::string located_note_text(const LocatedNote& note) {
   std::string words = fmt::format("{}: {}", note.where, note.first.text);
   if (note.times > 1) {
     words += fmt::format(" (alike {} more time{}, last in {})", note.times - 1,

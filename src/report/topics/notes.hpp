@@ -9,7 +9,7 @@
 namespace spricka::report {
 
 /// Notes of the run that differ by their numbers only, as one.
-struct PlacedNote {
+struct LocatedNote {
   std::string where; ///< "increment 3, step LOAD" of the first
   results::Note first;
   int times = 1;
@@ -17,9 +17,9 @@ struct PlacedNote {
 };
 
 /// All notes of increments, steps, load paths and tests, in the order of their first appearance.
-std::vector<PlacedNote> collect_notes(const results::Run& run);
+std::vector<LocatedNote> collect_notes(const results::RunResult& run);
 
 /// "increment 1, step LOAD: text (alike 11 more times, last in increment 6, step LOAD)".
-std::string words_of(const PlacedNote& note);
+std::string located_note_text(const LocatedNote& note);
 
 } // namespace spricka::report

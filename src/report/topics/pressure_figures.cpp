@@ -50,9 +50,9 @@ double typical_turn(const std::vector<ContactPoint>& points) {
 
 /// Cuts the curve between the crack faces of a mouth and between chains; joins the ends of a full
 /// circle.
-std::vector<std::vector<Point>> pieces(const model::Contact& contact,
-                                       const std::vector<ContactPoint>& points) {
-  std::vector<std::vector<Point>> out;
+std::vector<std::vector<DrawingPoint>> pieces(const model::Contact& contact,
+                                              const std::vector<ContactPoint>& points) {
+  std::vector<std::vector<DrawingPoint>> out;
   const double far = 6.0 * typical_turn(points);
   const auto joined = [&](const ContactPoint& a, const ContactPoint& b) {
     return !(a.crack_face != 0 && b.crack_face != 0) && turn(a, b) <= far;
@@ -107,8 +107,8 @@ PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
     if (result == nullptr) {
       continue;
     }
-    plot.curves.push_back({name, std::string(colour(s)),
-                           std::string(dash(name == first ? 0 : others++)),
+    plot.curves.push_back({name, std::string(palette_colour(s)),
+                           std::string(dash_pattern(name == first ? 0 : others++)),
                            pieces(contact, result->points), name == first});
     plot.mouths.clear();
     for (const ContactPoint& point : result->points) {
@@ -124,7 +124,7 @@ std::string recovery_text(const model::Contact& contact) {
   return contact.recovery == model::PressureRecovery::consistent ? "consistent" : "lumped";
 }
 
-Figure polar_figure(const model::Model& model, const results::Run& run,
+Figure polar_figure(const model::Model& model, const results::RunResult& run,
                     const model::Contact& contact) {
   // One scale for all, so that lengths can be compared.
   PolarPlot range;
@@ -146,7 +146,7 @@ Figure polar_figure(const model::Model& model, const results::Run& run,
     mouths = mouths || !plot.mouths.empty();
     plot.low = range.low;
     plot.high = range.high > 0.0 ? 1.05 * range.high : 1.0;
-    figure.drawings.push_back(draw(plot));
+    figure.drawings.push_back(draw_svg(plot));
     figure.legend = draw_legend(plot.curves);
   }
   figure.caption = fmt::format(
@@ -175,14 +175,14 @@ bool at_edge(const results::ContactResult& contact, const ContactPoint& point) {
                      [&](const base::Vec3& x) { return (x - point.x).norm() < 0.05 * length; });
 }
 
-Figure straight_figure(const model::Model& model, const results::Run& run,
+Figure straight_figure(const model::Model& model, const results::RunResult& run,
                        const model::Contact& contact) {
   Figure figure;
   bool edges = false;
   for (const results::Increment* const increment : chosen_increments(run, 9)) {
     Plot plot{contact.name,
               fmt::format("distance along the surface  [{}]", model.units.length_name),
-              fmt::format("p  [{}]", print_unit(model.units.stress_name())),
+              fmt::format("p  [{}]", typeset_unit(model.units.stress_name())),
               {}};
     for (std::size_t s = 0; s < increment->steps.size(); ++s) {
       const results::StepResult& step = increment->steps[s];
@@ -190,10 +190,10 @@ Figure straight_figure(const model::Model& model, const results::Run& run,
       if (result == nullptr) {
         continue;
       }
-      Series series;
+      PlotSeries series;
       series.name = step.step;
-      series.colour = colour(s);
-      series.dash = dash(s);
+      series.colour = palette_colour(s);
+      series.dash = dash_pattern(s);
       for (const ContactPoint& point : result->points) {
         if (!at_edge(*result, point)) {
           series.points.push_back({point.arc, pressure(contact, point)});
@@ -203,7 +203,7 @@ Figure straight_figure(const model::Model& model, const results::Run& run,
       plot.series.push_back(series);
     }
     if (!plot.series.empty()) {
-      figure.drawings.push_back(draw(plot));
+      figure.drawings.push_back(draw_svg(plot));
     }
   }
   figure.caption =
@@ -220,7 +220,8 @@ Figure straight_figure(const model::Model& model, const results::Run& run,
 namespace {
 
 /// The deck's contacts, and the faces of its cracks where they touch.
-std::vector<model::Contact> shown_contacts(const model::Model& model, const results::Run& run) {
+std::vector<model::Contact> shown_contacts(const model::Model& model,
+                                           const results::RunResult& run) {
   std::vector<model::Contact> shown = model.contacts;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
@@ -236,7 +237,7 @@ std::vector<model::Contact> shown_contacts(const model::Model& model, const resu
 
 } // namespace
 
-std::vector<Figure> pressure_figures(const model::Model& model, const results::Run& run) {
+std::vector<Figure> pressure_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   for (const model::Contact& contact : shown_contacts(model, run)) {
     bool bore = false;

@@ -41,7 +41,8 @@ std::vector<std::size_t> directions(const model::Model& model,
 
 using Directions = std::vector<std::size_t>;
 
-void add_columns(Table& table, const char* what, const Directions& along, const std::string& unit) {
+void add_columns(ReportTable& table, const char* what, const Directions& along,
+                 const std::string& unit) {
   for (const std::size_t i : along) {
     table.columns.push_back({fmt::format("{} {}", what, axis[i]), unit, false});
   }
@@ -65,11 +66,11 @@ bool shows_opening(const model::Model& model) {
 
 /// Whether the listing has a quantity of tips: those by opening where the deck asks for them.
 bool lists(const model::Model& model, const results::TipQuantity& q) {
-  return q.is(results::in_listing) &&
-         (q.given != results::TipGiven::with_opening || shows_opening(model));
+  return q.appears_in(results::in_listing) &&
+         (q.given != results::TipQuantityCondition::with_opening || shows_opening(model));
 }
 
-void add_k_columns(Table& table, const model::Model& model) {
+void add_k_columns(ReportTable& table, const model::Model& model) {
   table.columns.push_back({"tip", "", true});
   for (const results::TipQuantity& q : results::tip_quantities) {
     if (!lists(model, q)) {
@@ -85,7 +86,7 @@ void add_k_columns(Table& table, const model::Model& model) {
 
 /// Half width of the error bar; empty where there is none.
 std::string bar_cell(const results::TipResult& tip, int bar) {
-  return tip.no_bar.empty() ? bar_size(tip.bar[static_cast<std::size_t>(bar)].size())
+  return tip.no_bar.empty() ? format_error_bar(tip.bar[static_cast<std::size_t>(bar)].size())
                             : std::string();
 }
 
@@ -105,10 +106,10 @@ struct CrackScale {
 };
 
 std::string digits(const results::TipQuantity& q, double value, const CrackScale& scale) {
-  if (q.digits == results::TipDigits::two) {
+  if (q.digits == results::TipQuantityDigits::two) {
     return small(value);
   }
-  const bool plain = q.digits == results::TipDigits::six;
+  const bool plain = q.digits == results::TipQuantityDigits::six;
   return plain ? six_digits(value)
                : rounded(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
 }
@@ -121,7 +122,7 @@ void add_k_cells(Row& row, const model::Model& model, const results::TipResult& 
       continue;
     }
     const bool given = q.is_given(tip);
-    row.push_back(given ? digits(q, q.of(tip), scale) : "");
+    row.push_back(given ? digits(q, q.extract_value(tip), scale) : "");
     if (q.bar >= 0) {
       row.push_back(given ? bar_cell(tip, q.bar) : "");
     }
@@ -131,7 +132,7 @@ void add_k_cells(Row& row, const model::Model& model, const results::TipResult& 
 /// Where all forces balance on each body they are round-off themselves: then they are measured by
 /// the stiffness.
 double least_force(const model::Model& model, const results::Increment& increment) {
-  return 1e-3 * elastic_force(model, increment);
+  return 1e-3 * reference_elastic_force(model, increment);
 }
 
 /// The largest force and the largest pressure of an increment's contacts.
@@ -179,8 +180,8 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
 
 } // namespace
 
-Table k_table(const model::Model& model, const results::Increment& increment) {
-  Table table{"Stress intensity factors", {{"step", "", true}}, {}};
+ReportTable k_table(const model::Model& model, const results::Increment& increment) {
+  ReportTable table{"Stress intensity factors", {{"step", "", true}}, {}};
   add_k_columns(table, model);
   CrackScale scale;
   scale.add(increment);
@@ -194,10 +195,11 @@ Table k_table(const model::Model& model, const results::Increment& increment) {
   return table;
 }
 
-Table k_history_table(const model::Model& model, const results::Run& run, std::string_view step) {
-  Table table{fmt::format("Stress intensity factors at the end of step {}", step),
-              {{"increment", "", false}},
-              {}};
+ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
+                            std::string_view step) {
+  ReportTable table{fmt::format("Stress intensity factors at the end of step {}", step),
+                    {{"increment", "", false}},
+                    {}};
   add_k_columns(table, model);
   CrackScale scale;
   std::ranges::for_each(run.increments, [&](const auto& increment) { scale.add(increment); });
@@ -215,18 +217,18 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
   return table;
 }
 
-Table contact_table(const model::Model& model, const results::Increment& increment) {
+ReportTable contact_table(const model::Model& model, const results::Increment& increment) {
   const base::UnitSystem& units = model.units;
   const std::string stress = units.stress_name();
-  Table table{"Contact",
-              {{"step", "", true},
-               {"contact", "", true},
-               {"closed", "", true},
-               {"penetration", units.length_name, false},
-               {"p min", stress, false},
-               {"p mean", stress, false},
-               {"p max", stress, false}},
-              {}};
+  ReportTable table{"Contact",
+                    {{"step", "", true},
+                     {"contact", "", true},
+                     {"closed", "", true},
+                     {"penetration", units.length_name, false},
+                     {"p min", stress, false},
+                     {"p mean", stress, false},
+                     {"p max", stress, false}},
+                    {}};
   const Directions along = directions(model, increment);
   add_columns(table, "force", along, units.force_name);
   if (increment.mesh.dim == 3) {
@@ -245,10 +247,10 @@ Table contact_table(const model::Model& model, const results::Increment& increme
   return table;
 }
 
-Table moment_table(const model::Model& model, const results::Increment& increment) {
-  Table table{"Moments of contact on the slave, about the origin",
-              {{"step", "", true}, {"contact", "", true}},
-              {}};
+ReportTable moment_table(const model::Model& model, const results::Increment& increment) {
+  ReportTable table{"Moments of contact on the slave, about the origin",
+                    {{"step", "", true}, {"contact", "", true}},
+                    {}};
   if (increment.mesh.dim != 3) {
     return table;
   }
@@ -272,21 +274,21 @@ Table moment_table(const model::Model& model, const results::Increment& incremen
   return table;
 }
 
-Table friction_table(const model::Model& model, const results::Increment& increment) {
+ReportTable friction_table(const model::Model& model, const results::Increment& increment) {
   const base::UnitSystem& units = model.units;
-  Table table{"Friction",
-              {{"step", "", true},
-               {"contact", "", true},
-               {"stick", "", false},
-               {"slip", "", false},
-               {"open", "", false},
-               {"|q|/(mu p)", "", false},
-               {"q min, lumped", units.stress_name(), false},
-               {"q max, lumped", units.stress_name(), false},
-               {"slip path", units.length_name, false},
-               {"work", units.force_name + "*" + units.length_name, false},
-               {"increments", "", false}},
-              {}};
+  ReportTable table{"Friction",
+                    {{"step", "", true},
+                     {"contact", "", true},
+                     {"stick", "", false},
+                     {"slip", "", false},
+                     {"open", "", false},
+                     {"|q|/(mu p)", "", false},
+                     {"q min, lumped", units.stress_name(), false},
+                     {"q max, lumped", units.stress_name(), false},
+                     {"slip path", units.length_name, false},
+                     {"work", units.force_name + "*" + units.length_name, false},
+                     {"increments", "", false}},
+                    {}};
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
       if (!contact.rubs) {
@@ -312,8 +314,9 @@ Table friction_table(const model::Model& model, const results::Increment& increm
 namespace {
 
 /// Resultants and energies of bodies or of nets, as `part` of a step says; rigid targets last.
-Table resultants(const model::Model& model, const results::Increment& increment, Table table,
-                 std::vector<results::Balance> results::StepResult::*part) {
+ReportTable resultants(const model::Model& model, const results::Increment& increment,
+                       ReportTable table,
+                       std::vector<results::ForceBalance> results::StepResult::*part) {
   const Directions along = directions(model, increment);
   const std::string unit = model.units.force_name;
   const bool tied = std::ranges::any_of(increment.steps, &results::StepResult::tied);
@@ -329,17 +332,17 @@ Table resultants(const model::Model& model, const results::Increment& increment,
   double most = 0.0;
   for (const results::StepResult& step : increment.steps) {
     most = std::max(most, std::abs(step.energy));
-    for (const std::vector<results::Balance>* const list : {&(step.*part), &step.targets}) {
-      for (const results::Balance& b : *list) {
+    for (const std::vector<results::ForceBalance>* const list : {&(step.*part), &step.targets}) {
+      for (const results::ForceBalance& b : *list) {
         scale =
             std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm(), b.tie.norm()});
       }
     }
   }
   for (const results::StepResult& step : increment.steps) {
-    std::vector<results::Balance> all = step.*part;
+    std::vector<results::ForceBalance> all = step.*part;
     all.insert(all.end(), step.targets.begin(), step.targets.end());
-    for (const results::Balance& b : all) {
+    for (const results::ForceBalance& b : all) {
       Row row{step.step, b.body};
       add_cells(row, b.applied, along, scale);
       add_cells(row, b.reaction, along, scale);
@@ -357,32 +360,32 @@ Table resultants(const model::Model& model, const results::Increment& increment,
 
 } // namespace
 
-Table balance_table(const model::Model& model, const results::Increment& increment) {
+ReportTable balance_table(const model::Model& model, const results::Increment& increment) {
   return resultants(model, increment,
                     {"Force balance", {{"step", "", true}, {"body", "", true}}, {}},
                     &results::StepResult::balance);
 }
 
-Table net_balance_table(const model::Model& model, const results::Increment& increment) {
-  Table table{"Force balance by net", {{"step", "", true}, {"net", "", true}}, {}};
+ReportTable net_balance_table(const model::Model& model, const results::Increment& increment) {
+  ReportTable table{"Force balance by net", {{"step", "", true}, {"net", "", true}}, {}};
   const bool same = std::ranges::all_of(increment.steps, [](const results::StepResult& step) {
     const bool one = step.balance.size() == 1 && step.nets.size() == 1;
-    return one || std::ranges::equal(step.balance, step.nets, {}, &results::Balance::body,
-                                     &results::Balance::body);
+    return one || std::ranges::equal(step.balance, step.nets, {}, &results::ForceBalance::body,
+                                     &results::ForceBalance::body);
   });
   return same ? table : resultants(model, increment, table, &results::StepResult::nets);
 }
 
-Table error_table(const results::Increment& increment) {
-  Table table{"Estimated energy error",
-              {{"step", "", true},
-               {"net", "", true},
-               {"error", "%", false},
-               {"most of it in elements", "", true},
-               {"share", "%", false}},
-              {}};
+ReportTable error_table(const results::Increment& increment) {
+  ReportTable table{"Estimated energy error",
+                    {{"step", "", true},
+                     {"net", "", true},
+                     {"error", "%", false},
+                     {"most of it in elements", "", true},
+                     {"share", "%", false}},
+                    {}};
   for (const results::StepResult& step : increment.steps) {
-    for (const results::NetError& error : step.errors) {
+    for (const results::NetErrorEstimate& error : step.errors) {
       if (error.net == "*" && step.errors.size() == 2) {
         continue; // of one net
       }

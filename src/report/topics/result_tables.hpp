@@ -11,38 +11,39 @@ namespace spricka::report {
 
 /// The quantities of tips that the listing has (results/tip_result.hpp), for each step and tip of
 /// one increment.
-Table k_table(const model::Model& model, const results::Increment& increment);
+ReportTable k_table(const model::Model& model, const results::Increment& increment);
 
 /// The same at the end of one step, one row for each increment and tip.
-Table k_history_table(const model::Model& model, const results::Run& run, std::string_view step);
+ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
+                            std::string_view step);
 
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
-Table contact_table(const model::Model& model, const results::Increment& increment);
+ReportTable contact_table(const model::Model& model, const results::Increment& increment);
 
 /// What friction did, by step and contact; empty without friction.
 /// In space; no rows in the plane.
-Table moment_table(const model::Model& model, const results::Increment& increment);
-Table friction_table(const model::Model& model, const results::Increment& increment);
+ReportTable moment_table(const model::Model& model, const results::Increment& increment);
+ReportTable friction_table(const model::Model& model, const results::Increment& increment);
 
 /// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
 /// what is left of their sum, and strain energy.
-Table balance_table(const model::Model& model, const results::Increment& increment);
+ReportTable balance_table(const model::Model& model, const results::Increment& increment);
 
 /// The same of each net; no rows where every net is one body.
-Table net_balance_table(const model::Model& model, const results::Increment& increment);
+ReportTable net_balance_table(const model::Model& model, const results::Increment& increment);
 
 /// Estimated error of each net in the energy norm and the elements with most of it, for the steps
 /// whose stresses were recovered.
-Table error_table(const results::Increment& increment);
+ReportTable error_table(const results::Increment& increment);
 
 /// What a reader of forces has to know of the model; may be empty.
 std::string direction_note(const model::Model& model);
 
 /// Every check of the deck: found, wanted, error, tolerance, source.
-Table check_table(const results::Run& run);
+ReportTable check_table(const results::RunResult& run);
 
 /// The processors that ran, with times.
-Table log_table(const results::Run& run);
+ReportTable log_table(const results::RunResult& run);
 
 /// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
 /// without steps.

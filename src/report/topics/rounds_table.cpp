@@ -8,16 +8,16 @@
 
 namespace spricka::report {
 
-Table rounds_table(const results::Run& run, bool times) {
-  Table table{"K to a tolerance",
-              {{"round", "", false},
-               {"freedoms", "", false},
-               {"cpu", "s", false},
-               {"bar", "%", false},
-               {"wanted", "%", false},
-               {"largest bar", "", true},
-               {"then made finer", "", true}},
-              {}};
+ReportTable tolerance_rounds_table(const results::RunResult& run, bool times) {
+  ReportTable table{"K to a tolerance",
+                    {{"round", "", false},
+                     {"freedoms", "", false},
+                     {"cpu", "s", false},
+                     {"bar", "%", false},
+                     {"wanted", "%", false},
+                     {"largest bar", "", true},
+                     {"then made finer", "", true}},
+                    {}};
   for (const results::ToleranceRound& round : run.rounds) {
     table.rows.push_back({fmt::format("{}", round.number), fmt::format("{}", round.unknowns),
                           fmt::format("{:.2f}", round.cpu),

@@ -7,6 +7,6 @@ namespace spricka::report {
 
 /// The solutions on the way to K within its tolerance; without rows where no $TIPNET has TOL.
 /// `times`: with the CPU time of each, which is another in every run.
-Table rounds_table(const results::Run& run, bool times);
+ReportTable tolerance_rounds_table(const results::RunResult& run, bool times);
 
 } // namespace spricka::report

@@ -6,16 +6,16 @@
 namespace spricka::report {
 namespace {} // namespace
 
-Table check_table(const results::Run& run) {
-  Table table{"Checks",
-              {{"check", "", true},
-               {"found", "", false},
-               {"wanted", "", false},
-               {"error", "", false},
-               {"tolerance", "", false},
-               {"", "", true},
-               {"source", "", true}},
-              {}};
+ReportTable check_table(const results::RunResult& run) {
+  ReportTable table{"Checks",
+                    {{"check", "", true},
+                     {"found", "", false},
+                     {"wanted", "", false},
+                     {"error", "", false},
+                     {"tolerance", "", false},
+                     {"", "", true},
+                     {"source", "", true}},
+                    {}};
   for (const results::CheckResult& check : run.checks) {
     const bool found = check.trouble.empty();
     const std::string error = check.relative ? fmt::format("{:+.3f} %", 100.0 * check.error)
@@ -30,10 +30,11 @@ Table check_table(const results::Run& run) {
   return table;
 }
 
-Table log_table(const results::Run& run) {
-  Table table{"Processors",
-              {{"processor", "", true}, {"cpu", "s", false}, {"wall", "s", false}, {"", "", true}},
-              {}};
+ReportTable log_table(const results::RunResult& run) {
+  ReportTable table{
+      "Processors",
+      {{"processor", "", true}, {"cpu", "s", false}, {"wall", "s", false}, {"", "", true}},
+      {}};
   for (const results::LogLine& line : run.log) {
     table.rows.push_back({line.processor, fmt::format("{:.3f}", line.cpu),
                           fmt::format("{:.3f}", line.wall), line.text});

@@ -9,9 +9,9 @@
 namespace spricka::report {
 
 /// The constants of geometry scripts: name, value, and whether the deck or the file has given it.
-Table script_table(const std::vector<results::ScriptConstant>& constants);
+ReportTable script_table(const std::vector<results::ReportedScriptConstant>& constants);
 
 /// The same as a section of the listing; empty if there are none.
-std::string script_section(const std::vector<results::ScriptConstant>& constants);
+std::string script_section(const std::vector<results::ReportedScriptConstant>& constants);
 
 } // namespace spricka::report

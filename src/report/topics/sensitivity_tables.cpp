@@ -19,32 +19,33 @@
 namespace spricka::report {
 namespace {
 
-using results::Cause;
 using results::Sensitivity;
+using results::SensitivityParameter;
 
 using Side = std::optional<std::array<double, 2>>;
 
 // 1 %, or one micrometre of a fit, in the unit of the value.
 double small_change(const model::Model& model, const Sensitivity& s) {
-  return s.cause == Cause::fit ? 1e-6 / model.units.metre_per_length : 0.01 * s.value;
+  return s.cause == SensitivityParameter::fit ? 1e-6 / model.units.metre_per_length
+                                              : 0.01 * s.value;
 }
 
-std::string unit_of(const model::Model& model, Cause cause) {
+std::string unit_of(const model::Model& model, SensitivityParameter cause) {
   switch (cause) {
-  case Cause::load:
+  case SensitivityParameter::load:
     return {};
-  case Cause::modulus:
+  case SensitivityParameter::modulus:
     return " " + model.units.stress_name();
-  case Cause::fit:
-  case Cause::length:
-  case Cause::axis:
+  case SensitivityParameter::fit:
+  case SensitivityParameter::length:
+  case SensitivityParameter::axis:
     break;
   }
   return " " + model.units.length_name;
 }
 
 std::string words_of(const Sensitivity& s) {
-  return results::word_of(s.cause) + " " + s.name;
+  return results::display_word(s.cause) + " " + s.name;
 }
 
 // What K1 or K2 changes by with the small change up or down.
@@ -94,7 +95,7 @@ std::optional<results::TipResult> tip_of(const results::FrontResult& front) {
   tip.a = front.a;
   tip.K1 = front.points[*most].K1;
   tip.K2 = front.points[*most].K2;
-  tip.doubt = front.doubt;
+  tip.invalid_reason = front.invalid_reason;
   for (const results::FrontSensitivity& s : front.sensitivities.of) {
     tip.sensitivities.of.push_back(
         {s.cause, s.name, s.value, of_point(s.below, *most), of_point(s.above, *most), s.range});
@@ -152,7 +153,7 @@ std::vector<std::string> row_of(const model::Model& model, const results::TipRes
           words_of(s),
           fmt::format("{:.6g}{}", s.value, unit_of(model, s.cause)),
           s.value == 0.0 ? "" : both(s, times_value, "{:.5g}"),
-          s.cause == Cause::fit ? "1 um" : "1 %",
+          s.cause == SensitivityParameter::fit ? "1 um" : "1 %",
           both(s, percent, "{:+.4f}"),
           both(s, of_mode_2, "{:+.4g}"),
           s.range ? bound((*s.range)[0]) : "",
@@ -163,8 +164,9 @@ std::string cell(const Side& side, std::size_t mode) {
   return side ? fmt::format("{}", (*side)[mode]) : std::string();
 }
 
-Tornado tornado_of(const model::Model& model, const results::TipResult& tip, std::string title) {
-  Tornado out;
+TornadoChart tornado_of(const model::Model& model, const results::TipResult& tip,
+                        std::string title) {
+  TornadoChart out;
   out.title = std::move(title);
   for (const Sensitivity* s : sorted(model, tip)) {
     const double up = clean(effect(model, *s, 0, true), tip.K1).value_or(0.0);
@@ -172,9 +174,10 @@ Tornado tornado_of(const model::Model& model, const results::TipResult& tip, std
     if (up == 0.0 && down == 0.0) {
       continue;
     }
-    out.bars.push_back({fmt::format("{} {}", words_of(*s), s->cause == Cause::fit ? "1 µm" : "1 %"),
-                        100.0 * up / std::abs(tip.K1), 100.0 * down / std::abs(tip.K1),
-                        static_cast<std::size_t>(s->cause)});
+    out.bars.push_back(
+        {fmt::format("{} {}", words_of(*s), s->cause == SensitivityParameter::fit ? "1 µm" : "1 %"),
+         100.0 * up / std::abs(tip.K1), 100.0 * down / std::abs(tip.K1),
+         static_cast<std::size_t>(s->cause)});
   }
   return out;
 }
@@ -185,7 +188,7 @@ namespace {
 
 // One row for each point of a front and each cause.
 void write_fronts(const std::filesystem::path& file, const model::Model& model,
-                  const results::Run& run) {
+                  const results::RunResult& run) {
   const base::UnitSystem& units = model.units;
   std::string text = fmt::format(
       "# units: a, s and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2 dK3 [{2}] "
@@ -199,11 +202,11 @@ void write_fronts(const std::filesystem::path& file, const model::Model& model,
       for (const results::FrontResult& front : step.fronts) {
         for (const results::FrontSensitivity& s : front.sensitivities.of) {
           for (std::size_t i = 0; i < s.above.size(); ++i) {
-            const results::FrontPlace& place = front.points[i];
+            const results::FrontPointResult& place = front.points[i];
             fmt::format_to(out, "{},{},{},{},{},{:d},{},{},{},{},{},{},{},{},{}\n",
                            increment.number, step.step, front.name, front.a, place.number,
-                           place.at_surface, place.s, results::word_of(s.cause), s.name, s.value,
-                           s.above[i][0], s.above[i][1], s.above[i][2], cell(s.range, 0),
+                           place.at_surface, place.s, results::display_word(s.cause), s.name,
+                           s.value, s.above[i][0], s.above[i][1], s.above[i][2], cell(s.range, 0),
                            cell(s.range, 1));
           }
         }
@@ -216,7 +219,7 @@ void write_fronts(const std::filesystem::path& file, const model::Model& model,
 } // namespace
 
 void write_sensitivity_csv(const std::filesystem::path& file, const model::Model& model,
-                           const results::Run& run) {
+                           const results::RunResult& run) {
   if (model.cracks.empty()) {
     return;
   }
@@ -235,7 +238,7 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
       for (const results::TipResult& tip : step.tips) {
         for (const Sensitivity& s : tip.sensitivities.of) {
           text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", increment.number,
-                              step.step, tip.name, tip.a, results::word_of(s.cause), s.name,
+                              step.step, tip.name, tip.a, results::display_word(s.cause), s.name,
                               s.value, cell(s.below, 0), cell(s.above, 0), cell(s.below, 1),
                               cell(s.above, 1), cell(s.range, 0), cell(s.range, 1));
         }
@@ -245,10 +248,10 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   write_file(file, text);
 }
 
-Table sensitivity_table(const model::Model& model, const results::Increment& increment) {
+ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment) {
   const std::string step = leading_step(model);
   const std::string unit = model.units.stress_intensity_name();
-  Table table{
+  ReportTable table{
       fmt::format("Sensitivity of K1 and K2 at the end of step {}, contact state held fixed", step),
       {{"tip", "", true},
        {"by", "", true},
@@ -294,15 +297,15 @@ std::vector<std::string> sensitivity_notes(const model::Model& model,
   return notes;
 }
 
-std::vector<Figure> sensitivity_figures(const model::Model& model, const results::Run& run) {
+std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run) {
   const std::string step = leading_step(model);
   Figure figure;
   for (const results::Increment* increment : chosen_increments(run, 3)) {
     const results::StepResult* found = results::find_step(*increment, step);
     for (const results::TipResult& tip :
          found != nullptr ? tips_of(*found) : std::vector<results::TipResult>()) {
-      if (tip.doubt.empty() && tip.K1 > 0.0 && !tip.sensitivities.of.empty()) {
-        figure.drawings.push_back(draw(tornado_of(
+      if (tip.invalid_reason.empty() && tip.K1 > 0.0 && !tip.sensitivities.of.empty()) {
+        figure.drawings.push_back(draw_svg(tornado_of(
             model, tip,
             fmt::format("{}, a = {:.4g} {}", tip.name, tip.a, model.units.length_name))));
       }

@@ -18,16 +18,16 @@ namespace spricka::report {
 /// derivatives by the value, below and above it, and the values between which the contact stays as
 /// it is. Not written without cracks.
 void write_sensitivity_csv(const std::filesystem::path& file, const model::Model& model,
-                           const results::Run& run);
+                           const results::RunResult& run);
 
 /// The leading step of one increment, strongest first, tip by tip; of a front in space at the point
 /// inside with the largest K1.
-Table sensitivity_table(const model::Model& model, const results::Increment& increment);
+ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment);
 /// What is not given there and why, each note once.
 std::vector<std::string> sensitivity_notes(const model::Model& model,
                                            const results::Increment& increment);
 
 /// A tornado of K1 for each tip or front of the leading step, at three crack lengths at most.
-std::vector<Figure> sensitivity_figures(const model::Model& model, const results::Run& run);
+std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run);
 
 } // namespace spricka::report

@@ -14,23 +14,23 @@ using std::numbers::pi;
 
 constexpr int parts_of_turn = 180; // of the integral round the axis
 
-double cross(Point a, Point b, Point c) {
+double cross(DrawingPoint a, DrawingPoint b, DrawingPoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 } // namespace
 
-Unrolled::Unrolled(const results::ContactResult& contact, bool consistent)
+UnrolledSurface::UnrolledSurface(const results::ContactResult& contact, bool consistent)
     : radius_(contact.radius), low_(std::numeric_limits<double>::infinity()), high_(-low_) {
   const auto corner = [&](std::size_t k) {
     const results::ContactPoint& p = contact.points[static_cast<std::size_t>(contact.corners[k])];
-    return Corner{{p.theta, p.arc}, consistent ? p.p_consistent : p.p_lumped};
+    return UnrolledCorner{{p.theta, p.arc}, consistent ? p.p_consistent : p.p_lumped};
   };
   for (std::size_t k = 0; k + 2 < contact.corners.size(); k += 3) {
     Triangle t{corner(k), corner(k + 1), corner(k + 2)};
     double most = t[0].at.x;
     double least = most;
-    for (Corner& c : t) {
+    for (UnrolledCorner& c : t) {
       c.at.x = t[0].at.x + std::remainder(c.at.x - t[0].at.x, 2.0 * pi);
       most = std::max(most, c.at.x);
       least = std::min(least, c.at.x);
@@ -41,7 +41,7 @@ Unrolled::Unrolled(const results::ContactResult& contact, bool consistent)
     triangles_.push_back(t);
     const double shift = most > pi ? -2.0 * pi : least < -pi ? 2.0 * pi : 0.0;
     if (shift != 0.0) {
-      for (Corner& c : t) {
+      for (UnrolledCorner& c : t) {
         c.at.x += shift;
       }
       triangles_.push_back(t);
@@ -49,7 +49,7 @@ Unrolled::Unrolled(const results::ContactResult& contact, bool consistent)
   }
 }
 
-std::optional<double> Unrolled::pressure_at(Point at) const {
+std::optional<double> UnrolledSurface::pressure_at(DrawingPoint at) const {
   constexpr double slack = 1e-9;
   for (const Triangle& t : triangles_) {
     const double whole = cross(t[0].at, t[1].at, t[2].at);
@@ -62,8 +62,8 @@ std::optional<double> Unrolled::pressure_at(Point at) const {
   return std::nullopt;
 }
 
-Point Unrolled::push_at(double along) const {
-  Point sum;
+DrawingPoint UnrolledSurface::line_force_at(double along) const {
+  DrawingPoint sum;
   for (int i = 0; i < parts_of_turn; ++i) {
     const double angle = -pi + 2.0 * pi * (i + 0.5) / parts_of_turn;
     const double p = pressure_at({angle, along}).value_or(0.0);

@@ -10,27 +10,27 @@
 namespace spricka::report {
 
 /// A contact surface round an axis laid flat: x is the angle [rad], y the place along the axis.
-class Unrolled {
+class UnrolledSurface {
 public:
-  struct Corner {
-    Point at;
+  struct UnrolledCorner {
+    DrawingPoint at;
     double p = 0.0; ///< as recovered
   };
-  using Triangle = std::array<Corner, 3>;
+  using Triangle = std::array<UnrolledCorner, 3>;
 
   /// `consistent`: the pressures are p_consistent, else p_lumped.
-  Unrolled(const results::ContactResult& contact, bool consistent);
+  UnrolledSurface(const results::ContactResult& contact, bool consistent);
 
   /// Those that reach across the seam at +-pi come twice, once on each side.
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
-  [[nodiscard]] double low() const { return low_; } ///< along the axis
-  [[nodiscard]] double high() const { return high_; }
-  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] double axial_low() const { return low_; } ///< along the axis
+  [[nodiscard]] double axial_high() const { return high_; }
+  [[nodiscard]] double largest_pressure() const { return largest_; }
   /// Linear between nodes; none where there is no surface.
-  [[nodiscard]] std::optional<double> pressure_at(Point at) const;
+  [[nodiscard]] std::optional<double> pressure_at(DrawingPoint at) const;
   /// What pressure pushes the surface by at a place along the axis, for a unit of length along it:
   /// towards angle 0 and pi/2.
-  [[nodiscard]] Point push_at(double along) const;
+  [[nodiscard]] DrawingPoint line_force_at(double along) const;
 
 private:
   std::vector<Triangle> triangles_;

@@ -25,7 +25,7 @@ constexpr double nu = 0.3;
 constexpr double E_effective = E / (1.0 - nu * nu);
 
 // A bar of radius 10 with a crack from its surface inwards that rises towards the axis: K1 and K2.
-struct Bar {
+struct TornadoBar {
   double a = 3.0;
   double rise = 20.0;  ///< degrees
   double height = 0.0; ///< of the mouth
@@ -93,7 +93,7 @@ $STEP NAME=HEAT
 // Under loads the potential is less the energy, which each crack length has as a whole.
 TEST(AxialCracks, ReleaseWhatTheEnergyLoses) {
   const double h = 0.05;
-  Bar bar;
+  TornadoBar bar;
   bar.steps = each;
   const auto at = solve_text(bar.text());
   bar.a += h;
@@ -101,7 +101,7 @@ TEST(AxialCracks, ReleaseWhatTheEnergyLoses) {
   bar.a -= 2.0 * h;
   const auto shorter = solve_text(bar.text());
   ASSERT_TRUE(at && longer && shorter);
-  const double front = 2.0 * std::numbers::pi * Bar().radius();
+  const double front = 2.0 * std::numbers::pi * TornadoBar().radius();
   for (std::size_t s = 0; s < 3; ++s) {
     const double lost = (longer->step(s).energy - shorter->step(s).energy) / (2.0 * h) / front;
     EXPECT_NEAR(tip(at, s).G, lost, 2e-3 * lost) << at->step(s).step;
@@ -112,7 +112,7 @@ TEST(AxialCracks, ReleaseWhatTheEnergyLoses) {
 // five rings agree.
 TEST(AxialCracks, GAndKTellTheSameInAllDomains) {
   for (const double rise : {-60.0, 0.0, 20.0, 60.0}) {
-    Bar bar;
+    TornadoBar bar;
     bar.rise = rise;
     bar.steps = each;
     const auto solved = solve_text(bar.text());
@@ -126,13 +126,13 @@ TEST(AxialCracks, GAndKTellTheSameInAllDomains) {
 }
 
 TEST(AxialCracks, DoNotCareForPlaceAndUnit) {
-  Bar bar;
+  TornadoBar bar;
   bar.steps = each;
   const auto at = solve_text(bar.text());
   bar.height = 7.3;
   // Of SPIN one component knows where the axis begins, and the part of the body that it pulls.
   const auto moved = solve_text(bar.text());
-  bar = Bar();
+  bar = TornadoBar();
   bar.steps = each;
   bar.unit = 1000.0;
   const auto large = solve_text(bar.text());
@@ -152,7 +152,7 @@ TEST(AxialCracks, DoNotCareForPlaceAndUnit) {
 
 // K of the finite shift takes its size from the energy of moved nodes, with all loads.
 TEST(AxialCracks, MovedNodesReleaseTheSame) {
-  Bar bar;
+  TornadoBar bar;
   bar.steps = each;
   const auto analytic = solve_text(bar.text());
   bar.more = "$VCE CRACK=C SHIFT=1e-3 CHECK=OPENING";
@@ -170,7 +170,7 @@ TEST(AxialCracks, MovedNodesReleaseTheSame) {
 
 // A temperature that is linear along the axis strains the whole body without stress.
 TEST(AxialCracks, HaveNoKWhereHeatLeavesNoStress) {
-  Bar bar;
+  TornadoBar bar;
   bar.steps = "$STEP NAME=PULL\n  LOAD PULL 1\n$STEP NAME=BOTH\n  LOAD STEEP 1\n";
   const auto solved = solve_text(bar.text());
   ASSERT_TRUE(solved);
@@ -180,7 +180,8 @@ TEST(AxialCracks, HaveNoKWhereHeatLeavesNoStress) {
   EXPECT_NEAR(tip(solved, 1).T, tip(solved, 0).T, 1.0);
 }
 
-double by(const TipResult& K, results::Cause cause, const std::string& name, std::size_t mode) {
+double by(const TipResult& K, results::SensitivityParameter cause, const std::string& name,
+          std::size_t mode) {
   for (const results::Sensitivity& s : K.sensitivities.of) {
     if (s.cause == cause && s.name == name && s.slope()) {
       return (*s.slope())[mode];
@@ -192,7 +193,7 @@ double by(const TipResult& K, results::Cause cause, const std::string& name, std
 
 TEST(AxialCracks, DerivativesAreDifferences) {
   const double h = 0.02;
-  Bar bar;
+  TornadoBar bar;
   bar.steps = "$STEP NAME=S\n  LOAD PULL 1\n  LOAD FACES 1\n  LOAD SPIN 1\n  LOAD HEAT 1\n";
   const auto at = solve_text(bar.text());
   bar.a += h;
@@ -202,14 +203,15 @@ TEST(AxialCracks, DerivativesAreDifferences) {
   ASSERT_TRUE(at && longer && shorter);
   const base::Vec2 slope =
       base::Vec2(tip(longer).K1 - tip(shorter).K1, tip(longer).K2 - tip(shorter).K2) / (2.0 * h);
-  const base::Vec2 found(by(tip(at), results::Cause::length, "C", 0),
-                         by(tip(at), results::Cause::length, "C", 1));
+  const base::Vec2 found(by(tip(at), results::SensitivityParameter::length, "C", 0),
+                         by(tip(at), results::SensitivityParameter::length, "C", 1));
   EXPECT_LT((found - slope).norm(), 2e-3 * slope.norm())
       << found.transpose() << " against " << slope.transpose();
   base::Vec2 sum = base::Vec2::Zero();
   for (const char* load : {"PULL", "FACES", "SPIN", "HEAT"}) {
     for (const std::size_t mode : {std::size_t{0}, std::size_t{1}}) {
-      sum[static_cast<Eigen::Index>(mode)] += by(tip(at), results::Cause::load, load, mode);
+      sum[static_cast<Eigen::Index>(mode)] +=
+          by(tip(at), results::SensitivityParameter::load, load, mode);
     }
   }
   // K is linear in the loads, rows and constants together.
@@ -318,7 +320,7 @@ $END
 
 // Under pressure from all sides a body with a closed crack is the one without.
 TEST(AxialCracks, ClosedFacesCarryPressure) {
-  Bar bar;
+  TornadoBar bar;
   bar.rise = 30.0;
   bar.steps = "$LOAD CASE=ROUND TYPE=PRESSURE\n  XMAX 70\n  YMIN 70\n  YMAX 70\n"
               "$STEP NAME=S\n  LOAD ROUND 1\n";

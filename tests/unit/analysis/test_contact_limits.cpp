@@ -10,7 +10,7 @@ namespace {
 
 std::string notes_of(const test::Solved& s, std::size_t step = 0) {
   std::string all;
-  for (const std::string& note : results::marked(s.step(step).notes)) {
+  for (const std::string& note : results::text_with_code(s.step(step).notes)) {
     all += note + "\n";
   }
   return all;
@@ -110,7 +110,7 @@ $CONTACT NAME=L SLAVE=D.YMIN MASTER=E.YMAX)",
     ASSERT_TRUE(s);
     std::string notes;
     for (const results::Note& note : s->step().notes) {
-      notes += (results::warns(note) ? "" : "note: ") + results::marked(note) + "\n";
+      notes += (results::is_warning(note) ? "" : "note: ") + results::text_with_code(note) + "\n";
     }
     EXPECT_TRUE(has(notes, says)) << depth << notes;
     EXPECT_TRUE(has(notes, "contact L: the bodies slide by 0.5")) << depth << notes;

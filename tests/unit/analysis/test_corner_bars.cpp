@@ -102,7 +102,7 @@ TEST(CornerBars, ABodyThatNothingLoadsHasKOfZero) {
   EXPECT_EQ(idle.K2, 0.0);
   EXPECT_EQ(idle.no_bar, "");
   EXPECT_EQ(idle.bar[1].size(), 0.0);
-  for (const std::string& note : results::marked(one.notes)) {
+  for (const std::string& note : results::text_with_code(one.notes)) {
     EXPECT_EQ(note.find("warning"), std::string::npos) << note;
   }
 }
@@ -130,7 +130,7 @@ TEST(CornerBars, ASmallNegativeK1BesideK2HasOne) {
   EXPECT_GE(tip.bar[0].size(), 1e-4 * std::abs(tip.K2));
   const auto much = solve_text(plate(0.1));
   ASSERT_TRUE(much);
-  EXPECT_NE(much->step().tips.at(0).doubt, "");
+  EXPECT_NE(much->step().tips.at(0).invalid_reason, "");
 }
 
 } // namespace

@@ -5,8 +5,8 @@
 namespace spricka::test_crack_face_adjoint {
 namespace {
 
-using results::Cause;
 using results::Sensitivity;
+using results::SensitivityParameter;
 using test::plate;
 using test::solve_text;
 using test::Solved;
@@ -35,7 +35,8 @@ $STEP NAME=S
 const std::string kinked = "$CRACK NAME=C\n  -1 -0.2\n  0.1 0\n  1 0.4\n";
 const std::string straight = "$CRACK NAME=C\n  -1 0\n  1 0\n";
 
-const Sensitivity& by(const results::TipResult& tip, Cause cause, const std::string& name) {
+const Sensitivity& by(const results::TipResult& tip, SensitivityParameter cause,
+                      const std::string& name) {
   for (const Sensitivity& s : tip.sensitivities.of) {
     if (s.cause == cause && s.name == name) {
       return s;
@@ -64,7 +65,7 @@ void expect_differences(const std::string& crack, double p, double s) {
     const base::Vec2 by_s =
         (K_of(pressed(crack, p, s + h), t) - K_of(pressed(crack, p, s - h), t)) / (2.0 * h);
     const auto compare = [&](const char* name, const base::Vec2& wanted) {
-      const auto slope = by(tip, Cause::load, name).slope();
+      const auto slope = by(tip, SensitivityParameter::load, name).slope();
       ASSERT_TRUE(slope);
       EXPECT_NEAR((*slope)[0], wanted[0], 1e-5 * wanted.norm() + 1e-9 * size)
           << tip.name << " " << name;
@@ -74,7 +75,7 @@ void expect_differences(const std::string& crack, double p, double s) {
     compare("PRESS", by_p);
     compare("SHEAR", by_s);
     // stresses do not depend on the modulus of a body that is loaded by forces only
-    const auto by_E = by(tip, Cause::modulus, "M").slope();
+    const auto by_E = by(tip, SensitivityParameter::modulus, "M").slope();
     ASSERT_TRUE(by_E);
     EXPECT_LT(1000.0 * std::hypot((*by_E)[0], (*by_E)[1]), 1e-7 * size) << tip.name;
   }

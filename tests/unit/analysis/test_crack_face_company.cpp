@@ -85,9 +85,9 @@ $LOADPATH NAME=P FROM=FIRST TO=LAST BEYOND={}
   for (const double beyond : {1.0, 16.0}) { // the ends of the second are both open
     const std::optional<Solved> solved = solve_text(path(beyond));
     ASSERT_TRUE(solved);
-    const results::LoadPath& found = solved->run.increments[0].paths.at(0);
+    const results::LoadPathResult& found = solved->run.increments[0].paths.at(0);
     EXPECT_LT(found.mismatch, 1e-6);
-    EXPECT_TRUE(found.tips[1].doubt.empty());
+    EXPECT_TRUE(found.tips[1].invalid_reason.empty());
     EXPECT_GT(found.t.size(), 10U);
     for (const double t : {0.05, 0.4, 0.7, 1.3, 1.95}) {
       const std::optional<Solved> step = solve_text(bent(0.7 - t));

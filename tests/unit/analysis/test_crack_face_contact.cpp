@@ -44,7 +44,7 @@ TEST(CrackFaceContact, PressureAllRoundLeavesNothingOfACrack) {
       EXPECT_NEAR(tip.K2, 0.0, 1e-6);
       EXPECT_NEAR(tip.T, -2.0, 0.02) << crack;
       EXPECT_TRUE(tip.closed);
-      EXPECT_TRUE(tip.doubt.empty());
+      EXPECT_TRUE(tip.invalid_reason.empty());
       for (const double K1 : tip.K1_domain) { // the rings find it too
         EXPECT_NEAR(K1, 0.0, 2e-3 * 2.0 * root_pi) << crack;
       }
@@ -136,7 +136,7 @@ $END
     }
     EXPECT_NEAR(half->step().tips[0].K1, whole->step().tips[0].K1, 1e-8);
     EXPECT_GT(half->step().tips[0].K1, 1.0);
-    EXPECT_TRUE(half->step().tips[0].doubt.empty());
+    EXPECT_TRUE(half->step().tips[0].invalid_reason.empty());
   }
 }
 
@@ -152,7 +152,7 @@ TEST(CrackFaceContact, ClosesInPartUnderBending) {
     EXPECT_FALSE(solved->step().tips[1].closed);
     EXPECT_NEAR(solved->step().tips[1].K1, K, 0.005 * K) << r;
     EXPECT_NEAR(faces(*solved).arc_to, 2.0 - 2.0 * b, 0.02) << r;
-    EXPECT_TRUE(solved->step().tips[1].doubt.empty());
+    EXPECT_TRUE(solved->step().tips[1].invalid_reason.empty());
   }
 }
 
@@ -164,7 +164,7 @@ TEST(CrackFaceContact, OpenFacesCostNothing) {
   EXPECT_EQ(contact->step().tips[1].K1, free->step().tips[1].K1);
   EXPECT_EQ(contact->run.log.size(), free->run.log.size());
   EXPECT_TRUE(contact->step().contacts.empty());
-  for (const std::string& note : results::marked(contact->step().notes)) {
+  for (const std::string& note : results::text_with_code(contact->step().notes)) {
     EXPECT_EQ(note.find("faces"), std::string::npos) << note;
   }
   EXPECT_NEAR(contact->step().tips[0].K1, 0.1 * root_pi, 0.01);
@@ -205,7 +205,7 @@ TEST(CrackFaceContact, SlipsAgainstFriction) {
         EXPECT_LE(crack_face.shear_ratio, 1.0 + 1e-9);
         EXPECT_NEAR(crack_face.min_pressure, sn, 0.005);
         EXPECT_GE(crack_face.friction_work, 0.0);
-        for (const results::Balance& body : step.balance) { // equal and opposite
+        for (const results::ForceBalance& body : step.balance) { // equal and opposite
           EXPECT_LT(body.contact.norm(), 1e-9);
         }
       }

@@ -41,9 +41,9 @@ $END
 TEST(CrackFaceOverlap, LeavesAnOpenCrackAlone) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.6, "CONTACT"));
   ASSERT_TRUE(solved);
-  EXPECT_TRUE(solved->step().tips[0].doubt.empty());
-  EXPECT_TRUE(solved->step().tips[1].doubt.empty());
-  for (const std::string& note : results::marked(solved->step().notes)) {
+  EXPECT_TRUE(solved->step().tips[0].invalid_reason.empty());
+  EXPECT_TRUE(solved->step().tips[1].invalid_reason.empty());
+  for (const std::string& note : results::text_with_code(solved->step().notes)) {
     EXPECT_EQ(note.find("overlap"), std::string::npos) << note;
   }
   EXPECT_NEAR(solved->step().tips[0].K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);
@@ -53,7 +53,7 @@ TEST(CrackFaceOverlap, LeavesAnOpenCrackAlone) {
 TEST(CrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.0, "FREE"));
   ASSERT_TRUE(solved);
-  EXPECT_TRUE(solved->step().tips[1].doubt.empty());
+  EXPECT_TRUE(solved->step().tips[1].invalid_reason.empty());
   EXPECT_FALSE(solved->step().notes.empty());
 }
 

@@ -151,7 +151,7 @@ TEST(TipErrorBars, AreRefusedWithTheirReasonOnce) {
   EXPECT_EQ(tip_of(*found).no_bar, "some elements are linear");
   const auto told = [](const Solved& solved) {
     int count = 0;
-    for (const std::string& note : results::marked(solved.step().notes)) {
+    for (const std::string& note : results::text_with_code(solved.step().notes)) {
       count += note.find("has no error bar") != std::string::npos ? 1 : 0;
     }
     return count;
@@ -172,7 +172,7 @@ TEST(TipErrorBars, AreQuantitiesOfChecks) {
   const std::string deck = whole("QUAMC9");
   const auto first = solve_text(deck);
   ASSERT_TRUE(first);
-  const results::KBar& bar = tip_of(*first).bar[0];
+  const results::KErrorBar& bar = tip_of(*first).bar[0];
   EXPECT_NEAR(bar.size(), bar.mesh + bar.edge + bar.floor, 1e-15);
   EXPECT_NE(bar.best, tip_of(*first).K1);
   const std::string check =

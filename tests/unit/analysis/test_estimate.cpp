@@ -135,7 +135,7 @@ TEST(Estimate, RoundOffIsNoError) {
       "$LOAD CASE=F TYPE=TEMPERATURE\n  A.BODY 100\n$STEP NAME=S\n  LOAD F 1\n$END\n");
   ASSERT_TRUE(hot);
   ASSERT_EQ(hot->step().errors.size(), 2U);
-  for (const results::NetError& error : hot->step().errors) {
+  for (const results::NetErrorEstimate& error : hot->step().errors) {
     EXPECT_LT(error.part, 1e-6);
   }
 }

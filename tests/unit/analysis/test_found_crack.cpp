@@ -97,7 +97,7 @@ TEST(ExistingCrack, HasTheKOfItsStrip) {
   const double K = 2.824579 * std::sqrt(std::numbers::pi * 0.5);
   ASSERT_EQ(front.points.size(), 2U);
   EXPECT_NEAR(front.a, 0.5, 1e-9);
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     EXPECT_NEAR(place.K1, K, 0.005 * K);
     EXPECT_NEAR(place.K2, 0.0, 1e-6 * K);
     EXPECT_NEAR(place.G, place.G_from_K, 0.005 * place.G);
@@ -111,7 +111,7 @@ TEST(ExistingCrack, ClosesUnderPressure) {
   text.replace(text.find("LOAD PULL 1"), 11, "LOAD PULL -1");
   const auto solved = test::solve_text(text);
   ASSERT_TRUE(solved);
-  for (const results::FrontPlace& place : solved->step().fronts[0].points) {
+  for (const results::FrontPointResult& place : solved->step().fronts[0].points) {
     EXPECT_TRUE(place.closed);
     EXPECT_EQ(place.K1, 0.0);
   }

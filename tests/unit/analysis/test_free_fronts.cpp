@@ -65,7 +65,7 @@ TEST(FreeFronts, HaveTheKOfAPenny) {
     const double shear = step == 0 ? 0.0 : k;
     EXPECT_GT(front.points.size(), 50U);
     double mean = 0.0;
-    for (const results::FrontPlace& place : front.points) {
+    for (const results::FrontPointResult& place : front.points) {
       const double phi = std::atan2(place.x.y(), place.x.x());
       EXPECT_NEAR(place.K1, K1, (step == 0 ? 0.03 : 0.04) * K1);
       EXPECT_NEAR(place.smooth[0], K1, 0.02 * K1);

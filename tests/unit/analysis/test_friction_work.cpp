@@ -54,7 +54,7 @@ TEST(Friction, WorkIsThatOfTheMeanPressure) {
 
 std::string notes_of(const results::StepResult& step) {
   std::string all;
-  for (const std::string& note : results::marked(step.notes)) {
+  for (const std::string& note : results::text_with_code(step.notes)) {
     all += note + "\n";
   }
   return all;

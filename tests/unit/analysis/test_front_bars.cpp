@@ -135,10 +135,10 @@ Tally tally_of(const results::StepResult& step, const Exact& exact) {
   const results::FrontResult& front = step.fronts.front();
   EXPECT_EQ(front.no_bar, "");
   double size = 0.0;
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     size = std::max(size, std::hypot(place.K1, place.K2, place.K3));
   }
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     if (place.at_surface) {
       continue;
     }
@@ -294,10 +294,10 @@ Tally tally_of_hot_spot(const std::string& deck) {
   const auto solved = test::solve_text(deck);
   EXPECT_TRUE(solved);
   const auto& steps = solved->run.increments.front().steps;
-  const std::vector<results::FrontPlace>& pressed = steps.back().fronts.front().points;
+  const std::vector<results::FrontPointResult>& pressed = steps.back().fronts.front().points;
   return tally_of(steps.front(), [&](const std::string&, double phi) {
     const auto same = std::ranges::find_if(
-        pressed, [&](const results::FrontPlace& place) { return place.phi == phi; });
+        pressed, [&](const results::FrontPointResult& place) { return place.phi == phi; });
     return std::array{same->bar[0].best, same->bar[1].best, same->bar[2].best};
   });
 }
@@ -414,7 +414,7 @@ TEST(FrontErrorBars, HalfAPennyThatEndsOnAPlaneOfAntisymmetry) {
   const results::FrontResult& front = solved->step().fronts.front();
   const double k = penny("BOTH", 0.0)[1];
   ASSERT_TRUE(front.points.front().at_surface && front.points.back().at_surface);
-  for (const results::FrontPlace& place : front.points) {
+  for (const results::FrontPointResult& place : front.points) {
     const std::array<double, 3> truth = penny("BOTH", place.phi);
     EXPECT_NEAR(place.K3, truth[2], 0.02 * k);
     if (!place.at_surface) {

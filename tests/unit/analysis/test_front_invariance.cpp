@@ -155,14 +155,14 @@ std::string deck(const Put& put) {
   return out;
 }
 
-std::vector<results::FrontPlace> points_of(const Put& put, int threads = 1) {
+std::vector<results::FrontPointResult> points_of(const Put& put, int threads = 1) {
   const auto solved = test::solve_text(deck(put), threads);
-  return solved ? solved->step().fronts.at(0).points : std::vector<results::FrontPlace>();
+  return solved ? solved->step().fronts.at(0).points : std::vector<results::FrontPointResult>();
 }
 
-double size_of(const std::vector<results::FrontPlace>& front) {
+double size_of(const std::vector<results::FrontPointResult>& front) {
   double size = 0.0;
-  for (const results::FrontPlace& place : front) {
+  for (const results::FrontPointResult& place : front) {
     size = std::max(size, std::hypot(place.K1, place.K2, place.K3));
   }
   return size;
@@ -172,7 +172,7 @@ double size_of(const std::vector<results::FrontPlace>& front) {
 constexpr double same = 1e-5;
 
 TEST(FrontInvariance, PlaceTurnUnitNumbersAndThreads) {
-  const std::vector<results::FrontPlace> first = points_of({});
+  const std::vector<results::FrontPointResult> first = points_of({});
   ASSERT_GT(first.size(), 6U);
   const double size = size_of(first);
   Eigen::Matrix3d cyclic;
@@ -190,7 +190,7 @@ TEST(FrontInvariance, PlaceTurnUnitNumbersAndThreads) {
   }
   for (std::size_t i = 0; i < puts.size(); ++i) {
     SCOPED_TRACE(i);
-    const std::vector<results::FrontPlace> other = points_of(puts[i]);
+    const std::vector<results::FrontPointResult> other = points_of(puts[i]);
     ASSERT_EQ(other.size(), first.size());
     const double root = std::sqrt(puts[i].unit);
     for (std::size_t p = 0; p < first.size(); ++p) {
@@ -201,7 +201,7 @@ TEST(FrontInvariance, PlaceTurnUnitNumbersAndThreads) {
     }
   }
   // Threads do not change a bit.
-  const std::vector<results::FrontPlace> two = points_of({}, 2);
+  const std::vector<results::FrontPointResult> two = points_of({}, 2);
   ASSERT_EQ(first.size(), two.size());
   for (std::size_t p = 0; p < first.size(); ++p) {
     EXPECT_EQ(first[p].K1, two[p].K1);
@@ -214,16 +214,16 @@ TEST(FrontInvariance, PlaceTurnUnitNumbersAndThreads) {
 // The mesher does not make the mirror image of a mesh in the mirror image of a body: K agrees
 // within the bars of both. K3 changes its sign, as b points the other way.
 TEST(FrontInvariance, MirrorImagesAgreeWithinTheirBars) {
-  const std::vector<results::FrontPlace> first = points_of({});
+  const std::vector<results::FrontPointResult> first = points_of({});
   Put put;
   put.turn = Eigen::Vector3d(1, -1, 1).asDiagonal();
-  const std::vector<results::FrontPlace> other = points_of(put);
+  const std::vector<results::FrontPointResult> other = points_of(put);
   ASSERT_GT(first.size(), 6U);
   ASSERT_EQ(other.size(), first.size());
   double most = 0.0;
   for (std::size_t p = 0; p < first.size(); ++p) {
-    const results::FrontPlace& a = first[p];
-    const results::FrontPlace& b = other[other.size() - 1 - p];
+    const results::FrontPointResult& a = first[p];
+    const results::FrontPointResult& b = other[other.size() - 1 - p];
     if (a.at_surface || b.at_surface) {
       continue;
     }

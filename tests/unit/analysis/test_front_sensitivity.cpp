@@ -36,7 +36,8 @@ std::optional<test::Solved> solved_with(const Values& v) {
                           v.E));
 }
 
-const results::FrontSensitivity* find(const results::FrontResult& front, results::Cause cause,
+const results::FrontSensitivity* find(const results::FrontResult& front,
+                                      results::SensitivityParameter cause,
                                       const std::string& name) {
   for (const results::FrontSensitivity& s : front.sensitivities.of) {
     if (s.cause == cause && s.name == name) {
@@ -77,14 +78,14 @@ TEST(FrontSensitivity, AgreesWithDifferences) {
   const results::FrontResult& front = solved->step().fronts[0];
   ASSERT_TRUE(front.sensitivities.notes.empty()) << front.sensitivities.notes.front();
   constexpr double part = 1e-5;
-  compare(front, find(front, results::Cause::load, "PULL"), part, {.pull = 1.0 + part},
-          {.pull = 1.0 - part});
+  compare(front, find(front, results::SensitivityParameter::load, "PULL"), part,
+          {.pull = 1.0 + part}, {.pull = 1.0 - part});
   if (test::full_size()) {
-    compare(front, find(front, results::Cause::load, "PRESS"), part, {.press = 1.0 + part},
-            {.press = 1.0 - part});
+    compare(front, find(front, results::SensitivityParameter::load, "PRESS"), part,
+            {.press = 1.0 + part}, {.press = 1.0 - part});
   }
-  compare(front, find(front, results::Cause::modulus, "M"), part, {.E = 1000.0 * (1.0 + part)},
-          {.E = 1000.0 * (1.0 - part)});
+  compare(front, find(front, results::SensitivityParameter::modulus, "M"), part,
+          {.E = 1000.0 * (1.0 + part)}, {.E = 1000.0 * (1.0 - part)});
 }
 
 TEST(FrontSensitivity, OfAFitAgreesWithDifferences) {
@@ -93,8 +94,8 @@ TEST(FrontSensitivity, OfAFitAgreesWithDifferences) {
   const results::FrontResult& front = solved->step().fronts[0];
   ASSERT_TRUE(front.sensitivities.notes.empty()) << front.sensitivities.notes.front();
   constexpr double part = 1e-5;
-  compare(front, find(front, results::Cause::fit, "ON"), part, {.fit = 1.0 + part, .held = true},
-          {.fit = 1.0 - part, .held = true});
+  compare(front, find(front, results::SensitivityParameter::fit, "ON"), part,
+          {.fit = 1.0 + part, .held = true}, {.fit = 1.0 - part, .held = true});
 }
 
 // K at the end of a step of the mesh as it is or, where an axis is named, with that axis longer by
@@ -148,7 +149,9 @@ TEST(FrontSensitivity, OfAxesAgreesWithDifferences) {
     const Grown more = grown(text, axis);
     const results::FrontSensitivity* s =
         find(front,
-             axis == analysis::EllipseAxis::a ? results::Cause::length : results::Cause::axis, "C");
+             axis == analysis::EllipseAxis::a ? results::SensitivityParameter::length
+                                              : results::SensitivityParameter::axis,
+             "C");
     ASSERT_NE(s, nullptr);
     ASSERT_EQ(more.K.size(), now.K.size());
     const base::Vector rate = (more.K - now.K) / more.step;
@@ -195,8 +198,8 @@ $END
 )");
   ASSERT_TRUE(solved);
   const results::FrontResult& front = solved->step().fronts[0];
-  const results::FrontSensitivity* a = find(front, results::Cause::length, "C");
-  const results::FrontSensitivity* c = find(front, results::Cause::axis, "C");
+  const results::FrontSensitivity* a = find(front, results::SensitivityParameter::length, "C");
+  const results::FrontSensitivity* c = find(front, results::SensitivityParameter::axis, "C");
   ASSERT_TRUE(a != nullptr && c != nullptr);
   const double K = 2.0 / std::sqrt(std::numbers::pi);
   for (std::size_t i = 0; i < front.points.size(); ++i) {
@@ -216,7 +219,8 @@ TEST(FrontSensitivity, LoadsAndFitsAddUpToK) {
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     double sum = 0.0;
     for (const results::FrontSensitivity& s : front.sensitivities.of) {
-      if (s.cause == results::Cause::load || s.cause == results::Cause::fit) {
+      if (s.cause == results::SensitivityParameter::load ||
+          s.cause == results::SensitivityParameter::fit) {
         sum += s.value * s.above[i][0];
       }
     }

@@ -38,7 +38,7 @@ TEST(GlidingBody, RestsAlongTheJoint) {
     EXPECT_NEAR(p.p_lumped, 105.0, 1e-6);
   }
   bool rests = false;
-  for (const std::string& note : results::marked(s->step().notes)) {
+  for (const std::string& note : results::text_with_code(s->step().notes)) {
     rests = rests || note.find("stay at rest") != std::string::npos;
   }
   EXPECT_TRUE(rests);

@@ -57,7 +57,7 @@ std::string spectrum(const std::string& keys, const std::string& cycles) {
          "\n" + grow("SPECTRUM=S " + keys);
 }
 
-results::Growth growth_of(const std::string& deck) {
+results::GrowthResult growth_of(const std::string& deck) {
   const auto solved = test::solve_text(deck);
   if (!solved || !solved->run.growth) {
     ADD_FAILURE() << "no growth";
@@ -68,13 +68,13 @@ results::Growth growth_of(const std::string& deck) {
 
 // Loads followed one after another, friction next to none, are the map of K over the load.
 TEST(GrowingFronts, NextToNoFrictionIsTheMap) {
-  const results::Growth mapped = growth_of(clamped_bar("0", spectrum("", "0.3 0.9 7")));
-  const results::Growth followed = growth_of(clamped_bar("1e-9", spectrum("", "0.3 0.9 7")));
+  const results::GrowthResult mapped = growth_of(clamped_bar("0", spectrum("", "0.3 0.9 7")));
+  const results::GrowthResult followed = growth_of(clamped_bar("1e-9", spectrum("", "0.3 0.9 7")));
   ASSERT_FALSE(mapped.stations.empty() || followed.stations.empty());
   EXPECT_GE(followed.stations[0].passes, 1);
   for (std::size_t i = 0; i < mapped.stations[0].tips.size(); ++i) {
-    const results::GrowingTip& map = mapped.stations[0].tips[i];
-    const results::GrowingTip& tip = followed.stations[0].tips.at(i);
+    const results::GrownTipResult& map = mapped.stations[0].tips[i];
+    const results::GrownTipResult& tip = followed.stations[0].tips.at(i);
     EXPECT_NEAR(tip.K_max / map.K_max, 1.0, 1e-6);
     EXPECT_NEAR(tip.K_min / map.K_min, 1.0, 1e-6);
     EXPECT_NEAR(tip.rate / map.rate, 1.0, 3e-6);
@@ -86,10 +86,10 @@ TEST(GrowingFronts, NextToNoFrictionIsTheMap) {
 // What the clamp holds is missing at the largest load, and left behind at the smallest: KMAX and
 // KMIN of a bar that was pulled by so much more than friction holds.
 TEST(GrowingFronts, CyclesThatRepeatBehindAClamp) {
-  const results::Growth free = growth_of(clamped_bar("0", grow("KMAX=FULL KMIN=REST")));
-  const results::Growth held = growth_of(clamped_bar("0.1", grow("KMAX=FULL KMIN=REST")));
+  const results::GrowthResult free = growth_of(clamped_bar("0", grow("KMAX=FULL KMIN=REST")));
+  const results::GrowthResult held = growth_of(clamped_bar("0.1", grow("KMAX=FULL KMIN=REST")));
   ASSERT_FALSE(held.stations.empty());
-  const results::GrowingTip& at = held.stations[0].tips.at(0);
+  const results::GrownTipResult& at = held.stations[0].tips.at(0);
   const double whole = free.stations.at(0).tips.at(0).K_max;
   // Pressed by E e / h = 2e5 * 3e-4 / 6 = 10 on 3 x 6: 18 of the 1800 pull.
   EXPECT_NEAR(at.K_max / whole, 1.0 - 0.01, 1e-3);
@@ -102,9 +102,11 @@ TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; in the plane: analysis.growth";
   }
-  const results::Growth plain = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF")));
-  const results::Growth steps = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF CORRECT=YES")));
-  const results::Growth spectra = growth_of(clamped_bar("", spectrum("CORRECT=YES", "0.5 1 10")));
+  const results::GrowthResult plain = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF")));
+  const results::GrowthResult steps =
+      growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF CORRECT=YES")));
+  const results::GrowthResult spectra =
+      growth_of(clamped_bar("", spectrum("CORRECT=YES", "0.5 1 10")));
   ASSERT_FALSE(steps.stations.empty() || spectra.stations.empty());
   for (std::size_t tip = 0; tip < steps.stations[0].tips.size(); ++tip) {
     const double K = steps.stations[0].tips[tip].K_max;
@@ -117,9 +119,9 @@ TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
 TEST(GrowingFronts, TipsStandOnTheFront) {
   std::string free = grow("KMAX=FULL KMIN=HALF");
   free.replace(free.find("ELLIPSE"), std::string("ELLIPSE").size(), "FREE");
-  const results::Growth growth = growth_of(clamped_bar("", free));
+  const results::GrowthResult growth = growth_of(clamped_bar("", free));
   ASSERT_FALSE(growth.stations.empty());
-  for (const results::GrowingTip& tip : growth.stations[0].tips) {
+  for (const results::GrownTipResult& tip : growth.stations[0].tips) {
     EXPECT_NEAR((tip.x - base::Vec3(0, 3, 0)).norm(), 1.0, 5e-4);
   }
 }
@@ -155,8 +157,8 @@ $GROW LAW=PARIS SHAPE=ELLIPSE KMAX=FIX KMIN=LESS C=1e-4 M=3 KUNIT='MPa*mm^0.5' A
 // The pad that was bonded at the first front takes load as the front grows; one that is bonded at
 // each takes none. Both take the same part of what comes and goes.
 TEST(GrowingFronts, MountedAtTheFirstFront) {
-  const results::Growth first = growth_of(padded_plate("FIRST"));
-  const results::Growth each = growth_of(padded_plate("EACH"));
+  const results::GrowthResult first = growth_of(padded_plate("FIRST"));
+  const results::GrowthResult each = growth_of(padded_plate("EACH"));
   ASSERT_GE(std::min(first.stations.size(), each.stations.size()), 2U);
   const results::GrowthStation& later = first.stations[1];
   for (std::size_t i = 0; i < later.tips.size(); ++i) {

@@ -38,7 +38,7 @@ TEST(Growth, ExchangedStepsOfGivenLengths) {
     ASSERT_TRUE(solved);
     std::string all;
     for (const results::StepResult& step : solved->run.increments.back().steps) {
-      for (const std::string& note : results::marked(step.notes)) {
+      for (const std::string& note : results::text_with_code(step.notes)) {
         all += note + "\n";
       }
     }
@@ -50,18 +50,18 @@ TEST(Growth, RatesAndEndOfALaw) {
   const auto solved =
       test::solve_text(test::strip_text("LAW=WALKER KMAX=FULL KMIN=HALF C=1e-11 M=3 P=0.5 AMAX=8"));
   ASSERT_TRUE(solved && solved->run.growth);
-  const results::Growth& growth = *solved->run.growth;
+  const results::GrowthResult& growth = *solved->run.growth;
   EXPECT_EQ(growth.ended, "AMAX");
   EXPECT_EQ(growth.unit, "cycle");
   ASSERT_GE(growth.stations.size(), 3U);
   EXPECT_EQ(growth.stations.size(), solved->run.increments.size());
-  const results::GrowingTip& last = growth.stations.back().tips[0];
+  const results::GrownTipResult& last = growth.stations.back().tips[0];
   EXPECT_NEAR(last.a, 8.0, 1e-9);
   EXPECT_NEAR(last.K_max / K_strip(2.111413, 8.0), 1.0, 2e-3);
   EXPECT_NEAR(last.K_min / last.K_max, 0.5, 1e-9);
   // Walker: C (dK / (1 - R)^(1 - gamma))^m
   EXPECT_NEAR(last.rate / (1e-11 * std::pow(0.5 * last.K_max / std::sqrt(0.5), 3)), 1.0, 1e-9);
-  EXPECT_DOUBLE_EQ(results::cycles_at(growth, 0, 8.0), growth.cycles());
+  EXPECT_DOUBLE_EQ(results::cycles_at(growth, 0, 8.0), growth.final_cycles());
   EXPECT_TRUE(std::isnan(results::cycles_at(growth, 0, 9.0)));
   EXPECT_LT(growth.error, 5e-3);
 }
@@ -77,12 +77,13 @@ TEST(Growth, SpectrumOfOneCycleIsConstantAmplitude) {
       law + "SPECTRUM=S",
       path + "$SPECTRUM NAME=S PATH=UP TYPE=SEQUENCE FACTOR=0.1\n  5 10 5 7 6 10\n"));
   ASSERT_TRUE(steps && blocks && sequence);
-  EXPECT_NEAR(10.0 * blocks->run.growth->cycles() / steps->run.growth->cycles(), 1.0, 2e-3);
+  EXPECT_NEAR(10.0 * blocks->run.growth->final_cycles() / steps->run.growth->final_cycles(), 1.0,
+              2e-3);
   EXPECT_EQ(blocks->run.growth->unit, "pass");
   EXPECT_DOUBLE_EQ(blocks->run.growth->cycles_per_pass, 10.0);
   // two cycles of half range, one of a tenth: 2 * 0.5^3 + 0.1^3
-  EXPECT_NEAR(sequence->run.growth->cycles() * (2.0 * 0.125 + 0.001) /
-                  (steps->run.growth->cycles() * 0.125),
+  EXPECT_NEAR(sequence->run.growth->final_cycles() * (2.0 * 0.125 + 0.001) /
+                  (steps->run.growth->final_cycles() * 0.125),
               1.0, 2e-3);
 }
 
@@ -167,7 +168,7 @@ TEST(Growth, BelowTheThresholdNothingGrows) {
       test::solve_text(test::strip_text("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3 DKTH=10000"));
   ASSERT_TRUE(solved && solved->run.growth);
   EXPECT_EQ(solved->run.growth->ended, "THRESHOLD");
-  EXPECT_EQ(solved->run.growth->cycles(), 0.0);
+  EXPECT_EQ(solved->run.growth->final_cycles(), 0.0);
 }
 
 // Through the whole strip, along the nodes of its path.
@@ -235,7 +236,7 @@ TEST(Growth, PathIntoAHole) {
     EXPECT_NE(solved->run.growth->reason.find("HOLE"), std::string::npos);
     const double life = test::integrated_life(
         *solved->run.growth, [](double K, double R) { return 1e-11 * std::pow((1.0 - R) * K, 3); });
-    EXPECT_NEAR(solved->run.growth->cycles() / life, 1.0, 1e-5);
+    EXPECT_NEAR(solved->run.growth->final_cycles() / life, 1.0, 1e-5);
     std::vector<base::Vec3>& x = path.emplace_back();
     for (const results::GrowthStation& station : solved->run.growth->stations) {
       x.push_back(station.tips.front().x);
@@ -258,7 +259,7 @@ TEST(Growth, PathIntoAHole) {
 TEST(Growth, CracksOnALineLinkUp) {
   const auto solved = test::solve_text(test::slurp(test::decks_folder() + "/link_up.deck"));
   ASSERT_TRUE(solved && solved->run.growth);
-  const results::Growth& growth = *solved->run.growth;
+  const results::GrowthResult& growth = *solved->run.growth;
   EXPECT_EQ(growth.ended, "LINK-UP");
   ASSERT_EQ(growth.tips.size(), 6U);
   const std::vector<double>& a = growth.curve.back().a; // LONG.1 .2, EAST.1 .2, WEST.1 .2
@@ -303,7 +304,7 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
     return between.cycles(stations.front().s, stations.back().s);
   };
   const double exact = life([](const auto& K) { return K(1.0) - K(0.0); });
-  EXPECT_NEAR(solved->run.growth->cycles() / exact, 1.0, 2e-3);
+  EXPECT_NEAR(solved->run.growth->final_cycles() / exact, 1.0, 2e-3);
   const double scaled = life([](const auto& K) { return K(1.0); });
   EXPECT_NEAR(exact / scaled / 4.03, 1.0, 0.02);
   const double exact_half = life([](const auto& K) { return K(1.0) - K(0.5); });

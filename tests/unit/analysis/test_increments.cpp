@@ -40,7 +40,7 @@ double apart(const results::ContactResult& a, const results::ContactResult& b) {
 
 std::string notes_of(const test::Solved& s) {
   std::string all;
-  for (const std::string& note : results::marked(s.step().notes)) {
+  for (const std::string& note : results::text_with_code(s.step().notes)) {
     all += note + "\n";
   }
   return all;

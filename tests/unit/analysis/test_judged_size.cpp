@@ -13,7 +13,7 @@ std::string notes_of(const std::string& deck) {
   EXPECT_TRUE(s);
   std::string all;
   for (const std::string& note :
-       s ? results::marked(s->step().notes) : std::vector<std::string>{}) {
+       s ? results::text_with_code(s->step().notes) : std::vector<std::string>{}) {
     all += note + "\n";
   }
   return all;

@@ -45,7 +45,7 @@ TEST(LeaningFronts, HaveOneKByBothWays) {
   ASSERT_TRUE(solved);
   const results::FrontResult& front = solved->step().fronts.at(0);
   ASSERT_GE(front.points.size(), 9U);
-  for (const results::FrontPlace& at : front.points) {
+  for (const results::FrontPointResult& at : front.points) {
     const double ratio = std::sqrt(at.G / at.G_from_K);
     EXPECT_NEAR(ratio, 1.0, at.at_surface ? 0.05 : 0.012) << at.number;
     EXPECT_LT(at.spread, 0.012) << at.number;

@@ -52,7 +52,7 @@ double life(const std::string& deck) {
   }
   EXPECT_EQ(solved->run.growth->ended, "AMAX") << solved->run.growth->reason;
   EXPECT_TRUE(solved->run.warnings.empty()) << solved->run.warnings.front().text;
-  return solved->run.growth->cycles();
+  return solved->run.growth->final_cycles();
 }
 
 // Without friction the strip feels 1, 0.7, 0.6 and 0.2 of the load; behind the play 0.6 and 0.3.
@@ -101,10 +101,10 @@ TEST(LoadHistorySolver, LawIsGivenTheCycleThatRepeats) {
   const auto solved = test::solve_text(strip(
       "$GROW LAW=PARIS KMAX=FULL KMIN=REST C=1e-11 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=4\n"));
   ASSERT_TRUE(solved && solved->run.growth);
-  const results::Growth& growth = *solved->run.growth;
+  const results::GrowthResult& growth = *solved->run.growth;
   EXPECT_TRUE(growth.followed);
   for (const results::GrowthStation& station : growth.stations) {
-    const results::GrowingTip& tip = station.tips.front();
+    const results::GrownTipResult& tip = station.tips.front();
     EXPECT_NEAR(tip.first_min / tip.K_max, 0.0, 1e-4);
     EXPECT_NEAR(tip.first_max / tip.K_max, 1.0, 1e-9);
     EXPECT_NEAR(tip.K_min / tip.K_max, 0.25, 1e-3);

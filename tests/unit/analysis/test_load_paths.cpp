@@ -68,8 +68,8 @@ $STEP NAME=PRESS
 // Every step between lies on the path: K of both must agree.
 void compare_with_steps(const Solved& solved) {
   const results::Increment& increment = solved.run.increments.front();
-  const results::LoadPath* up = results::find_path(increment, "UP");
-  const results::LoadPath* down = results::find_path(increment, "DOWN");
+  const results::LoadPathResult* up = results::find_path(increment, "UP");
+  const results::LoadPathResult* down = results::find_path(increment, "DOWN");
   ASSERT_NE(up, nullptr);
   ASSERT_NE(down, nullptr);
   EXPECT_TRUE(up->stopped.empty());
@@ -78,7 +78,7 @@ void compare_with_steps(const Solved& solved) {
   for (std::size_t k = 0; k < up->t.size(); ++k) { // the way back
     EXPECT_NEAR(up->t[k], 1.55 * (1.0 - down->t[down->t.size() - 1 - k]), 1e-9);
   }
-  for (const results::PathTip& tip : up->tips) {
+  for (const results::LoadPathTip& tip : up->tips) {
     const double size = tip.K1.highest();
     for (std::size_t s = 0; s < increment.steps.size(); ++s) {
       const double t = static_cast<double>(s) / 20.0;
@@ -87,9 +87,12 @@ void compare_with_steps(const Solved& solved) {
       EXPECT_NEAR(tip.K2(t), at->K2, 1e-11 * size) << tip.name << " at " << t;
     }
     // the sum of two states of proportional data
-    EXPECT_NEAR(results::k_of_two(*up, tip, 1, 0.3, 0.7).value(), tip.K1(0.7), 1e-12 * size);
-    EXPECT_NEAR(results::k_of_two(*up, tip, 1, 0.6, 1.4).value(), 2.0 * tip.K1(0.7), 1e-12 * size);
-    EXPECT_FALSE(results::k_of_two(*up, tip, 1, -2.0, 3.0).has_value()); // beyond the path
+    EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.3, 0.7).value(), tip.K1(0.7),
+                1e-12 * size);
+    EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.6, 1.4).value(), 2.0 * tip.K1(0.7),
+                1e-12 * size);
+    EXPECT_FALSE(
+        results::k_at_load_combination(*up, tip, 1, -2.0, 3.0).has_value()); // beyond the path
   }
 }
 
@@ -126,14 +129,14 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
 )"));
   ASSERT_TRUE(solved);
   const results::Increment& increment = solved->run.increments.front();
-  const results::LoadPath& path = increment.paths.front();
+  const results::LoadPathResult& path = increment.paths.front();
   EXPECT_TRUE(path.homogeneous);
   EXPECT_LT(path.mismatch, 1e-11);
-  const results::PathTip& tip = path.tips.front();
-  EXPECT_NEAR(results::k_of_two(path, tip, 1, 0.6, 0.8).value(), increment.steps[1].tips[0].K1,
-              1e-11 * tip.K1.highest());
-  EXPECT_NEAR(results::k_of_two(path, tip, 2, 0.6, 0.8).value(), increment.steps[1].tips[0].K2,
-              1e-11 * tip.K1.highest());
+  const results::LoadPathTip& tip = path.tips.front();
+  EXPECT_NEAR(results::k_at_load_combination(path, tip, 1, 0.6, 0.8).value(),
+              increment.steps[1].tips[0].K1, 1e-11 * tip.K1.highest());
+  EXPECT_NEAR(results::k_at_load_combination(path, tip, 2, 0.6, 0.8).value(),
+              increment.steps[1].tips[0].K2, 1e-11 * tip.K1.highest());
 }
 
 TEST(LoadPathSolver, AClearanceThatNoFitScalesIsAThirdParameter) {
@@ -148,10 +151,10 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   0 20
 )"));
   ASSERT_TRUE(solved);
-  const results::LoadPath& path = solved->run.increments.front().paths.front();
+  const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_FALSE(path.homogeneous);
-  EXPECT_FALSE(results::k_of_two(path, path.tips.front(), 1, 1.0, 1.0).has_value());
-  EXPECT_TRUE(results::k_of_two(path, path.tips.front(), 1, 0.5, 0.5).has_value());
+  EXPECT_FALSE(results::k_at_load_combination(path, path.tips.front(), 1, 1.0, 1.0).has_value());
+  EXPECT_TRUE(results::k_at_load_combination(path, path.tips.front(), 1, 0.5, 0.5).has_value());
   EXPECT_LT(path.mismatch, 1e-11);
   // contact spreads: pairs close, none opens
   EXPECT_FALSE(path.contacts.front().opening.has_value());
@@ -181,15 +184,15 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
 )"));
   ASSERT_TRUE(solved);
   const results::Increment& increment = solved->run.increments.front();
-  const results::LoadPath& through = increment.paths[0];
-  const results::PathTip& tip = through.tips.front();
+  const results::LoadPathResult& through = increment.paths[0];
+  const results::LoadPathTip& tip = through.tips.front();
   EXPECT_TRUE(through.stopped.empty()) << through.stopped;
   EXPECT_LT(through.mismatch, 1e-11);
   EXPECT_NEAR(tip.K1(0.5), 0.0, 1e-9 * tip.K1.highest());
   ASSERT_FALSE(through.notes.empty());
   EXPECT_NE(through.notes.front().text.find("at t = 0.5 nothing holds a body"), std::string::npos);
   // a pin that rests somewhere until it is loaded
-  const results::LoadPath& up = increment.paths[1];
+  const results::LoadPathResult& up = increment.paths[1];
   EXPECT_TRUE(up.stopped.empty()) << up.stopped;
   EXPECT_LT(up.mismatch, 1e-11);
   EXPECT_NEAR(up.tips[0].K1(0.125), increment.steps[3].tips[0].K1, 1e-11 * tip.K1.highest());
@@ -221,7 +224,7 @@ $LOADPATH NAME=OFF FROM=ALL TO=HALF BEYOND=3
 $END
 )");
   ASSERT_TRUE(solved);
-  const results::LoadPath& path = solved->run.increments.front().paths.front();
+  const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_NEAR(path.t.back(), 2.0, 1e-9);
   EXPECT_NE(path.stopped.find("body UPPER is loaded but not held"), std::string::npos)
       << path.stopped;
@@ -253,7 +256,7 @@ TEST(LoadPathSolver, WithoutContactKIsOneLine) {
   const std::optional<Solved> solved =
       solve_text(block(0.0, 1.0, "$LOADPATH NAME=UP FROM=A TO=B BEYOND=3\n"));
   ASSERT_TRUE(solved);
-  const results::LoadPath& path = solved->run.increments.front().paths.front();
+  const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_EQ(path.t.size(), 2U);
   EXPECT_LT(path.mismatch, 1e-11);
   EXPECT_NEAR(path.tips[0].K1(2.5), 2.5 * solved->step(1).tips[0].K1, 1e-10 * path.tips[0].K1(2.5));

@@ -41,7 +41,7 @@ $END
 }
 
 double strap_energy(const test::Solved& solved, std::size_t increment) {
-  for (const results::Balance& net : solved.run.increments[increment].steps[1].nets) {
+  for (const results::ForceBalance& net : solved.run.increments[increment].steps[1].nets) {
     if (net.body == "STRAP") {
       return net.energy;
     }

@@ -49,13 +49,14 @@ TEST(NegativeRatio, NasgroIsGivenTheKThatGoesOnBelowClosing) {
     const auto solved = test::solve_text(deck);
     const auto free = test::solve_text(with_free_faces(deck));
     ASSERT_TRUE(solved && free && solved->run.growth && free->run.growth);
-    const results::Growth& growth = *solved->run.growth;
+    const results::GrowthResult& growth = *solved->run.growth;
     ASSERT_EQ(growth.ended, "AMAX");
     for (const results::GrowthStation& station : growth.stations) {
       EXPECT_NEAR(station.tips[0].K_min / station.tips[0].K_max, R, 1e-6 * std::abs(R));
     }
-    EXPECT_NEAR(growth.cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-5) << R;
-    EXPECT_NEAR(growth.cycles() / free->run.growth->cycles(), 1.0, 1e-6) << R;
+    EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-5)
+        << R;
+    EXPECT_NEAR(growth.final_cycles() / free->run.growth->final_cycles(), 1.0, 1e-6) << R;
     EXPECT_TRUE(solved->run.increments.front().steps.back().tips[0].closed);
     EXPECT_TRUE(solved->run.warnings.empty()) << solved->run.warnings.front().text;
     EXPECT_TRUE(free->run.warnings.empty()) << free->run.warnings.front().text;
@@ -71,7 +72,8 @@ TEST(NegativeRatio, OtherLawsCountItAsZero) {
     const auto below = test::solve_text(strip(grow, -1.0));
     const auto zero = test::solve_text(strip(grow, 0.0));
     ASSERT_TRUE(below && zero && below->run.growth && zero->run.growth) << law;
-    EXPECT_NEAR(below->run.growth->cycles() / zero->run.growth->cycles(), 1.0, 1e-6) << law;
+    EXPECT_NEAR(below->run.growth->final_cycles() / zero->run.growth->final_cycles(), 1.0, 1e-6)
+        << law;
     const double K_min = below->run.growth->stations.front().tips[0].K_min;
     const double K_max = below->run.growth->stations.front().tips[0].K_max;
     EXPECT_NEAR(K_min / K_max, law.starts_with("LAW=WALKER") ? -1.0 : 0.0, 1e-6) << law;
@@ -115,7 +117,7 @@ TEST(NegativeRatio, SpectrumWithCompression) {
   const auto followed = test::solve_text(strip(grow, -1.0, sequence));
   ASSERT_TRUE(counted && followed && counted->run.growth && followed->run.growth);
   for (const results::GrowthStation& station : counted->run.growth->stations) {
-    const results::GrowingTip& tip = station.tips[0];
+    const results::GrownTipResult& tip = station.tips[0];
     const double K = tip.K_max;
     EXPECT_NEAR(tip.K_min / K, -1.0, 1e-6);
     EXPECT_NEAR(tip.rate / (3.0 * rate(0, 1)(K, 0) + 10.0 * rate(0.25, 0.75)(K, 0) +
@@ -146,10 +148,10 @@ TEST(NegativeRatio, CrackThatAPinCloses) {
   const auto touching = test::solve_text(ring(""));
   const auto free = test::solve_text(ring(" FACES=FREE"));
   ASSERT_TRUE(touching && free && touching->run.growth && free->run.growth);
-  const results::Growth& growth = *touching->run.growth;
+  const results::GrowthResult& growth = *touching->run.growth;
   EXPECT_LT(growth.stations.back().tips[0].K_min, -0.03 * growth.stations.back().tips[0].K_max);
-  EXPECT_NEAR(growth.cycles() / free->run.growth->cycles(), 1.0, 1e-6);
-  EXPECT_NEAR(growth.cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-4);
+  EXPECT_NEAR(growth.final_cycles() / free->run.growth->final_cycles(), 1.0, 1e-6);
+  EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-4);
 }
 
 // Next to no friction elsewhere, so that loads are followed one after another: the same lives.
@@ -165,7 +167,7 @@ TEST(NegativeRatio, LoadsThatAreFollowed) {
     const auto map = test::solve_text(strip(grow, -1.0, more));
     const auto followed = test::solve_text(strip(grow, -1.0, rigid + more));
     ASSERT_TRUE(map && followed && map->run.growth && followed->run.growth);
-    EXPECT_NEAR(followed->run.growth->cycles() / map->run.growth->cycles(), 1.0, 2e-4);
+    EXPECT_NEAR(followed->run.growth->final_cycles() / map->run.growth->final_cycles(), 1.0, 2e-4);
     EXPECT_NEAR(followed->run.growth->stations[0].tips[0].K_min /
                     map->run.growth->stations[0].tips[0].K_min,
                 1.0, 1e-6);

@@ -60,7 +60,7 @@ TEST(PartnerSurfaces, TakeTheBarWhereTheyAreTooCoarse) {
     ASSERT_TRUE(found) << joint;
     EXPECT_NE(tip(found).no_bar.find("long"), std::string::npos) << joint << tip(found).no_bar;
     EXPECT_TRUE(std::ranges::any_of(found->step().notes, [](const results::Note& note) {
-      return note.doubt == base::ResultConcern::less_exact &&
+      return note.kind == base::ResultConcern::less_exact &&
              note.text.starts_with("K of C: edges of");
     })) << joint;
   }

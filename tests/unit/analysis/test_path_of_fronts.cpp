@@ -20,13 +20,13 @@ TEST(PathOfFronts, AgreesWithStepsBetween) {
       test::solve_text(test::pressed_mouth(steps + "$LOADPATH NAME=UP FROM=S0 TO=S5\n"));
   ASSERT_TRUE(solved);
   const results::Increment& increment = solved->run.increments.front();
-  const results::LoadPath& path = increment.paths.front();
+  const results::LoadPathResult& path = increment.paths.front();
   EXPECT_TRUE(path.stopped.empty()) << path.stopped;
   EXPECT_GT(path.t.size(), 5U); // contact changes on the way
   EXPECT_LT(path.mismatch, 1e-9);
   ASSERT_EQ(path.fronts.size(), 1U);
   double size = 0.0;
-  for (const results::PathPoint& point : path.fronts[0].points) {
+  for (const results::LoadPathFrontPoint& point : path.fronts[0].points) {
     size = std::max(size, point.K[0].highest());
   }
   for (std::size_t s = 0; s < increment.steps.size(); ++s) {
@@ -35,8 +35,8 @@ TEST(PathOfFronts, AgreesWithStepsBetween) {
     const results::FrontResult& own = increment.steps[s].fronts[0];
     ASSERT_EQ(found.points.size(), own.points.size());
     for (std::size_t i = 0; i < own.points.size(); ++i) {
-      const results::FrontPlace& a = found.points[i];
-      const results::FrontPlace& b = own.points[i];
+      const results::FrontPointResult& a = found.points[i];
+      const results::FrontPointResult& b = own.points[i];
       EXPECT_NEAR(a.K1, b.K1, 1e-9 * size) << t << " point " << i;
       EXPECT_NEAR(a.K2, b.K2, 1e-9 * size) << t << " point " << i;
       EXPECT_NEAR(a.K3, b.K3, 1e-9 * size) << t << " point " << i;

@@ -90,7 +90,7 @@ RandomStack random_stack(unsigned seed) {
 }
 
 struct Attempt {
-  std::optional<results::Run> run;
+  std::optional<results::RunResult> run;
   base::Trouble trouble;
 };
 
@@ -126,7 +126,7 @@ void expect_conditions(const results::StepResult& step, double pressure) {
   const bool told = std::ranges::any_of(step.notes, [](const results::Note& note) {
     return note.text.find("is left over") != std::string::npos;
   });
-  for (const results::Balance& body : step.balance) {
+  for (const results::ForceBalance& body : step.balance) {
     const base::Vec3 left = body.applied + body.contact + body.reaction;
     EXPECT_LT(left.norm(), (told ? 1e-2 : 1e-6) * pressure) << body.body;
   }

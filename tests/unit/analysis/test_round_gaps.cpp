@@ -42,7 +42,7 @@ $END
 
 // "by up to X % of the largest"; zero where nothing is told.
 double told_change(const test::Solved& s) {
-  for (const std::string& note : results::marked(s.step().notes)) {
+  for (const std::string& note : results::text_with_code(s.step().notes)) {
     const std::size_t at = note.find("pressures differ by up to ");
     if (at != std::string::npos) {
       return std::strtod(note.c_str() + at + 26, nullptr) / 100.0;

@@ -93,7 +93,7 @@ TEST(SectionGrowth, MayBeAtItsLimitFromTheStart) {
   const auto solved = test::solve_text(plate("TET10", "SFLOW=100"));
   ASSERT_TRUE(solved && solved->run.growth);
   EXPECT_EQ(solved->run.growth->ended, "NET SECTION");
-  EXPECT_EQ(solved->run.growth->cycles(), 0.0);
+  EXPECT_EQ(solved->run.growth->final_cycles(), 0.0);
 }
 
 } // namespace

@@ -15,13 +15,14 @@
 namespace spricka::test_sensitivity {
 namespace {
 
-using results::Cause;
 using results::Sensitivity;
+using results::SensitivityParameter;
 using test::SolvedScene;
 
 using Pair = std::array<double, 2>;
 
-const Sensitivity& find(const results::TipResult& tip, Cause cause, const std::string& name) {
+const Sensitivity& find(const results::TipResult& tip, SensitivityParameter cause,
+                        const std::string& name) {
   for (const Sensitivity& s : tip.sensitivities.of) {
     if (s.cause == cause && s.name == name) {
       return s;
@@ -51,7 +52,7 @@ void expect_slope(const Sensitivity& s, const base::Vec2& wanted, double toleran
   ASSERT_TRUE(s.slope()) << s.name;
   const base::Vec2 found((*s.slope())[0], (*s.slope())[1]);
   EXPECT_LT((found - wanted).norm(), tolerance * wanted.norm())
-      << results::word_of(s.cause) << " " << s.name << ": " << found.transpose() << " against "
+      << results::display_word(s.cause) << " " << s.name << ": " << found.transpose() << " against "
       << wanted.transpose();
 }
 
@@ -78,15 +79,15 @@ void compare_with_differences(const std::string& deck, double h) {
       continue;
     }
     base::Vec2 wanted;
-    if (s.cause == Cause::load) {
+    if (s.cause == SensitivityParameter::load) {
       wanted = difference(deck, h, [](double by) {
         return SolvedScene::Changes{[by](model::Model& m) { scale_load(m, 1.0 + by); }, {}};
       });
-    } else if (s.cause == Cause::fit) {
+    } else if (s.cause == SensitivityParameter::fit) {
       wanted = difference(deck, h, [](double by) {
         return SolvedScene::Changes{[by](model::Model& m) { *m.contacts[0].gap *= 1.0 + by; }, {}};
       });
-    } else if (s.cause == Cause::modulus) {
+    } else if (s.cause == SensitivityParameter::modulus) {
       std::size_t m = 0;
       while (solved.model().materials[m].name != s.name) {
         ++m;
@@ -182,9 +183,9 @@ TEST(Sensitivity, AddsUp) {
         ASSERT_TRUE(s.slope());
         for (const std::size_t k : {0U, 1U}) {
           const double part = s.value * (*s.slope())[k];
-          loads[k] += s.cause == Cause::load ? part : 0.0;
-          fits[k] += s.cause == Cause::fit ? part : 0.0;
-          moduli[k] += s.cause == Cause::modulus ? part : 0.0;
+          loads[k] += s.cause == SensitivityParameter::load ? part : 0.0;
+          fits[k] += s.cause == SensitivityParameter::fit ? part : 0.0;
+          moduli[k] += s.cause == SensitivityParameter::modulus ? part : 0.0;
         }
       }
       const Pair K{tip.K1, tip.K2};
@@ -225,7 +226,7 @@ void compare_with_moved_nodes(const std::string& deck) {
         }};
   };
   const base::Vec2 wanted = difference(deck, 10.0, moved) / motion.step; // ten steps of the motion
-  expect_slope(find(tip, Cause::length, "C"), wanted, 1e-5);
+  expect_slope(find(tip, SensitivityParameter::length, "C"), wanted, 1e-5);
 }
 
 TEST(Sensitivity, ByLengthIsThatOfTheMovedMesh) {
@@ -240,7 +241,7 @@ TEST(Sensitivity, ByLengthAgreesWithNewPatches) {
     for (std::size_t s = 0; s < solved.model().steps.size(); ++s) {
       last = solved.found(s);
     }
-    return (*find(last->tips[0], Cause::length, last->tips[0].name).slope())[0];
+    return (*find(last->tips[0], SensitivityParameter::length, last->tips[0].name).slope())[0];
   };
   const double da = 0.2;
   const double wanted = (K_of(strip(7.0 + da), {})[0] - K_of(strip(7.0 - da), {})[0]) / (2.0 * da);
@@ -269,13 +270,14 @@ TEST(Sensitivity, WithDisplacementsAndWeightAgreesWithDifferences) {
                                   },
                                   {}};
     });
-    expect_slope(find(tip, Cause::load, solved.model().cases[action.load_case.index()].name),
-                 wanted, 1e-9);
+    expect_slope(
+        find(tip, SensitivityParameter::load, solved.model().cases[action.load_case.index()].name),
+        wanted, 1e-9);
   }
   const base::Vec2 wanted = difference(deck, 1e-4, [](double by) {
     return SolvedScene::Changes{[by](model::Model& m) { m.materials[0].E *= 1.0 + by; }, {}};
   });
-  expect_slope(find(tip, Cause::modulus, "M"), wanted / 70000.0, 1e-6);
+  expect_slope(find(tip, SensitivityParameter::modulus, "M"), wanted / 70000.0, 1e-6);
 }
 
 // A load path knows all breakpoints: between two of them they are the range, on one of them the
@@ -288,14 +290,14 @@ $STEP NAME=PULLED
 $LOADPATH NAME=UP FROM=PRESS TO=PULLED
 )"));
   ASSERT_TRUE(path_run);
-  const results::LoadPath& path = path_run->run.increments[0].paths[0];
+  const results::LoadPathResult& path = path_run->run.increments[0].paths[0];
   ASSERT_GT(path.t.size(), 8U);
   const std::size_t k = path.t.size() / 2;
   const auto at = [&](double t) {
     SolvedScene solved(rings(fmt::format("$STEP NAME=P\n  FIT FIT 1\n  LOAD PULL {:.17g}\n", t)));
     std::optional<results::StepResult> found = solved.found(0);
     EXPECT_TRUE(found);
-    return find(found->tips[0], Cause::load, "PULL");
+    return find(found->tips[0], SensitivityParameter::load, "PULL");
   };
   const base::PiecewiseLinear& K1 = path.tips[0].K1;
   const base::PiecewiseLinear& K2 = path.tips[0].K2;
@@ -346,7 +348,7 @@ TEST(Sensitivity, OfANetFitBeforeItIsLoaded) {
   SolvedScene solved(deck);
   const std::optional<results::StepResult> none = solved.found(0);
   ASSERT_TRUE(none);
-  const Sensitivity& pull = find(none->tips[0], Cause::load, "PULL");
+  const Sensitivity& pull = find(none->tips[0], SensitivityParameter::load, "PULL");
   ASSERT_TRUE(pull.below && pull.above);
   for (const double sign : {1.0, -1.0}) {
     std::string loaded = deck;

@@ -75,7 +75,7 @@ const results::ContactResult& faces_of(const results::StepResult& step) {
 }
 
 bool tells_of(const std::vector<results::Note>& notes, const std::string& words) {
-  return std::ranges::any_of(results::marked(notes), [&](const std::string& note) {
+  return std::ranges::any_of(results::text_with_code(notes), [&](const std::string& note) {
     return note.find(words) != std::string::npos;
   });
 }
@@ -100,14 +100,14 @@ TEST(SolidFaceContact, PressureAllRoundLeavesNothingOfACrack) {
     EXPECT_NEAR(p.p_consistent, 2.0, 0.03);
     EXPECT_TRUE(p.closed);
   }
-  for (const results::FrontPlace& place : solved->step().fronts.front().points) {
+  for (const results::FrontPointResult& place : solved->step().fronts.front().points) {
     EXPECT_TRUE(place.closed);
     EXPECT_EQ(place.K1, 0.0);
     EXPECT_NEAR(place.K2, 0.0, 1e-3); // of 2 sqrt(a/pi) p = 2.3
     EXPECT_NEAR(place.K3, 0.0, 1e-3);
     EXPECT_NEAR(place.T, -2.0, 0.04);
   }
-  EXPECT_TRUE(solved->step().fronts.front().doubt.empty());
+  EXPECT_TRUE(solved->step().fronts.front().invalid_reason.empty());
 }
 
 // Friction that holds the faces everywhere leaves nothing of it either.
@@ -115,7 +115,7 @@ TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
   const auto solved =
       solve_text(penny("MU=1", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n"));
   ASSERT_TRUE(solved);
-  for (const results::FrontPlace& place : solved->step().fronts.front().points) {
+  for (const results::FrontPointResult& place : solved->step().fronts.front().points) {
     EXPECT_TRUE(place.closed);
     EXPECT_EQ(place.K1, 0.0);
     EXPECT_EQ(place.K2, 0.0);
@@ -153,7 +153,7 @@ TEST(SolidFaceContact, SlipsAgainstFriction) {
   double K2_off = 0.0;
   double K3_off = 0.0;
   for (std::size_t i = 0; i < rough.size(); ++i) {
-    const results::FrontPlace& place = found.fronts.front().points[i];
+    const results::FrontPointResult& place = found.fronts.front().points[i];
     EXPECT_TRUE(place.closed);
     EXPECT_EQ(place.K1, 0.0);
     EXPECT_NEAR(place.K2, k * std::cos(place.phi), 0.02 * k);
@@ -167,7 +167,7 @@ TEST(SolidFaceContact, SlipsAgainstFriction) {
   const results::ContactResult& faces = faces_of(found);
   EXPECT_LE(faces.shear_ratio, 1.0 + 1e-9);
   EXPECT_NEAR(faces.mean_pressure, 1.0, 5e-3);
-  for (const results::Balance& body : found.balance) { // equal and opposite
+  for (const results::ForceBalance& body : found.balance) { // equal and opposite
     EXPECT_LT(body.contact.norm(), 1e-9);
   }
 }
@@ -179,7 +179,7 @@ TEST(SolidFaceContact, ClosesInItsMiddle) {
   const auto state = solved.solve(0);
   ASSERT_TRUE(state);
   const results::StepResult found = solved.length->recover_step(solved.model().steps[0], *state);
-  for (const results::FrontPlace& place : found.fronts.front().points) {
+  for (const results::FrontPointResult& place : found.fronts.front().points) {
     EXPECT_NEAR(place.K1, 0.4975, 0.02 * 0.4975);
     EXPECT_FALSE(place.closed);
   }
@@ -187,7 +187,7 @@ TEST(SolidFaceContact, ClosesInItsMiddle) {
   const auto open = solve_text(penny("FACES=FREE", "$STEP NAME=S\n  LOAD RIM 1\n"));
   ASSERT_TRUE(open);
   EXPECT_NEAR(open->step().fronts.front().points.front().K1, 0.376, 0.02);
-  EXPECT_TRUE(open->step().fronts.front().doubt.empty()); // it opens at the front
+  EXPECT_TRUE(open->step().fronts.front().invalid_reason.empty()); // it opens at the front
   EXPECT_TRUE(tells(open->step(), "overlap"));
 }
 
@@ -203,13 +203,13 @@ TEST(SolidFaceContact, ClosesAlongAPartOfTheFront) {
   const auto more = solve("1.02");
   ASSERT_TRUE(less && at && more);
   const results::FrontResult& front = at->step().fronts.front();
-  EXPECT_TRUE(front.doubt.empty());
+  EXPECT_TRUE(front.invalid_reason.empty());
   double released = 0.0;
   double of_K = 0.0;
   std::size_t closed = 0;
   const std::size_t count = front.points.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const results::FrontPlace& place = front.points[i];
+    const results::FrontPointResult& place = front.points[i];
     const double ahead = i + 1 < count ? front.points[i + 1].s : front.length;
     const double behind = i > 0 ? front.points[i - 1].s : front.points.back().s - front.length;
     released += 0.5 * (ahead - behind) * place.G;
@@ -235,7 +235,7 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
   const auto solved = solve_text(penny("", steps + "$LOADPATH NAME=DOWN FROM=S0 TO=S2\n"));
   ASSERT_TRUE(solved);
   const results::Increment& increment = solved->run.increments.front();
-  const results::LoadPath& path = increment.paths.front();
+  const results::LoadPathResult& path = increment.paths.front();
   EXPECT_LT(path.mismatch, 1e-6);
   EXPECT_TRUE(tells_of(path.notes, "touch at"));
   std::size_t closed = 0;
@@ -244,7 +244,7 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
     const results::FrontResult found = path.fronts[0].at(0.5 * static_cast<double>(s));
     ASSERT_TRUE(own.no_bar.empty()) << own.no_bar;
     for (std::size_t i = 0; i < own.points.size(); ++i) {
-      const results::FrontPlace& place = own.points[i];
+      const results::FrontPointResult& place = own.points[i];
       EXPECT_NEAR(std::max(0.0, found.points[i].K1), place.K1, 1e-6) << s << " point " << i;
       EXPECT_NEAR(found.points[i].K2, place.K2, 1e-6) << s << " point " << i;
       EXPECT_NEAR(found.points[i].K3, place.K3, 1e-6) << s << " point " << i;
@@ -280,7 +280,7 @@ TEST(SolidFaceContact, OpensAgain) {
 TEST(SolidFaceContact, TellsFreeFacesThatOverlap) {
   const auto solved = solve_text(penny("FACES=FREE", "$STEP NAME=S\n  LOAD UP -1\n"));
   ASSERT_TRUE(solved);
-  EXPECT_FALSE(solved->step().fronts.front().doubt.empty());
+  EXPECT_FALSE(solved->step().fronts.front().invalid_reason.empty());
   EXPECT_TRUE(tells(solved->step(), "overlap"));
   EXPECT_TRUE(solved->step().contacts.empty());
 }

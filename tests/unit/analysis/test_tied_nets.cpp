@@ -44,7 +44,7 @@ void expect_same(const Solved& whole, const Solved& pieces, double tolerance) {
 }
 
 void expect_balance(const Solved& solved) {
-  for (const results::Balance& b : solved.step().balance) {
+  for (const results::ForceBalance& b : solved.step().balance) {
     const double size = b.applied.norm() + b.reaction.norm() + b.contact.norm();
     EXPECT_LT((b.applied + b.reaction + b.contact).norm(), 1e-10 * size) << b.body;
   }

@@ -181,7 +181,7 @@ $LOAD CASE=PULL TYPE=RESULTANT
   PIN.BODY  20000 3000
 )" + steps + "$LOADPATH NAME=UP FROM=S0 TO=S4\n$END\n");
   ASSERT_TRUE(solved);
-  const results::LoadPath* path = results::find_path(solved->run.increments.front(), "UP");
+  const results::LoadPathResult* path = results::find_path(solved->run.increments.front(), "UP");
   ASSERT_NE(path, nullptr);
   ASSERT_TRUE(path->stopped.empty());
   const double largest = std::max(path->tips[0].K1.highest(), -path->tips[0].K1.lowest());

@@ -203,7 +203,7 @@ TEST(SlidesOfSolids, AreGoodForAnElementAndToldBeyond) {
     EXPECT_NEAR(sign * contact.force_on_slave.y(), -0.6 * 0.25 * P, 1e-6 * P) << way;
     EXPECT_EQ(contact.sticking, 0);
     const bool told = std::ranges::any_of(step.notes, [](const results::Note& note) {
-      return results::warns(note) && note.text.find("slide") != std::string::npos;
+      return results::is_warning(note) && note.text.find("slide") != std::string::npos;
     });
     EXPECT_EQ(told, way > std::sqrt(0.5)) << way;
   }

@@ -25,12 +25,12 @@ namespace {
 using nlohmann::json;
 using program::ProcessorSum;
 using program::ProcessorSums;
-using results::Profile;
+using results::RunProfile;
 
 // A run of 10 s with two lengths: the mesher is asked while the deck is read and in TOPOLOGY, nets
 // are condensed on two threads at the first length and found again at the second.
-Profile sample() {
-  Profile p;
+RunProfile sample() {
+  RunProfile p;
   p.begin = 100.0;
   p.end = 110.0;
   p.cpu = 9.0;
@@ -125,7 +125,7 @@ const ProcessorSum& row(const ProcessorSums& sums, const std::string& processor)
   return *found;
 }
 
-TEST(Profile, ProcessorsAddUpToTheRun) {
+TEST(RunProfile, ProcessorsAddUpToTheRun) {
   const ProcessorSums sums = program::by_processor(sample());
   double cpu = sums.cpu_rest + *row(sums, "MESHER").cpu;
   double wall = sums.wall_rest;
@@ -140,7 +140,7 @@ TEST(Profile, ProcessorsAddUpToTheRun) {
   EXPECT_NEAR(sums.wall_rest, 2.0, 1e-12); // 107.5 .. 108, 108.5 .. 110
 }
 
-TEST(Profile, WhatTheProgramWaitsForTheMesherIsTheMeshers) {
+TEST(RunProfile, WhatTheProgramWaitsForTheMesherIsTheMeshers) {
   const ProcessorSums sums = program::by_processor(sample());
   EXPECT_NEAR(row(sums, "DECK").wall, 1.0, 1e-12);
   EXPECT_NEAR(row(sums, "TOPOLOGY").wall, 0.6, 1e-12);
@@ -148,7 +148,7 @@ TEST(Profile, WhatTheProgramWaitsForTheMesherIsTheMeshers) {
   EXPECT_EQ(row(sums, "MESHER").calls, 2U);
 }
 
-TEST(Profile, StiffnessIsTakenOutOfCondense) {
+TEST(RunProfile, StiffnessIsTakenOutOfCondense) {
   const ProcessorSums sums = program::by_processor(sample());
   EXPECT_EQ(row(sums, "STIFFNESS").calls, 2U);
   EXPECT_NEAR(*row(sums, "STIFFNESS").cpu, 1.5, 1e-12);
@@ -158,7 +158,7 @@ TEST(Profile, StiffnessIsTakenOutOfCondense) {
   EXPECT_FALSE(row(sums, "STIFFNESS").flops);
 }
 
-TEST(Profile, FlopsCountWhereTheyAreKnown) {
+TEST(RunProfile, FlopsCountWhereTheyAreKnown) {
   const ProcessorSums sums = program::by_processor(sample());
   const ProcessorSum& contact = row(sums, "CONTACT");
   EXPECT_EQ(contact.flops, 1e9);
@@ -169,8 +169,8 @@ TEST(Profile, FlopsCountWhereTheyAreKnown) {
   EXPECT_EQ(row(sums, "CONTACT").raised, 0U);
 }
 
-TEST(Profile, NetsAndLengthsSayWhatWasReused) {
-  const Profile profile = sample();
+TEST(RunProfile, NetsAndLengthsSayWhatWasReused) {
+  const RunProfile profile = sample();
   const auto nets = program::by_net(profile);
   ASSERT_EQ(nets.size(), 2U);
   EXPECT_EQ(nets[0].condensed, 1U);
@@ -217,7 +217,7 @@ std::map<std::pair<int, int>, std::vector<json>> tracks_of(const json& trace) {
   return tracks;
 }
 
-TEST(Profile, TheTraceIsValidAndItsEventsNest) {
+TEST(RunProfile, TheTraceIsValidAndItsEventsNest) {
   const json trace = json::parse(program::trace_json(sample()));
   const auto tracks = tracks_of(trace);
   ASSERT_EQ(tracks.size(), 3U); // main, a thread beside it, the mesher
@@ -235,7 +235,7 @@ TEST(Profile, TheTraceIsValidAndItsEventsNest) {
   }
 }
 
-TEST(Profile, WhatIsNotKnownIsCalledUnknown) {
+TEST(RunProfile, WhatIsNotKnownIsCalledUnknown) {
   program::ProfileRecord record{.profile = sample(), .floor = {}, .bytes_read = 10};
   record.floor.why_not = "its matrix is singular";
   record.profile.mesher.back().cpu.reset();
@@ -248,7 +248,7 @@ TEST(Profile, WhatIsNotKnownIsCalledUnknown) {
   EXPECT_NE(table.find("\nprocessor,MESHER,,,2,,"), std::string::npos) << table;
 }
 
-TEST(Profile, CountsPlainFactorisations) {
+TEST(RunProfile, CountsPlainFactorisations) {
   program::ProfileRecord record{.profile = sample(), .floor = {}};
   record.floor = {.why_not = {},
                   .equations = 9,
@@ -265,7 +265,7 @@ TEST(Profile, CountsPlainFactorisations) {
             std::string::npos);
 }
 
-TEST(Profile, ARecorderTakesDownStretchesAndLengths) {
+TEST(RunProfile, ARecorderTakesDownStretchesAndLengths) {
   analysis::ProfileRecorder recorder(base::Stopwatch(), base::cpu_seconds());
   {
     analysis::RecordedCrackLength length(&recorder);
@@ -273,7 +273,7 @@ TEST(Profile, ARecorderTakesDownStretchesAndLengths) {
     length.set_length(3.0);
   }
   { const analysis::RecordedInterval stretch(&recorder, "OUTPUT", "tables"); }
-  const Profile profile = recorder.finish();
+  const RunProfile profile = recorder.finish();
   ASSERT_EQ(profile.stretches.size(), 2U);
   EXPECT_EQ(profile.stretches[0].length, 0U);
   EXPECT_FALSE(profile.stretches[1].length);
@@ -310,7 +310,7 @@ program::Floor floor_of(const std::string& text) {
   return ready.model ? program::find_floor(*ready.model) : program::Floor();
 }
 
-TEST(Profile, TheFloorIsOneFactorisationOfAllBodies) {
+TEST(RunProfile, TheFloorIsOneFactorisationOfAllBodies) {
   // Nodes of quadratic elements: (2 nx + 1)(2 ny + 1) - nx ny, without those that are held.
   const auto nodes = [](int nx, int ny) { return (2 * nx + 1) * (2 * ny + 1) - nx * ny; };
   const std::string contact = "$CONTACT NAME=C MASTER=LOW.YMAX SLAVE=TOP.YMIN\n"
@@ -329,7 +329,7 @@ TEST(Profile, TheFloorIsOneFactorisationOfAllBodies) {
 }
 
 // A process begins with the peak of the one that started it, as getrusage has it.
-TEST(Profile, ThePeakOfMemoryIsTheProgramsOwn) {
+TEST(RunProfile, ThePeakOfMemoryIsTheProgramsOwn) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << two_plates("$MPC TYPE=TRANSITION SLAVE=TOP.YMIN MASTER=LOW.YMAX\n");

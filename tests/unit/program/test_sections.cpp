@@ -76,7 +76,7 @@ double difference(const test::Solved& solid, const test::Solved& plane,
     const base::Vec3 u = solid.vector(solid.step(last).u, base::NodeId(of));
     const base::Vec3 v = plane.vector(plane.step(last).u, base::NodeId(n));
     off = std::max(
-        {off, std::abs(v.x() - u[how.direction(0)]), std::abs(v.y() - u[how.direction(1)])});
+        {off, std::abs(v.x() - u[how.space_axis(0)]), std::abs(v.y() - u[how.space_axis(1)])});
     size = std::max(size, u.norm());
   }
   return off / size;
@@ -232,7 +232,7 @@ TEST(Section, HasTheModesOfAStraightFront) {
     ASSERT_TRUE(solid && plane);
     const results::TipResult& tip = plane->step().tips.at(0);
     const results::FrontResult& front = solid->step().fronts.at(0);
-    const results::FrontPlace& middle = front.points.at(front.points.size() / 2);
+    const results::FrontPointResult& middle = front.points.at(front.points.size() / 2);
     EXPECT_NEAR(middle.K1, tip.K1, 3e-3 * tip.K1);
     EXPECT_NEAR(middle.K2, section.view.sign_of_K2.at("C") * tip.K2, 3e-3 * tip.K1);
     EXPECT_GT(std::abs(tip.K2), 0.1 * tip.K1);

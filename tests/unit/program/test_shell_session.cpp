@@ -167,7 +167,7 @@ TEST(ShellSession, MapAgreesWithSolutions) {
   const double before = shell.K1();
   good(shell->map_case("PULL", 0.0, 6.0));
   EXPECT_EQ(shell.K1(), before);
-  const results::LoadPath path = *shell->mapped();
+  const results::LoadPathResult path = *shell->mapped();
   ASSERT_GT(path.t.size(), 4U); // the contact opens on the way
   for (const double t : {0.0, 0.21, 0.5, 0.83, 1.0}) {
     good(shell->load("PULL", 6.0 * t));

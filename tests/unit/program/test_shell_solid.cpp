@@ -66,7 +66,7 @@ results::FrontResult front_of_run(const std::string& deck, std::size_t step) {
 void expect_same(const results::FrontResult& found, const results::FrontResult& wanted) {
   ASSERT_EQ(found.points.size(), wanted.points.size());
   double scale = 0.0;
-  for (const results::FrontPlace& place : wanted.points) {
+  for (const results::FrontPointResult& place : wanted.points) {
     scale = std::max(scale, std::abs(place.K1));
   }
   for (std::size_t i = 0; i < found.points.size(); ++i) {

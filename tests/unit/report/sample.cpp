@@ -251,7 +251,7 @@ Sample make_sample() {
   Sample sample;
   sample.sources.add_text("sample.deck", "! a sample\r\n$DECK VERSION=1\n\n$END");
   sample.model = make_model();
-  results::Run& run = sample.run;
+  results::RunResult& run = sample.run;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     results::Increment increment;
     increment.number = static_cast<int>(i) + 1;

@@ -28,7 +28,7 @@ double pressure(double theta);
 struct Sample {
   base::SourceTexts sources;
   model::Model model;
-  results::Run run;
+  results::RunResult run;
 };
 Sample make_sample();
 

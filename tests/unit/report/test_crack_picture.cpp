@@ -17,7 +17,7 @@ results::FrontResult arc(double from, double to, int points) {
   results::FrontResult front;
   for (int i = 0; i < points; ++i) {
     const double w = to + (from - to) * i / (points - 1);
-    results::FrontPlace place;
+    results::FrontPointResult place;
     place.x = base::Vec3(std::cos(w), std::sin(w), 0.0);
     place.growth = place.x;
     front.points.push_back(place);
@@ -26,7 +26,7 @@ results::FrontResult arc(double from, double to, int points) {
 }
 
 TEST(CrackPicture, FrameHasTheNormalOfTheUpperFace) {
-  const auto frame = crack_frame(arc(0.0, 0.5 * std::numbers::pi, 9));
+  const auto frame = fit_front_plane(arc(0.0, 0.5 * std::numbers::pi, 9));
   ASSERT_TRUE(frame);
   EXPECT_LT((frame->normal - base::Vec3::UnitZ()).norm(), 1e-12);
   EXPECT_GT(frame->growth.dot(base::Vec3(1.0, 1.0, 0.0)), 1.0); // away from the corner
@@ -35,8 +35,8 @@ TEST(CrackPicture, FrameHasTheNormalOfTheUpperFace) {
 TEST(CrackPicture, FrontsOutOfAPlaneHaveNone) {
   results::FrontResult front = arc(0.0, 3.0, 9);
   front.points[4].x.z() = 0.01;
-  EXPECT_FALSE(crack_frame(front));
-  EXPECT_FALSE(crack_frame(arc(0.0, 1.0, 2)));
+  EXPECT_FALSE(fit_front_plane(front));
+  EXPECT_FALSE(fit_front_plane(arc(0.0, 1.0, 2)));
 }
 
 // Two tetrahedra above each other that share no node, with a common face at z = 0.
@@ -63,7 +63,7 @@ TEST(CrackPicture, FacesOnEachOtherAreOpenedByWhatPartsThem) {
   for (const base::NodeId n : side[0]) {
     step.u.segment<3>(static_cast<Eigen::Index>(3 * n.index())) = base::Vec3(0.3, 0.4, 0.02);
   }
-  const auto faces = open_faces(increment, step, *crack_frame(arc(0.0, 1.5, 9)));
+  const auto faces = crack_face_openings(increment, step, *fit_front_plane(arc(0.0, 1.5, 9)));
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_NEAR(faces[0].opening, 0.02, 1e-15);
   EXPECT_NEAR(faces[0].sliding, 0.5, 1e-15);

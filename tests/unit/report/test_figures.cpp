@@ -48,35 +48,35 @@ TEST(Ticks, ShowTheDigitsThatTellThemApart) {
 }
 
 TEST(RoundDown, GivesTheLargestOneTwoOrFiveBelow) {
-  EXPECT_DOUBLE_EQ(round_down(1.99), 1.0);
-  EXPECT_DOUBLE_EQ(round_down(20.0), 20.0);
-  EXPECT_DOUBLE_EQ(round_down(499.0), 200.0);
-  EXPECT_DOUBLE_EQ(round_down(0.0072), 0.005);
+  EXPECT_DOUBLE_EQ(round_number_below(1.99), 1.0);
+  EXPECT_DOUBLE_EQ(round_number_below(20.0), 20.0);
+  EXPECT_DOUBLE_EQ(round_number_below(499.0), 200.0);
+  EXPECT_DOUBLE_EQ(round_number_below(0.0072), 0.005);
 }
 
 TEST(PrintUnit, TurnsHalfPowersIntoRoots) {
-  EXPECT_EQ(print_unit("MPa*mm^0.5"), "MPa √mm");
-  EXPECT_EQ(print_unit("kN*m^0.5"), "kN √m");
-  EXPECT_EQ(print_unit("N/mm^2"), "N/mm²");
-  EXPECT_EQ(print_unit("psi"), "psi");
+  EXPECT_EQ(typeset_unit("MPa*mm^0.5"), "MPa √mm");
+  EXPECT_EQ(typeset_unit("kN*m^0.5"), "kN √m");
+  EXPECT_EQ(typeset_unit("N/mm^2"), "N/mm²");
+  EXPECT_EQ(typeset_unit("psi"), "psi");
 }
 
 TEST(Nominal, IsFoundByNameInAnyCaseAndScalesK) {
   const test::Sample sample = test::make_sample();
-  const std::optional<Nominal> state = nominal(sample.model);
+  const std::optional<NominalStressState> state = find_nominal_state(sample.model);
   ASSERT_TRUE(state);
   EXPECT_DOUBLE_EQ(state->radius, test::bore);
   EXPECT_DOUBLE_EQ(state->k0(6.0), test::sigma * std::sqrt(6.0 * std::numbers::pi));
   model::Model other = sample.model;
   other.parameters = {{"R", 36.0}};
-  EXPECT_FALSE(nominal(other));
+  EXPECT_FALSE(find_nominal_state(other));
 }
 
 TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {
   test::Sample sample = test::make_sample();
-  const std::vector<Reference> references = k_references(sample.model, sample.run);
+  const std::vector<KReference> references = k_references(sample.model, sample.run);
   ASSERT_EQ(references.size(), 2U);
-  for (const Reference& r : references) {
+  for (const KReference& r : references) {
     EXPECT_EQ(r.tip, "C1");
     EXPECT_EQ(r.step, "LOAD");
     EXPECT_DOUBLE_EQ(r.found, test::k1(r.a));
@@ -108,7 +108,7 @@ TEST(KFigure, NamesCurvesThatCoincideOnce) {
 }
 
 TEST(Increments, AreChosenEvenlyWithBothEnds) {
-  results::Run run;
+  results::RunResult run;
   for (int i = 0; i < 11; ++i) {
     run.increments.emplace_back().number = i;
   }
@@ -162,23 +162,24 @@ TEST(ColourScale, ItsEndsTakeWhatLiesBeyondThem) {
 }
 
 TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
-  results::Run run;
+  results::RunResult run;
   for (int i = 1; i <= 3; ++i) {
     results::Increment increment;
     increment.number = i;
     increment.steps.emplace_back().step = "LOAD";
     increment.steps.back().notes = {
-        results::less_exact(fmt::format("K1 = {:.3e} is doubtful", 1e-3 * i)),
+        results::less_exact_note(fmt::format("K1 = {:.3e} is doubtful", 1e-3 * i)),
         results::note(i == 2 ? "PIN slides" : "BUSH slides")};
     run.increments.push_back(increment);
   }
-  const std::vector<PlacedNote> notes = collect_notes(run);
+  const std::vector<LocatedNote> notes = collect_notes(run);
   ASSERT_EQ(notes.size(), 3U);
-  EXPECT_EQ(notes[0].first.doubt, base::ResultConcern::less_exact);
-  EXPECT_EQ(words_of(notes[0]), "increment 1, step LOAD: K1 = 1.000e-03 is doubtful (alike 2 more "
-                                "times, last in increment 3, step LOAD)");
+  EXPECT_EQ(notes[0].first.kind, base::ResultConcern::less_exact);
+  EXPECT_EQ(located_note_text(notes[0]),
+            "increment 1, step LOAD: K1 = 1.000e-03 is doubtful (alike 2 more "
+            "times, last in increment 3, step LOAD)");
   EXPECT_EQ(notes[1].times, 2);
-  EXPECT_EQ(words_of(notes[2]), "increment 2, step LOAD: PIN slides");
+  EXPECT_EQ(located_note_text(notes[2]), "increment 2, step LOAD: PIN slides");
 }
 
 TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {
@@ -197,7 +198,7 @@ TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {
   view.high = {100, 100};
   view.width = 100.0;
   // Edge 1: control point 2 (50, -10) - (50, 0) = (50, -20); pixels: y = 22 + 100 - y.
-  EXPECT_EQ(count(draw(view), "M0 122Q50 142 100 122"), 2U) << "area and outline";
+  EXPECT_EQ(count(draw_svg(view), "M0 122Q50 142 100 122"), 2U) << "area and outline";
 }
 
 // A unit cube as one HEXE8 with its six faces, all under the same tension.
@@ -220,7 +221,7 @@ void add_cube(results::Increment& increment, results::StepResult& step, const ba
                                                  {2, 3, 7, 6},
                                                  {1, 2, 6, 5},
                                                  {0, 4, 7, 3}}) {
-    results::SurfaceFace face{cube, {}};
+    results::OuterSurfaceFace face{cube, {}};
     for (const std::size_t n : side) {
       face.outline.push_back(nodes[n]);
     }
@@ -249,7 +250,7 @@ TEST(SolidPicture, ShowsTheFacesTurnedToTheEyeTheNearestLast) {
   add_cube(increment, step, {0.0, 0.0, 0.0}, 10.0);
   add_cube(increment, step, {2.0, -3.0, 1.8}, 30.0);
   const std::vector<std::string> fills =
-      fills_of_paths(draw(SolidView{&increment, &step, "MPa", 400.0}));
+      fills_of_paths(draw_svg(SolidView{&increment, &step, "MPa", 400.0}));
   ASSERT_EQ(fills.size(), 6U) << "three faces of each cube";
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(fills[i], fills[0]);
@@ -298,7 +299,7 @@ TEST(PressureFigures, DrawStraightSurfacesAlongTheirLength) {
   EXPECT_NE(figures[0].drawings[0].find("distance along the surface"), std::string::npos);
 }
 
-TEST(Page, IsSelfContainedAndAlwaysTheSame) {
+TEST(HtmlPage, IsSelfContainedAndAlwaysTheSame) {
   const test::Sample sample = test::make_sample();
   const std::string page = html_report(sample.sources, sample.model, sample.run);
   EXPECT_EQ(page, html_report(sample.sources, sample.model, sample.run));
@@ -309,10 +310,10 @@ TEST(Page, IsSelfContainedAndAlwaysTheSame) {
   EXPECT_EQ(count(page, "<svg"), count(page, "</svg>"));
 }
 
-TEST(Page, AndListingDoWithoutResults) {
+TEST(HtmlPage, AndListingDoWithoutResults) {
   const base::SourceTexts sources;
   const model::Model model;
-  const results::Run run;
+  const results::RunResult run;
   EXPECT_NE(html_report(sources, model, run).find("</html>"), std::string::npos);
   EXPECT_NE(listing(sources, model, run).find("Processor log"), std::string::npos);
 }

@@ -6,8 +6,8 @@
 namespace spricka::test_k_bars {
 namespace {
 
-results::KBar bar_of(double mesh, double edge, double floor, double best) {
-  results::KBar bar;
+results::KErrorBar bar_of(double mesh, double edge, double floor, double best) {
+  results::KErrorBar bar;
   bar.mesh = mesh;
   bar.edge = edge;
   bar.floor = floor;
@@ -26,12 +26,12 @@ TEST(KBars, HaveAsManyDecimalsAsTheyMean) {
 }
 
 TEST(KBars, HaveASizeOfTwoDigits) {
-  EXPECT_EQ(report::bar_size(286.7), "290");
-  EXPECT_EQ(report::bar_size(99.7), "100");
-  EXPECT_EQ(report::bar_size(12.34), "12");
-  EXPECT_EQ(report::bar_size(0.0526), "0.053");
-  EXPECT_EQ(report::bar_size(473210.0), "470000");
-  EXPECT_EQ(report::bar_size(0.0), "0");
+  EXPECT_EQ(report::format_error_bar(286.7), "290");
+  EXPECT_EQ(report::format_error_bar(99.7), "100");
+  EXPECT_EQ(report::format_error_bar(12.34), "12");
+  EXPECT_EQ(report::format_error_bar(0.0526), "0.053");
+  EXPECT_EQ(report::format_error_bar(473210.0), "470000");
+  EXPECT_EQ(report::format_error_bar(0.0), "0");
 }
 
 TEST(KBars, AreListedForTipsThatHaveThem) {

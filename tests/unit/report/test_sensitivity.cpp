@@ -14,8 +14,8 @@
 namespace spricka::report::test_sensitivity {
 namespace {
 
-using results::Cause;
 using results::Sensitivity;
+using results::SensitivityParameter;
 
 // A load, a net fit and a modulus at the end of the leading step; the fit at a corner.
 test::Sample with_sensitivities() {
@@ -25,10 +25,13 @@ test::Sample with_sensitivities() {
         std::ranges::find(increment.steps, leading_step(sample.model), &results::StepResult::step);
     results::TipResult& tip = step->tips.front();
     tip.K1 = 500.0;
-    Sensitivity weak{Cause::modulus, "AL", 70000.0, {{{1e-3, 0.0}}}, {{{1e-3, 0.0}}}, {}};
+    Sensitivity weak{
+        SensitivityParameter::modulus, "AL", 70000.0, {{{1e-3, 0.0}}}, {{{1e-3, 0.0}}}, {}};
     constexpr double never = std::numeric_limits<double>::infinity();
-    Sensitivity load{Cause::load, "F", 2.0, {{{250.0, 5.0}}}, {{{250.0, 5.0}}}, {{1.5, never}}};
-    Sensitivity corner{Cause::fit, "BUSH", 0.0, {{{-1000.0, 7.0}}}, {{{-2000.0, 8.0}}}, {{0, 0}}};
+    Sensitivity load{SensitivityParameter::load, "F",           2.0, {{{250.0, 5.0}}},
+                     {{{250.0, 5.0}}},           {{1.5, never}}};
+    Sensitivity corner{SensitivityParameter::fit, "BUSH",  0.0, {{{-1000.0, 7.0}}},
+                       {{{-2000.0, 8.0}}},        {{0, 0}}};
     tip.sensitivities.of = {weak, load, corner};
     tip.sensitivities.notes = {"no length"};
   }
@@ -37,7 +40,7 @@ test::Sample with_sensitivities() {
 
 TEST(SensitivityTable, IsSortedAndShowsBothSidesOfACorner) {
   const test::Sample sample = with_sensitivities();
-  const Table table = sensitivity_table(sample.model, sample.run.increments.front());
+  const ReportTable table = sensitivity_table(sample.model, sample.run.increments.front());
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[0][1], "LOAD F");
   EXPECT_EQ(table.rows[0][3], "500");
@@ -57,7 +60,7 @@ TEST(SensitivityTable, IsSortedAndShowsBothSidesOfACorner) {
 TEST(SensitivityTable, AMicrometreIsOneInAllUnits) {
   test::Sample sample = with_sensitivities();
   sample.model.units.metre_per_length = 0.0254;
-  const Table table = sensitivity_table(sample.model, sample.run.increments.front());
+  const ReportTable table = sensitivity_table(sample.model, sample.run.increments.front());
   const auto fit =
       std::ranges::find_if(table.rows, [](const auto& r) { return r[1] == "FIT BUSH"; });
   ASSERT_NE(fit, table.rows.end());
@@ -82,8 +85,8 @@ TEST(SensitivityTable, FileHoldsEveryDerivative) {
 }
 
 // Widths of the bars are in proportion to what they stand for, on the side of its sign.
-TEST(Tornado, BarsAreToScale) {
-  const std::string svg = draw(Tornado{"T", {{"A", 2.0, -2.0, 0}, {"B", -1.0, 0.5, 1}}});
+TEST(TornadoChart, BarsAreToScale) {
+  const std::string svg = draw_svg(TornadoChart{"T", {{"A", 2.0, -2.0, 0}, {"B", -1.0, 0.5, 1}}});
   std::vector<std::pair<double, double>> bars; // left, width
   for (std::size_t at = svg.find("<rect"); at != std::string::npos;
        at = svg.find("<rect", at + 1)) {

@@ -36,26 +36,27 @@ results::ContactResult pressed_bore() {
   return bore;
 }
 
-TEST(Unrolled, PressureIsThereAllRoundAndNowhereElse) {
-  const Unrolled surface(pressed_bore(), false);
-  EXPECT_EQ(surface.low(), 1.0);
-  EXPECT_EQ(surface.high(), 3.0);
+TEST(UnrolledSurface, PressureIsThereAllRoundAndNowhereElse) {
+  const UnrolledSurface surface(pressed_bore(), false);
+  EXPECT_EQ(surface.axial_low(), 1.0);
+  EXPECT_EQ(surface.axial_high(), 3.0);
   for (int i = 0; i <= 100; ++i) { // the seam at +-pi too
     const double theta = -pi + 2.0 * pi * i / 100.0;
     const std::optional<double> p = surface.pressure_at({theta, 2.0});
     ASSERT_TRUE(p) << theta;
     EXPECT_NEAR(*p, 15.0 * std::max(0.0, std::cos(theta - 3.0)), 15.0 * 0.03) << theta;
-    EXPECT_NEAR(Unrolled(pressed_bore(), true).pressure_at({theta, 2.0}).value_or(0.0), 1.0, 1e-12);
+    EXPECT_NEAR(UnrolledSurface(pressed_bore(), true).pressure_at({theta, 2.0}).value_or(0.0), 1.0,
+                1e-12);
   }
   EXPECT_FALSE(surface.pressure_at({0.0, 0.9}));
 }
 
 // The integral of cos^2 over half a turn is pi/2.
-TEST(Unrolled, PushIsTheIntegralRoundTheAxis) {
-  const Unrolled surface(pressed_bore(), false);
+TEST(UnrolledSurface, PushIsTheIntegralRoundTheAxis) {
+  const UnrolledSurface surface(pressed_bore(), false);
   for (const double z : {1.0, 1.7, 3.0}) {
     const double size = 3.0 * 5.0 * (1.0 + z) * 0.5 * pi;
-    const Point push = surface.push_at(z);
+    const DrawingPoint push = surface.line_force_at(z);
     EXPECT_NEAR(push.x, size * std::cos(3.0), 2e-3 * size);
     EXPECT_NEAR(push.y, size * std::sin(3.0), 2e-3 * size);
   }

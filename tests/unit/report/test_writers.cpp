@@ -86,7 +86,7 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
         EXPECT_EQ(number(cells[at + 1]), tip.bar[k].best);
         EXPECT_EQ(number(cells[at + 2]), tip.bar[k].eta);
         EXPECT_EQ(number(cells[at + 3]), tip.bar[k].sum);
-        EXPECT_EQ(number(cells[at + 4]), tip.bar[k].flip);
+        EXPECT_EQ(number(cells[at + 4]), tip.bar[k].set_change);
       }
     }
   }
@@ -144,7 +144,7 @@ TEST_F(Writers, ListingEchoesTheDeckAndShowsEveryTable) {
 }
 
 TEST(CheckListing, PlacesHaveAsManyCoordinatesAsTheMesh) {
-  results::Preview preview;
+  results::DeckPreview preview;
   preview.quality = {{"host", "aspect", 3.0, "A", 7, {1.0, 2.0, 3.0}}};
   EXPECT_NE(check_listing(preview).find("(1, 2)"), std::string::npos);
   preview.dim = 3;
@@ -167,7 +167,8 @@ TEST(StressInvariants, PrincipalStressesOfATurnedTensor) {
                              Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
                                 .toRotationMatrix();
   const Eigen::Matrix3d s = Q * Eigen::Vector3d(-20.0, 70.0, 5.0).asDiagonal() * Q.transpose();
-  const auto p = results::principal({s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0)});
+  const auto p =
+      results::principal_stresses({s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0)});
   EXPECT_NEAR(p[0], 70.0, 1e-12);
   EXPECT_NEAR(p[1], 5.0, 1e-12);
   EXPECT_NEAR(p[2], -20.0, 1e-12);

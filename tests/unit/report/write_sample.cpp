@@ -76,7 +76,7 @@ int main(int count, char** arguments) {
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
   const test::Sample sample = test::make_sample();
-  std::vector<report::CollectedFile> entries;
+  std::vector<report::PvdEntry> entries;
   for (const results::Increment& increment : sample.run.increments) {
     const std::string name = "sample." + std::to_string(increment.number) + ".vtu";
     report::write_vtu(folder / name, sample.model, increment, increment.steps[1]);

@@ -117,7 +117,7 @@ void expect_places(const std::vector<ManualRow>& rows, const Quantities& all, un
 TEST(Columns, of_k_csv_are_those_of_the_manual) {
   Words columns{"increment", "step", "crack"};
   for (const TipQuantity& q : tip_quantities) {
-    if (q.is(in_k_csv)) {
+    if (q.appears_in(in_k_csv)) {
       columns.emplace_back(q.name);
     }
   }
@@ -153,8 +153,8 @@ TEST(Columns, of_k_csv_in_space_are_those_of_the_manual) {
 TEST(Columns, of_pressure_csv_are_those_of_the_manual) {
   Words columns{"increment", "step", "contact"};
   for (const bool friction : {false, true}) {
-    for (const PointQuantity& q : point_quantities) {
-      if (q.is(in_pressure_csv) && q.friction == friction) {
+    for (const ContactPointQuantity& q : point_quantities) {
+      if (q.appears_in(in_pressure_csv) && q.friction == friction) {
         columns.emplace_back(q.name);
       }
     }
@@ -191,7 +191,7 @@ TEST(Columns, have_one_source_each) {
   for (const TipQuantity& q : tip_quantities) {
     EXPECT_NE(q.member != nullptr, q.computed != nullptr) << q.name;
   }
-  for (const PointQuantity& q : point_quantities) {
+  for (const ContactPointQuantity& q : point_quantities) {
     EXPECT_EQ(
         (q.member != nullptr ? 1 : 0) + (q.computed != nullptr ? 1 : 0) + (q.is_word() ? 1 : 0), 1)
         << q.name;

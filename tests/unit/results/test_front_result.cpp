@@ -20,7 +20,7 @@ TEST(FrontValue, IsExactForACubicUpToTheEnds) {
   FrontResult front;
   front.length = 3.0;
   for (const double s : {0.0, 0.2, 0.7, 1.1, 2.0, 3.0}) {
-    FrontPlace& place = front.points.emplace_back();
+    FrontPointResult& place = front.points.emplace_back();
     place.s = s;
     place.x = {s, 0.0, 0.0};
     place.K1 = -1.0; // a mean over the hat is no value of the curve
@@ -41,7 +41,7 @@ TEST(FrontValue, GoesRoundAClosedFront) {
   front.length = 2.0 * pi;
   constexpr int points = 24;
   for (int i = 0; i < points; ++i) {
-    FrontPlace& place = front.points.emplace_back();
+    FrontPointResult& place = front.points.emplace_back();
     place.s = 2.0 * pi * i / points;
     place.phi = std::remainder(place.s, 2.0 * pi);
     place.smooth = {0.0, std::cos(place.s), 0.0};
@@ -56,7 +56,7 @@ TEST(FrontValue, TakesWhatThereIsOnAShortFront) {
   FrontResult front;
   front.length = 1.0;
   for (const double s : {0.0, 1.0}) {
-    FrontPlace& place = front.points.emplace_back();
+    FrontPointResult& place = front.points.emplace_back();
     place.s = s;
     place.smooth = {1.0 + s, 0.0, 0.0};
   }

@@ -37,9 +37,9 @@ Increment sound() {
   }
   contact.corners = {0, 1, 2};
   step.errors.emplace_back().worst = {base::ElementId(std::size_t{0})};
-  LoadPath& path = increment.paths.emplace_back();
+  LoadPathResult& path = increment.paths.emplace_back();
   path.t = {0.0, 1.0};
-  PathContact& part = path.contacts.emplace_back();
+  LoadPathContact& part = path.contacts.emplace_back();
   part.from = {0.0, 0.0};
   part.to = {1.0, 1.0};
   part.closed = {3, 3};
@@ -47,7 +47,7 @@ Increment sound() {
 }
 
 TEST(IncrementFlaw, OfASoundOneThereIsNone) {
-  EXPECT_EQ(flaw_of(sound()), "");
+  EXPECT_EQ(find_increment_flaw(sound()), "");
 }
 
 TEST(IncrementFlaw, EachIsFound) {
@@ -82,7 +82,7 @@ TEST(IncrementFlaw, EachIsFound) {
   for (std::size_t w = 0; w < wrong.size(); ++w) {
     Increment increment = sound();
     wrong[w](increment);
-    EXPECT_NE(flaw_of(increment), "") << w;
+    EXPECT_NE(find_increment_flaw(increment), "") << w;
   }
 }
 

@@ -8,13 +8,14 @@ namespace {
 
 // Files of all versions keep the mark in the text.
 TEST(Note, IsMarkedInFilesOnly) {
-  const std::vector<Note> notes{note("PIN slides"), no_answer("K1 is negative"), less_exact(""),
-                                odd("so many tests"), note("warnings")};
-  const std::vector<std::string> kept = marked(notes);
+  const std::vector<Note> notes{note("PIN slides"), invalid_result_note("K1 is negative"),
+                                less_exact_note(""), questionable_note("so many tests"),
+                                note("warnings")};
+  const std::vector<std::string> kept = text_with_code(notes);
   EXPECT_EQ(kept, (std::vector<std::string>{"PIN slides", "warning W508: K1 is negative",
                                             "warning W507: ", "warning W502: so many tests",
                                             "warnings"}));
-  EXPECT_EQ(notes_from(kept), notes);
+  EXPECT_EQ(parse_notes(kept), notes);
 }
 
 // A code of a note is one of the kind that the note has, or the order of warnings would tell lies.
@@ -22,14 +23,14 @@ TEST(Note, HasACodeOfItsKind) {
   for (const base::ResultConcern doubt :
        {base::ResultConcern::no_answer, base::ResultConcern::less_exact,
         base::ResultConcern::odd}) {
-    EXPECT_EQ(base::warning_concern(code_of(doubt)), doubt);
+    EXPECT_EQ(base::warning_concern(warning_code(doubt)), doubt);
   }
 }
 
 TEST(Warning, IsKeptWithItsCode) {
   const std::vector<Warning> warnings{{"W508", "K1: negative"}, {"W456", ""}};
-  EXPECT_EQ(marked(warnings), (std::vector<std::string>{"W508: K1: negative", "W456: "}));
-  EXPECT_EQ(warnings_from(marked(warnings)), warnings);
+  EXPECT_EQ(text_with_code(warnings), (std::vector<std::string>{"W508: K1: negative", "W456: "}));
+  EXPECT_EQ(parse_warnings(text_with_code(warnings)), warnings);
 }
 
 } // namespace

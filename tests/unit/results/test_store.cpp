@@ -55,7 +55,7 @@ public:
     constexpr std::array<std::optional<base::ResultConcern>, 4> doubts{
         std::nullopt, base::ResultConcern::odd, base::ResultConcern::less_exact,
         base::ResultConcern::no_answer};
-    v.doubt = doubts[engine_() % doubts.size()];
+    v.kind = doubts[engine_() % doubts.size()];
   }
   template <class Tag> void operator()(const char*, base::Id<Tag>& v) {
     v.value = static_cast<std::int32_t>(engine_() % 1000) - 1;
@@ -122,13 +122,13 @@ template <class T> std::size_t named() {
 }
 
 template <class T> class Records : public ::testing::Test {};
-using AllRecords =
-    ::testing::Types<KBar, Sensitivity, Sensitivities, TipResult, FrontPlace, FrontResult,
-                     ContactPoint, ContactResult, Balance, NetError, SurfaceFace, PathTip,
-                     PathPoint, PathFront, FrontSensitivity, FrontSensitivities, PathContact,
-                     PathChange, LoadPath, LogLine, CheckResult, ToleranceRound, GrowingTip,
-                     GrowthStation, LifePoint, ScaledLife, Growth, TestPoint, GrowthTest,
-                     base::SourceSpan, model::NodeSet, model::ElementSet, model::FaceSet>;
+using AllRecords = ::testing::Types<
+    KErrorBar, Sensitivity, TipSensitivityResults, TipResult, FrontPointResult, FrontResult,
+    ContactPoint, ContactResult, ForceBalance, NetErrorEstimate, OuterSurfaceFace, LoadPathTip,
+    LoadPathFrontPoint, LoadPathFront, FrontSensitivity, FrontSensitivityResults, LoadPathContact,
+    ContactStatusChange, LoadPathResult, LogLine, CheckResult, ToleranceRound, GrownTipResult,
+    GrowthStation, LifeCurvePoint, ScaledLife, GrowthResult, GrowthTestPoint, GrowthTestResult,
+    base::SourceSpan, model::NodeSet, model::ElementSet, model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);
 
 // A member that somebody adds and no file keeps would be lost in a restart.
@@ -139,8 +139,8 @@ TYPED_TEST(Records, every_member_is_kept) {
 // The bytes of a store are those of all it holds: equal bytes, equal records.
 template <class T> std::string bytes_of(const std::vector<T>& list) {
   Store store = Store::in_memory();
-  write_list(store.root(), "list", list);
-  return std::string(store.bytes());
+  write_record_list(store.root(), "list", list);
+  return std::string(store.finish_bytes());
 }
 
 TYPED_TEST(Records, come_back_to_the_bit) {
@@ -149,7 +149,7 @@ TYPED_TEST(Records, come_back_to_the_bit) {
     const std::vector<TypeParam> list = dice.list<TypeParam>(n);
     const std::string bytes = bytes_of(list);
     const Store again = Store::from_bytes(bytes);
-    const std::vector<TypeParam> back = read_list<TypeParam>(again.root(), "list");
+    const std::vector<TypeParam> back = read_record_list<TypeParam>(again.root(), "list");
     ASSERT_EQ(back.size(), list.size());
     EXPECT_EQ(bytes_of(back), bytes);
   }
@@ -163,11 +163,11 @@ base::Vector random_vector(Dice& dice, Eigen::Index n) {
   return v;
 }
 
-using WholeRun = Run; // within a test, Run is one of its own functions
+using WholeRun = RunResult; // within a test, Run is one of its own functions
 
 WholeRun random_run() {
   Dice dice;
-  Run run;
+  RunResult run;
   for (int i = 1; i <= 3; ++i) {
     Increment increment;
     increment.number = i;
@@ -182,8 +182,8 @@ WholeRun random_run() {
     model::add_element(increment.mesh, base::ElementType::trim3, corners, 77, base::NetId{1U});
     increment.mesh.node_sets = dice.list<model::NodeSet>(3);
     increment.mesh.face_sets = dice.list<model::FaceSet>(2);
-    increment.surface = dice.list<SurfaceFace>(4);
-    increment.paths = dice.list<LoadPath>(2);
+    increment.surface = dice.list<OuterSurfaceFace>(4);
+    increment.paths = dice.list<LoadPathResult>(2);
     increment.notes = {note("first"), note("second")};
     for (const char* name : {"PRESS", "LOAD"}) {
       StepResult step;
@@ -195,17 +195,17 @@ WholeRun random_run() {
       step.tips = dice.list<TipResult>(3);
       step.fronts = dice.list<FrontResult>(2);
       step.contacts = dice.list<ContactResult>(2);
-      step.balance = dice.list<Balance>(1);
-      step.nets = dice.list<Balance>(2);
-      step.targets = dice.list<Balance>(1);
-      step.errors = dice.list<NetError>(2);
+      step.balance = dice.list<ForceBalance>(1);
+      step.nets = dice.list<ForceBalance>(2);
+      step.targets = dice.list<ForceBalance>(1);
+      step.errors = dice.list<NetErrorEstimate>(2);
       step.tied = i == 1;
       dice("", step.energy);
       dice("", step.friction_work);
       step.increments = 4;
       step.iterations = 5;
       step.pivots = 6;
-      step.notes = {no_answer("öäü"), note("")};
+      step.notes = {invalid_result_note("öäü"), note("")};
       increment.steps.push_back(std::move(step));
     }
     run.increments.push_back(std::move(increment));
@@ -214,18 +214,18 @@ WholeRun random_run() {
   run.checks = dice.list<CheckResult>(3);
   run.warnings = {{"W508", "one: so"}, {"W502", "two"}};
   run.rounds = dice.list<ToleranceRound>(2);
-  run.growth = dice.record<Growth>();
-  run.tests = dice.list<GrowthTest>(2);
+  run.growth = dice.record<GrowthResult>();
+  run.tests = dice.list<GrowthTestResult>(2);
   run.cpu = 1.5;
   run.wall = 2.5;
   run.peak_memory = 123456789;
   return run;
 }
 
-std::string bytes_of(const Run& run) {
+std::string bytes_of(const RunResult& run) {
   Store store = Store::in_memory();
-  write_run(store.root(), run, Times::kept);
-  return std::string(store.bytes());
+  write_run(store.root(), run, TimeRecording::kept);
+  return std::string(store.finish_bytes());
 }
 
 bool same_bits(const base::Vector& a, const base::Vector& b) {
@@ -267,8 +267,8 @@ TEST(Store, a_run_comes_back_to_the_bit) {
 TEST(Store, fields_of_some_increments_can_be_left_out) {
   const WholeRun run = random_run();
   Store store = Store::in_memory();
-  write_run(store.root(), run, Times::left_out, {true, false, true});
-  const WholeRun back = read_run(Store::from_bytes(std::string(store.bytes())).root());
+  write_run(store.root(), run, TimeRecording::left_out, {true, false, true});
+  const WholeRun back = read_run(Store::from_bytes(std::string(store.finish_bytes())).root());
   ASSERT_EQ(back.increments.size(), 3U);
   const StepResult& whole = run.increments[1].steps[1];
   const StepResult& thin = back.increments[1].steps[1];
@@ -286,8 +286,8 @@ TEST(Store, times_can_be_left_out) {
   WholeRun run = random_run();
   const auto timeless = [&] {
     Store store = Store::in_memory();
-    write_run(store.root(), run, Times::left_out);
-    return std::string(store.bytes());
+    write_run(store.root(), run, TimeRecording::left_out);
+    return std::string(store.finish_bytes());
   };
   const std::string before = timeless();
   run.cpu = 77.0;
@@ -310,14 +310,14 @@ TEST(Store, arrays_of_any_size) {
       values[i] = n % 2 == 0 ? 0.0 : std::sin(static_cast<double>(i));
     }
     root.write("n" + std::to_string(n), values);
-    root.write("t" + std::to_string(n), Table{{{"x", values}}});
+    root.write("t" + std::to_string(n), ColumnTable{{{"x", values}}});
     all.push_back(std::move(values));
   }
-  const Store again = Store::from_bytes(store.bytes());
+  const Store again = Store::from_bytes(store.finish_bytes());
   for (const std::vector<double>& values : all) {
-    EXPECT_EQ(again.root().reals("n" + std::to_string(values.size())), values);
+    EXPECT_EQ(again.root().read_reals("n" + std::to_string(values.size())), values);
     EXPECT_EQ(std::get<std::vector<double>>(
-                  again.root().table("t" + std::to_string(values.size())).columns[0].values),
+                  again.root().read_table("t" + std::to_string(values.size())).columns[0].values),
               values);
   }
 }
@@ -327,17 +327,17 @@ TEST(Store, trouble_is_said) {
   Store store = Store::in_memory();
   StoreGroup root = store.root();
   root.write("numbers", std::vector{1.0, 2.0});
-  root.describe("word", std::string_view("text"));
-  EXPECT_THROW((void)root.reals("none"), StoreError);
-  EXPECT_THROW((void)root.integers("numbers"), StoreError);
-  EXPECT_THROW((void)root.texts("numbers"), StoreError);
-  EXPECT_THROW((void)root.table("numbers"), StoreError);
-  EXPECT_THROW((void)root.integer("word"), StoreError);
-  EXPECT_THROW((void)root.text("none"), StoreError);
+  root.set_attribute("word", std::string_view("text"));
+  EXPECT_THROW((void)root.read_reals("none"), StoreError);
+  EXPECT_THROW((void)root.read_integers("numbers"), StoreError);
+  EXPECT_THROW((void)root.read_texts("numbers"), StoreError);
+  EXPECT_THROW((void)root.read_table("numbers"), StoreError);
+  EXPECT_THROW((void)root.integer_attribute("word"), StoreError);
+  EXPECT_THROW((void)root.text_attribute("none"), StoreError);
   EXPECT_THROW(root.write("numbers", std::vector{1.0}), StoreError);
-  EXPECT_THROW((void)read_list<Balance>(root, "numbers"), StoreError);
-  write_list(root, "tips", std::vector<LogLine>(2));
-  EXPECT_THROW((void)read_list<Balance>(root, "tips"), StoreError);
+  EXPECT_THROW((void)read_record_list<ForceBalance>(root, "numbers"), StoreError);
+  write_record_list(root, "tips", std::vector<LogLine>(2));
+  EXPECT_THROW((void)read_record_list<ForceBalance>(root, "tips"), StoreError);
 }
 
 } // namespace

@@ -124,16 +124,16 @@ TEST(StrangeTests, ReadingsOutsideAllLengths) {
   EXPECT_TRUE(has(inches, "0.1614 to 0.189 mm")) << inches;
 }
 
-results::Run run_with_notes(const std::string& first, const std::string& later) {
-  results::Run run;
+results::RunResult run_with_notes(const std::string& first, const std::string& later) {
+  results::RunResult run;
   run.increments.resize(2);
   for (results::Increment& increment : run.increments) {
     increment.steps.emplace_back().step = "S";
   }
   if (!first.empty()) {
-    run.increments[0].steps[0].notes.push_back(results::less_exact(first));
+    run.increments[0].steps[0].notes.push_back(results::less_exact_note(first));
   }
-  run.increments[1].steps[0].notes.push_back(results::less_exact(later));
+  run.increments[1].steps[0].notes.push_back(results::less_exact_note(later));
   return run;
 }
 
@@ -141,13 +141,13 @@ TEST(LostLigaments, OnlyWhatWasSmallAtFirst) {
   const std::string bent = "LUG is bent or turned by 12 % of its size (largest "
                            "displacement 3): linear theory holds for less than about 10 %; are "
                            "moduli and loads in the units meant?";
-  results::Run grown = run_with_notes("", bent);
+  results::RunResult grown = run_with_notes("", bent);
   analysis::explain_broken_ligaments(grown);
   EXPECT_FALSE(has(grown.increments[1].steps[0].notes[0].text, "units meant"));
   EXPECT_TRUE(has(grown.increments[1].steps[0].notes[0].text, "bent or turned by 12 %"));
-  results::Run ever = run_with_notes(bent, bent);
+  results::RunResult ever = run_with_notes(bent, bent);
   analysis::explain_broken_ligaments(ever);
-  EXPECT_EQ(ever.increments[1].steps[0].notes[0], results::less_exact(bent));
+  EXPECT_EQ(ever.increments[1].steps[0].notes[0], results::less_exact_note(bent));
 }
 
 // What stays below its threshold does not grow, which is an answer.
@@ -160,13 +160,13 @@ TEST(Growth, BelowItsThresholdIsNotWarnedOf) {
 
 // A net that nothing strains has no error worth a word, whatever round-off looks like.
 TEST(CoarseNets, RoundOffIsNoMesh) {
-  results::Run run;
+  results::RunResult run;
   results::Increment& increment = run.increments.emplace_back();
   increment.mesh.element_label = {1};
   results::StepResult& step = increment.steps.emplace_back();
   step.step = "S";
   for (const auto& [net, energy] : {std::pair("A", 1.0), std::pair("B", 1e-24)}) {
-    results::Balance balance;
+    results::ForceBalance balance;
     balance.body = net;
     balance.energy = energy;
     step.nets.push_back(balance);

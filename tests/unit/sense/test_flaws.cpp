@@ -38,8 +38,8 @@ Told bar(const std::string& crack, const std::string& more = "", double thicknes
   if (!r.model) {
     return {};
   }
-  sense::keep_sides(*r.model, r.diagnostics);
-  const std::vector<std::string> lines = sense::tell_of_flaws(*r.model, r.diagnostics);
+  sense::reduce_to_half_model(*r.model, r.diagnostics);
+  const std::vector<std::string> lines = sense::describe_solid_cracks(*r.model, r.diagnostics);
   return {lines.empty() ? "" : lines.front(), r.messages()};
 }
 

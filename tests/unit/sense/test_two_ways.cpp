@@ -21,7 +21,7 @@ results::StepResult step_with(double bar) {
   tip.G = tip.G_from_K = 25.0 / E;
   tip.K1_domain = {3.0, 3.0, 3.0};
   tip.no_bar = "";
-  for (results::KBar& one : tip.bar) {
+  for (results::KErrorBar& one : tip.bar) {
     one.mesh = 5.0 * bar / 1.4; // (3 + 4) of it over 5
   }
   step.tips = {tip};
@@ -29,9 +29,9 @@ results::StepResult step_with(double bar) {
 }
 
 std::vector<std::string> warnings_of(const results::StepResult& step) {
-  results::Run run;
+  results::RunResult run;
   run.increments.emplace_back().steps = {step};
-  return sense::two_ways_warnings(run);
+  return sense::k_consistency_warnings(run);
 }
 
 TEST(TwoWays, AgreeWithinTheBar) {

@@ -16,7 +16,7 @@ results::StepResult step_with_front() {
   front.name = "C";
   front.a = 1.0;
   for (int i = 0; i < 3; ++i) {
-    results::FrontPlace& place = front.points.emplace_back();
+    results::FrontPointResult& place = front.points.emplace_back();
     place.x = {0.5 * i, 0.0, 0.0};
     place.K1 = 3.0;
     place.K2 = 4.0;
@@ -28,9 +28,9 @@ results::StepResult step_with_front() {
 }
 
 std::vector<std::string> warnings_of(const std::vector<results::StepResult>& steps) {
-  results::Run run;
+  results::RunResult run;
   run.increments.emplace_back().steps = steps;
-  return sense::front_ways_warnings(run);
+  return sense::front_consistency_warnings(run);
 }
 
 TEST(WaysAlongFronts, AgreeOnSoundMeshes) {
@@ -68,7 +68,7 @@ TEST(WaysAlongFronts, MayPartByTheBar) {
   results::StepResult step = step_with_front();
   step.fronts[0].no_bar = "";
   step.fronts[0].points[1].G *= 1.21;
-  for (results::FrontPlace& place : step.fronts[0].points) {
+  for (results::FrontPointResult& place : step.fronts[0].points) {
     place.bar[0].mesh = 0.6; // 12 % of K
   }
   EXPECT_TRUE(warnings_of({step}).empty());
@@ -83,11 +83,11 @@ TEST(WaysAlongFronts, DoNotCountWhereThereIsNoAnswer) {
   EXPECT_TRUE(warnings_of({closed}).empty());
   results::StepResult doubtful = step_with_front();
   doubtful.fronts[0].points[1].G *= 1.44;
-  doubtful.fronts[0].doubt = "faces overlap";
+  doubtful.fronts[0].invalid_reason = "faces overlap";
   EXPECT_TRUE(warnings_of({doubtful}).empty());
   // K of an unloaded step is round-off, whatever it consists of.
   results::StepResult unloaded = step_with_front();
-  for (results::FrontPlace& place : unloaded.fronts[0].points) {
+  for (results::FrontPointResult& place : unloaded.fronts[0].points) {
     place.G_from_K *= 1e-16;
     place.G *= 3e-16;
   }

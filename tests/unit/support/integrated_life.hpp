@@ -15,7 +15,7 @@ using Rate = std::function<double(double K_max, double R)>;
 /// The cycles of one tip by its K(a) at the stations, without any code of the program: ln K_max and
 /// R over ln a through the four nearest stations (manual, growth.3), by Neville's scheme; the life
 /// by Simpson's rule.
-inline double integrated_life(const results::Growth& growth, const Rate& rate) {
+inline double integrated_life(const results::GrowthResult& growth, const Rate& rate) {
   const auto& stations = growth.stations;
   const std::size_t n = stations.size();
   const auto through = [&](std::size_t first, double x, const auto& value) {
@@ -40,9 +40,9 @@ inline double integrated_life(const results::Growth& growth, const Rate& rate) {
     for (int k = 0; k <= 200; ++k) {
       const double x = std::log(a0 + k * h);
       const double K = std::exp(
-          through(first, x, [](const results::GrowingTip& t) { return std::log(t.K_max); }));
+          through(first, x, [](const results::GrownTipResult& t) { return std::log(t.K_max); }));
       const double R =
-          through(first, x, [](const results::GrowingTip& t) { return t.K_min / t.K_max; });
+          through(first, x, [](const results::GrownTipResult& t) { return t.K_min / t.K_max; });
       cycles += h / 3.0 * (k == 0 || k == 200 ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / rate(K, R);
     }
   }

@@ -16,7 +16,7 @@ namespace spricka::test {
 /// A deck given as text, solved: its model and all that was found.
 struct Solved {
   model::Model model;
-  results::Run run;
+  results::RunResult run;
 
   [[nodiscard]] const model::Mesh& mesh() const { return run.increments.front().mesh; }
   [[nodiscard]] const results::StepResult& step(std::size_t i = 0) const {
@@ -65,7 +65,7 @@ inline std::optional<Solved> solve_text(const std::string& deck,
   }
   base::Diagnostics diagnostics;
   base::Trouble trouble;
-  std::optional<results::Run> run =
+  std::optional<results::RunResult> run =
       analysis::solve_run(*ready.model, options, diagnostics, trouble);
   if (!run) {
     ADD_FAILURE() << "not solved: " << (trouble ? trouble->why : "mistakes in the deck");
