@@ -14,15 +14,15 @@
 namespace spricka::grammar {
 
 /// One step of an expression in reverse Polish order.
-struct Term {
-  enum class Kind : std::uint8_t {
+struct ExpressionTerm {
+  enum class ExpressionTermKind : std::uint8_t {
     number, ///< push `value`, in `unit` if there is one
     name,   ///< push what the name stands for
     call,   ///< apply the function to `count` values
     op,     ///< apply `op`
     scale   ///< the value so far is in `unit`
   };
-  Kind kind = Kind::number;
+  ExpressionTermKind kind = ExpressionTermKind::number;
   base::OpCode op = base::OpCode::number;
   int count = 0;
   double value = 0.0;
@@ -30,14 +30,14 @@ struct Term {
   base::SourceSpan unit; ///< the text between [ and ]; invalid where there is none
 };
 
-struct Expression {
-  std::vector<Term> terms;
+struct ParsedExpression {
+  std::vector<ExpressionTerm> terms;
   base::SourceSpan span;
 };
 
 /// A value in a header or a field of a data line.
-struct Field {
-  enum class Kind : std::uint8_t {
+struct CardField {
+  enum class CardFieldKind : std::uint8_t {
     number,     ///< a literal, in `expression` as its only term
     expression, ///< in parentheses
     name,       ///< NAME or NET.NAME, in `text`
@@ -46,19 +46,19 @@ struct Field {
     range,      ///< first : last [: step]
     quantity    ///< NAME(arguments)
   };
-  Kind kind = Kind::number;
+  CardFieldKind kind = CardFieldKind::number;
   char separator = ' '; ///< what follows it in a row: ' ', ',' or '='
   base::SourceSpan span;
   std::string text;
-  Expression expression;
-  std::vector<Expression> arguments;
+  ParsedExpression expression;
+  std::vector<ParsedExpression> arguments;
   std::array<base::Label, 3> range{0, 0, 1};
 };
 
-struct Parameter {
+struct HeaderParameter {
   std::string key;
   base::SourceSpan key_span;
-  std::vector<Field> values;
+  std::vector<CardField> values;
   base::SourceSpan span; ///< of the values
 };
 
@@ -66,14 +66,14 @@ struct Parameter {
 struct Card {
   std::string name; ///< without the $
   base::SourceSpan name_span;
-  std::vector<Parameter> parameters;
+  std::vector<HeaderParameter> parameters;
   base::SourceSpan header;
   base::SourceSpan data;
   bool bad = false; ///< the header has a syntax error; `parameters` holds what came before it
 };
 
-struct Row {
-  std::vector<Field> fields;
+struct DataRow {
+  std::vector<CardField> fields;
   base::SourceSpan span;
 };
 
@@ -81,7 +81,7 @@ struct Assignment {
   std::string name;    ///< upper case
   std::string written; ///< as in the deck
   base::SourceSpan name_span;
-  Expression value;
+  ParsedExpression value;
 };
 
 } // namespace spricka::grammar

@@ -41,21 +41,22 @@ std::string hint_for(char found, std::string_view wanted) {
 }
 } // namespace
 
-base::SourceSpan Builder::span(const char* begin, const char* end) const {
+base::SourceSpan SyntaxBuilder::span(const char* begin, const char* end) const {
   return {file_, static_cast<std::uint32_t>(begin - origin_),
           static_cast<std::uint32_t>(end - origin_)};
 }
 
-bool Builder::fail(base::SourceSpan place, std::string code, std::string text, std::string hint) {
+bool SyntaxBuilder::fail(base::SourceSpan place, std::string code, std::string text,
+                         std::string hint) {
   if (!failure) {
-    failure = Failure{place, std::move(code), std::move(text), std::move(hint)};
+    failure = SyntaxFailure{place, std::move(code), std::move(text), std::move(hint)};
   }
   return false;
 }
 
-void Builder::expected(const char* at, const char* last, std::string_view what) {
+void SyntaxBuilder::fail_expected(const char* at, const char* last, std::string_view what) {
   const char* const before = at;
-  at = skip_ws(at, last);
+  at = skip_blanks_and_comments(at, last);
   if (at >= last || *at == '\n') {
     const char* comment = std::find(before, at, '!');
     const bool not_equal = comment + 1 < at && comment[1] == '=';
@@ -71,18 +72,18 @@ void Builder::expected(const char* at, const char* last, std::string_view what) 
   if (end == at) {
     ++end;
   }
-  const std::string slip(slip_at(origin_, at, last));
+  const std::string slip(foreign_sign_hint(origin_, at, last));
   fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
        slip.empty() ? hint_for(*at, what) : slip);
 }
 
-void Builder::report(base::Diagnostics& diagnostics) const {
+void SyntaxBuilder::report(base::Diagnostics& diagnostics) const {
   if (failure) {
     diagnostics.error(failure->span, failure->code, failure->text, failure->hint);
   }
 }
 
-bool Builder::bad_number(const char* begin, const char* end, const char* last, int error) {
+bool SyntaxBuilder::bad_number(const char* begin, const char* end, const char* last, int error) {
   const std::string_view token(begin, end);
   switch (static_cast<NumberError>(error)) {
   case NumberError::fortran_exponent:
@@ -94,14 +95,14 @@ bool Builder::bad_number(const char* begin, const char* end, const char* last, i
   default:
     break;
   }
-  const std::string slip(slip_at(origin_, end, last));
+  const std::string slip(foreign_sign_hint(origin_, end, last));
   return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
               !slip.empty() ? slip
                             : "a number is digits with a point and an exponent; a name starts with "
                               "a letter");
 }
 
-bool Builder::read_unit(const char*& p, const char* last, base::SourceSpan& found) {
+bool SyntaxBuilder::read_unit(const char*& p, const char* last, base::SourceSpan& found) {
   if (p >= last || *p != '[') {
     return true;
   }
@@ -117,15 +118,15 @@ bool Builder::read_unit(const char*& p, const char* last, base::SourceSpan& foun
   return true;
 }
 
-bool Builder::number(const char*& p, const char* last) {
-  const Number n = scan_number(p, last);
+bool SyntaxBuilder::read_number(const char*& p, const char* last) {
+  const ScannedNumber n = scan_number(p, last);
   if (n.error == NumberError::absent) {
     return false;
   }
   if (n.error != NumberError::none) {
     return bad_number(p, n.end, last, static_cast<int>(n.error));
   }
-  Term term;
+  ExpressionTerm term;
   term.value = n.value;
   term.span = span(p, n.end);
   p = n.end;
@@ -137,9 +138,9 @@ bool Builder::number(const char*& p, const char* last) {
   return true;
 }
 
-bool Builder::unit(const char*& p, const char* last) {
-  Term term;
-  term.kind = Term::Kind::scale;
+bool SyntaxBuilder::read_trailing_unit(const char*& p, const char* last) {
+  ExpressionTerm term;
+  term.kind = ExpressionTerm::ExpressionTermKind::scale;
   if (!read_unit(p, last, term.unit)) {
     return false;
   }
@@ -151,7 +152,7 @@ bool Builder::unit(const char*& p, const char* last) {
   return true;
 }
 
-bool Builder::enter(const char* p, const char* last) {
+bool SyntaxBuilder::enter_nesting(const char* p, const char* last) {
   if (++depth_ > k_deepest) {
     return fail(p < last ? span(p, p + 1) : span(p - 1, p), "E102",
                 "the expression is nested too deeply");
@@ -159,54 +160,54 @@ bool Builder::enter(const char* p, const char* last) {
   return true;
 }
 
-void Builder::name(const char* begin, const char* end) {
-  Term term;
-  term.kind = Term::Kind::name;
+void SyntaxBuilder::push_name(const char* begin, const char* end) {
+  ExpressionTerm term;
+  term.kind = ExpressionTerm::ExpressionTermKind::name;
   term.span = span(begin, end);
   token_end_ = end;
   terms_.push_back(term);
 }
 
-bool Builder::call() {
-  Term term = terms_.back();
+bool SyntaxBuilder::begin_call() {
+  ExpressionTerm term = terms_.back();
   terms_.pop_back();
-  term.kind = Term::Kind::call;
+  term.kind = ExpressionTerm::ExpressionTermKind::call;
   calls_.push_back(term);
   return true;
 }
 
-void Builder::end_call() {
+void SyntaxBuilder::end_call() {
   terms_.push_back(calls_.back());
   calls_.pop_back();
 }
 
-void Builder::op(base::OpCode op) {
-  Term term;
-  term.kind = Term::Kind::op;
+void SyntaxBuilder::push_operator(base::OpCode op) {
+  ExpressionTerm term;
+  term.kind = ExpressionTerm::ExpressionTermKind::op;
   term.op = op;
   terms_.push_back(term);
 }
 
-Expression Builder::take_expression(const char* begin) {
+ParsedExpression SyntaxBuilder::take_expression(const char* begin) {
   return {std::exchange(terms_, {}), span(begin, token_end_)};
 }
 
-Field& Builder::add(Field::Kind kind, const char* begin, const char* end) {
-  Field& field = fields_.emplace_back();
+CardField& SyntaxBuilder::add(CardField::CardFieldKind kind, const char* begin, const char* end) {
+  CardField& field = fields_.emplace_back();
   field.kind = kind;
   field.span = span(begin, end);
   return field;
 }
 
-bool Builder::field_end(const char* p, const char* last) {
-  if (p >= last || is_blank(*p) || ends_line(*p) || *p == ',' || *p == '=') {
+bool SyntaxBuilder::field_end(const char* p, const char* last) {
+  if (p >= last || is_blank(*p) || can_end_line(*p) || *p == ',' || *p == '=') {
     return true;
   }
   const char* end = scan_token(p, last);
   const std::string_view rest(p, end == p ? p + 1 : end);
   const bool arithmetic = std::string_view("*/+-^<>").find(*p) != std::string_view::npos;
   const bool fortran = (*p == '-' || *p == '+') && end - p > 1 && is_digit(p[1]) &&
-                       fields_.back().kind == Field::Kind::number;
+                       fields_.back().kind == CardField::CardFieldKind::number;
   if (fortran) {
     const char* begin = origin_ + fields_.back().span.begin;
     return fail(span(begin, end), "E103",
@@ -214,16 +215,16 @@ bool Builder::field_end(const char* p, const char* last) {
                             std::string_view(begin, end)),
                 "write 1.5e-3, or 1.5 -3, or (1.5-3)");
   }
-  const std::string slip(slip_at(origin_, p, last));
+  const std::string slip(foreign_sign_hint(origin_, p, last));
   return fail(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
               arithmetic ? "an expression stands in parentheses" : slip);
 }
 
-bool Builder::signed_number(const char*& p, const char* last, Term& term) {
+bool SyntaxBuilder::signed_number(const char*& p, const char* last, ExpressionTerm& term) {
   const char* begin = p;
   const bool negative = *p == '-';
   const char* digits = *p == '-' || *p == '+' ? p + 1 : p;
-  const Number n = scan_number(digits, last);
+  const ScannedNumber n = scan_number(digits, last);
   if (n.error == NumberError::absent) {
     return false;
   }
@@ -236,15 +237,15 @@ bool Builder::signed_number(const char*& p, const char* last, Term& term) {
   return read_unit(p, last, term.unit);
 }
 
-bool Builder::field_number(const char*& p, const char* last, bool in_row) {
+bool SyntaxBuilder::field_number(const char*& p, const char* last, bool in_row) {
   const char* begin = p;
-  Term term;
+  ExpressionTerm term;
   if (p >= last || !signed_number(p, last, term)) {
     return false;
   }
-  Field& field = add(Field::Kind::number, begin, p);
+  CardField& field = add(CardField::CardFieldKind::number, begin, p);
   field.expression = {{term}, field.span};
-  const char* colon = skip_ws(p, last);
+  const char* colon = skip_blanks_and_comments(p, last);
   if (in_row && colon < last && *colon == ':') {
     p = begin;
     return field_range(p, last);
@@ -252,8 +253,8 @@ bool Builder::field_number(const char*& p, const char* last, bool in_row) {
   return field_end(p, last);
 }
 
-bool Builder::whole_number(const char*& p, const char* last, base::Label& value) {
-  p = skip_ws(p, last);
+bool SyntaxBuilder::whole_number(const char*& p, const char* last, base::Label& value) {
+  p = skip_blanks_and_comments(p, last);
   const auto [end, failed] = std::from_chars(p, last, value);
   if (failed != std::errc{} || (end < last && (is_name_char(*end) || *end == '.'))) {
     const char* stop = scan_token(p, last);
@@ -264,9 +265,9 @@ bool Builder::whole_number(const char*& p, const char* last, base::Label& value)
   return true;
 }
 
-bool Builder::field_range(const char*& p, const char* last) {
-  Field& field = fields_.back();
-  field.kind = Field::Kind::range;
+bool SyntaxBuilder::field_range(const char*& p, const char* last) {
+  CardField& field = fields_.back();
+  field.kind = CardField::CardFieldKind::range;
   const char* begin = p;
   int count = 0;
   while (true) {
@@ -274,7 +275,7 @@ bool Builder::field_range(const char*& p, const char* last) {
       return false;
     }
     field.span = span(begin, p);
-    const char* next = skip_ws(p, last);
+    const char* next = skip_blanks_and_comments(p, last);
     if (++count == 3 || next >= last || *next != ':') {
       break;
     }
@@ -286,17 +287,17 @@ bool Builder::field_range(const char*& p, const char* last) {
   return field_end(p, last);
 }
 
-bool Builder::quantity(const char*& p, const char* last, const char* begin) {
-  Field field;
-  field.kind = Field::Kind::quantity;
+bool SyntaxBuilder::quantity(const char*& p, const char* last, const char* begin) {
+  CardField field;
+  field.kind = CardField::CardFieldKind::quantity;
   field.text = to_upper(std::string_view(begin, p));
   ++p; // (
-  const char* first = skip_ws(p, last);
+  const char* first = skip_blanks_and_comments(p, last);
   while (first < last && *first != ')') {
     p = first;
     if (*p == '*') { // alone it stands for all of a kind
-      Term all;
-      all.kind = Term::Kind::name;
+      ExpressionTerm all;
+      all.kind = ExpressionTerm::ExpressionTermKind::name;
       all.span = span(p, p + 1);
       field.arguments.push_back({{all}, all.span});
       ++p;
@@ -306,19 +307,19 @@ bool Builder::quantity(const char*& p, const char* last, const char* begin) {
       }
       field.arguments.push_back(take_expression(first));
     }
-    p = skip_ws(p, last);
+    p = skip_blanks_and_comments(p, last);
     if (p >= last || *p != ',') {
       break;
     }
-    first = skip_ws(p + 1, last);
+    first = skip_blanks_and_comments(p + 1, last);
     if (first >= last || *first == ')') {
-      expected(first, last, "an argument");
+      fail_expected(first, last, "an argument");
       return false;
     }
   }
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   if (p >= last || *p != ')') {
-    expected(p, last, "')' or ','");
+    fail_expected(p, last, "')' or ','");
     return false;
   }
   ++p;
@@ -327,7 +328,7 @@ bool Builder::quantity(const char*& p, const char* last, const char* begin) {
   return field_end(p, last);
 }
 
-bool Builder::field_name(const char*& p, const char* last, bool in_row) {
+bool SyntaxBuilder::field_name(const char*& p, const char* last, bool in_row) {
   const char* begin = p;
   const bool minus = in_row && p < last && *p == '-';
   const char* first = minus ? p + 1 : p;
@@ -339,7 +340,8 @@ bool Builder::field_name(const char*& p, const char* last, bool in_row) {
   if (in_row && !minus && p < last && *p == '(') {
     return quantity(p, last, begin);
   }
-  Field& field = add(minus ? Field::Kind::minus_name : Field::Kind::name, begin, p);
+  CardField& field =
+      add(minus ? CardField::CardFieldKind::minus_name : CardField::CardFieldKind::name, begin, p);
   field.text = to_upper(std::string_view(first, end));
   if (p<last&& static_cast<unsigned char>(*p)> 127) {
     const char* stop = scan_token(begin, last);
@@ -350,7 +352,7 @@ bool Builder::field_name(const char*& p, const char* last, bool in_row) {
   return field_end(p, last);
 }
 
-bool Builder::field_text(const char*& p, const char* last) {
+bool SyntaxBuilder::field_text(const char*& p, const char* last) {
   if (p >= last || *p != '\'') {
     return false;
   }
@@ -358,12 +360,12 @@ bool Builder::field_text(const char*& p, const char* last) {
   if (end - p < 2 || end[-1] != '\'') {
     return fail(span(p, end), "E101", "expected the closing ' of the text, the line ends early");
   }
-  add(Field::Kind::text, p, end).text.assign(p + 1, end - 1);
+  add(CardField::CardFieldKind::text, p, end).text.assign(p + 1, end - 1);
   p = end;
   return field_end(p, last);
 }
 
-bool Builder::field_expression(const char*& p, const char* last) {
+bool SyntaxBuilder::field_expression(const char*& p, const char* last) {
   if (p >= last || *p != '(') {
     return false;
   }
@@ -372,25 +374,25 @@ bool Builder::field_expression(const char*& p, const char* last) {
   if (!read_expression(p, last, *this)) {
     return false;
   }
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   if (p >= last || *p != ')') {
-    expected(p, last, "')'");
+    fail_expected(p, last, "')'");
     return false;
   }
   ++p;
-  if (!unit(p, last)) {
+  if (!read_trailing_unit(p, last)) {
     return false;
   }
-  Field& field = add(Field::Kind::expression, begin, p);
+  CardField& field = add(CardField::CardFieldKind::expression, begin, p);
   field.expression = take_expression(begin);
   return field_end(p, last);
 }
 
-void Builder::separator(char c) {
+void SyntaxBuilder::record_separator(char c) {
   fields_.back().separator = c;
 }
 
-std::vector<Field> Builder::take_fields() {
+std::vector<CardField> SyntaxBuilder::take_fields() {
   return std::exchange(fields_, {});
 }
 

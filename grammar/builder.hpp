@@ -13,72 +13,72 @@ namespace spricka::grammar {
 /// Receives what the X3 rules recognise and keeps the first failure. The rules are attribute-less
 /// and never go back behind an emitted piece, so nothing here has to be undone. Its methods return
 /// false when the piece is refused; the reason is then in `failure`.
-class Builder {
+class SyntaxBuilder {
 public:
-  Builder(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
+  SyntaxBuilder(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
 
-  struct Failure {
+  struct SyntaxFailure {
     base::SourceSpan span;
     std::string code;
     std::string text;
     std::string hint;
   };
-  std::optional<Failure> failure;
+  std::optional<SyntaxFailure> failure;
 
   /// Keeps the first failure only; false, so that a terminal can return it.
   bool fail(base::SourceSpan place, std::string code, std::string text, std::string hint = {});
   /// "expected ..." at `at`, with the carets under the token there.
-  void expected(const char* at, const char* last, std::string_view what);
+  void fail_expected(const char* at, const char* last, std::string_view what);
   void report(base::Diagnostics& diagnostics) const;
 
   Card card;             ///< the header being read
   Assignment assignment; ///< the assignment being read
 
   [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
-  [[nodiscard]] const char* origin() const { return origin_; }
+  [[nodiscard]] const char* source_start() const { return origin_; }
 
   // Expressions.
-  bool number(const char*& p, const char* last); ///< unsigned, with its unit
-  bool unit(const char*& p, const char* last);   ///< [unit] after ) ; absent is fine
-  bool enter(const char* p, const char* last);   ///< one level deeper
-  void leave() { --depth_; }
-  void name(const char* begin, const char* end);
-  bool call(); ///< the last name is a function; its arguments follow
-  void argument() { ++calls_.back().count; }
+  bool read_number(const char*& p, const char* last);        ///< unsigned, with its unit
+  bool read_trailing_unit(const char*& p, const char* last); ///< [unit] after ) ; absent is fine
+  bool enter_nesting(const char* p, const char* last);       ///< one level deeper
+  void leave_nesting() { --depth_; }
+  void push_name(const char* begin, const char* end);
+  bool begin_call(); ///< the last name is a function; its arguments follow
+  void add_argument() { ++calls_.back().count; }
   void end_call();
-  void op(base::OpCode op);
-  void close(const char* end) { token_end_ = end; } ///< a bracket was the last token
-  Expression take_expression(const char* begin);    ///< from there to the last token
+  void push_operator(base::OpCode op);
+  void close(const char* end) { token_end_ = end; }    ///< a bracket was the last token
+  ParsedExpression take_expression(const char* begin); ///< from there to the last token
 
   // Fields of headers and rows.
   bool field_number(const char*& p, const char* last, bool in_row);
   bool field_name(const char*& p, const char* last, bool in_row);
   bool field_text(const char*& p, const char* last);
   bool field_expression(const char*& p, const char* last);
-  void separator(char c);
-  std::vector<Field> take_fields();
+  void record_separator(char c);
+  std::vector<CardField> take_fields();
 
 private:
-  bool signed_number(const char*& p, const char* last, Term& term);
+  bool signed_number(const char*& p, const char* last, ExpressionTerm& term);
   bool field_range(const char*& p, const char* last);
   bool whole_number(const char*& p, const char* last, base::Label& value);
   bool read_unit(const char*& p, const char* last, base::SourceSpan& found);
   bool bad_number(const char* begin, const char* end, const char* last, int error);
   bool field_end(const char* p, const char* last);
   bool quantity(const char*& p, const char* last, const char* begin);
-  Field& add(Field::Kind kind, const char* begin, const char* end);
+  CardField& add(CardField::CardFieldKind kind, const char* begin, const char* end);
 
   std::int32_t file_;
   const char* origin_;
   const char* token_end_ = nullptr; ///< behind the last token of an expression
   int depth_ = 0;
-  std::vector<Term> terms_;
-  std::vector<Term> calls_;
-  std::vector<Field> fields_;
+  std::vector<ExpressionTerm> terms_;
+  std::vector<ExpressionTerm> calls_;
+  std::vector<CardField> fields_;
 };
 
 /// Reads one expression from `p` on (X3, expression.cpp). False: a syntax error, kept in
 /// `builder.failure`. Stops before what cannot belong to it.
-bool read_expression(const char*& p, const char* last, Builder& builder);
+bool read_expression(const char*& p, const char* last, SyntaxBuilder& builder);
 
 } // namespace spricka::grammar

@@ -25,7 +25,7 @@ constexpr std::array<bool, 256> field_end_bytes = [] {
   std::array<bool, 256> ends{};
   for (std::size_t c = 0; c < ends.size(); ++c) {
     const char byte = static_cast<char>(c);
-    ends[c] = is_blank(byte) || byte == ',' || ends_line(byte);
+    ends[c] = is_blank(byte) || byte == ',' || can_end_line(byte);
   }
   return ends;
 }();
@@ -46,7 +46,7 @@ const char* skip_separator(const char* p, const char* last) {
     }
   }
   // comments and continued lines are rare: leave the short way only for them
-  return p < last && ends_line(*p) ? skip_ws(p, last) : p;
+  return p < last && can_end_line(*p) ? skip_blanks_and_comments(p, last) : p;
 }
 
 // Rows that are handed over together: a block of them stays in the processor's cache.
@@ -54,7 +54,7 @@ constexpr std::size_t k_block = 2048;
 
 template <class Value> class TableReader {
 public:
-  TableReader(const TableForm& form, base::SourceSpan data, const Scope& scope,
+  TableReader(const BulkTableForm& form, base::SourceSpan data, const ExpressionScope& scope,
               base::Diagnostics& diagnostics)
       : form_(form), scope_(scope), diagnostics_(diagnostics), file_(data.file),
         origin_(scope.sources->text(data.file).data()), p_(origin_ + data.begin),
@@ -67,7 +67,7 @@ public:
 
   void run(const TakeRows<Value>& take) {
     while (true) {
-      p_ = skip_ws(p_, last_);
+      p_ = skip_blanks_and_comments(p_, last_);
       if (p_ >= last_ || table_.label.size() == k_block) {
         hand_over(take);
       }
@@ -191,7 +191,7 @@ private:
 
   // A field in parentheses or with a unit.
   template <class T> bool slow(T& value) {
-    Builder builder(file_, origin_);
+    SyntaxBuilder builder(file_, origin_);
     const char* const begin = p_;
     const char* const stop = logical_line_end(p_, last_);
     const bool ok =
@@ -200,12 +200,12 @@ private:
     if (!ok) {
       return false;
     }
-    const Field parsed = builder.take_fields().front();
+    const CardField parsed = builder.take_fields().front();
     const auto result = evaluate(parsed.expression, scope_, diagnostics_);
     if (!result) {
       return false;
     }
-    const base::SourceSpan unit = outer_unit(parsed.expression);
+    const base::SourceSpan unit = explicit_unit(parsed.expression);
     if (unit.valid() && std::is_same_v<T, double>) {
       const auto known = base::parse_unit(scope_.sources->text(unit));
       const bool fits = known && (known->dimension == base::Dimension{1.0, 0.0, 0.0} ||
@@ -222,7 +222,7 @@ private:
   }
 
   bool no_number(std::string_view what) {
-    if (p_ >= last_ || ends_line(*p_)) {
+    if (p_ >= last_ || can_end_line(*p_)) {
       const char* end = p_;
       while (end > origin_ && (is_blank(end[-1]) || end[-1] == '\r')) {
         --end;
@@ -234,12 +234,12 @@ private:
     return fail(p_, stop, "E120",
                 fmt::format("expected {}, not '{}'", what, std::string_view(p_, stop)),
                 is_letter(*p_) ? "an expression stands in parentheses"
-                               : std::string(slip_at(origin_, p_, last_)));
+                               : std::string(foreign_sign_hint(origin_, p_, last_)));
   }
 
   bool bad_number(const char* digits) {
     const char* const begin = p_;
-    const Number n = scan_number(digits, last_);
+    const ScannedNumber n = scan_number(digits, last_);
     const char* const token = scan_token(begin, last_);
     const std::string_view text(begin, std::max(token, n.end));
     if (n.error == NumberError::too_large) {
@@ -274,25 +274,27 @@ private:
     return false;
   }
 
-  const TableForm& form_;
-  const Scope& scope_;
+  const BulkTableForm& form_;
+  const ExpressionScope& scope_;
   base::Diagnostics& diagnostics_;
   std::int32_t file_;
   const char* origin_;
   const char* p_;
   const char* last_;
-  Table<Value> table_;
+  BulkTable<Value> table_;
 };
 
 } // namespace
 
-void parse_coordinates(const TableForm& form, base::SourceSpan data, const Scope& scope,
-                       base::Diagnostics& diagnostics, const TakeRows<double>& take) {
+void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
+                       const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                       const TakeRows<double>& take) {
   TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
-void parse_connectivity(const TableForm& form, base::SourceSpan data, const Scope& scope,
-                        base::Diagnostics& diagnostics, const TakeRows<base::Label>& take) {
+void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
+                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                        const TakeRows<base::Label>& take) {
   TableReader<base::Label>(form, data, scope, diagnostics).run(take);
 }
 
@@ -301,8 +303,8 @@ std::size_t count_lines(const base::SourceTexts& sources, base::SourceSpan data)
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
 }
 
-base::SourceSpan table_field(const base::SourceTexts& sources, base::SourceSpan data,
-                             std::uint32_t offset, std::size_t index) {
+base::SourceSpan table_field_span(const base::SourceTexts& sources, base::SourceSpan data,
+                                  std::uint32_t offset, std::size_t index) {
   const char* const origin = sources.text(data.file).data();
   const char* const last = origin + data.end;
   const char* p = origin + offset;
@@ -321,18 +323,18 @@ base::SourceSpan table_field(const base::SourceTexts& sources, base::SourceSpan 
           static_cast<std::uint32_t>(end_of(p) - origin)};
 }
 
-base::SourceSpan table_label(const base::SourceTexts& sources, base::SourceSpan data,
-                             std::size_t index) {
+base::SourceSpan table_label_span(const base::SourceTexts& sources, base::SourceSpan data,
+                                  std::size_t index) {
   const char* const origin = sources.text(data.file).data();
   const char* const last = origin + data.end;
   const char* p = origin + data.begin;
   for (std::size_t row = 0; p < last; p = logical_line_end(p, last) + 1) {
-    p = skip_ws(p, last);
+    p = skip_blanks_and_comments(p, last);
     if (p < last && *p != '\n' && row++ == index) {
       break;
     }
   }
-  return table_field(sources, data, static_cast<std::uint32_t>(p - origin), 0);
+  return table_field_span(sources, data, static_cast<std::uint32_t>(p - origin), 0);
 }
 
 } // namespace spricka::grammar

@@ -14,7 +14,7 @@
 namespace spricka::grammar {
 
 /// A stretch of rows.
-template <class Value> struct Table {
+template <class Value> struct BulkTable {
   std::size_t columns = 0;           ///< values in a row, the label not counted
   std::vector<base::Label> label;    ///< [row]
   std::vector<Value> value;          ///< [row * columns]
@@ -22,7 +22,7 @@ template <class Value> struct Table {
 };
 
 /// What a row holds, in words for messages.
-struct TableForm {
+struct BulkTableForm {
   std::size_t columns = 3;
   std::string row = "node number"; ///< what the label is
   std::string missing;             ///< hint when a line ends early
@@ -31,24 +31,26 @@ struct TableForm {
 
 /// Takes rows in the order of the deck, some thousands at a time, so that a big table never stands
 /// in memory twice. The block is valid during the call only.
-template <class Value> using TakeRows = std::function<void(const Table<Value>&)>;
+template <class Value> using TakeRows = std::function<void(const BulkTable<Value>&)>;
 
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
-void parse_coordinates(const TableForm& form, base::SourceSpan data, const Scope& scope,
-                       base::Diagnostics& diagnostics, const TakeRows<double>& take);
-void parse_connectivity(const TableForm& form, base::SourceSpan data, const Scope& scope,
-                        base::Diagnostics& diagnostics, const TakeRows<base::Label>& take);
+void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
+                       const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                       const TakeRows<double>& take);
+void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
+                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                        const TakeRows<base::Label>& take);
 
 /// At least as many as the rows of a data block: its lines.
 std::size_t count_lines(const base::SourceTexts& sources, base::SourceSpan data);
 
 /// Place of field `index` (0: the label) of the row that starts at `offset`: for messages after the
 /// table was read.
-base::SourceSpan table_field(const base::SourceTexts& sources, base::SourceSpan data,
-                             std::uint32_t offset, std::size_t index);
+base::SourceSpan table_field_span(const base::SourceTexts& sources, base::SourceSpan data,
+                                  std::uint32_t offset, std::size_t index);
 
 /// Place of the label of row `index` of a table without mistakes.
-base::SourceSpan table_label(const base::SourceTexts& sources, base::SourceSpan data,
-                             std::size_t index);
+base::SourceSpan table_label_span(const base::SourceTexts& sources, base::SourceSpan data,
+                                  std::size_t index);
 
 } // namespace spricka::grammar

@@ -10,38 +10,38 @@ namespace spricka::grammar {
 
 namespace {
 
-bool take_card_name(const char*& p, const char* last, Builder& builder) {
+bool take_card_name(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* end = scan_name(p, last);
   if (end == p) {
     return false;
   }
   builder.card.name = to_upper(std::string_view(p, end));
   builder.card.name_span = builder.span(p - 1, end);
-  p = skip_ws(end, last);
+  p = skip_blanks_and_comments(end, last);
   return true;
 }
 
-bool take_key(const char*& p, const char* last, Builder& builder) {
+bool take_key(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* end = scan_name(p, last);
   if (end == p) {
     return false;
   }
-  Parameter& parameter = builder.card.parameters.emplace_back();
+  HeaderParameter& parameter = builder.card.parameters.emplace_back();
   parameter.key = to_upper(std::string_view(p, end));
   parameter.key_span = builder.span(p, end);
-  p = skip_ws(end, last);
+  p = skip_blanks_and_comments(end, last);
   return true;
 }
 
-bool end_key(const char*& /*p*/, const char* /*last*/, Builder& builder) {
-  Parameter& parameter = builder.card.parameters.back();
+bool end_key(const char*& /*p*/, const char* /*last*/, SyntaxBuilder& builder) {
+  HeaderParameter& parameter = builder.card.parameters.back();
   parameter.values = builder.take_fields();
   parameter.span = parameter.values.front().span;
   parameter.span.end = parameter.values.back().span.end;
   return true;
 }
 
-bool take_assigned(const char*& p, const char* last, Builder& builder) {
+bool take_assigned(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* end = scan_name(p, last);
   if (end == p) {
     return false;
@@ -49,11 +49,11 @@ bool take_assigned(const char*& p, const char* last, Builder& builder) {
   builder.assignment.written = std::string(p, end);
   builder.assignment.name = to_upper(builder.assignment.written);
   builder.assignment.name_span = builder.span(p, end);
-  p = skip_ws(end, last);
+  p = skip_blanks_and_comments(end, last);
   return true;
 }
 
-bool take_assigned_value(const char*& p, const char* last, Builder& builder) {
+bool take_assigned_value(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* begin = p;
   if (!read_expression(p, last, builder)) {
     return false;
@@ -62,52 +62,52 @@ bool take_assigned_value(const char*& p, const char* last, Builder& builder) {
   return true;
 }
 
-template <bool InRow> bool take_number(const char*& p, const char* last, Builder& builder) {
+template <bool InRow> bool take_number(const char*& p, const char* last, SyntaxBuilder& builder) {
   const bool ok = builder.field_number(p, last, InRow);
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return ok;
 }
 
-template <bool InRow> bool take_name(const char*& p, const char* last, Builder& builder) {
+template <bool InRow> bool take_name(const char*& p, const char* last, SyntaxBuilder& builder) {
   const bool ok = builder.field_name(p, last, InRow);
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return ok;
 }
 
-bool take_text(const char*& p, const char* last, Builder& builder) {
+bool take_text(const char*& p, const char* last, SyntaxBuilder& builder) {
   const bool ok = builder.field_text(p, last);
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return ok;
 }
 
-bool take_paren(const char*& p, const char* last, Builder& builder) {
+bool take_paren(const char*& p, const char* last, SyntaxBuilder& builder) {
   const bool ok = builder.field_expression(p, last);
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return ok;
 }
 
-bool take_separator(const char*& p, const char* last, Builder& builder) {
+bool take_separator(const char*& p, const char* last, SyntaxBuilder& builder) {
   if (p >= last || (*p != ',' && *p != '=')) {
     return false;
   }
-  builder.separator(*p);
-  p = skip_ws(p + 1, last);
+  builder.record_separator(*p);
+  p = skip_blanks_and_comments(p + 1, last);
   return true;
 }
 
-bool at_end(const char*& p, const char* last, Builder& /*builder*/) {
-  p = skip_ws(p, last);
+bool at_end(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
+  p = skip_blanks_and_comments(p, last);
   return p >= last;
 }
 
-const Terminal dollar{"'$'", [](const char*& p, const char* last, Builder&) {
+const Terminal dollar{"'$'", [](const char*& p, const char* last, SyntaxBuilder&) {
                         return p < last && *p == '$' && ++p != nullptr;
                       }};
 const Terminal card_name{"the name of a card", take_card_name};
 const Terminal key{"a key", take_key};
 const Terminal key_end{"a value", end_key};
-const Terminal equals{"'='", take<'='>};
-const Terminal comma{"','", take<','>};
+const Terminal equals{"'='", match_character<'='>};
+const Terminal comma{"','", match_character<','>};
 const Terminal header_number{"a number", take_number<false>};
 const Terminal header_name{"a name", take_name<false>};
 const Terminal row_number{"a number", take_number<true>};
@@ -143,7 +143,7 @@ void for_each_line(const base::SourceTexts& sources, base::SourceSpan data, cons
   const char* p = all.data() + data.begin;
   const char* const last = all.data() + data.end;
   while (p < last) {
-    const char* const first = skip_ws(p, last);
+    const char* const first = skip_blanks_and_comments(p, last);
     if (first < last && *first == '\n') {
       p = first + 1;
       continue;
@@ -190,20 +190,20 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
   const char* const last = origin + all.size();
   const char* const start = after_byte_order_mark(all);
   const char* p = next_card(start, start, last);
-  const Builder place(file, origin);
+  const SyntaxBuilder place(file, origin);
   for (const char* line = start; line < p; line = line_end(line, p) + 1) {
     const char* q = line;
     while (q < p && is_blank(*q)) {
       ++q;
     }
-    if (q < p && !ends_line(*q)) { // also an & that continues nothing
+    if (q < p && !can_end_line(*q)) { // also an & that continues nothing
       diagnostics.error(place.span(q, scan_token(q, p)), "E102", "text before the first card",
                         "a comment starts with !");
       break;
     }
   }
   while (p < last) {
-    Builder builder(file, origin);
+    SyntaxBuilder builder(file, origin);
     const char* const begin = p;
     const char* const end = logical_line_end(p, last);
     builder.card.bad = !run_rule(header, p, end, builder);
@@ -216,18 +216,18 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
     const char* const data = end < last ? end + 1 : last;
     p = next_card(data, origin, last);
     card.data = builder.span(data, p);
-    std::erase_if(card.parameters, [](const Parameter& q) { return q.values.empty(); });
+    std::erase_if(card.parameters, [](const HeaderParameter& q) { return q.values.empty(); });
     cards.push_back(std::move(card));
   }
   return cards;
 }
 
-std::vector<Row> parse_rows(const base::SourceTexts& sources, base::SourceSpan data,
-                            base::Diagnostics& diagnostics) {
-  std::vector<Row> rows;
+std::vector<DataRow> parse_rows(const base::SourceTexts& sources, base::SourceSpan data,
+                                base::Diagnostics& diagnostics) {
+  std::vector<DataRow> rows;
   const char* const origin = sources.text(data.file).data();
   for_each_line(sources, data, [&](const char* begin, const char* end) {
-    Builder builder(data.file, origin);
+    SyntaxBuilder builder(data.file, origin);
     const char* p = begin;
     if (run_rule(row, p, end, builder)) {
       rows.push_back({builder.take_fields(), builder.span(begin, end)});
@@ -243,12 +243,12 @@ std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base
   std::vector<Assignment> assignments;
   const char* const origin = sources.text(data.file).data();
   for_each_line(sources, data, [&](const char* begin, const char* end) {
-    Builder builder(data.file, origin);
+    SyntaxBuilder builder(data.file, origin);
     const char* p = begin;
     if (run_rule(assigning, p, end, builder)) {
       assignments.push_back(std::move(builder.assignment));
     } else {
-      builder.expected(begin, end, "NAME = expression");
+      builder.fail_expected(begin, end, "NAME = expression");
       builder.assignment.value = {};
       if (!builder.assignment.name.empty()) {
         assignments.push_back(std::move(builder.assignment)); // without a value
@@ -259,19 +259,19 @@ std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base
   return assignments;
 }
 
-std::optional<Expression> parse_expression(const base::SourceTexts& sources,
-                                           base::SourceSpan text_span,
-                                           base::Diagnostics& diagnostics) {
+std::optional<ParsedExpression> parse_expression(const base::SourceTexts& sources,
+                                                 base::SourceSpan text_span,
+                                                 base::Diagnostics& diagnostics) {
   const char* const origin = sources.text(text_span.file).data();
-  Builder builder(text_span.file, origin);
+  SyntaxBuilder builder(text_span.file, origin);
   const char* p = origin + text_span.begin;
   const char* const last = origin + text_span.end;
-  const char* const begin = skip_ws(p, last);
+  const char* const begin = skip_blanks_and_comments(p, last);
   if (read_expression(p, last, builder)) {
-    if (skip_ws(p, last) == last) {
+    if (skip_blanks_and_comments(p, last) == last) {
       return builder.take_expression(begin);
     }
-    builder.expected(p, last, "the end of the expression");
+    builder.fail_expected(p, last, "the end of the expression");
   }
   builder.report(diagnostics);
   return std::nullopt;

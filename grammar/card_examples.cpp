@@ -10,13 +10,13 @@ namespace {
 
 // Examples as a deck would hold them; every one is read and bound by a test.
 constexpr std::array texts{
-    CardText{
+    CardHelpText{
         "DECK",
         "It must stand first. All bare numbers of the deck are in its units: lengths in LENGTH, "
         "forces in FORCE, stresses in FORCE/LENGTH^2 (N and mm give MPa), angles in radians. A "
         "number may carry its own unit, 0.084[mm] or 70[GPa], and is converted.",
         "$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Lug with one crack'\n"},
-    CardText{
+    CardHelpText{
         "PARAMETER",
         "A parameter stands for its value in every expression below it, and an expression "
         "stands in parentheses: RI=(R). Parameters may use those above them. A name is defined "
@@ -26,12 +26,12 @@ constexpr std::array texts{
         "  R     = 36                        ! mm\n"
         "  F     = 97.1[kN]\n"
         "  sigma = F/(101*14)\n"},
-    CardText{
+    CardHelpText{
         "INCLUDE",
         "The file holds whole cards and neither $DECK nor $END. Includes may include others, 16 "
         "deep at most.",
         "$INCLUDE FILE='lug_model.inc'\n"},
-    CardText{
+    CardHelpText{
         "NET",
         "Everything up to $ENDNET belongs to the net. Parts that touch each other should be nets "
         "of their own. Of a net LUG the set BORE is called BORE inside the net and LUG.BORE "
@@ -39,8 +39,9 @@ constexpr std::array texts{
         "$NET NAME=LUG\n"
         "  $MESH SHAPE=LUG TYPE=QUAMC8 RI=36 W=173 L=232.5 NR=8 NT=48\n"
         "$ENDNET\n"},
-    CardText{"ENDNET", "", "$NET NAME=PIN\n  $MESH SHAPE=RING TYPE=QUAMC8 RI=0 RO=30\n$ENDNET\n"},
-    CardText{
+    CardHelpText{"ENDNET", "",
+                 "$NET NAME=PIN\n  $MESH SHAPE=RING TYPE=QUAMC8 RI=0 RO=30\n$ENDNET\n"},
+    CardHelpText{
         "IMPORT",
         "GEO is a geometry script of gmsh; the library meshes it, and values of its "
         "DefineConstant are replaced by the deck's parameters of the same name, in whatever case. "
@@ -49,27 +50,29 @@ constexpr std::array texts{
         "sets, points node sets. A data line gives a group another name.",
         "$IMPORT FILE='lug.geo' FORMAT=GEO\n"
         "  inner_edge = BORE\n"},
-    CardText{"MESH",
-             "Every shape makes the element set BODY and sets of its sides: BLOCK makes XMIN XMAX "
-             "YMIN YMAX (ZMIN ZMAX), RING makes INNER and OUTER, LUG makes BORE, HEAD and END. A "
-             "RING with RI=0 is a disc.",
-             "$MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=40 NR=8 NT=48\n"},
-    CardText{"COOR",
-             "One node a line. Node numbers are free and need no order; they count in the net that "
-             "the card stands in. With SYSTEM=CYL the columns are r, theta (radians) and z.",
-             "$COOR DIM=2 NSET=CORNERS\n"
-             "  1   0   0\n"
-             "  2  10   0\n"
-             "  3  10   5\n"
-             "  4   0   5\n"},
-    CardText{
+    CardHelpText{
+        "MESH",
+        "Every shape makes the element set BODY and sets of its sides: BLOCK makes XMIN XMAX "
+        "YMIN YMAX (ZMIN ZMAX), RING makes INNER and OUTER, LUG makes BORE, HEAD and END. A "
+        "RING with RI=0 is a disc.",
+        "$MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=40 NR=8 NT=48\n"},
+    CardHelpText{
+        "COOR",
+        "One node a line. Node numbers are free and need no order; they count in the net that "
+        "the card stands in. With SYSTEM=CYL the columns are r, theta (radians) and z.",
+        "$COOR DIM=2 NSET=CORNERS\n"
+        "  1   0   0\n"
+        "  2  10   0\n"
+        "  3  10   5\n"
+        "  4   0   5\n"},
+    CardHelpText{
         "ELEMENT",
         "One element a line, a leading & continues a long one. Nodes go round against the "
         "clock: corners first, then mid-edge nodes from the edge between the first two corners "
         "on, then the middle (QUAMC9).",
         "$ELEMENT TYPE=QUAM4 ESET=PLATE\n"
         "  1  1 2 3 4\n"},
-    CardText{
+    CardHelpText{
         "NSET",
         "Items are numbers, ranges first : last : step, and names of sets; -NAME takes a set "
         "away again. WHERE keeps the nodes where its expression in x y z rho theta holds "
@@ -78,18 +81,19 @@ constexpr std::array texts{
         "$NSET NAME=LINE WHERE=(abs(y) < 1e-9) ORDER=(x)\n"
         "$NSET NAME=RIM\n"
         "  1 : 40 : 2  -LINE\n"},
-    CardText{"ESET", "Items as on $NSET; WHERE is asked at the centroid of each element.",
-             "$ESET NAME=HOT FROM=BODY WHERE=(rho < 40)\n"},
-    CardText{"FSET",
-             "Faces are what loads and contacts work on. Where a card wants faces, a node set "
-             "stands for the faces whose nodes all lie in the set; so this card is seldom needed.",
-             "$FSET NAME=UPPER_BORE FROM=LUG.BORE WHERE=(y > -1e-9)\n"},
-    CardText{
+    CardHelpText{"ESET", "Items as on $NSET; WHERE is asked at the centroid of each element.",
+                 "$ESET NAME=HOT FROM=BODY WHERE=(rho < 40)\n"},
+    CardHelpText{
+        "FSET",
+        "Faces are what loads and contacts work on. Where a card wants faces, a node set "
+        "stands for the faces whose nodes all lie in the set; so this card is seldom needed.",
+        "$FSET NAME=UPPER_BORE FROM=LUG.BORE WHERE=(y > -1e-9)\n"},
+    CardHelpText{
         "MATERIAL",
         "ALPHA is what a $LOAD of TYPE=TEMPERATURE expands. No analysis uses RHO, which is only "
         "written out with the mesh; a load of TYPE=BODY gives its force per volume.",
         "$MATERIAL NAME=AL7475 E=69.8[GPa] NU=0.33\n"},
-    CardText{
+    CardHelpText{
         "PROPERTY",
         "Every element needs exactly one property. STRESS is plane stress, STRAIN plane strain; "
         "forces and energies count for the whole THICK. Without THICK it is 1; that is an error "
@@ -97,30 +101,33 @@ constexpr std::array texts{
         "warning names bodies that meet in a contact, a tie or an edge and differ in THICK or "
         "STATE.",
         "$PROPERTY ESET=LUG.BODY MATERIAL=AL7475 STATE=STRESS THICK=14\n"},
-    CardText{"FREEDOM",
-             "A freedom is a displacement component of a node. SUPPRESSED freedoms are zero: "
-             "supports and symmetry lines. PRESCRIBED freedoms move as $LOAD TYPE=DISP says. "
-             "EXTERNAL freedoms are kept when a net is condensed; no result depends on that. All "
-             "other freedoms are free. A body that contact holds needs no support.",
-             "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"
-             "  LUG.END\n"},
-    CardText{"MPC",
-             "TRANSITION ties the SLAVE nodes to the MASTER faces by their shape functions; RIGID "
-             "makes the SLAVE nodes one rigid body; EQUATION is a linear equation between "
-             "displacement components; the first one follows the others. TRANSITION is exact where "
-             "every side of the SLAVE mesh "
-             "lies on one MASTER face.",
-             "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
-    CardText{"SYMMETRY",
-             "The deck has the whole bodies, supports, loads, contacts and cracks. The program "
-             "models one side of the plane in their middle and holds the nodes in the plane across "
-             "it. Everything in the deck has to be symmetric about the plane (spricka check lists "
-             "such planes), and no element may lie across it. Give total loads of the whole model; "
-             "forces, energies and areas in the results are those of the modelled side. In a plane "
-             "model a crack that is drawn across the plane begins in the plane, and a crack that "
-             "is drawn in the plane opens by half. Two cards make a quarter, three an eighth.",
-             "$SYMMETRY NORMAL=Y KEEP=ABOVE\n"},
-    CardText{
+    CardHelpText{
+        "FREEDOM",
+        "A freedom is a displacement component of a node. SUPPRESSED freedoms are zero: "
+        "supports and symmetry lines. PRESCRIBED freedoms move as $LOAD TYPE=DISP says. "
+        "EXTERNAL freedoms are kept when a net is condensed; no result depends on that. All "
+        "other freedoms are free. A body that contact holds needs no support.",
+        "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"
+        "  LUG.END\n"},
+    CardHelpText{
+        "MPC",
+        "TRANSITION ties the SLAVE nodes to the MASTER faces by their shape functions; RIGID "
+        "makes the SLAVE nodes one rigid body; EQUATION is a linear equation between "
+        "displacement components; the first one follows the others. TRANSITION is exact where "
+        "every side of the SLAVE mesh "
+        "lies on one MASTER face.",
+        "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
+    CardHelpText{
+        "SYMMETRY",
+        "The deck has the whole bodies, supports, loads, contacts and cracks. The program "
+        "models one side of the plane in their middle and holds the nodes in the plane across "
+        "it. Everything in the deck has to be symmetric about the plane (spricka check lists "
+        "such planes), and no element may lie across it. Give total loads of the whole model; "
+        "forces, energies and areas in the results are those of the modelled side. In a plane "
+        "model a crack that is drawn across the plane begins in the plane, and a crack that "
+        "is drawn in the plane opens by half. Two cards make a quarter, three an eighth.",
+        "$SYMMETRY NORMAL=Y KEEP=ABOVE\n"},
+    CardHelpText{
         "LOAD",
         "Several cards with one CASE add up; $STEP applies a case with a factor. FORCE: on each "
         "node of the set. RESULTANT: a total, spread over faces or elements. TRACTION: force "
@@ -141,19 +148,20 @@ constexpr std::array texts{
         "  LUG.BORE  97.1[kN]  0\n"
         "$LOAD CASE=LEAK TYPE=FACES\n"
         "  TOP  5[MPa]\n"},
-    CardText{"CONTACT",
-             "The surfaces cannot overlap and can always separate. There is no penalty and no "
-             "contact stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
-             "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
-             "The conditions are the same whichever surface is SLAVE; SEGMENT pairs need no "
-             "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
-             "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
-             "whole circumference. Where the contact is pressed up to an edge of one surface, the "
-             "pressure has no bound; the listing says so. Between solids NODE is not for "
-             "faces of 8 nodes.",
-             "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
-             "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
-    CardText{
+    CardHelpText{
+        "CONTACT",
+        "The surfaces cannot overlap and can always separate. There is no penalty and no "
+        "contact stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
+        "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
+        "The conditions are the same whichever surface is SLAVE; SEGMENT pairs need no "
+        "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
+        "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
+        "whole circumference. Where the contact is pressed up to an edge of one surface, the "
+        "pressure has no bound; the listing says so. Between solids NODE is not for "
+        "faces of 8 nodes.",
+        "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
+        "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
+    CardHelpText{
         "RIGID",
         "A rigid target has no mesh and does not move: the other body is moved or loaded. Seen "
         "from "
@@ -172,7 +180,7 @@ constexpr std::array texts{
         "$CONTACT NAME=FOOT SLAVE=PLATE.YMIN MASTER=FLOOR\n"
         "$RIGID NAME=TABLE SHAPE=PLANE X0=0 Y0=0 Z0=-5 X1=0 Y1=0 Z1=-4\n"
         "$RIGID NAME=BOLT SHAPE=CYLINDER X0=0 Y0=0 Z0=0 X1=0 Y1=0 Z1=1 R=8\n"},
-    CardText{
+    CardHelpText{
         "CRACK",
         "A free crack is a point on the boundary of NET, its direction ANGLE and its length A0, "
         "or a line through several points; the program cuts it into the mesh. If the first point "
@@ -198,22 +206,23 @@ constexpr std::array texts{
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
         "  0  36\n"
         "$CRACK NAME=CORNER NET=LUG A=3.6 X0=20 Y0=0 Z0=0 NORMAL=Y\n"},
-    CardText{"TIPNET",
-             "The patch is the new mesh round a tip: rings of quarter-point elements (the "
-             "rosette), and a graded mesh that joins them to the net. It moves with the tip. "
-             "Without this card the sizes follow from the crack's length and from what is near "
-             "(boundaries, contact surfaces, other cracks); the listing names them. Smaller SIZE: "
-             "finer. JOIN=TRANSITION divides the patch's rim into finer edges "
-             "that follow those of the net: for nets that are coarse round the crack.",
-             "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
-    CardText{
+    CardHelpText{
+        "TIPNET",
+        "The patch is the new mesh round a tip: rings of quarter-point elements (the "
+        "rosette), and a graded mesh that joins them to the net. It moves with the tip. "
+        "Without this card the sizes follow from the crack's length and from what is near "
+        "(boundaries, contact surfaces, other cracks); the listing names them. Smaller SIZE: "
+        "finer. JOIN=TRANSITION divides the patch's rim into finer edges "
+        "that follow those of the net: for nets that are coarse round the crack.",
+        "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
+    CardHelpText{
         "VCE",
         "K comes from the derivative of the energy for a virtual motion of the tip. Each number "
         "of DOMAINS is a count of rings that move rigidly; the spread of K between them checks "
         "the method (not the mesh). CHECK=OPENING prints K1 and K2 of the opening behind the tip "
         "beside them, a coarser value by another way; nothing uses it.",
         "$VCE CRACK=TOP DOMAINS=2,3,4\n"},
-    CardText{
+    CardHelpText{
         "STEP",
         "LOAD case factor sets a case's factor, FIT contact factor that of a fit. MOUNT puts a "
         "contact in: until then it is absent, and its gap or interference counts from the "
@@ -228,7 +237,7 @@ constexpr std::array texts{
         "  LOAD SHAFTLOAD 1\n"
         "$STEP NAME=UNLOAD\n"
         "  LOAD SHAFTLOAD 0\n"},
-    CardText{
+    CardHelpText{
         "LOADPATH",
         "Loads and fits run from those of step FROM to those of step TO and on in a straight "
         "line, (1-t) FROM + t TO. Without friction K is piecewise linear in t: every "
@@ -236,16 +245,17 @@ constexpr std::array texts{
         "what the t of a spectrum mean. Nothing may be mounted or dismounted between the "
         "two steps.",
         "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
-    CardText{"SPECTRUM",
-             "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
-             "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
-             "E1049). One pass through all of them is the unit of life. Beyond both ends of the "
-             "load path there is no K: its BEYOND must reach the largest t. With friction "
-             "turning points are solved in their order, at most 2000.",
-             "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS\n"
-             "  0.1  1.0  20\n"
-             "  0.3  0.7  5000\n"},
-    CardText{
+    CardHelpText{
+        "SPECTRUM",
+        "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
+        "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
+        "E1049). One pass through all of them is the unit of life. Beyond both ends of the "
+        "load path there is no K: its BEYOND must reach the largest t. With friction "
+        "turning points are solved in their order, at most 2000.",
+        "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS\n"
+        "  0.1  1.0  20\n"
+        "  0.3  0.7  5000\n"},
+    CardHelpText{
         "GROW",
         "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
         "lengths; in space semi-axes A of ellipses, C in its ratio to A. KMAX and KMIN name the "
@@ -258,7 +268,7 @@ constexpr std::array texts{
         "are "
         "in KUNIT and AUNIT, which every law needs; KC and DKTH may have a unit of their own.",
         "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT='m' AMAX=30\n"},
-    CardText{
+    CardHelpText{
         "TEST",
         "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "
         "it; in space N a c, both semi-axes, or the one of AXIS alone; AXIS says which one is "
@@ -278,50 +288,53 @@ constexpr std::array texts{
         "  3000   4.30\n"
         "  RATE  100  4.7e-6\n"
         "  RATE  900  3.4e-3\n"},
-    CardText{"SWEEP", "",
-             "$PARAMETER\n"
-             "  fit = 0.084\n"
-             "$SWEEP PARAMETER=fit\n"
-             "  0  0.042  0.084\n"},
-    CardText{
+    CardHelpText{"SWEEP", "",
+                 "$PARAMETER\n"
+                 "  fit = 0.084\n"
+                 "$SWEEP PARAMETER=fit\n"
+                 "  0  0.042  0.084\n"},
+    CardHelpText{
         "CONTROL",
         "Seldom needed. THREADS never changes a result; the command line's --threads goes first.",
         "$CONTROL THREADS=2\n"},
-    CardText{
+    CardHelpText{
         "RESTART",
         "The state is kept after every crack length. spricka run DECK --restart continues a "
         "stopped run and gives the same results to the last bit. Files lie relative to the deck. A "
         "state fits a deck whose cards are the same but for $OUTPUT, $CHECK, $CONTROL, $TASK, "
         "lengths of $GROW and steps taken away at the end.",
         "$RESTART WRITE='lug.rst'\n"},
-    CardText{"TASK",
-             "Its names and their order are checked; in this version the chain always follows from "
-             "the cards.",
-             "$TASK\n"
-             "  TOPOLOGY STIFFNESS CONDENSE CONTACT VCE RECOVER OUTPUT\n"},
-    CardText{"OUTPUT",
-             "Each line asks for one result: U displacements, S stresses, REACTION forces of the "
-             "supports, each of a set; CPRESS of a contact, K of a crack. k.csv, pressure.csv, "
-             "listing and report are written without asking.",
-             "$OUTPUT FILE='head.csv' FORMAT=CSV EVERY=STEP\n"
-             "  U LUG.HEAD\n"
-             "  K TOP\n"},
-    CardText{"CHECK",
-             "REL counts the tolerance from the value, ABS is in the value's own unit. SOURCE says "
-             "where the value comes from; 'RECORDED' is for numbers that only the program itself "
-             "gave. A run with a failed check ends with exit code 1. `spricka help quantities` "
-             "lists what can be asked for.",
-             "$CHECK\n"
-             "  K(TOP,LOAD,10.8) = 707.5  REL 0.001  SOURCE 'two independent solvers'\n"
-             "  SUM(BUSH,LOAD,X) = 97.1[kN]  REL 1e-6  SOURCE 'equilibrium'\n"},
-    CardText{"END", "Nothing but blank lines and comments may follow.", "$END\n"},
+    CardHelpText{
+        "TASK",
+        "Its names and their order are checked; in this version the chain always follows from "
+        "the cards.",
+        "$TASK\n"
+        "  TOPOLOGY STIFFNESS CONDENSE CONTACT VCE RECOVER OUTPUT\n"},
+    CardHelpText{
+        "OUTPUT",
+        "Each line asks for one result: U displacements, S stresses, REACTION forces of the "
+        "supports, each of a set; CPRESS of a contact, K of a crack. k.csv, pressure.csv, "
+        "listing and report are written without asking.",
+        "$OUTPUT FILE='head.csv' FORMAT=CSV EVERY=STEP\n"
+        "  U LUG.HEAD\n"
+        "  K TOP\n"},
+    CardHelpText{
+        "CHECK",
+        "REL counts the tolerance from the value, ABS is in the value's own unit. SOURCE says "
+        "where the value comes from; 'RECORDED' is for numbers that only the program itself "
+        "gave. A run with a failed check ends with exit code 1. `spricka help quantities` "
+        "lists what can be asked for.",
+        "$CHECK\n"
+        "  K(TOP,LOAD,10.8) = 707.5  REL 0.001  SOURCE 'two independent solvers'\n"
+        "  SUM(BUSH,LOAD,X) = 97.1[kN]  REL 1e-6  SOURCE 'equilibrium'\n"},
+    CardHelpText{"END", "Nothing but blank lines and comments may follow.", "$END\n"},
 };
 
 } // namespace
 
-const CardText* find_text(std::string_view card) {
-  const auto* const it =
-      std::find_if(texts.begin(), texts.end(), [&](const CardText& t) { return t.card == card; });
+const CardHelpText* find_card_help(std::string_view card) {
+  const auto* const it = std::find_if(texts.begin(), texts.end(),
+                                      [&](const CardHelpText& t) { return t.card == card; });
   return it == texts.end() ? nullptr : it;
 }
 

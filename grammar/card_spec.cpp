@@ -7,49 +7,49 @@
 
 namespace spricka::grammar {
 
-std::string_view word_of(Kind kind) {
+std::string_view display_name(EntityKind kind) {
   switch (kind) {
-  case Kind::node_set:
+  case EntityKind::node_set:
     return "node set";
-  case Kind::element_set:
+  case EntityKind::element_set:
     return "element set";
-  case Kind::face_set:
+  case EntityKind::face_set:
     return "face set";
-  case Kind::set:
+  case EntityKind::set:
     return "node or face set";
-  case Kind::any_set:
+  case EntityKind::any_set:
     return "set";
-  case Kind::material:
+  case EntityKind::material:
     return "material";
-  case Kind::net:
+  case EntityKind::net:
     return "net";
-  case Kind::load_case:
+  case EntityKind::load_case:
     return "load case";
-  case Kind::contact:
+  case EntityKind::contact:
     return "contact";
-  case Kind::crack:
+  case EntityKind::crack:
     return "crack";
-  case Kind::step:
+  case EntityKind::step:
     return "step";
-  case Kind::parameter:
+  case EntityKind::parameter:
     return "parameter";
-  case Kind::rigid:
+  case EntityKind::rigid:
     return "rigid target";
-  case Kind::path:
+  case EntityKind::path:
     return "load path";
-  case Kind::spectrum:
+  case EntityKind::spectrum:
     return "spectrum";
-  case Kind::test:
+  case EntityKind::test:
     return "test";
-  case Kind::surface:
+  case EntityKind::surface:
     return "set or rigid target";
-  case Kind::none:
+  case EntityKind::none:
     break;
   }
   return "name";
 }
 
-base::Dimension dimension_of(Quantity quantity) {
+base::Dimension quantity_dimension(Quantity quantity) {
   switch (quantity) {
   case Quantity::length:
     return {1.0, 0.0, 0.0};
@@ -73,7 +73,7 @@ base::Dimension dimension_of(Quantity quantity) {
   return {};
 }
 
-std::string_view word_of(Quantity quantity) {
+std::string_view display_name(Quantity quantity) {
   switch (quantity) {
   case Quantity::length:
     return "a length";
@@ -97,7 +97,7 @@ std::string_view word_of(Quantity quantity) {
   return "a plain number";
 }
 
-std::string Range::text() const {
+std::string ValueLimits::text() const {
   if (low == high) {
     return fmt::format("{}", low);
   }

@@ -24,7 +24,7 @@ enum class KeyType {
 };
 
 /// What a name stands for.
-enum class Kind {
+enum class EntityKind {
   none,
   node_set,
   element_set,
@@ -46,17 +46,17 @@ enum class Kind {
 };
 
 /// The field's word for a kind: "node set".
-std::string_view word_of(Kind kind);
+std::string_view display_name(EntityKind kind);
 
 using base::Quantity;
-base::Dimension dimension_of(Quantity quantity);
+base::Dimension quantity_dimension(Quantity quantity);
 /// "a length": for messages.
-std::string_view word_of(Quantity quantity);
+std::string_view display_name(Quantity quantity);
 
 inline constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 
 /// Limits of a number; open ends exclude the limit itself.
-struct Range {
+struct ValueLimits {
   double low = -k_unbounded;
   double high = k_unbounded;
   bool low_open = false;
@@ -76,17 +76,17 @@ struct KeySpec {
   std::string_view words = {};         ///< "STRESS|STRAIN"
   std::string_view default_value = {}; ///< as the deck would write it; empty: none
   std::string_view later = {};         ///< words (or * for any value) without an analysis yet
-  Kind kind = Kind::none;              ///< of a name, reference or list of them
+  EntityKind kind = EntityKind::none;  ///< of a name, reference or list of them
   Quantity quantity = Quantity::number;
-  Range range = {};
+  ValueLimits range = {};
   std::string_view doc = {};
 };
 
 /// What the data lines of a card are.
-enum class Data { none, table, assignments, rows };
+enum class DataLineForm { none, table, assignments, rows };
 
 /// Where KEY=WORD (WORD empty: where KEY is given): the keys that must and must not be there.
-struct When {
+struct KeyCondition {
   std::string_view key;
   std::string_view word;
   std::string_view needs = {};   ///< "C M"
@@ -97,13 +97,13 @@ struct CardSpec {
   std::string_view name = {};
   std::string_view group = {}; ///< the part of ASKA's flow it belongs to
   std::span<const KeySpec> keys = {};
-  Data data = Data::none;
+  DataLineForm data = DataLineForm::none;
   bool data_required = false;
   bool once = false;               ///< at most one in a deck
   bool available = true;           ///< false: read and checked, but no analysis behind it yet
   std::string_view data_form = {}; ///< of one data line
   std::string_view exclusive = {}; ///< of these keys at most one
-  std::span<const When> when = {};
+  std::span<const KeyCondition> when = {};
   std::string_view doc = {};
   std::string_view notes = {};   ///< sentences for the help, beyond doc
   std::string_view example = {}; ///< as a deck would hold it, with its data lines

@@ -9,32 +9,32 @@ std::span<const CardSpec> model_cards();    ///< deck, nets, mesh, sets, materia
 std::span<const CardSpec> analysis_cards(); ///< loads, contact, crack, steps, requests
 
 /// What the help says of a card beyond its table: notes and an example.
-struct CardText {
+struct CardHelpText {
   std::string_view card;
   std::string_view notes;
   std::string_view example;
 };
 /// Null when the card has none.
-const CardText* find_text(std::string_view card);
+const CardHelpText* find_card_help(std::string_view card);
 
 namespace table {
 
-constexpr Range above(double low) {
+constexpr ValueLimits above(double low) {
   return {low, k_unbounded, true, false};
 }
-constexpr Range at_least(double low) {
+constexpr ValueLimits at_least(double low) {
   return {low, k_unbounded, false, false};
 }
-constexpr Range between(double low, double high) {
+constexpr ValueLimits closed_interval(double low, double high) {
   return {low, high, false, false};
 }
-constexpr Range within(double low, double high) { ///< without the limits themselves
+constexpr ValueLimits open_interval(double low, double high) { ///< without the limits themselves
   return {low, high, true, true};
 }
-constexpr Range anything{};
+constexpr ValueLimits anything{};
 
-constexpr KeySpec real(std::string_view name, Quantity quantity, Range range,
-                       std::string_view doc) {
+constexpr KeySpec real_key(std::string_view name, Quantity quantity, ValueLimits range,
+                           std::string_view doc) {
   KeySpec key;
   key.name = name;
   key.type = KeyType::real;
@@ -44,7 +44,7 @@ constexpr KeySpec real(std::string_view name, Quantity quantity, Range range,
   return key;
 }
 
-constexpr KeySpec integer(std::string_view name, Range range, std::string_view doc) {
+constexpr KeySpec integer_key(std::string_view name, ValueLimits range, std::string_view doc) {
   KeySpec key;
   key.name = name;
   key.type = KeyType::integer;
@@ -53,7 +53,7 @@ constexpr KeySpec integer(std::string_view name, Range range, std::string_view d
   return key;
 }
 
-constexpr KeySpec word(std::string_view name, std::string_view words, std::string_view doc) {
+constexpr KeySpec word_key(std::string_view name, std::string_view words, std::string_view doc) {
   KeySpec key;
   key.name = name;
   key.type = KeyType::word;
@@ -62,7 +62,8 @@ constexpr KeySpec word(std::string_view name, std::string_view words, std::strin
   return key;
 }
 
-constexpr KeySpec of_type(KeyType type, std::string_view name, Kind kind, std::string_view doc) {
+constexpr KeySpec key_of_type(KeyType type, std::string_view name, EntityKind kind,
+                              std::string_view doc) {
   KeySpec key;
   key.name = name;
   key.type = type;
@@ -71,35 +72,35 @@ constexpr KeySpec of_type(KeyType type, std::string_view name, Kind kind, std::s
   return key;
 }
 
-constexpr KeySpec defines(std::string_view name, Kind kind, std::string_view doc) {
-  return of_type(KeyType::name, name, kind, doc);
+constexpr KeySpec defining_key(std::string_view name, EntityKind kind, std::string_view doc) {
+  return key_of_type(KeyType::name, name, kind, doc);
 }
-constexpr KeySpec refers(std::string_view name, Kind kind, std::string_view doc) {
-  return of_type(KeyType::reference, name, kind, doc);
+constexpr KeySpec reference_key(std::string_view name, EntityKind kind, std::string_view doc) {
+  return key_of_type(KeyType::reference, name, kind, doc);
 }
-constexpr KeySpec text(std::string_view name, std::string_view doc) {
-  return of_type(KeyType::text, name, Kind::none, doc);
+constexpr KeySpec text_key(std::string_view name, std::string_view doc) {
+  return key_of_type(KeyType::text, name, EntityKind::none, doc);
 }
 /// A text that names a unit of a quantity.
-constexpr KeySpec unit_name(std::string_view name, Quantity quantity, std::string_view doc) {
-  KeySpec key = text(name, doc);
+constexpr KeySpec unit_key(std::string_view name, Quantity quantity, std::string_view doc) {
+  KeySpec key = text_key(name, doc);
   key.quantity = quantity;
   return key;
 }
-constexpr KeySpec field(std::string_view name, std::string_view doc) {
-  return of_type(KeyType::expression, name, Kind::none, doc);
+constexpr KeySpec expression_key(std::string_view name, std::string_view doc) {
+  return key_of_type(KeyType::expression, name, EntityKind::none, doc);
 }
 
 constexpr KeySpec required(KeySpec key) {
   key.required = true;
   return key;
 }
-constexpr KeySpec preset(KeySpec key, std::string_view value) {
+constexpr KeySpec with_default(KeySpec key, std::string_view value) {
   key.default_value = value;
   return key;
 }
 /// Words (or * for any value) that are understood but have no analysis yet.
-constexpr KeySpec later(KeySpec key, std::string_view words) {
+constexpr KeySpec with_unavailable_words(KeySpec key, std::string_view words) {
   key.later = words;
   return key;
 }

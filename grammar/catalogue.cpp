@@ -215,7 +215,7 @@ std::span<const CardSpec> catalogue() {
     std::vector<CardSpec> cards(model_cards().begin(), model_cards().end());
     cards.insert(cards.end(), analysis_cards().begin(), analysis_cards().end());
     for (CardSpec& card : cards) {
-      if (const CardText* text = find_text(card.name)) {
+      if (const CardHelpText* text = find_card_help(card.name)) {
         card.notes = text->notes;
         card.example = text->example;
       }

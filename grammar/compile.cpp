@@ -77,12 +77,12 @@ int operands(OpCode op) {
 
 class Compiler {
 public:
-  Compiler(const Scope& scope, Fields fields, base::Diagnostics& diagnostics)
+  Compiler(const ExpressionScope& scope, AllowedVariables fields, base::Diagnostics& diagnostics)
       : scope_(scope), fields_(fields), diagnostics_(diagnostics) {}
 
-  std::optional<base::CompiledExpression> run(const Expression& expression) {
+  std::optional<base::CompiledExpression> run(const ParsedExpression& expression) {
     whole_ = expression.span;
-    for (const Term& term : expression.terms) {
+    for (const ExpressionTerm& term : expression.terms) {
       add(term);
     }
     if (failed_) {
@@ -97,22 +97,22 @@ public:
   }
 
 private:
-  void add(const Term& term) {
+  void add(const ExpressionTerm& term) {
     switch (term.kind) {
-    case Term::Kind::number:
+    case ExpressionTerm::ExpressionTermKind::number:
       push(term.value * (term.unit.valid() ? factor(term.unit) : 1.0));
       break;
-    case Term::Kind::name:
+    case ExpressionTerm::ExpressionTermKind::name:
       name(term);
       break;
-    case Term::Kind::call:
+    case ExpressionTerm::ExpressionTermKind::call:
       call(term);
       break;
-    case Term::Kind::op:
+    case ExpressionTerm::ExpressionTermKind::op:
       look_for_degrees(term.op, term.span);
       apply(term.op);
       break;
-    case Term::Kind::scale:
+    case ExpressionTerm::ExpressionTermKind::scale:
       push(factor(term.unit));
       apply(OpCode::multiply);
       break;
@@ -176,11 +176,11 @@ private:
                          fmt::format("angles are radians; degrees are written {:.6g}[deg]", angle));
   }
 
-  void name(const Term& term) {
+  void name(const ExpressionTerm& term) {
     const std::string_view written = scope_.sources->text(term.span);
     const std::string upper = to_upper(written);
     if (const auto variable = find_variable(upper)) {
-      if (fields_ == Fields::none) {
+      if (fields_ == AllowedVariables::none) {
         fail(term.span, "E209", fmt::format("'{}' has no value here", written),
              "x y z rho theta stand in WHERE, ORDER and the values of $LOAD");
       }
@@ -212,7 +212,7 @@ private:
     for (const auto& [known, value] : scope_.values) {
       valid.push_back(known);
     }
-    if (fields_ == Fields::position) {
+    if (fields_ == AllowedVariables::position) {
       std::transform(variables.begin(), variables.end(), std::back_inserter(valid),
                      [](const auto& variable) { return std::string(variable.first); });
     }
@@ -220,7 +220,7 @@ private:
          base::suggest_spelling(upper, valid));
   }
 
-  void call(const Term& term) {
+  void call(const ExpressionTerm& term) {
     const std::string_view written = scope_.sources->text(term.span);
     const Function* function = find_function(to_upper(written));
     const bool variadic =
@@ -234,7 +234,7 @@ private:
     }
     if (function == nullptr) {
       fail(term.span, "E202", fmt::format("'{}' is not a function", written),
-           instead_of_function(to_upper(written)));
+           unknown_function_hint(to_upper(written)));
     } else {
       fail(term.span, "E203",
            fmt::format("{} takes {}{} argument{}, not {}", written, function->arguments,
@@ -259,8 +259,8 @@ private:
     diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
   }
 
-  const Scope& scope_;
-  Fields fields_;
+  const ExpressionScope& scope_;
+  AllowedVariables fields_;
   base::Diagnostics& diagnostics_;
   base::CompiledExpression result_;
   bool failed_ = false;
@@ -269,7 +269,7 @@ private:
 
 } // namespace
 
-std::string instead_of_function(std::string_view name) {
+std::string unknown_function_hint(std::string_view name) {
   for (const std::string_view choice :
        {"IF", "IFF", "IIF", "IFELSE", "WHERE", "STEP", "HEAVISIDE"}) {
     if (name == choice) {
@@ -283,8 +283,8 @@ std::string instead_of_function(std::string_view name) {
   return base::suggest_spelling(name, valid);
 }
 
-std::vector<WordText> function_texts() {
-  std::vector<WordText> texts;
+std::vector<ExpressionWord> function_texts() {
+  std::vector<ExpressionWord> texts;
   texts.reserve(functions.size());
   for (const Function& function : functions) {
     texts.push_back({function.name, function.form, function.doc});
@@ -297,48 +297,54 @@ bool is_reserved(std::string_view upper_name) {
          find_function(upper_name) != nullptr || find_variable(upper_name).has_value();
 }
 
-std::optional<base::CompiledExpression> compile(const Expression& expression, const Scope& scope,
-                                                Fields fields, base::Diagnostics& diagnostics) {
+std::optional<base::CompiledExpression> compile_expression(const ParsedExpression& expression,
+                                                           const ExpressionScope& scope,
+                                                           AllowedVariables fields,
+                                                           base::Diagnostics& diagnostics) {
   return Compiler(scope, fields, diagnostics).run(expression);
 }
 
-std::optional<double> evaluate(const Expression& expression, const Scope& scope,
+std::optional<double> evaluate(const ParsedExpression& expression, const ExpressionScope& scope,
                                base::Diagnostics& diagnostics) {
-  const auto compiled = compile(expression, scope, Fields::none, diagnostics);
+  const auto compiled = compile_expression(expression, scope, AllowedVariables::none, diagnostics);
   if (!compiled) {
     return std::nullopt;
   }
   return (*compiled)(base::Vec3::Zero());
 }
 
-base::SourceSpan outer_unit(const Expression& expression) {
+base::SourceSpan explicit_unit(const ParsedExpression& expression) {
   if (expression.terms.empty()) {
     return {};
   }
-  const Term& last = expression.terms.back();
-  const bool whole = last.kind == Term::Kind::scale ||
-                     (last.kind == Term::Kind::number && expression.terms.size() == 1);
+  const ExpressionTerm& last = expression.terms.back();
+  const bool whole =
+      last.kind == ExpressionTerm::ExpressionTermKind::scale ||
+      (last.kind == ExpressionTerm::ExpressionTermKind::number && expression.terms.size() == 1);
   // a scale inside the brackets, `(2*(E)[GPa])`, ends before the closing bracket
   const bool outside = last.unit.valid() && last.unit.end + 1 == expression.span.end;
   return whole && outside ? last.unit : base::SourceSpan{};
 }
 
-base::SourceSpan known_unit(const Expression& expression, const Scope& scope) {
-  if (expression.terms.size() != 1 || expression.terms.front().kind != Term::Kind::name) {
-    return outer_unit(expression);
+base::SourceSpan explicit_or_parameter_unit(const ParsedExpression& expression,
+                                            const ExpressionScope& scope) {
+  if (expression.terms.size() != 1 ||
+      expression.terms.front().kind != ExpressionTerm::ExpressionTermKind::name) {
+    return explicit_unit(expression);
   }
   const auto known = scope.units_of.find(to_upper(scope.sources->text(expression.terms[0].span)));
   return known == scope.units_of.end() ? base::SourceSpan() : known->second;
 }
 
-bool has_unit(const Expression& expression, const Scope& scope) {
-  return std::any_of(expression.terms.begin(), expression.terms.end(), [&](const Term& term) {
-    if (term.kind != Term::Kind::name) {
-      return term.unit.valid();
-    }
-    const std::string name = to_upper(scope.sources->text(term.span));
-    return scope.units_of.contains(name) || scope.made_of_units.contains(name);
-  });
+bool has_unit(const ParsedExpression& expression, const ExpressionScope& scope) {
+  return std::any_of(expression.terms.begin(), expression.terms.end(),
+                     [&](const ExpressionTerm& term) {
+                       if (term.kind != ExpressionTerm::ExpressionTermKind::name) {
+                         return term.unit.valid();
+                       }
+                       const std::string name = to_upper(scope.sources->text(term.span));
+                       return scope.units_of.contains(name) || scope.made_of_units.contains(name);
+                     });
 }
 
 } // namespace spricka::grammar

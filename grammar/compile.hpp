@@ -16,7 +16,7 @@
 namespace spricka::grammar {
 
 /// What the names of an expression stand for. Keys are upper case.
-struct Scope {
+struct ExpressionScope {
   const base::SourceTexts* sources = nullptr;
   base::UnitSystem units;
   std::map<std::string, double, std::less<>> values;
@@ -29,39 +29,42 @@ struct Scope {
 };
 
 /// Whether an expression may use x y z rho theta.
-enum class Fields { none, position };
+enum class AllowedVariables { none, position };
 
 /// A word of expressions, for the help: how it is written and what it is.
-struct WordText {
+struct ExpressionWord {
   std::string_view name; ///< upper case
   std::string_view form;
   std::string_view doc;
 };
-std::vector<WordText> function_texts();
+std::vector<ExpressionWord> function_texts();
 
 /// What to write for a function that there is not, by its name in upper case; empty: nobody knows.
-std::string instead_of_function(std::string_view name);
+std::string unknown_function_hint(std::string_view name);
 
 /// Names that no parameter may have: functions, pi, x y z rho theta, and, or.
 bool is_reserved(std::string_view upper_name);
 
 /// The expression with everything known folded away; literals with a unit become deck units. Empty
 /// after an error (reported, unless a poisoned name is the cause). Constants are finite.
-std::optional<base::CompiledExpression> compile(const Expression& expression, const Scope& scope,
-                                                Fields fields, base::Diagnostics& diagnostics);
+std::optional<base::CompiledExpression> compile_expression(const ParsedExpression& expression,
+                                                           const ExpressionScope& scope,
+                                                           AllowedVariables fields,
+                                                           base::Diagnostics& diagnostics);
 
 /// compile() of an expression without fields, as its value.
-std::optional<double> evaluate(const Expression& expression, const Scope& scope,
+std::optional<double> evaluate(const ParsedExpression& expression, const ExpressionScope& scope,
                                base::Diagnostics& diagnostics);
 
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
-base::SourceSpan outer_unit(const Expression& expression);
+base::SourceSpan explicit_unit(const ParsedExpression& expression);
 
 /// The same, and for an expression that is a parameter alone the unit that was given there.
-base::SourceSpan known_unit(const Expression& expression, const Scope& scope);
+base::SourceSpan explicit_or_parameter_unit(const ParsedExpression& expression,
+                                            const ExpressionScope& scope);
 
 /// Whether a unit stands anywhere in an expression or in the parameters it is made of, so that its
 /// value is in deck units.
-bool has_unit(const Expression& expression, const Scope& scope);
+bool has_unit(const ParsedExpression& expression, const ExpressionScope& scope);
 
 } // namespace spricka::grammar

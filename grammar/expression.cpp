@@ -6,11 +6,12 @@ namespace spricka::grammar {
 
 namespace {
 
-template <char C1, char C2> bool take_two(const char*& p, const char* last, Builder& /*builder*/) {
+template <char C1, char C2>
+bool take_two(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
   if (last - p < 2 || p[0] != C1 || p[1] != C2) {
     return false;
   }
-  p = skip_ws(p + 2, last);
+  p = skip_blanks_and_comments(p + 2, last);
   return true;
 }
 
@@ -19,82 +20,83 @@ bool is_word(const char* p, const char* last, std::string_view upper_word) {
   return to_upper(std::string_view(p, end)) == upper_word;
 }
 
-bool take_and(const char*& p, const char* last, Builder& /*builder*/) {
+bool take_and(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
   if (!is_word(p, last, "AND")) {
     return false;
   }
-  p = skip_ws(p + 3, last);
+  p = skip_blanks_and_comments(p + 3, last);
   return true;
 }
 
-bool take_or(const char*& p, const char* last, Builder& /*builder*/) {
+bool take_or(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
   if (!is_word(p, last, "OR")) {
     return false;
   }
-  p = skip_ws(p + 2, last);
+  p = skip_blanks_and_comments(p + 2, last);
   return true;
 }
 
-bool take_number(const char*& p, const char* last, Builder& builder) {
-  if (!builder.number(p, last)) {
+bool take_number(const char*& p, const char* last, SyntaxBuilder& builder) {
+  if (!builder.read_number(p, last)) {
     return false;
   }
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return true;
 }
 
-bool take_name(const char*& p, const char* last, Builder& builder) {
+bool take_name(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* end = scan_qualified_name(p, last);
   if (end == p || is_word(p, last, "AND") || is_word(p, last, "OR")) {
     return false;
   }
-  builder.name(p, end);
-  p = skip_ws(end, last);
+  builder.push_name(p, end);
+  p = skip_blanks_and_comments(end, last);
   return true;
 }
 
-bool open_call(const char*& p, const char* last, Builder& builder) {
-  return take<'('>(p, last, builder) && builder.call();
+bool open_call(const char*& p, const char* last, SyntaxBuilder& builder) {
+  return match_character<'('>(p, last, builder) && builder.begin_call();
 }
 
-bool count_argument(const char*& /*p*/, const char* /*last*/, Builder& builder) {
-  builder.argument();
+bool count_argument(const char*& /*p*/, const char* /*last*/, SyntaxBuilder& builder) {
+  builder.add_argument();
   return true;
 }
 
-bool close_call(const char*& p, const char* last, Builder& builder) {
+bool close_call(const char*& p, const char* last, SyntaxBuilder& builder) {
   if (p >= last || *p != ')') {
     return false;
   }
   builder.close(++p);
   builder.end_call();
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return true;
 }
 
-bool close_unit(const char*& p, const char* last, Builder& builder) {
+bool close_unit(const char*& p, const char* last, SyntaxBuilder& builder) {
   if (p >= last || *p != ')') {
     return false;
   }
   ++p;
-  if (!builder.unit(p, last)) {
+  if (!builder.read_trailing_unit(p, last)) {
     return false;
   }
-  p = skip_ws(p, last);
+  p = skip_blanks_and_comments(p, last);
   return true;
 }
 
-bool go_deeper(const char*& p, const char* last, Builder& builder) {
-  return builder.enter(p, last);
+bool go_deeper(const char*& p, const char* last, SyntaxBuilder& builder) {
+  return builder.enter_nesting(p, last);
 }
 
-bool come_back(const char*& /*p*/, const char* /*last*/, Builder& builder) {
-  builder.leave();
+bool come_back(const char*& /*p*/, const char* /*last*/, SyntaxBuilder& builder) {
+  builder.leave_nesting();
   return true;
 }
 
-template <base::OpCode O> bool emit(const char*& /*p*/, const char* /*last*/, Builder& builder) {
-  builder.op(O);
+template <base::OpCode O>
+bool emit(const char*& /*p*/, const char* /*last*/, SyntaxBuilder& builder) {
+  builder.push_operator(O);
   return true;
 }
 
@@ -102,16 +104,16 @@ template <base::OpCode O> constexpr Terminal put{"an operator", emit<O>};
 
 const Terminal number{"a number", take_number};
 const Terminal name{"a name", take_name};
-const Terminal plus{"'+'", take<'+'>};
-const Terminal minus{"'-'", take<'-'>};
-const Terminal times{"'*'", take<'*'>};
-const Terminal over{"'/'", take<'/'>};
-const Terminal caret{"'^'", take<'^'>};
-const Terminal comma{"','", take<','>};
-const Terminal open{"'('", take<'('>};
+const Terminal plus{"'+'", match_character<'+'>};
+const Terminal minus{"'-'", match_character<'-'>};
+const Terminal times{"'*'", match_character<'*'>};
+const Terminal over{"'/'", match_character<'/'>};
+const Terminal caret{"'^'", match_character<'^'>};
+const Terminal comma{"','", match_character<','>};
+const Terminal open{"'('", match_character<'('>};
 const Terminal close{"')'", close_unit};
-const Terminal less{"'<'", take<'<'>};
-const Terminal greater{"'>'", take<'>'>};
+const Terminal less{"'<'", match_character<'<'>};
+const Terminal greater{"'>'", match_character<'>'>};
 const Terminal less_equal{"'<='", take_two<'<', '='>};
 const Terminal greater_equal{"'>='", take_two<'>', '='>};
 const Terminal equal{"'=='", take_two<'=', '='>};
@@ -157,10 +159,10 @@ BOOST_SPIRIT_DEFINE(expression, comparison, sum, product, factor, primary, argum
 
 } // namespace
 
-bool read_expression(const char*& p, const char* last, Builder& builder) {
-  const char* begin = p = skip_ws(p, last);
+bool read_expression(const char*& p, const char* last, SyntaxBuilder& builder) {
+  const char* begin = p = skip_blanks_and_comments(p, last);
   if (!run_rule(expression, p, last, builder)) {
-    builder.expected(begin, last, "an expression");
+    builder.fail_expected(begin, last, "an expression");
     return false;
   }
   if (is_word(p, last, "AND") || is_word(p, last, "OR")) {

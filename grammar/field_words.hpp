@@ -7,7 +7,7 @@
 /// Words of damage tolerance that are no words of the language, and where they lead.
 namespace spricka::grammar {
 
-struct FieldWord {
+struct DamageToleranceTerm {
   std::string_view word;
   std::string_view also = {}; ///< other words for it, with commas between
   std::string_view text;      ///< what it is called here, or that there is no such thing
@@ -16,13 +16,13 @@ struct FieldWord {
 };
 
 /// All of them, in the order of the alphabet.
-std::span<const FieldWord> field_words();
+std::span<const DamageToleranceTerm> damage_tolerance_terms();
 
 /// The word itself and the others that mean it.
-std::vector<std::string_view> names_of(const FieldWord& word);
+std::vector<std::string_view> term_synonyms(const DamageToleranceTerm& word);
 
 /// The entry of a word in any case, singular or plural, with blanks or - between its parts; null
 /// when there is none.
-const FieldWord* find_field_word(std::string_view name);
+const DamageToleranceTerm* find_damage_tolerance_term(std::string_view name);
 
 } // namespace spricka::grammar

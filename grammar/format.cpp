@@ -19,7 +19,7 @@ constexpr std::size_t k_tab = 8;
 enum class Role { blank, comment, header, row, table };
 
 /// One line of the file, taken apart and laid out anew.
-struct Line {
+struct FormattedLine {
   Role role = Role::blank;
   std::size_t indent = 0;
   std::string code;
@@ -86,7 +86,7 @@ private:
   void add(std::string_view text, std::size_t at) {
     const std::size_t mark = comment_start(text);
     const std::string_view code = trimmed(text.substr(0, mark));
-    Line line;
+    FormattedLine line;
     line.comment = text.substr(mark);
     line.column = width_of(text.substr(0, mark));
     if (code.empty()) {
@@ -116,7 +116,7 @@ private:
     if (card.name == "NET") {
       in_net_ = true;
     }
-    header_ = HeaderLayout(spec_);
+    header_ = HeaderFormatter(spec_);
     return true;
   }
 
@@ -128,15 +128,17 @@ private:
     return card_ > 0 && at < cards_[card_ - 1].header.end;
   }
 
-  void header(std::string_view code, Line& line) {
+  void header(std::string_view code, FormattedLine& line) {
     line.role = Role::header;
     const bool continues = code.starts_with('&');
     line.indent = indent_ + (continues ? k_step : 0);
-    line.code = continues ? "& " + header_.line(code.substr(1)) : header_.line(code);
+    line.code = continues ? "& " + header_.format_header_line(code.substr(1))
+                          : header_.format_header_line(code);
   }
 
-  void data(std::string_view whole, std::string_view code, Line& line) {
-    if (spec_ == nullptr || spec_->data == Data::table || spec_->data == Data::none) {
+  void data(std::string_view whole, std::string_view code, FormattedLine& line) {
+    if (spec_ == nullptr || spec_->data == DataLineForm::table ||
+        spec_->data == DataLineForm::none) {
       line.role = Role::table;
       line.code = whole.substr(0, whole.find_last_not_of(" \t\r") + 1);
       return;
@@ -145,9 +147,10 @@ private:
     line.indent = indent_ + k_step;
     const bool continues = code.starts_with('&');
     if (!continues) {
-      row_ = RowLayout(*spec_);
+      row_ = DataRowFormatter(*spec_);
     }
-    line.code = continues ? "& " + row_.line(trimmed(code.substr(1))) : row_.line(code);
+    line.code = continues ? "& " + row_.format_data_line(trimmed(code.substr(1)))
+                          : row_.format_data_line(code);
   }
 
   // A comment belongs to what follows it. Above a table's row it stays where it is.
@@ -167,7 +170,7 @@ private:
   [[nodiscard]] std::string written() const {
     std::string out;
     bool gap = false; // a blank line is due before the next line with something on it
-    for (const Line& line : lines_) {
+    for (const FormattedLine& line : lines_) {
       if (line.role == Role::blank) {
         gap = !out.empty();
         continue;
@@ -186,13 +189,13 @@ private:
 
   std::string_view text_;
   const std::vector<Card>& cards_;
-  std::vector<Line> lines_;
+  std::vector<FormattedLine> lines_;
   std::size_t card_ = 0; ///< cards entered so far; the last of them is open
   const CardSpec* spec_ = nullptr;
   std::size_t indent_ = 0;
   bool in_net_ = false;
-  HeaderLayout header_{nullptr};
-  RowLayout row_{{}};
+  HeaderFormatter header_{nullptr};
+  DataRowFormatter row_{{}};
 };
 
 } // namespace
@@ -203,9 +206,9 @@ std::optional<std::string> format_deck(const base::SourceTexts& sources, std::in
   const std::vector<Card> cards = parse_cards(sources, file, diagnostics);
   for (const Card& card : cards) {
     const CardSpec* spec = find_card(card.name);
-    if (spec != nullptr && spec->data == Data::rows) {
+    if (spec != nullptr && spec->data == DataLineForm::rows) {
       parse_rows(sources, card.data, diagnostics);
-    } else if (spec != nullptr && spec->data == Data::assignments) {
+    } else if (spec != nullptr && spec->data == DataLineForm::assignments) {
       parse_assignments(sources, card.data, diagnostics);
     }
   }

@@ -38,7 +38,7 @@ std::string_view without_trailing_blanks(std::string_view text) {
 
 } // namespace
 
-std::string HeaderLayout::line(std::string_view code) {
+std::string HeaderFormatter::format_header_line(std::string_view code) {
   std::string out;
   const char* p = code.data();
   const char* const last = p + code.size();
@@ -61,7 +61,7 @@ std::string HeaderLayout::line(std::string_view code) {
   return out;
 }
 
-std::string HeaderLayout::token(std::string_view text) {
+std::string HeaderFormatter::token(std::string_view text) {
   if (value_) {
     value_ = false;
     return word(text);
@@ -71,14 +71,15 @@ std::string HeaderLayout::token(std::string_view text) {
   return upper;
 }
 
-std::string HeaderLayout::word(std::string_view text) {
+std::string HeaderFormatter::word(std::string_view text) {
   const bool is_word = key_ != nullptr && key_->type == KeyType::word;
   return is_word && is_letter(text.front()) ? to_upper(text) : std::string(text);
 }
 
-RowLayout::RowLayout(const CardSpec& spec)
+DataRowFormatter::DataRowFormatter(const CardSpec& spec)
     : check_(spec.name == "CHECK"), everywhere_(check_ || spec.name == "TASK") {
-  const std::string_view form = spec.data == Data::rows ? spec.data_form : std::string_view();
+  const std::string_view form =
+      spec.data == DataLineForm::rows ? spec.data_form : std::string_view();
   const char* p = form.data();
   const char* const last = p + form.size();
   while (p < last) {
@@ -91,14 +92,14 @@ RowLayout::RowLayout(const CardSpec& spec)
   }
 }
 
-bool RowLayout::is_word(const std::string& upper, bool called) const {
+bool DataRowFormatter::is_word(const std::string& upper, bool called) const {
   if (check_ && called) {
     return find_quantity(upper) != nullptr;
   }
   return (first_ || everywhere_) && std::find(words_.begin(), words_.end(), upper) != words_.end();
 }
 
-std::string RowLayout::line(std::string_view code) {
+std::string DataRowFormatter::format_data_line(std::string_view code) {
   std::string out;
   const char* p = code.data();
   const char* const last = p + code.size();

@@ -11,12 +11,12 @@ namespace spricka::grammar {
 
 /// A header, line by line where it is continued: what is open at the end of one line goes on in the
 /// next.
-class HeaderLayout {
+class HeaderFormatter {
 public:
-  explicit HeaderLayout(const CardSpec* spec) : spec_(spec) {}
+  explicit HeaderFormatter(const CardSpec* spec) : spec_(spec) {}
 
   /// `code` without its & and comment.
-  std::string line(std::string_view code);
+  std::string format_header_line(std::string_view code);
 
 private:
   std::string token(std::string_view text);
@@ -29,12 +29,12 @@ private:
 };
 
 /// A data line that is no table's: spacing stays, words of the language become capitals.
-class RowLayout {
+class DataRowFormatter {
 public:
-  explicit RowLayout(const CardSpec& spec);
+  explicit DataRowFormatter(const CardSpec& spec);
 
   /// `code` without its & and comment.
-  std::string line(std::string_view code);
+  std::string format_data_line(std::string_view code);
 
 private:
   [[nodiscard]] bool is_word(const std::string& upper, bool called) const;

@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t k_body = 2; ///< indentation of paragraphs
 
 std::string key_table(const CardSpec& card, std::size_t width) {
-  Columns table{{{"key", "value", "default", "meaning"}}, {14, 34, 12, 0}};
+  TextColumns table{{{"key", "value", "default", "meaning"}}, {14, 34, 12, 0}};
   for (const KeySpec& key : card.keys) {
     table.rows.push_back(
-        {std::string(key.name), value_phrase(key), need_phrase(key), std::string(key.doc)});
+        {std::string(key.name), value_phrase(key), requirement_phrase(key), std::string(key.doc)});
   }
-  return table.text(width);
+  return table.format_columns(width);
 }
 
 std::string indented(std::string_view text, std::size_t indent) {
@@ -42,13 +42,13 @@ std::string indented(std::string_view text, std::size_t indent) {
 std::string size_of(const base::NamedUnit& word) {
   const base::Dimension& d = word.unit.dimension;
   std::string_view unit = "";
-  if (d == dimension_of(Quantity::length)) {
+  if (d == quantity_dimension(Quantity::length)) {
     unit = " m";
-  } else if (d == dimension_of(Quantity::force)) {
+  } else if (d == quantity_dimension(Quantity::force)) {
     unit = " N";
-  } else if (d == dimension_of(Quantity::stress)) {
+  } else if (d == quantity_dimension(Quantity::stress)) {
     unit = " N/m^2";
-  } else if (d == dimension_of(Quantity::angle)) {
+  } else if (d == quantity_dimension(Quantity::angle)) {
     unit = " rad";
   }
   return fmt::format("{:.10g}{}", word.unit.si, unit);
@@ -57,7 +57,7 @@ std::string size_of(const base::NamedUnit& word) {
 std::string kind_of(const base::NamedUnit& word) {
   for (const Quantity quantity :
        {Quantity::length, Quantity::force, Quantity::stress, Quantity::angle}) {
-    if (word.unit.dimension == dimension_of(quantity)) {
+    if (word.unit.dimension == quantity_dimension(quantity)) {
       return std::string(dimension_phrase(quantity));
     }
   }
@@ -68,9 +68,9 @@ std::string kind_of(const base::NamedUnit& word) {
 
 std::string cards_help(std::size_t width) {
   std::string out;
-  for (const std::string_view group : groups()) {
-    out += fmt::format("{}: {}\n", group, about_group(group));
-    Columns table{{}, {12, 0}};
+  for (const std::string_view group : card_groups()) {
+    out += fmt::format("{}: {}\n", group, card_group_purpose(group));
+    TextColumns table{{}, {12, 0}};
     for (const CardSpec& card : catalogue()) {
       if (card.group == group) {
         table.rows.push_back(
@@ -78,7 +78,7 @@ std::string cards_help(std::size_t width) {
              fmt::format("{}{}", card.doc, card.available ? "" : " (not in this version)")});
       }
     }
-    out += table.text(width) + '\n';
+    out += table.format_columns(width) + '\n';
   }
   return out;
 }
@@ -86,26 +86,27 @@ std::string cards_help(std::size_t width) {
 std::string card_help(const CardSpec& card, std::size_t width) {
   std::string out = fmt::format("${}  ({}{})\n", card.name, card.group,
                                 card.once ? ", at most once in a deck" : "");
-  out += paragraph(card.doc, k_body, width);
+  out += wrap_paragraph(card.doc, k_body, width);
   if (!card.notes.empty()) {
-    out += '\n' + paragraph(card.notes, k_body, width);
+    out += '\n' + wrap_paragraph(card.notes, k_body, width);
   }
   if (!card.keys.empty()) {
     out += '\n' + key_table(card, width);
   }
-  const std::vector<std::string> rules = clause_sentences(card);
+  const std::vector<std::string> rules = card_rule_sentences(card);
   out += rules.empty() ? "" : "\n";
   for (const std::string& rule : rules) {
-    out += paragraph(rule, k_body, width);
+    out += wrap_paragraph(rule, k_body, width);
   }
-  out += '\n' + paragraph(card.data == Data::none
-                              ? fmt::format("${} takes no data lines.", card.name)
-                              : fmt::format("{}: {}", data_phrase(card), card.data_form),
-                          k_body, width);
-  if (const std::string later = later_phrase(card); !later.empty()) {
-    out += '\n' +
-           paragraph(fmt::format("Read and checked, but not available in this version: {}.", later),
-                     k_body, width);
+  out += '\n' + wrap_paragraph(card.data == DataLineForm::none
+                                   ? fmt::format("${} takes no data lines.", card.name)
+                                   : fmt::format("{}: {}", data_phrase(card), card.data_form),
+                               k_body, width);
+  if (const std::string later = unavailable_phrase(card); !later.empty()) {
+    out +=
+        '\n' + wrap_paragraph(
+                   fmt::format("Read and checked, but not available in this version: {}.", later),
+                   k_body, width);
   }
   return out + "\nExample:\n" + indented(card.example, k_body);
 }
@@ -143,9 +144,9 @@ bool has_text(std::string_view text, std::string_view word) {
 
 } // namespace
 
-std::string text_help(std::string_view word, std::size_t width) {
+std::string search_help_texts(std::string_view word, std::size_t width) {
   constexpr std::size_t least = 3; // letters: fewer are everywhere
-  Columns table{{}, {34, 0}};
+  TextColumns table{{}, {34, 0}};
   for (const CardSpec& card : catalogue()) {
     if (word.size() < least) {
       break;
@@ -164,11 +165,11 @@ std::string text_help(std::string_view word, std::size_t width) {
       table.rows.push_back({call_form(quantity), std::string(quantity.doc)});
     }
   }
-  return table.rows.empty() ? std::string() : table.text(width);
+  return table.rows.empty() ? std::string() : table.format_columns(width);
 }
 
 std::string word_help(std::string_view word, std::size_t width) {
-  Columns table{{}, {34, 34, 0}};
+  TextColumns table{{}, {34, 34, 0}};
   for (const CardSpec& card : catalogue()) {
     for (const KeySpec& key : card.keys) {
       const std::vector<std::string> words = split_words(key.words);
@@ -181,85 +182,87 @@ std::string word_help(std::string_view word, std::size_t width) {
       }
     }
   }
-  for (const WordText& function : function_texts()) {
+  for (const ExpressionWord& function : function_texts()) {
     if (function.name == word) {
       table.rows.push_back({std::string(function.form), "function", std::string(function.doc)});
     }
   }
-  return table.rows.empty() ? std::string() : table.text(width);
+  return table.rows.empty() ? std::string() : table.format_columns(width);
 }
 
-std::string field_help(std::string_view word, std::size_t width) {
-  const FieldWord* found = find_field_word(word);
+std::string damage_tolerance_help(std::string_view word, std::size_t width) {
+  const DamageToleranceTerm* found = find_damage_tolerance_term(word);
   if (found == nullptr) {
     return {};
   }
   const auto topics = split_words(found->topics);
   const auto pages = split_words(found->pages);
-  return paragraph(fmt::format("{} (also: {})", found->word, found->also), 0, width) +
-         paragraph(found->text, k_body, width) + '\n' +
-         paragraph(fmt::format("More: spricka help {}", fmt::join(topics, ", ")), k_body, width) +
-         paragraph(fmt::format("Manual: {}.md", fmt::join(pages, ".md, ")), k_body, width);
+  return wrap_paragraph(fmt::format("{} (also: {})", found->word, found->also), 0, width) +
+         wrap_paragraph(found->text, k_body, width) + '\n' +
+         wrap_paragraph(fmt::format("More: spricka help {}", fmt::join(topics, ", ")), k_body,
+                        width) +
+         wrap_paragraph(fmt::format("Manual: {}.md", fmt::join(pages, ".md, ")), k_body, width);
 }
 
-std::string field_words_help(std::size_t width) {
-  Columns table{{}, {24, 0}};
-  for (const FieldWord& word : field_words()) {
+std::string list_damage_tolerance_terms(std::size_t width) {
+  TextColumns table{{}, {24, 0}};
+  for (const DamageToleranceTerm& word : damage_tolerance_terms()) {
     table.rows.push_back({std::string(word.word), std::string(word.also)});
   }
   return "Words of damage tolerance; spricka help WORD says what each one is here:\n" +
-         table.text(width);
+         table.format_columns(width);
 }
 
 std::string quantities_help(std::size_t width, const ResultQuantity* one) {
   std::string out = one != nullptr ? "" : "Results that $CHECK can name; [ ] may be left out:\n";
-  Columns table{{}, {44, 20, 0}};
+  TextColumns table{{}, {44, 20, 0}};
   for (const ResultQuantity& quantity : result_quantities()) {
     if (one == nullptr || one == &quantity) {
       table.rows.push_back({call_form(quantity), std::string(dimension_phrase(quantity.quantity)),
                             std::string(quantity.doc)});
     }
   }
-  out += table.text(width);
+  out += table.format_columns(width);
   return out + '\n' +
-         paragraph("a is a crack length of $GROW; without it the value is that of the last length. "
-                   "A crack with two tips has NAME.1 and NAME.2.",
-                   k_body, width);
+         wrap_paragraph(
+             "a is a crack length of $GROW; without it the value is that of the last length. "
+             "A crack with two tips has NAME.1 and NAME.2.",
+             k_body, width);
 }
 
 std::string functions_help(std::size_t width) {
   std::string out = "Functions of expressions:\n";
-  Columns table{{}, {14, 0}};
-  for (const WordText& function : function_texts()) {
+  TextColumns table{{}, {14, 0}};
+  for (const ExpressionWord& function : function_texts()) {
     table.rows.push_back({std::string(function.form), std::string(function.doc)});
   }
-  out += table.text(width);
+  out += table.format_columns(width);
   out += "\nNames:\n";
-  const Columns names{{{"pi", "3.14159.."},
-                       {"x y z", "the place, in WHERE, ORDER and the values of $LOAD"},
-                       {"rho theta", "the same in cylindrical coordinates about z"}},
-                      {14, 0}};
-  out += names.text(width);
-  out += "\nOperators, the tightest first:\n";
-  const Columns operators{{{"^", "power, from the right: 2^3^2 = 512"},
-                           {"- +", "signs: -2^2 = -4"},
-                           {"* /", ""},
-                           {"+ -", ""},
-                           {"< <= > >= ==", "comparison, 1 or 0"},
-                           {"and or", "one level: mix them with brackets"}},
+  const TextColumns names{{{"pi", "3.14159.."},
+                           {"x y z", "the place, in WHERE, ORDER and the values of $LOAD"},
+                           {"rho theta", "the same in cylindrical coordinates about z"}},
                           {14, 0}};
-  return out + operators.text(width);
+  out += names.format_columns(width);
+  out += "\nOperators, the tightest first:\n";
+  const TextColumns operators{{{"^", "power, from the right: 2^3^2 = 512"},
+                               {"- +", "signs: -2^2 = -4"},
+                               {"* /", ""},
+                               {"+ -", ""},
+                               {"< <= > >= ==", "comparison, 1 or 0"},
+                               {"and or", "one level: mix them with brackets"}},
+                              {14, 0}};
+  return out + operators.format_columns(width);
 }
 
 std::string units_help(std::size_t width) {
   std::string out = "Units stand in [ ] behind a number or a bracket:\n";
-  Columns table{{}, {8, 10, 0}};
+  TextColumns table{{}, {8, 10, 0}};
   for (const base::NamedUnit& word : base::unit_words()) {
     table.rows.push_back({std::string(word.name), kind_of(word), size_of(word)});
   }
-  out += table.text(width);
+  out += table.format_columns(width);
   return out + '\n' +
-         paragraph(
+         wrap_paragraph(
              "Products, quotients and powers are units too: [MPa*mm^0.5], [N/mm^2]. A number "
              "with a unit is converted into the units of $DECK; a bare one is in them, angles "
              "in radians. Units are written as here: case counts (MN is not mN).",

@@ -20,13 +20,13 @@ std::string card_help(const CardSpec& card, std::size_t width);
 std::string word_help(std::string_view word, std::size_t width);
 
 /// Where the texts of cards, keys and results have a word, given in any case. Empty: nowhere.
-std::string text_help(std::string_view word, std::size_t width);
+std::string search_help_texts(std::string_view word, std::size_t width);
 
 /// Where a word of damage tolerance leads, given in any case. Empty: it is not known.
-std::string field_help(std::string_view word, std::size_t width);
+std::string damage_tolerance_help(std::string_view word, std::size_t width);
 
 /// All words of damage tolerance that lead somewhere, with others for each.
-std::string field_words_help(std::size_t width);
+std::string list_damage_tolerance_terms(std::size_t width);
 
 /// The results that $CHECK can name; `one` alone if it is given.
 std::string quantities_help(std::size_t width, const ResultQuantity* one = nullptr);

@@ -32,7 +32,7 @@ const char* continuation(const char* p, const char* last) {
   return nullptr;
 }
 
-const char* skip_ws(const char* p, const char* last) {
+const char* skip_blanks_and_comments(const char* p, const char* last) {
   while (p < last) {
     const bool return_at_end = *p == '\r' && (p + 1 == last || p[1] == '\n');
     if (is_blank(*p) || return_at_end) {
@@ -87,8 +87,8 @@ const char* scan_qualified_name(const char* p, const char* last) {
   return end;
 }
 
-Number scan_number(const char* p, const char* last) {
-  Number number;
+ScannedNumber scan_number(const char* p, const char* last) {
+  ScannedNumber number;
   number.end = p;
   // from_chars would also take inf and nan, which are names here.
   const bool starts = p < last && (is_digit(*p) || (*p == '.' && last - p > 1 && is_digit(p[1])));
@@ -116,7 +116,7 @@ Number scan_number(const char* p, const char* last) {
 }
 
 const char* scan_token(const char* p, const char* last) {
-  if (p >= last || ends_line(*p)) {
+  if (p >= last || can_end_line(*p)) {
     return p;
   }
   if (*p == '\'') {
@@ -127,7 +127,7 @@ const char* scan_token(const char* p, const char* last) {
     return q < last && *q == '\'' ? q + 1 : q;
   }
   const auto separates = [](char c) {
-    return is_blank(c) || ends_line(c) || c == ',' || c == '=' || c == '(' || c == ')' ||
+    return is_blank(c) || can_end_line(c) || c == ',' || c == '=' || c == '(' || c == ')' ||
            c == '\'' || c == ':';
   };
   const char* q = p + 1;

@@ -21,7 +21,7 @@ constexpr bool is_blank(char c) {
 }
 
 /// Blanks, carriage return, comment: what may stand between the last field and the line feed.
-constexpr bool ends_line(char c) {
+constexpr bool can_end_line(char c) {
   return c == '\n' || c == '\r' || c == '!';
 }
 
@@ -33,7 +33,7 @@ const char* line_end(const char* p, const char* last);
 const char* continuation(const char* p, const char* last);
 
 /// Skips blanks, comments and continued line ends; stops at a token, a line feed or `last`.
-const char* skip_ws(const char* p, const char* last);
+const char* skip_blanks_and_comments(const char* p, const char* last);
 
 /// End of the logical line (with its continuations) that holds `p`: at its line feed, or `last`.
 const char* logical_line_end(const char* p, const char* last);
@@ -46,7 +46,7 @@ const char* scan_qualified_name(const char* p, const char* last);
 
 enum class NumberError { none, absent, too_large, fortran_exponent, trailing };
 
-struct Number {
+struct ScannedNumber {
   double value = 0.0;
   const char* end = nullptr;
   NumberError error = NumberError::none;
@@ -54,7 +54,7 @@ struct Number {
 
 /// An unsigned number, exactly rounded. Demands that neither a letter nor a second point follows
 /// (`1.0d0`, `2x`, `1.2.3` are errors whose `end` is that of the whole token).
-Number scan_number(const char* p, const char* last);
+ScannedNumber scan_number(const char* p, const char* last);
 
 /// End of whatever token stands at `p`, for carets: to the next blank, separator or bracket.
 const char* scan_token(const char* p, const char* last);

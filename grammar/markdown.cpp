@@ -46,15 +46,15 @@ std::string card_section(const CardSpec& card) {
   out += card.once ? " At most once in a deck.\n\n" : "\n\n";
   out += card.notes.empty() ? "" : fmt::format("{}\n\n", card.notes);
   out += card.keys.empty() ? "" : keys(card);
-  const std::vector<std::string> rules = clause_sentences(card);
+  const std::vector<std::string> rules = card_rule_sentences(card);
   for (const std::string& rule : rules) {
     out += fmt::format("- {}\n", rule);
   }
   out += rules.empty() ? "" : "\n";
-  if (card.data != Data::none) {
+  if (card.data != DataLineForm::none) {
     out += fmt::format("{}: `{}`\n\n", data_phrase(card), card.data_form);
   }
-  if (const std::string later = later_phrase(card); !later.empty()) {
+  if (const std::string later = unavailable_phrase(card); !later.empty()) {
     out += fmt::format("Read and checked, but not available in this version: {}.\n\n", code(later));
   }
   return out + fmt::format("```deck\n{}```\n\n", card.example);
@@ -62,8 +62,8 @@ std::string card_section(const CardSpec& card) {
 
 std::string contents() {
   std::string out;
-  for (const std::string_view group : groups()) {
-    out += fmt::format("- **{}** ({}):", group, about_group(group));
+  for (const std::string_view group : card_groups()) {
+    out += fmt::format("- **{}** ({}):", group, card_group_purpose(group));
     for (const CardSpec& card : catalogue()) {
       if (card.group == group) {
         out += fmt::format(" [`${}`](#{})", card.name, anchor(card.name));
@@ -87,7 +87,7 @@ std::string results() {
 
 std::string words() {
   std::string out = "## Functions\n\n| function | value |\n|---|---|\n";
-  for (const WordText& function : function_texts()) {
+  for (const ExpressionWord& function : function_texts()) {
     out += fmt::format("| `{}` | {} |\n", function.form, function.doc);
   }
   out +=
@@ -111,8 +111,8 @@ std::string cards_markdown() {
                     "This page is made from the\nprogram's own catalogue by `spricka help "
                     "--markdown`; do not edit it. The cards by group:\n\n";
   out += contents();
-  for (const std::string_view group : groups()) {
-    out += fmt::format("## {}: {}\n\n", group, about_group(group));
+  for (const std::string_view group : card_groups()) {
+    out += fmt::format("## {}: {}\n\n", group, card_group_purpose(group));
     for (const CardSpec& card : catalogue()) {
       out += card.group == group ? card_section(card) : "";
     }

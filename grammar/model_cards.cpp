@@ -8,153 +8,157 @@ namespace spricka::grammar {
 namespace {
 
 using namespace table;
-using enum Kind;
+using enum EntityKind;
 using enum Quantity;
 
 constexpr std::array deck_keys{
-    required(integer("VERSION", between(1, 1), "version of the language; this is 1")),
-    required(word("LENGTH", "M|MM|IN", "unit of every length of the deck")),
-    required(word("FORCE", "N|KN|LBF", "unit of every force; stresses are FORCE/LENGTH^2")),
-    text("TITLE", "heads the listing"),
+    required(integer_key("VERSION", closed_interval(1, 1), "version of the language; this is 1")),
+    required(word_key("LENGTH", "M|MM|IN", "unit of every length of the deck")),
+    required(word_key("FORCE", "N|KN|LBF", "unit of every force; stresses are FORCE/LENGTH^2")),
+    text_key("TITLE", "heads the listing"),
 };
 
 constexpr std::array include_keys{
-    required(text("FILE", "a file of whole cards; its path counts from the including file")),
+    required(text_key("FILE", "a file of whole cards; its path counts from the including file")),
 };
 
 constexpr std::array net_keys{
-    required(defines("NAME", net, "sets of the net are seen outside as NAME.SET")),
+    required(defining_key("NAME", net, "sets of the net are seen outside as NAME.SET")),
 };
 
 constexpr std::array import_keys{
-    required(text("FILE", "path from this deck")),
-    required(
-        word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus or CalculiX")),
-    preset(real("SCALE", number, above(0), "factor on every coordinate"), "1"),
-    preset(word("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
-    preset(word("SKIP", "NOTHING|LOADS", "INP: LOADS passes over supports, loads and steps"),
-           "NOTHING"),
+    required(text_key("FILE", "path from this deck")),
+    required(word_key("FORMAT", "GEO|MSH|INP",
+                      "gmsh script, gmsh mesh, or input of Abaqus or CalculiX")),
+    with_default(real_key("SCALE", number, above(0), "factor on every coordinate"), "1"),
+    with_default(word_key("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
+    with_default(
+        word_key("SKIP", "NOTHING|LOADS", "INP: LOADS passes over supports, loads and steps"),
+        "NOTHING"),
 };
 
 constexpr std::array mesh_keys{
-    required(word("SHAPE", "BLOCK|RING|LUG", "what is meshed")),
-    required(word("TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|TET10|HEXE8|HEXEC20|HEXEC27",
-                  "element type; a C stands for curved, quadratic edges")),
-    preset(real("X0", length, anything, "corner of a BLOCK, centre of a RING or bore"), "0"),
-    preset(real("Y0", length, anything, "see X0"), "0"),
-    preset(real("Z0", length, anything, "see X0"), "0"),
-    real("LX", length, above(0), "side of a BLOCK along x"),
-    real("LY", length, above(0), "side of a BLOCK along y"),
-    real("LZ", length, above(0), "side of a BLOCK along z"),
-    real("RI", length, at_least(0), "inner radius of a RING (0: a disc), bore radius of a LUG"),
-    real("RO", length, above(0), "outer radius of a RING"),
-    real("W", length, above(0), "width of a LUG; its round head points to +x, END is at -x"),
-    real("L", length, above(0), "length of a LUG, from the centre of the bore to END"),
-    preset(real("T0", angle, anything, "first angle of a RING"), "0"),
-    preset(real("T1", angle, anything, "last angle of a RING"), "2*pi"),
-    preset(integer("NX", at_least(1), "elements along x"), "1"),
-    preset(integer("NY", at_least(1), "elements along y"), "1"),
-    preset(integer("NZ", at_least(1), "elements along z"), "1"),
-    preset(integer("NR", at_least(1), "elements from RI outwards"), "1"),
-    preset(integer("NT", at_least(3), "elements round"), "16"),
-    preset(real("BIAS", number, above(0), "last over first element size along x, or from RI to RO"),
-           "1"),
+    required(word_key("SHAPE", "BLOCK|RING|LUG", "what is meshed")),
+    required(word_key("TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|TET10|HEXE8|HEXEC20|HEXEC27",
+                      "element type; a C stands for curved, quadratic edges")),
+    with_default(real_key("X0", length, anything, "corner of a BLOCK, centre of a RING or bore"),
+                 "0"),
+    with_default(real_key("Y0", length, anything, "see X0"), "0"),
+    with_default(real_key("Z0", length, anything, "see X0"), "0"),
+    real_key("LX", length, above(0), "side of a BLOCK along x"),
+    real_key("LY", length, above(0), "side of a BLOCK along y"),
+    real_key("LZ", length, above(0), "side of a BLOCK along z"),
+    real_key("RI", length, at_least(0), "inner radius of a RING (0: a disc), bore radius of a LUG"),
+    real_key("RO", length, above(0), "outer radius of a RING"),
+    real_key("W", length, above(0), "width of a LUG; its round head points to +x, END is at -x"),
+    real_key("L", length, above(0), "length of a LUG, from the centre of the bore to END"),
+    with_default(real_key("T0", angle, anything, "first angle of a RING"), "0"),
+    with_default(real_key("T1", angle, anything, "last angle of a RING"), "2*pi"),
+    with_default(integer_key("NX", at_least(1), "elements along x"), "1"),
+    with_default(integer_key("NY", at_least(1), "elements along y"), "1"),
+    with_default(integer_key("NZ", at_least(1), "elements along z"), "1"),
+    with_default(integer_key("NR", at_least(1), "elements from RI outwards"), "1"),
+    with_default(integer_key("NT", at_least(3), "elements round"), "16"),
+    with_default(real_key("BIAS", number, above(0),
+                          "last over first element size along x, or from RI to RO"),
+                 "1"),
 };
 
 constexpr std::array mesh_when{
-    When{"SHAPE", "BLOCK", "LX LY", "RI RO W L T0 T1 NR NT"},
-    When{"SHAPE", "RING", "RI RO", "LX LY LZ Z0 W L NX NY NZ"},
-    When{"SHAPE", "LUG", "RI W L", "LX LY LZ Z0 RO T0 T1 NX NY NZ BIAS"},
-    When{"TYPE", "TRIM3", "", "Z0 LZ NZ"},
-    When{"TYPE", "TRIMC6", "", "Z0 LZ NZ"},
-    When{"TYPE", "QUAM4", "", "Z0 LZ NZ"},
-    When{"TYPE", "QUAMC8", "", "Z0 LZ NZ"},
-    When{"TYPE", "QUAMC9", "", "Z0 LZ NZ"},
+    KeyCondition{"SHAPE", "BLOCK", "LX LY", "RI RO W L T0 T1 NR NT"},
+    KeyCondition{"SHAPE", "RING", "RI RO", "LX LY LZ Z0 W L NX NY NZ"},
+    KeyCondition{"SHAPE", "LUG", "RI W L", "LX LY LZ Z0 RO T0 T1 NX NY NZ BIAS"},
+    KeyCondition{"TYPE", "TRIM3", "", "Z0 LZ NZ"},
+    KeyCondition{"TYPE", "TRIMC6", "", "Z0 LZ NZ"},
+    KeyCondition{"TYPE", "QUAM4", "", "Z0 LZ NZ"},
+    KeyCondition{"TYPE", "QUAMC8", "", "Z0 LZ NZ"},
+    KeyCondition{"TYPE", "QUAMC9", "", "Z0 LZ NZ"},
 };
 
 constexpr std::array coor_keys{
-    defines("NSET", node_set, "a node set of these nodes"),
-    preset(word("SYSTEM", "CART|CYL", "CYL: the columns are r, theta, z"), "CART"),
-    preset(integer("DIM", between(2, 3), "2: no z column"), "3"),
+    defining_key("NSET", node_set, "a node set of these nodes"),
+    with_default(word_key("SYSTEM", "CART|CYL", "CYL: the columns are r, theta, z"), "CART"),
+    with_default(integer_key("DIM", closed_interval(2, 3), "2: no z column"), "3"),
 };
 
 constexpr std::array element_keys{
-    required(word("TYPE",
-                  "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|"
-                  "TET4|TET10|PENTA6|PENTAC15|HEXE8|HEXEC20|HEXEC27",
-                  "element type, which says how many nodes a line has")),
-    defines("ESET", element_set, "an element set of these elements"),
+    required(word_key("TYPE",
+                      "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|"
+                      "TET4|TET10|PENTA6|PENTAC15|HEXE8|HEXEC20|HEXEC27",
+                      "element type, which says how many nodes a line has")),
+    defining_key("ESET", element_set, "an element set of these elements"),
 };
 
 constexpr std::array nset_keys{
-    required(defines("NAME", node_set, "called by this, outside its net by NET.NAME")),
-    refers("FROM", set, "start from the nodes of this set"),
-    field("WHERE", "keep the nodes where this holds"),
-    field("ORDER", "sort by this, ascending: crack paths and fronts"),
+    required(defining_key("NAME", node_set, "called by this, outside its net by NET.NAME")),
+    reference_key("FROM", set, "start from the nodes of this set"),
+    expression_key("WHERE", "keep the nodes where this holds"),
+    expression_key("ORDER", "sort by this, ascending: crack paths and fronts"),
 };
 
 constexpr std::array eset_keys{
-    required(defines("NAME", element_set, "called by this, outside its net by NET.NAME")),
-    refers("FROM", element_set, "start from the elements of this set"),
-    field("WHERE", "keep the elements at whose centroid this holds"),
+    required(defining_key("NAME", element_set, "called by this, outside its net by NET.NAME")),
+    reference_key("FROM", element_set, "start from the elements of this set"),
+    expression_key("WHERE", "keep the elements at whose centroid this holds"),
 };
 
 constexpr std::array fset_keys{
-    required(defines("NAME", face_set, "called by this, outside its net by NET.NAME")),
-    refers("FROM", set, "start from the boundary faces of this set"),
-    field("WHERE", "keep the faces all of whose nodes fulfil this"),
+    required(defining_key("NAME", face_set, "called by this, outside its net by NET.NAME")),
+    reference_key("FROM", set, "start from the boundary faces of this set"),
+    expression_key("WHERE", "keep the faces all of whose nodes fulfil this"),
 };
 
 constexpr std::array material_keys{
-    required(defines("NAME", material, "called by this on $PROPERTY")),
-    required(real("E", stress, above(0), "Young's modulus")),
-    required(real("NU", number, Range{-1.0, 0.5, true, true}, "Poisson's ratio")),
-    preset(real("RHO", number, at_least(0), "density"), "0"),
-    preset(
-        real("ALPHA", number, anything, "thermal expansion per degree, for $LOAD TYPE=TEMPERATURE"),
-        "0"),
+    required(defining_key("NAME", material, "called by this on $PROPERTY")),
+    required(real_key("E", stress, above(0), "Young's modulus")),
+    required(real_key("NU", number, ValueLimits{-1.0, 0.5, true, true}, "Poisson's ratio")),
+    with_default(real_key("RHO", number, at_least(0), "density"), "0"),
+    with_default(real_key("ALPHA", number, anything,
+                          "thermal expansion per degree, for $LOAD TYPE=TEMPERATURE"),
+                 "0"),
 };
 
 constexpr std::array property_keys{
-    required(refers("ESET", element_set, "the elements")),
-    required(refers("MATERIAL", material, "what they are made of")),
-    required(word("STATE", "STRESS|STRAIN|AXI|SOLID",
-                  "plane stress, plane strain, axisymmetric about x = 0, 3D")),
-    preset(real("THICK", length, above(0), "thickness of a plane body"), "1"),
+    required(reference_key("ESET", element_set, "the elements")),
+    required(reference_key("MATERIAL", material, "what they are made of")),
+    required(word_key("STATE", "STRESS|STRAIN|AXI|SOLID",
+                      "plane stress, plane strain, axisymmetric about x = 0, 3D")),
+    with_default(real_key("THICK", length, above(0), "thickness of a plane body"), "1"),
 };
 
 constexpr std::array property_when{
-    When{"STATE", "AXI", "", "THICK"},
-    When{"STATE", "SOLID", "", "THICK"},
+    KeyCondition{"STATE", "AXI", "", "THICK"},
+    KeyCondition{"STATE", "SOLID", "", "THICK"},
 };
 
 constexpr std::array freedom_keys{
-    required(word("CLASS", "SUPPRESSED|PRESCRIBED|EXTERNAL",
-                  "SUPPRESSED: held at zero; PRESCRIBED: moved by $LOAD TYPE=DISP; EXTERNAL: kept "
-                  "in condensation")),
-    required(word("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions that the class is for")),
+    required(
+        word_key("CLASS", "SUPPRESSED|PRESCRIBED|EXTERNAL",
+                 "SUPPRESSED: held at zero; PRESCRIBED: moved by $LOAD TYPE=DISP; EXTERNAL: kept "
+                 "in condensation")),
+    required(word_key("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions that the class is for")),
 };
 
 constexpr std::array mpc_keys{
-    required(word("TYPE", "EQUATION|TRANSITION|RIGID", "kind of tie")),
-    refers("SLAVE", set, "the tied nodes"),
-    refers("MASTER", set, "the faces they are tied to"),
-    preset(real("RHS", number, anything, "right-hand side of the equation"), "0"),
+    required(word_key("TYPE", "EQUATION|TRANSITION|RIGID", "kind of tie")),
+    reference_key("SLAVE", set, "the tied nodes"),
+    reference_key("MASTER", set, "the faces they are tied to"),
+    with_default(real_key("RHS", number, anything, "right-hand side of the equation"), "0"),
 };
 
 constexpr std::array mpc_when{
-    When{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
-    When{"TYPE", "RIGID", "SLAVE", "MASTER RHS"},
-    When{"TYPE", "EQUATION", "", "SLAVE MASTER"},
+    KeyCondition{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
+    KeyCondition{"TYPE", "RIGID", "SLAVE", "MASTER RHS"},
+    KeyCondition{"TYPE", "EQUATION", "", "SLAVE MASTER"},
 };
 
 constexpr std::array symmetry_keys{
     required(
-        word("NORMAL", "X|Y|Z", "normal of the plane, which lies in the middle of all bodies")),
-    preset(word("KEEP", "ABOVE|BELOW",
-                "the side that is modelled: of the larger coordinates, or "
-                "of the smaller ones"),
-           "ABOVE"),
+        word_key("NORMAL", "X|Y|Z", "normal of the plane, which lies in the middle of all bodies")),
+    with_default(word_key("KEEP", "ABOVE|BELOW",
+                          "the side that is modelled: of the larger coordinates, or "
+                          "of the smaller ones"),
+                 "ABOVE"),
 };
 
 constexpr std::string_view items = "id, first : last [: step], SET, -SET";
@@ -168,7 +172,7 @@ constexpr std::array cards{
     CardSpec{
         .name = "PARAMETER",
         .group = "deck",
-        .data = Data::assignments,
+        .data = DataLineForm::assignments,
         .data_required = true,
         .data_form = "NAME = expression",
         .doc = "Constants for the expressions below; -D NAME=expr on the command line overrides."},
@@ -186,7 +190,7 @@ constexpr std::array cards{
     CardSpec{.name = "IMPORT",
              .group = "topology",
              .keys = import_keys,
-             .data = Data::rows,
+             .data = DataLineForm::rows,
              .data_form = "physical-or-set-name = new-name",
              .doc = "A mesh and its sets from a file into the open net."},
     CardSpec{.name = "MESH",
@@ -197,33 +201,33 @@ constexpr std::array cards{
     CardSpec{.name = "COOR",
              .group = "topology",
              .keys = coor_keys,
-             .data = Data::table,
+             .data = DataLineForm::table,
              .data_required = true,
              .data_form = "id x y [z]",
              .doc = "Node coordinates."},
     CardSpec{.name = "ELEMENT",
              .group = "topology",
              .keys = element_keys,
-             .data = Data::table,
+             .data = DataLineForm::table,
              .data_required = true,
              .data_form = "id n1 n2 ..",
              .doc = "Elements with their nodes: corners first, then mid-edge nodes."},
     CardSpec{.name = "NSET",
              .group = "topology",
              .keys = nset_keys,
-             .data = Data::rows,
+             .data = DataLineForm::rows,
              .data_form = items,
              .doc = "A node set from items, from another set or by place."},
     CardSpec{.name = "ESET",
              .group = "topology",
              .keys = eset_keys,
-             .data = Data::rows,
+             .data = DataLineForm::rows,
              .data_form = items,
              .doc = "An element set from items, from another set or by place."},
     CardSpec{.name = "FSET",
              .group = "topology",
              .keys = fset_keys,
-             .data = Data::rows,
+             .data = DataLineForm::rows,
              .data_form = "SET, -SET; a node set gives the faces all of whose nodes lie in it",
              .doc = "A set of boundary faces (edges in 2D); stands wherever a node set is wanted."},
     CardSpec{.name = "MATERIAL",
@@ -239,14 +243,14 @@ constexpr std::array cards{
     CardSpec{.name = "FREEDOM",
              .group = "freedoms",
              .keys = freedom_keys,
-             .data = Data::rows,
+             .data = DataLineForm::rows,
              .data_required = true,
              .data_form = items,
              .doc = "Supports and prescribed displacements, by the class of degrees of freedom."},
     CardSpec{.name = "MPC",
              .group = "freedoms",
              .keys = mpc_keys,
-             .data = Data::rows,
+             .data = DataLineForm::rows,
              .data_form =
                  "EQUATION: coefficient node dof, again and again; NET.12 for a node of a net",
              .when = mpc_when,

@@ -22,7 +22,7 @@ std::string enumerate(const std::vector<std::string>& words, std::string_view la
   return out;
 }
 
-std::string number_phrase(std::string_view what, const Range& range) {
+std::string number_phrase(std::string_view what, const ValueLimits& range) {
   const std::string limits = range.text();
   return limits.empty() ? std::string(what) : fmt::format("{} {}", what, limits);
 }
@@ -31,17 +31,17 @@ std::string_view article(std::string_view word) {
   return std::string_view("aeiou").find(word.front()) == std::string_view::npos ? "a" : "an";
 }
 
-bool same_effect(const When& a, const When& b) {
+bool same_effect(const KeyCondition& a, const KeyCondition& b) {
   return a.key == b.key && a.word.empty() == b.word.empty() && a.needs == b.needs &&
          a.forbids == b.forbids;
 }
 
-std::string condition(const When& clause, const std::vector<std::string>& words) {
+std::string condition(const KeyCondition& clause, const std::vector<std::string>& words) {
   return words.empty() ? std::string(clause.key)
                        : fmt::format("{}={}", clause.key, fmt::join(words, "|"));
 }
 
-std::string sentence(const When& clause, const std::vector<std::string>& words) {
+std::string sentence(const KeyCondition& clause, const std::vector<std::string>& words) {
   const std::vector<std::string> needs = split_words(clause.needs);
   const std::vector<std::string> forbids = split_words(clause.forbids);
   std::string out = condition(clause, words);
@@ -144,12 +144,13 @@ std::string value_phrase(const KeySpec& key) {
   case KeyType::word:
     return std::string(key.words);
   case KeyType::name:
-    return fmt::format("new name of {} {}", article(word_of(key.kind)), word_of(key.kind));
+    return fmt::format("new name of {} {}", article(display_name(key.kind)),
+                       display_name(key.kind));
   case KeyType::reference:
-    return fmt::format("name of {} {}", article(word_of(key.kind)), word_of(key.kind));
+    return fmt::format("name of {} {}", article(display_name(key.kind)), display_name(key.kind));
   case KeyType::references:
-    return fmt::format("names, each of {} {}, with commas", article(word_of(key.kind)),
-                       word_of(key.kind));
+    return fmt::format("names, each of {} {}, with commas", article(display_name(key.kind)),
+                       display_name(key.kind));
   case KeyType::text:
     return "'text'";
   case KeyType::expression:
@@ -158,11 +159,11 @@ std::string value_phrase(const KeySpec& key) {
   return {};
 }
 
-std::string need_phrase(const KeySpec& key) {
+std::string requirement_phrase(const KeySpec& key) {
   return key.required ? "required" : std::string(key.default_value);
 }
 
-std::vector<std::string> clause_sentences(const CardSpec& card) {
+std::vector<std::string> card_rule_sentences(const CardSpec& card) {
   std::vector<std::string> out;
   if (!card.exclusive.empty()) {
     out.push_back(
@@ -187,7 +188,7 @@ std::vector<std::string> clause_sentences(const CardSpec& card) {
   return out;
 }
 
-std::string later_phrase(const CardSpec& card) {
+std::string unavailable_phrase(const CardSpec& card) {
   if (!card.available) {
     return fmt::format("${}", card.name);
   }
@@ -259,7 +260,7 @@ std::string_view data_phrase(const CardSpec& card) {
   return card.data_required ? "Data lines" : "Optional data lines";
 }
 
-std::vector<std::string_view> groups() {
+std::vector<std::string_view> card_groups() {
   std::vector<std::string_view> out;
   out.reserve(group_texts.size());
   for (const auto& [group, text] : group_texts) {
@@ -268,7 +269,7 @@ std::vector<std::string_view> groups() {
   return out;
 }
 
-std::string_view about_group(std::string_view group) {
+std::string_view card_group_purpose(std::string_view group) {
   const auto* const it = std::find_if(group_texts.begin(), group_texts.end(),
                                       [&](const auto& g) { return g.first == group; });
   return it == group_texts.end() ? std::string_view() : it->second;

@@ -12,14 +12,14 @@ namespace spricka::grammar {
 std::string value_phrase(const KeySpec& key);
 
 /// "required", the default, or empty.
-std::string need_phrase(const KeySpec& key);
+std::string requirement_phrase(const KeySpec& key);
 
 /// The clauses of a card as sentences: "SHAPE=LINE needs X0 and Y0.", "At most one of A, B and C."
 /// Clauses of equal effect are one sentence.
-std::vector<std::string> clause_sentences(const CardSpec& card);
+std::vector<std::string> card_rule_sentences(const CardSpec& card);
 
 /// What is read and checked but has no analysis in this version: "MU >0"; empty where all is there.
-std::string later_phrase(const CardSpec& card);
+std::string unavailable_phrase(const CardSpec& card);
 
 /// "length/force^0.5"-like name of a quantity's dimension, "length", "stress*length^0.5".
 std::string_view dimension_phrase(Quantity quantity);
@@ -31,9 +31,9 @@ std::string call_form(const ResultQuantity& quantity);
 std::string_view data_phrase(const CardSpec& card);
 
 /// The groups of cards in their order.
-std::vector<std::string_view> groups();
+std::vector<std::string_view> card_groups();
 
 /// What a group of cards is for.
-std::string_view about_group(std::string_view group);
+std::string_view card_group_purpose(std::string_view group);
 
 } // namespace spricka::grammar

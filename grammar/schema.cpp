@@ -38,21 +38,21 @@ std::string_view word_of(KeyType type) {
   return "";
 }
 
-std::string_view word_of(Data data) {
+std::string_view word_of(DataLineForm data) {
   switch (data) {
-  case Data::table:
+  case DataLineForm::table:
     return "table";
-  case Data::assignments:
+  case DataLineForm::assignments:
     return "assignments";
-  case Data::rows:
+  case DataLineForm::rows:
     return "rows";
-  case Data::none:
+  case DataLineForm::none:
     break;
   }
   return "none";
 }
 
-Json range_of(const Range& range) {
+Json range_of(const ValueLimits& range) {
   Json out = Json::object();
   if (std::isfinite(range.low)) {
     out[range.low_open ? "above" : "minimum"] = range.low;
@@ -77,8 +77,8 @@ Json key_of(const KeySpec& key) {
   if (key.type == KeyType::word) {
     out["words"] = split_words(key.words);
   }
-  if (key.kind != Kind::none) {
-    out["kind"] = word_of(key.kind);
+  if (key.kind != EntityKind::none) {
+    out["kind"] = display_name(key.kind);
   }
   if (key.type == KeyType::real) {
     out["dimension"] = dimension_phrase(key.quantity);
@@ -92,7 +92,7 @@ Json key_of(const KeySpec& key) {
   return out;
 }
 
-Json clause_of(const When& clause) {
+Json clause_of(const KeyCondition& clause) {
   Json out;
   out["key"] = clause.key;
   add_text(out, "word", clause.word);
@@ -118,7 +118,7 @@ Json card_of(const CardSpec& card) {
   }
   out["at_most_one_of"] = split_words(card.exclusive);
   out["when"] = Json::array();
-  for (const When& clause : card.when) {
+  for (const KeyCondition& clause : card.when) {
     out["when"].push_back(clause_of(clause));
   }
   out["example"] = card.example;
@@ -140,7 +140,7 @@ std::string schema_json() {
                                  {"dimension", dimension_phrase(quantity.quantity)},
                                  {"doc", quantity.doc}});
   }
-  for (const WordText& function : function_texts()) {
+  for (const ExpressionWord& function : function_texts()) {
     out["functions"].push_back(
         {{"name", function.name}, {"form", function.form}, {"doc", function.doc}});
   }

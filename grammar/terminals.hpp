@@ -22,12 +22,12 @@ struct builder_tag;
 struct Terminal : x3::parser<Terminal> {
   using attribute_type = x3::unused_type;
   static constexpr bool has_attribute = false;
-  using Read = bool (*)(const char*& p, const char* last, Builder& builder);
+  using Read = bool (*)(const char*& p, const char* last, SyntaxBuilder& builder);
 
   constexpr Terminal(const char* called, Read function) : name(called), read(function) {}
 
-  template <class Context, class RuleContext, class Attribute>
-  bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&,
+  template <class DeckContext, class RuleContext, class Attribute>
+  bool parse(const char*& first, const char* const& last, const DeckContext& context, RuleContext&,
              Attribute&) const {
     const char* p = first;
     if (!read(p, last, x3::get<builder_tag>(context).get())) {
@@ -42,21 +42,22 @@ struct Terminal : x3::parser<Terminal> {
 };
 
 /// One character, and the blanks after it.
-template <char C> bool take(const char*& p, const char* last, Builder& /*builder*/) {
+template <char C>
+bool match_character(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
   if (p >= last || *p != C) {
     return false;
   }
-  p = skip_ws(p + 1, last);
+  p = skip_blanks_and_comments(p + 1, last);
   return true;
 }
 
 /// Runs `start` over [p, last); a failed expectation goes to the builder.
 template <class Rule>
-bool run_rule(const Rule& start, const char*& p, const char* last, Builder& builder) {
+bool run_rule(const Rule& start, const char*& p, const char* last, SyntaxBuilder& builder) {
   try {
     return x3::parse(p, last, x3::with<builder_tag>(std::ref(builder))[start]);
   } catch (const x3::expectation_failure<const char*>& failure) {
-    builder.expected(failure.where(), last, failure.which());
+    builder.fail_expected(failure.where(), last, failure.which());
     return false;
   }
 }

@@ -34,7 +34,7 @@ std::string without_trailing_blanks(std::string line) {
 
 } // namespace
 
-std::vector<std::string> wrap(std::string_view text, std::size_t width) {
+std::vector<std::string> wrap_text(std::string_view text, std::size_t width) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t length = first_line(text, width);
@@ -45,15 +45,15 @@ std::vector<std::string> wrap(std::string_view text, std::size_t width) {
   return lines;
 }
 
-std::string paragraph(std::string_view text, std::size_t indent, std::size_t width) {
+std::string wrap_paragraph(std::string_view text, std::size_t indent, std::size_t width) {
   std::string out;
-  for (const std::string& line : wrap(text, std::max(width, indent + k_narrowest) - indent)) {
+  for (const std::string& line : wrap_text(text, std::max(width, indent + k_narrowest) - indent)) {
     out += std::string(indent, ' ') + line + '\n';
   }
   return out;
 }
 
-std::string Columns::text(std::size_t width) const {
+std::string TextColumns::format_columns(std::size_t width) const {
   std::vector<std::size_t> wide(most.size(), 0);
   for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -70,7 +70,7 @@ std::string Columns::text(std::size_t width) const {
     std::vector<std::vector<std::string>> cells;
     std::size_t height = 1;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      cells.push_back(wrap(row[c], wide[c]));
+      cells.push_back(wrap_text(row[c], wide[c]));
       height = std::max(height, cells.back().size());
     }
     for (std::size_t l = 0; l < height; ++l) {

@@ -88,7 +88,7 @@ std::string uses(std::string_view text, const Parameters& parameters) {
 
 // What a card's FILE holds, for those that bring something in.
 std::string named_file(const grammar::Card& card, const base::SourceTexts& sources) {
-  for (const grammar::Parameter& p : card.parameters) {
+  for (const grammar::HeaderParameter& p : card.parameters) {
     if (p.key == "FILE" && !p.values.empty()) {
       const std::filesystem::path from = sources.file_name(card.name_span.file);
       return (from.parent_path() / p.values.front().text).string();
@@ -114,7 +114,7 @@ std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck
                                                const model::Model& model) {
   base::SourceTexts sources;
   base::Diagnostics known; // the deck has been read: it has no mistakes
-  const deck::LoadedDeck loaded = deck::load_deck(deck, sources, known);
+  const deck::DeckFileCards loaded = deck::read_deck_files(deck, sources, known);
   Parameters parameters;
   for (const auto& [name, value] : model.parameters) {
     std::string key = name;

@@ -15,34 +15,35 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 using grammar::KeySpec;
 using grammar::KeyType;
 
 /// Checks one value against its key.
 class ValueBinder {
 public:
-  ValueBinder(const KeySpec& key, const grammar::Scope& scope, base::Diagnostics& diagnostics)
+  ValueBinder(const KeySpec& key, const grammar::ExpressionScope& scope,
+              base::Diagnostics& diagnostics)
       : key_(key), scope_(scope), diagnostics_(diagnostics) {}
 
-  bool bind(const grammar::Parameter& parameter, BoundValue& value) {
+  bool bind(const grammar::HeaderParameter& parameter, CheckedValue& value) {
     const bool list = key_.type == KeyType::references || key_.type == KeyType::integers;
     if (!list && parameter.values.size() > 1) {
-      const Field& second = parameter.values[1];
-      const bool digits =
-          parameter.values[0].kind == Field::Kind::number && second.kind == Field::Kind::number;
+      const CardField& second = parameter.values[1];
+      const bool digits = parameter.values[0].kind == CardField::CardFieldKind::number &&
+                          second.kind == CardField::CardFieldKind::number;
       return fail(second.span, "E108", fmt::format("{}: one value is expected", key_.name),
                   digits ? "the decimal sign is a point" : "");
     }
     bool ok = true;
-    for (const Field& field : parameter.values) {
+    for (const CardField& field : parameter.values) {
       ok = one(field, value) && ok;
     }
     return ok;
   }
 
 private:
-  bool one(const Field& field, BoundValue& value) {
+  bool one(const CardField& field, CheckedValue& value) {
     switch (key_.type) {
     case KeyType::integer:
     case KeyType::real:
@@ -55,7 +56,7 @@ private:
     case KeyType::references:
       return name(field, value);
     case KeyType::text:
-      if (field.kind != Field::Kind::text) {
+      if (field.kind != CardField::CardFieldKind::text) {
         return fail(field.span, "E108", fmt::format("{}: a text is expected", key_.name),
                     fmt::format("write {}='...'", key_.name));
       }
@@ -67,11 +68,11 @@ private:
     return false;
   }
 
-  bool number(const Field& field, BoundValue& value) {
+  bool number(const CardField& field, CheckedValue& value) {
     const bool whole = key_.type != KeyType::real;
-    const auto found = number_of(field, key_.quantity,
-                                 fmt::format("{}: a {}number", key_.name, whole ? "whole " : ""),
-                                 scope_, diagnostics_);
+    const auto found = read_field_number(
+        field, key_.quantity, fmt::format("{}: a {}number", key_.name, whole ? "whole " : ""),
+        scope_, diagnostics_);
     if (!found) {
       return false;
     }
@@ -94,7 +95,7 @@ private:
   }
 
   // A text that names a unit of the key's quantity.
-  bool unit(const Field& field) {
+  bool unit(const CardField& field) {
     const auto known = base::parse_unit(field.text);
     const bool of_K = key_.quantity == grammar::Quantity::stress_intensity;
     const std::string hint = of_K ? "'MPa*m^0.5', 'MPa*sqrt(m)', 'ksi*in^0.5', without blanks" : "";
@@ -103,21 +104,21 @@ private:
                   of_K ? hint
                        : "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
     }
-    if (known->dimension != grammar::dimension_of(key_.quantity)) {
+    if (known->dimension != grammar::quantity_dimension(key_.quantity)) {
       return fail(field.span, "E205",
                   fmt::format("{}: '{}' is not the unit of {}", key_.name, field.text,
-                              grammar::word_of(key_.quantity)),
+                              grammar::display_name(key_.quantity)),
                   hint);
     }
     return true;
   }
 
-  bool word(const Field& field, BoundValue& value) {
+  bool word(const CardField& field, CheckedValue& value) {
     const std::vector<std::string> valid = grammar::split_words(key_.words);
-    const std::string given = field.kind == Field::Kind::name
+    const std::string given = field.kind == CardField::CardFieldKind::name
                                   ? field.text
                                   : std::string(scope_.sources->text(field.span));
-    if (field.kind != Field::Kind::name ||
+    if (field.kind != CardField::CardFieldKind::name ||
         std::find(valid.begin(), valid.end(), given) == valid.end()) {
       const std::string near = base::suggest_spelling(given, valid);
       return fail(field.span, "E108",
@@ -129,8 +130,8 @@ private:
     return true;
   }
 
-  bool name(const Field& field, BoundValue& value) {
-    if (field.kind != Field::Kind::name) {
+  bool name(const CardField& field, CheckedValue& value) {
+    if (field.kind != CardField::CardFieldKind::name) {
       return fail(field.span, "E108", fmt::format("{}: a name is expected", key_.name));
     }
     if (key_.type == KeyType::name && field.text.find('.') != std::string::npos) {
@@ -143,24 +144,25 @@ private:
   }
 
   // Ends in a comparison, and or or; a number would be a condition by accident only.
-  static bool is_condition(const grammar::Expression& expression) {
+  static bool is_condition(const grammar::ParsedExpression& expression) {
     using base::OpCode;
-    const grammar::Term& last = expression.terms.back();
+    const grammar::ExpressionTerm& last = expression.terms.back();
     constexpr std::array conditions{OpCode::less,          OpCode::less_equal, OpCode::greater,
                                     OpCode::greater_equal, OpCode::equal,      OpCode::logical_and,
                                     OpCode::logical_or};
-    return last.kind == grammar::Term::Kind::op &&
+    return last.kind == grammar::ExpressionTerm::ExpressionTermKind::op &&
            std::find(conditions.begin(), conditions.end(), last.op) != conditions.end();
   }
 
-  bool expression(const Field& field, BoundValue& value) {
-    if (field.kind != Field::Kind::expression && field.kind != Field::Kind::number) {
+  bool expression(const CardField& field, CheckedValue& value) {
+    if (field.kind != CardField::CardFieldKind::expression &&
+        field.kind != CardField::CardFieldKind::number) {
       return fail(field.span, "E108",
                   fmt::format("{}: an expression in parentheses is expected", key_.name),
                   fmt::format("write {}=(...) with x y z rho theta", key_.name));
     }
-    auto compiled =
-        grammar::compile(field.expression, scope_, grammar::Fields::position, diagnostics_);
+    auto compiled = grammar::compile_expression(field.expression, scope_,
+                                                grammar::AllowedVariables::position, diagnostics_);
     if (!compiled) {
       return false;
     }
@@ -177,15 +179,15 @@ private:
   }
 
   const KeySpec& key_;
-  const grammar::Scope& scope_;
+  const grammar::ExpressionScope& scope_;
   base::Diagnostics& diagnostics_;
 };
 
 /// Binds the keys of one card; what was seen and what failed is known to the later checks.
 class CardBinder {
 public:
-  CardBinder(const grammar::Card& card, const grammar::CardSpec& spec, const grammar::Scope& scope,
-             base::Diagnostics& diagnostics)
+  CardBinder(const grammar::Card& card, const grammar::CardSpec& spec,
+             const grammar::ExpressionScope& scope, base::Diagnostics& diagnostics)
       : card_(card), spec_(spec), scope_(scope), diagnostics_(diagnostics) {
     bound_.spec = &spec;
     bound_.bad = card.bad;
@@ -193,8 +195,8 @@ public:
     bound_.data = card.data;
   }
 
-  BoundCard run() {
-    for (const grammar::Parameter& p : card_.parameters) {
+  CheckedCard run() {
+    for (const grammar::HeaderParameter& p : card_.parameters) {
       parameter(p);
     }
     if (!card_.bad) { // what the bad part of a header would have said is not known
@@ -207,7 +209,7 @@ public:
   }
 
 private:
-  void parameter(const grammar::Parameter& p) {
+  void parameter(const grammar::HeaderParameter& p) {
     const KeySpec* key = spec_.find(p.key);
     if (key == nullptr) {
       std::vector<std::string> valid;
@@ -218,16 +220,16 @@ private:
            valid.empty() ? fmt::format("${} takes no keys", spec_.name)
                          : fmt::format("${} has no key '{}'", spec_.name, p.key),
            base::suggest_spelling(p.key, valid));
-      for (const Field& field : p.values) {
+      for (const CardField& field : p.values) {
         bound_.stray.push_back(field.text);
       }
       return;
     }
-    if (const BoundValue* before = bound_.find(p.key); before != nullptr) {
+    if (const CheckedValue* before = bound_.find(p.key); before != nullptr) {
       fail(p.key_span, "E107", fmt::format("{} is given twice", p.key));
       return;
     }
-    BoundValue value;
+    CheckedValue value;
     value.key = key;
     value.given = true;
     value.span = p.span;
@@ -240,7 +242,7 @@ private:
 
   void missing() {
     for (const KeySpec& key : spec_.keys) {
-      if (key.required && !bound_.has(key.name)) {
+      if (key.required && !bound_.has_key(key.name)) {
         fail(card_.name_span, "E106", fmt::format("${} needs {}", spec_.name, key.name),
              example(key));
       }
@@ -253,12 +255,12 @@ private:
   }
 
   void exclusive() {
-    const BoundValue* first = nullptr;
+    const CheckedValue* first = nullptr;
     for (const std::string& name : grammar::split_words(spec_.exclusive)) {
-      if (!bound_.has(name)) {
+      if (!bound_.has_key(name)) {
         continue;
       }
-      const BoundValue* value = bound_.find(name);
+      const CheckedValue* value = bound_.find(name);
       if (first != nullptr) {
         fail(value->span, "E110", fmt::format("{} excludes {}", first->key->name, name),
              fmt::format("at most one of {}",
@@ -269,22 +271,22 @@ private:
   }
 
   void when() {
-    for (const grammar::When& clause : spec_.when) {
-      const bool holds =
-          clause.word.empty() ? bound_.has(clause.key) : bound_.is(clause.key, clause.word);
+    for (const grammar::KeyCondition& clause : spec_.when) {
+      const bool holds = clause.word.empty() ? bound_.has_key(clause.key)
+                                             : bound_.has_word(clause.key, clause.word);
       if (!holds) {
         continue;
       }
       const std::string where = clause.word.empty() ? std::string(clause.key)
                                                     : fmt::format("{}={}", clause.key, clause.word);
       for (const std::string& name : grammar::split_words(clause.needs)) {
-        if (!bound_.has(name)) {
+        if (!bound_.has_key(name)) {
           fail(card_.name_span, "E106", fmt::format("${} {} needs {}", spec_.name, where, name),
                example(*spec_.find(name)));
         }
       }
       for (const std::string& name : grammar::split_words(clause.forbids)) {
-        if (bound_.has(name)) {
+        if (bound_.has_key(name)) {
           fail(bound_.find(name)->span, "E110",
                fmt::format("{} means nothing with {}", name, where));
         }
@@ -297,7 +299,7 @@ private:
       if (key.default_value.empty() || bound_.find(key.name) != nullptr) {
         continue;
       }
-      BoundValue value;
+      CheckedValue value;
       value.key = &key;
       value.span = card_.name_span;
       if (key.type == KeyType::word) {
@@ -307,7 +309,7 @@ private:
         const std::int32_t file = own.add_text("catalogue", std::string(key.default_value));
         const base::SourceSpan all{file, 0, static_cast<std::uint32_t>(key.default_value.size())};
         base::Diagnostics none;
-        grammar::Scope constants;
+        grammar::ExpressionScope constants;
         constants.sources = &own;
         const auto parsed = grammar::parse_expression(own, all, none);
         value.number = grammar::evaluate(parsed.value(), constants, none).value();
@@ -323,77 +325,82 @@ private:
 
   const grammar::Card& card_;
   const grammar::CardSpec& spec_;
-  const grammar::Scope& scope_;
+  const grammar::ExpressionScope& scope_;
   base::Diagnostics& diagnostics_;
-  BoundCard bound_;
+  CheckedCard bound_;
 };
 
 } // namespace
 
-const BoundValue* BoundCard::find(std::string_view key) const {
+const CheckedValue* CheckedCard::find(std::string_view key) const {
   const auto it = std::find_if(values.begin(), values.end(),
-                               [&](const BoundValue& v) { return v.key->name == key; });
+                               [&](const CheckedValue& v) { return v.key->name == key; });
   return it == values.end() ? nullptr : &*it;
 }
 
-bool BoundCard::has(std::string_view key) const {
-  const BoundValue* value = find(key);
+bool CheckedCard::has_key(std::string_view key) const {
+  const CheckedValue* value = find(key);
   return value != nullptr && value->given;
 }
 
-double BoundCard::number(std::string_view key) const {
-  const BoundValue* value = find(key);
+double CheckedCard::number_value(std::string_view key) const {
+  const CheckedValue* value = find(key);
   return value == nullptr ? 0.0 : value->number;
 }
 
-std::optional<double> BoundCard::optional(std::string_view key) const {
-  const BoundValue* value = find(key);
+std::optional<double> CheckedCard::optional_number(std::string_view key) const {
+  const CheckedValue* value = find(key);
   return value == nullptr ? std::nullopt : std::optional(value->number);
 }
 
-std::string_view BoundCard::word(std::string_view key) const {
-  const BoundValue* value = find(key);
+std::string_view CheckedCard::word_value(std::string_view key) const {
+  const CheckedValue* value = find(key);
   return value == nullptr ? std::string_view() : std::string_view(value->text);
 }
 
-Reference BoundCard::reference(std::string_view key) const {
-  const BoundValue* value = find(key);
-  return value == nullptr ? Reference{{}, span, net} : Reference{value->text, value->span, net};
+NameReference CheckedCard::name_reference(std::string_view key) const {
+  const CheckedValue* value = find(key);
+  return value == nullptr ? NameReference{{}, span, net}
+                          : NameReference{value->text, value->span, net};
 }
 
-BoundCard bind_card(const grammar::Card& card, const grammar::CardSpec& spec,
-                    const grammar::Scope& scope, base::Diagnostics& diagnostics) {
+CheckedCard check_card_header(const grammar::Card& card, const grammar::CardSpec& spec,
+                              const grammar::ExpressionScope& scope,
+                              base::Diagnostics& diagnostics) {
   return CardBinder(card, spec, scope, diagnostics).run();
 }
 
-std::optional<double> number_of(const grammar::Field& field, grammar::Quantity quantity,
-                                std::string_view what, const grammar::Scope& scope,
-                                base::Diagnostics& diagnostics) {
-  if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
+std::optional<double> read_field_number(const grammar::CardField& field, grammar::Quantity quantity,
+                                        std::string_view what,
+                                        const grammar::ExpressionScope& scope,
+                                        base::Diagnostics& diagnostics) {
+  if (field.kind != CardField::CardFieldKind::number &&
+      field.kind != CardField::CardFieldKind::expression) {
     const std::string_view written = scope.sources->text(field.span);
-    const bool parameter = field.kind == Field::Kind::name && scope.values.contains(field.text);
-    const bool call = field.kind == Field::Kind::quantity;
-    const std::vector<grammar::WordText> functions = grammar::function_texts();
+    const bool parameter =
+        field.kind == CardField::CardFieldKind::name && scope.values.contains(field.text);
+    const bool call = field.kind == CardField::CardFieldKind::quantity;
+    const std::vector<grammar::ExpressionWord> functions = grammar::function_texts();
     const bool known =
-        std::ranges::find(functions, field.text, &grammar::WordText::name) != functions.end();
+        std::ranges::find(functions, field.text, &grammar::ExpressionWord::name) != functions.end();
     diagnostics.error(field.span, "E108", fmt::format("{} is expected", what),
                       parameter ? fmt::format("write ({}) for the value of the parameter", written)
                       : !call   ? ""
                       : known   ? fmt::format("an expression stands in parentheses: ({})", written)
-                                : grammar::instead_of_function(field.text));
+                                : grammar::unknown_function_hint(field.text));
     return std::nullopt;
   }
   const auto value = grammar::evaluate(field.expression, scope, diagnostics);
-  const base::SourceSpan unit = grammar::known_unit(field.expression, scope);
+  const base::SourceSpan unit = grammar::explicit_or_parameter_unit(field.expression, scope);
   if (!value || !unit.valid()) {
     return value;
   }
   const auto known = base::parse_unit(scope.sources->text(unit));
-  if (known && known->dimension != grammar::dimension_of(quantity)) {
-    const bool written_here = grammar::outer_unit(field.expression).valid();
+  if (known && known->dimension != grammar::quantity_dimension(quantity)) {
+    const bool written_here = grammar::explicit_unit(field.expression).valid();
     diagnostics.error(written_here ? unit : field.span, "E205",
                       fmt::format("'{}' is not the unit of {}", scope.sources->text(unit),
-                                  grammar::word_of(quantity)),
+                                  grammar::display_name(quantity)),
                       written_here ? "" : "the parameter is given in this unit");
     return std::nullopt;
   }

@@ -15,28 +15,28 @@
 namespace spricka::deck {
 
 /// A name used in a deck: where, and in which net's scope.
-struct Reference {
+struct NameReference {
   std::string name;
   base::SourceSpan span;
   std::string net;
 };
 
 /// The value of one key after checking against the catalogue.
-struct BoundValue {
+struct CheckedValue {
   const grammar::KeySpec* key = nullptr;
   base::SourceSpan span; ///< of the value; of the card for a default
   bool given = false;
   bool sound = true;      ///< false: the value is wrong, and reported
   bool with_unit = false; ///< a unit stands in the number, or in what it is made of
   double number = 0.0;
-  std::string text;             ///< word, name or text
-  std::vector<Reference> names; ///< lists of names
-  std::vector<double> numbers;  ///< lists of numbers
+  std::string text;                 ///< word, name or text
+  std::vector<NameReference> names; ///< lists of names
+  std::vector<double> numbers;      ///< lists of numbers
   base::CompiledExpression expression;
 };
 
 /// A card whose header agrees with the catalogue, but for what is missing in a bad one.
-struct BoundCard {
+struct CheckedCard {
   const grammar::CardSpec* spec = nullptr;
   bool bad = false;      ///< an error in its header: what it defines is poisoned
   bool rows_bad = false; ///< rows with a syntax error, reported, are missing in `rows`
@@ -44,35 +44,39 @@ struct BoundCard {
   base::NetId net_id;
   base::SourceSpan span; ///< of $NAME
   base::SourceSpan data;
-  std::vector<BoundValue> values;
-  std::vector<grammar::Row> rows;
+  std::vector<CheckedValue> values;
+  std::vector<grammar::DataRow> rows;
   std::vector<std::string> stray; ///< names given under keys the card does not have
 
-  [[nodiscard]] const BoundValue* find(std::string_view key) const;
+  [[nodiscard]] const CheckedValue* find(std::string_view key) const;
   /// Given in the deck (not by default).
-  [[nodiscard]] bool has(std::string_view key) const;
+  [[nodiscard]] bool has_key(std::string_view key) const;
   /// Number of a key that is given or has a default.
-  [[nodiscard]] double number(std::string_view key) const;
-  [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(number(key)); }
-  [[nodiscard]] std::optional<double> optional(std::string_view key) const;
+  [[nodiscard]] double number_value(std::string_view key) const;
+  [[nodiscard]] int integer_value(std::string_view key) const {
+    return static_cast<int>(number_value(key));
+  }
+  [[nodiscard]] std::optional<double> optional_number(std::string_view key) const;
   /// Word, name or text of a key; empty without one.
-  [[nodiscard]] std::string_view word(std::string_view key) const;
-  [[nodiscard]] bool is(std::string_view key, std::string_view word_) const {
-    return word(key) == word_;
+  [[nodiscard]] std::string_view word_value(std::string_view key) const;
+  [[nodiscard]] bool has_word(std::string_view key, std::string_view word_) const {
+    return word_value(key) == word_;
   }
   /// The name a key refers to, with the net whose sets come first.
-  [[nodiscard]] Reference reference(std::string_view key) const;
+  [[nodiscard]] NameReference name_reference(std::string_view key) const;
 };
 
 /// Checks a header against its catalogue entry: unknown, missing, double and clashing keys, kinds
 /// of values, words, ranges, units. Defaults are filled in. Errors leave the card `bad`.
-BoundCard bind_card(const grammar::Card& card, const grammar::CardSpec& spec,
-                    const grammar::Scope& scope, base::Diagnostics& diagnostics);
+CheckedCard check_card_header(const grammar::Card& card, const grammar::CardSpec& spec,
+                              const grammar::ExpressionScope& scope,
+                              base::Diagnostics& diagnostics);
 
 /// Number of a field in a data line: literal or (expr). Empty after an error; `what` is what the
 /// message asks for, "a factor".
-std::optional<double> number_of(const grammar::Field& field, grammar::Quantity quantity,
-                                std::string_view what, const grammar::Scope& scope,
-                                base::Diagnostics& diagnostics);
+std::optional<double> read_field_number(const grammar::CardField& field, grammar::Quantity quantity,
+                                        std::string_view what,
+                                        const grammar::ExpressionScope& scope,
+                                        base::Diagnostics& diagnostics);
 
 } // namespace spricka::deck

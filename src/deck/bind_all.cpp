@@ -18,15 +18,15 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Data;
+using grammar::DataLineForm;
 using grammar::KeyType;
 
 /// Walks the cards in deck order: parameters come before their use, nets open and close.
 class DeckBinder {
 public:
-  explicit DeckBinder(Context& context) : c_(context) {}
+  explicit DeckBinder(DeckContext& context) : c_(context) {}
 
-  void defines(const ReadOptions& options) { overrides_.read(c_, options); }
+  void defines(const DeckReadOptions& options) { overrides_.read(c_, options); }
 
   void card(const grammar::Card& card) {
     const grammar::CardSpec* spec = grammar::find_card(card.name);
@@ -49,7 +49,7 @@ public:
 private:
   void bind(const grammar::Card& card, const grammar::CardSpec& known) {
     const grammar::CardSpec* const spec = &known;
-    BoundCard bound = bind_card(card, *spec, c_.scope, c_.diagnostics);
+    CheckedCard bound = check_card_header(card, *spec, c_.scope, c_.diagnostics);
     if (spec->once && !seen_.insert(spec->name).second) {
       c_.error(card.name_span, "E119", fmt::format("${} is given twice", spec->name));
       bound.bad = true;
@@ -57,8 +57,8 @@ private:
     frame(card, bound);
     bound.net = net_;
     bound.net_id = net_id_;
-    for (BoundValue& value : bound.values) {
-      for (Reference& name : value.names) {
+    for (CheckedValue& value : bound.values) {
+      for (NameReference& name : value.names) {
         name.net = net_;
       }
     }
@@ -93,10 +93,10 @@ private:
     if (meant != valid.end()) {
       misspelt(card, *grammar::find_card(meant->substr(1)));
     }
-    for (const grammar::Parameter& p : card.parameters) {
-      for (const grammar::Field& field : p.values) {
+    for (const grammar::HeaderParameter& p : card.parameters) {
+      for (const grammar::CardField& field : p.values) {
         if (!field.text.empty()) {
-          c_.names.poison_word(field.text);
+          c_.names.poison_name_ending(field.text);
         }
       }
     }
@@ -107,7 +107,7 @@ private:
     grammar::Card meant = card;
     meant.name = spec.name;
     base::Diagnostics silent;
-    BoundCard bound = bind_card(meant, spec, c_.scope, silent);
+    CheckedCard bound = check_card_header(meant, spec, c_.scope, silent);
     bound.bad = true;
     if (spec.name == "NET" || spec.name == "ENDNET") {
       frame(meant, bound);
@@ -119,14 +119,15 @@ private:
   }
 
   // $DECK sets the units, $NET and $ENDNET the scope.
-  void frame(const grammar::Card& card, const BoundCard& bound) {
+  void frame(const grammar::Card& card, const CheckedCard& bound) {
     if (card.name == "DECK") {
-      if (const auto units = base::make_unit_system(bound.word("LENGTH"), bound.word("FORCE"))) {
+      if (const auto units =
+              base::make_unit_system(bound.word_value("LENGTH"), bound.word_value("FORCE"))) {
         c_.model.units = *units;
         c_.scope.units = *units;
         warn_of_mixed_units(c_, card.name_span, *units);
       }
-      c_.model.title = bound.word("TITLE");
+      c_.model.title = bound.word_value("TITLE");
     } else if (card.name == "NET") {
       open_net(bound);
     } else if (card.name == "ENDNET") {
@@ -140,14 +141,14 @@ private:
     }
   }
 
-  void open_net(const BoundCard& bound) {
+  void open_net(const CheckedCard& bound) {
     if (net_open_) {
       c_.error(bound.span, "E114", fmt::format("net {} is still open; nets do not nest", net_),
                "close it with $ENDNET");
       ++unclosed_;
     }
     net_open_ = true;
-    net_ = bound.word("NAME");
+    net_ = bound.word_value("NAME");
     const bool again = std::any_of(c_.model.nets.begin(), c_.model.nets.end(),
                                    [&](const model::MeshNet& n) { return n.name == net_; });
     if (again && !bound.bad) {
@@ -158,23 +159,23 @@ private:
     c_.model.nets.push_back({net_, bound.span});
   }
 
-  void data(const grammar::Card& card, BoundCard& bound) {
+  void data(const grammar::Card& card, CheckedCard& bound) {
     const std::size_t before = c_.diagnostics.error_count();
     switch (bound.spec->data) {
-    case Data::assignments:
+    case DataLineForm::assignments:
       parameters(card);
       break;
-    case Data::rows:
+    case DataLineForm::rows:
       bound.rows = grammar::parse_rows(c_.sources, card.data, c_.diagnostics);
       break;
-    case Data::none:
+    case DataLineForm::none:
       no_data(card);
       break;
-    case Data::table: // read when the mesh is built
+    case DataLineForm::table: // read when the mesh is built
       break;
     }
     bound.rows_bad = c_.diagnostics.error_count() > before;
-    drop_lost_header(c_, bound);
+    drop_header_without_dollar(c_, bound);
     const bool empty = !first_token(card).valid();
     if (bound.spec->data_required && empty) {
       c_.error(card.name_span, "E115", fmt::format("${} needs data lines", bound.spec->name),
@@ -187,8 +188,8 @@ private:
     const std::string_view text = c_.sources.text(card.data);
     const char* p = text.data();
     const char* const last = p + text.size();
-    for (p = grammar::skip_ws(p, last); p < last && *p == '\n';) {
-      p = grammar::skip_ws(p + 1, last);
+    for (p = grammar::skip_blanks_and_comments(p, last); p < last && *p == '\n';) {
+      p = grammar::skip_blanks_and_comments(p + 1, last);
     }
     if (p >= last) {
       return {};
@@ -222,10 +223,11 @@ private:
         const bool overridden = overrides_.contains(a.name);
         set(a.name, a.written, overridden ? overrides_.value(c_, a.name) : value);
         if (overridden && value) {
-          overrides_.warn_of_lost_unit(c_, a);
+          overrides_.warn_of_missing_unit(c_, a);
         }
-        const base::SourceSpan unit =
-            overridden ? overrides_.unit(a.name) : grammar::known_unit(a.value, c_.scope);
+        const base::SourceSpan unit = overridden
+                                          ? overrides_.unit_span(a.name)
+                                          : grammar::explicit_or_parameter_unit(a.value, c_.scope);
         if (unit.valid()) {
           c_.scope.units_of[a.name] = unit;
         } else if (overridden ? overrides_.has_unit(c_, a) : grammar::has_unit(a.value, c_.scope)) {
@@ -237,12 +239,12 @@ private:
   }
 
   // What is understood, but has no analysis in this version.
-  void note_unavailable(const BoundCard& bound) {
+  void note_unavailable(const CheckedCard& bound) {
     if (!bound.spec->available) {
-      c_.unavailable(fmt::format("${}", bound.spec->name), bound.span);
+      c_.mark_unavailable(fmt::format("${}", bound.spec->name), bound.span);
       return;
     }
-    for (const BoundValue& value : bound.values) {
+    for (const CheckedValue& value : bound.values) {
       const std::string_view later = value.key->later;
       if (later.empty() || !value.given) {
         continue;
@@ -251,36 +253,37 @@ private:
       const bool hit = later == "*" || (later == ">0" && value.number > 0.0) ||
                        std::find(words.begin(), words.end(), value.text) != words.end();
       if (hit) {
-        c_.unavailable(fmt::format("${} {}{}{}", bound.spec->name, value.key->name,
-                                   value.text.empty() || later == "*" ? "" : "=",
-                                   later == "*" ? "" : value.text),
-                       value.span);
+        c_.mark_unavailable(fmt::format("${} {}{}{}", bound.spec->name, value.key->name,
+                                        value.text.empty() || later == "*" ? "" : "=",
+                                        later == "*" ? "" : value.text),
+                            value.span);
       }
     }
   }
 
-  Context& c_;
+  DeckContext& c_;
   std::string net_;
   base::NetId net_id_{std::size_t{0}};
   bool net_open_ = false;
   int unclosed_ = 0; ///< nets that were open when another was opened: their $ENDNET may follow
   std::set<std::string_view> seen_;
   std::set<std::string> defined_;
-  Overrides overrides_;
+  ParameterOverrides overrides_;
   bool parameters_bad_ = false;
 };
 
-bool is_set(Kind kind) {
-  return kind == Kind::node_set || kind == Kind::element_set || kind == Kind::face_set;
+bool is_set(EntityKind kind) {
+  return kind == EntityKind::node_set || kind == EntityKind::element_set ||
+         kind == EntityKind::face_set;
 }
 
 // The names that a bad card would have defined.
-void poison_names(Context& c, const BoundCard& card) {
+void poison_names(DeckContext& c, const CheckedCard& card) {
   for (const grammar::KeySpec& key : card.spec->keys) {
     if (key.type != KeyType::name) {
       continue;
     }
-    const BoundValue* value = card.find(key.name);
+    const CheckedValue* value = card.find(key.name);
     if (value != nullptr && value->sound) {
       c.names.poison(key.kind, is_set(key.kind) ? qualify(card.net, value->text) : value->text);
     } else if (value != nullptr || key.required) {
@@ -288,7 +291,7 @@ void poison_names(Context& c, const BoundCard& card) {
     }
   }
   for (const std::string& word : card.stray) {
-    c.names.poison_word(word);
+    c.names.poison_name_ending(word);
   }
   if (card.spec->name == "MESH" || card.spec->name == "IMPORT") {
     c.names.poison_net(card.net);
@@ -306,11 +309,11 @@ void poison_names(Context& c, const BoundCard& card) {
 }
 
 // Entities are numbered in deck order, one for each card of their kind.
-void declare_names(Context& c) {
-  std::map<Kind, std::size_t> count;
+void declare_names(DeckContext& c) {
+  std::map<EntityKind, std::size_t> count;
   for (std::size_t i = 0; i < c.cards.size(); ++i) {
-    BoundCard& card = c.cards[i];
-    const BoundValue* name = card.find("NAME");
+    CheckedCard& card = c.cards[i];
+    const CheckedValue* name = card.find("NAME");
     if (card.bad) {
       poison_names(c, card);
       continue;
@@ -318,7 +321,7 @@ void declare_names(Context& c) {
     if (name == nullptr || name->key->type != KeyType::name) {
       continue;
     }
-    Definition definition;
+    NameDefinition definition;
     definition.kind = name->key->kind;
     definition.span = name->span;
     if (is_set(definition.kind)) {
@@ -327,28 +330,30 @@ void declare_names(Context& c) {
       definition.index = count[definition.kind]++;
     }
     const std::string full = is_set(definition.kind) ? qualify(card.net, name->text) : name->text;
-    const Definition* before = c.names.define(full, definition);
-    if (before != nullptr && !before->poisoned && definition.kind != Kind::net) {
+    const NameDefinition* before = c.names.define(full, definition);
+    if (before != nullptr && !before->poisoned && definition.kind != EntityKind::net) {
       card.bad = true;
       const std::size_t line = c.sources.locate(before->span.file, before->span.begin).line;
-      c.error(name->span, "E302",
-              fmt::format("{} {} is defined twice", grammar::word_of(definition.kind), name->text),
-              fmt::format("first in line {}", line));
+      c.error(
+          name->span, "E302",
+          fmt::format("{} {} is defined twice", grammar::display_name(definition.kind), name->text),
+          fmt::format("first in line {}", line));
     }
   }
 }
 
 } // namespace
 
-const Definition* look_up(Context& context, Kind kind, const Reference& reference) {
-  const std::vector<Kind> kinds = meanings(kind);
-  const Definition* found = context.names.find(kinds, reference.name, reference.net);
+const NameDefinition* look_up(DeckContext& context, EntityKind kind,
+                              const NameReference& reference) {
+  const std::vector<EntityKind> kinds = accepted_kinds(kind);
+  const NameDefinition* found = context.names.find(kinds, reference.name, reference.net);
   if (found != nullptr) {
     return found->poisoned ? nullptr : found;
   }
   if (!reference.name.empty() && !context.names.is_poisoned(kinds, reference.name, reference.net)) {
     context.error(reference.span, "E301",
-                  fmt::format("there is no {} '{}'", grammar::word_of(kind), reference.name),
+                  fmt::format("there is no {} '{}'", grammar::display_name(kind), reference.name),
                   base::is_worth_a_hint(context.diagnostics)
                       ? context.names.hint(kinds, reference.name)
                       : "");
@@ -356,33 +361,33 @@ const Definition* look_up(Context& context, Kind kind, const Reference& referenc
   return nullptr;
 }
 
-bool look_up_pair(Context& context, const Reference& reference) {
+bool check_contact_reference(DeckContext& context, const NameReference& reference) {
   constexpr std::string_view faces = ".FACES";
   if (!reference.name.ends_with(faces)) {
-    return look_up(context, Kind::contact, reference) != nullptr;
+    return look_up(context, EntityKind::contact, reference) != nullptr;
   }
-  Reference crack = reference;
+  NameReference crack = reference;
   crack.name.resize(crack.name.size() - faces.size());
-  return look_up(context, Kind::crack, crack) != nullptr;
+  return look_up(context, EntityKind::crack, crack) != nullptr;
 }
 
-void check_references(Context& context) {
-  for (const BoundCard& card : context.cards) {
-    for (const BoundValue& value : card.values) {
+void check_references(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
+    for (const CheckedValue& value : card.values) {
       const bool refers =
           value.key->type == KeyType::reference || value.key->type == KeyType::references;
-      if (!card.bad || !value.sound || !refers || value.key->kind == Kind::parameter) {
+      if (!card.bad || !value.sound || !refers || value.key->kind == EntityKind::parameter) {
         continue;
       }
-      for (const Reference& name : value.names) {
+      for (const NameReference& name : value.names) {
         look_up(context, value.key->kind, name);
       }
     }
   }
 }
 
-void bind_all(Context& context, const std::vector<grammar::Card>& cards,
-              const ReadOptions& options) {
+void resolve_all_cards(DeckContext& context, const std::vector<grammar::Card>& cards,
+                       const DeckReadOptions& options) {
   context.scope.sources = &context.sources;
   context.model.nets.push_back({}); // what stands outside every $NET
   DeckBinder binder(context);

@@ -14,15 +14,15 @@ namespace spricka::deck {
 namespace {
 
 // The declared normal gap: INTERFERENCE and DIAMETRAL press the surfaces into each other.
-std::optional<double> declared_gap(const BoundCard& card) {
-  if (card.has("GAP")) {
-    return card.number("GAP");
+std::optional<double> declared_gap(const CheckedCard& card) {
+  if (card.has_key("GAP")) {
+    return card.number_value("GAP");
   }
-  if (card.has("INTERFERENCE")) {
-    return -card.number("INTERFERENCE");
+  if (card.has_key("INTERFERENCE")) {
+    return -card.number_value("INTERFERENCE");
   }
-  if (card.has("DIAMETRAL")) {
-    return -0.5 * card.number("DIAMETRAL");
+  if (card.has_key("DIAMETRAL")) {
+    return -0.5 * card.number_value("DIAMETRAL");
   }
   return std::nullopt;
 }
@@ -50,16 +50,16 @@ constexpr std::array rigid_shapes{
     ShapeWord{"SPHERE", model::RigidTargetShape::sphere, false, true},
 };
 
-void rigid(Context& c, const BoundCard& card) {
+void rigid(DeckContext& c, const CheckedCard& card) {
   const auto shape = std::ranges::find_if(
-      rigid_shapes, [&](const ShapeWord& s) { return card.is("SHAPE", s.word); });
+      rigid_shapes, [&](const ShapeWord& s) { return card.has_word("SHAPE", s.word); });
   model::RigidTarget rigid;
-  rigid.name = card.word("NAME");
+  rigid.name = card.word_value("NAME");
   rigid.shape = shape->shape;
-  rigid.first = {card.number("X0"), card.number("Y0"), card.number("Z0")};
-  rigid.second = {card.number("X1"), card.number("Y1"), card.number("Z1")};
-  rigid.radius = card.number("R");
-  rigid.second_radius = card.number("R1");
+  rigid.first = {card.number_value("X0"), card.number_value("Y0"), card.number_value("Z0")};
+  rigid.second = {card.number_value("X1"), card.number_value("Y1"), card.number_value("Z1")};
+  rigid.radius = card.number_value("R");
+  rigid.second_radius = card.number_value("R1");
   rigid.span = card.span;
   const bool cone = rigid.shape == model::RigidTargetShape::cone;
   if (shape->two_points && rigid.first == rigid.second) {
@@ -78,14 +78,14 @@ void rigid(Context& c, const BoundCard& card) {
 }
 
 // The surface or rigid target that MASTER means.
-void master_of(Context& c, const BoundCard& card, model::Contact& contact) {
-  const Reference master = card.reference("MASTER");
-  const Definition* meant = look_up(c, Kind::surface, master);
+void master_of(DeckContext& c, const CheckedCard& card, model::Contact& contact) {
+  const NameReference master = card.name_reference("MASTER");
+  const NameDefinition* meant = look_up(c, EntityKind::surface, master);
   if (meant == nullptr) {
     return;
   }
-  if (meant->kind != Kind::rigid) {
-    contact.master = use_face_set(c, master).value_or(base::FaceSetId());
+  if (meant->kind != EntityKind::rigid) {
+    contact.master = resolve_face_set(c, master).value_or(base::FaceSetId());
     return;
   }
   contact.rigid = base::RigidId(meant->index);
@@ -102,35 +102,36 @@ void master_of(Context& c, const BoundCard& card, model::Contact& contact) {
 
 } // namespace
 
-void build_contacts(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_contacts(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "RIGID" && !card.bad) {
       rigid(context, card);
     }
   }
-  for (const BoundCard& card : context.cards) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name != "CONTACT" || card.bad) {
       continue;
     }
     model::Contact contact;
-    contact.name = card.word("NAME");
-    contact.type =
-        card.is("TYPE", "BONDED") ? model::ContactType::bonded : model::ContactType::unilateral;
+    contact.name = card.word_value("NAME");
+    contact.type = card.has_word("TYPE", "BONDED") ? model::ContactType::bonded
+                                                   : model::ContactType::unilateral;
     contact.gap = declared_gap(card);
-    contact.mu = card.number("MU");
-    contact.pairing =
-        card.is("PAIRING", "NODE") ? model::PairingMethod::node : model::PairingMethod::segment;
-    contact.multiplier = card.is("MULTIPLIER", "CORNER") ? model::MultiplierNodes::corners
-                                                         : model::MultiplierNodes::nodes;
+    contact.mu = card.number_value("MU");
+    contact.pairing = card.has_word("PAIRING", "NODE") ? model::PairingMethod::node
+                                                       : model::PairingMethod::segment;
+    contact.multiplier = card.has_word("MULTIPLIER", "CORNER") ? model::MultiplierNodes::corners
+                                                               : model::MultiplierNodes::nodes;
     if (contact.multiplier == model::MultiplierNodes::corners && context.known_plane()) {
       context.error(card.find("MULTIPLIER")->span, "E313",
                     "MULTIPLIER=CORNER is one of contacts between solids");
     }
-    contact.recovery = card.is("RECOVERY", "CONSISTENT") ? model::PressureRecovery::consistent
-                                                         : model::PressureRecovery::lumped;
+    contact.recovery = card.has_word("RECOVERY", "CONSISTENT") ? model::PressureRecovery::consistent
+                                                               : model::PressureRecovery::lumped;
     contact.span = card.span;
-    contact.slave = use_face_set(context, card.reference("SLAVE")).value_or(base::FaceSetId());
-    const Reference master = card.reference("MASTER");
+    contact.slave =
+        resolve_face_set(context, card.name_reference("SLAVE")).value_or(base::FaceSetId());
+    const NameReference master = card.name_reference("MASTER");
     master_of(context, card, contact);
     if (contact.slave.valid() && contact.master.valid() &&
         share_a_face(context.model.mesh.set_with_id(contact.slave),

@@ -15,18 +15,18 @@ namespace spricka::deck {
 namespace {
 
 // Rows `x y` of a free crack.
-bool crack_points(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+bool crack_points(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   bool ok = !card.rows_bad;
-  for (const grammar::Row& row : card.rows) {
+  for (const grammar::DataRow& row : card.rows) {
     if (row.fields.size() != 2) {
       c.error(row.span, "E115", "a point of a free crack is x y");
       ok = false;
       continue;
     }
-    const auto x =
-        number_of(row.fields[0], grammar::Quantity::length, "a coordinate", c.scope, c.diagnostics);
-    const auto y =
-        number_of(row.fields[1], grammar::Quantity::length, "a coordinate", c.scope, c.diagnostics);
+    const auto x = read_field_number(row.fields[0], grammar::Quantity::length, "a coordinate",
+                                     c.scope, c.diagnostics);
+    const auto y = read_field_number(row.fields[1], grammar::Quantity::length, "a coordinate",
+                                     c.scope, c.diagnostics);
     ok = ok && x && y;
     if (!x || !y) {
       continue;
@@ -42,9 +42,9 @@ bool crack_points(Context& c, const BoundCard& card, model::CrackDefinition& cra
 }
 
 // The path as ordered nodes; a face set has no order of its own.
-void crack_path(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
-  const Reference reference = card.reference("PATH");
-  const auto path = use_node_set(c, reference);
+void crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
+  const NameReference reference = card.name_reference("PATH");
+  const auto path = resolve_node_set(c, reference);
   if (!path) {
     return;
   }
@@ -58,7 +58,7 @@ void crack_path(Context& c, const BoundCard& card, model::CrackDefinition& crack
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     length += (c.model.mesh.x[nodes[i].index()] - c.model.mesh.x[nodes[i - 1].index()]).norm();
   }
-  if (kind_of_set(c, Kind::set, reference) == Kind::face_set) {
+  if (resolve_set_kind(c, EntityKind::set, reference) == EntityKind::face_set) {
     c.error(reference.span, "E317", "a crack path needs nodes in order, not faces",
             "make an $NSET with FROM and ORDER");
   } else if (crack.a0 && *crack.a0 >= length) {
@@ -74,10 +74,10 @@ void crack_path(Context& c, const BoundCard& card, model::CrackDefinition& crack
 }
 
 // The net that a drawn crack cuts.
-void crack_net(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
-  if (card.has("NET")) {
-    const Reference reference = card.reference("NET");
-    if (look_up(c, Kind::net, reference) != nullptr) {
+void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
+  if (card.has_key("NET")) {
+    const NameReference reference = card.name_reference("NET");
+    if (look_up(c, EntityKind::net, reference) != nullptr) {
       const auto it =
           std::find_if(c.model.nets.begin(), c.model.nets.end(),
                        [&](const model::MeshNet& n) { return n.name == reference.name; });
@@ -90,7 +90,7 @@ void crack_net(Context& c, const BoundCard& card, model::CrackDefinition& crack)
   }
 }
 
-void free_crack(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+void free_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::free;
   const bool sound = crack_points(c, card, crack);
   if (sound && crack.points.empty()) {
@@ -105,17 +105,18 @@ void free_crack(Context& c, const BoundCard& card, model::CrackDefinition& crack
 }
 
 // An empty face set for a crack face; what names it is the load, see build_loads.
-base::FaceSetId crack_face(Context& c, const model::CrackDefinition& crack, std::string_view side) {
+base::FaceSetId crack_face(DeckContext& c, const model::CrackDefinition& crack,
+                           std::string_view side) {
   std::vector<model::FaceSet>& sets = c.model.mesh.face_sets;
   sets.push_back({fmt::format("{}.{}", crack.name, side), {}, crack.span});
   return base::FaceSetId(sets.size() - 1);
 }
 
 // What is drawn by keys and points; where there is no mesh to tell, they tell plane from space.
-void drawn_crack(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+void drawn_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
   const bool plane = c.known_plane();
-  const char* of_space = card.has("A") ? "A" : card.has("X0") ? "X0" : nullptr;
+  const char* of_space = card.has_key("A") ? "A" : card.has_key("X0") ? "X0" : nullptr;
   const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
   if (plane && of_space != nullptr) {
     c.error(card.find(of_space)->span, "E313",
@@ -124,27 +125,27 @@ void drawn_crack(Context& c, const BoundCard& card, model::CrackDefinition& crac
   } else if (meshed ? plane : of_space == nullptr && !three) {
     free_crack(c, card, crack);
   } else {
-    solid_crack(c, card, crack);
+    read_solid_crack(c, card, crack);
   }
 }
 
-void crack(Context& c, const BoundCard& card) {
+void crack(DeckContext& c, const CheckedCard& card) {
   model::CrackDefinition crack;
-  crack.name = card.word("NAME");
-  crack.a0 = card.optional("A0");
-  crack.angle = card.optional("ANGLE");
-  crack.state = card.is("STATE", "STRESS")   ? model::TipConstraint::stress
-                : card.is("STATE", "STRAIN") ? model::TipConstraint::strain
-                                             : model::TipConstraint::automatic;
-  crack.smooth = card.is("LINE", "SMOOTH");
-  crack.faces_in_contact = card.is("FACES", "CONTACT");
-  crack.mu = card.number("MU");
+  crack.name = card.word_value("NAME");
+  crack.a0 = card.optional_number("A0");
+  crack.angle = card.optional_number("ANGLE");
+  crack.state = card.has_word("STATE", "STRESS")   ? model::TipConstraint::stress
+                : card.has_word("STATE", "STRAIN") ? model::TipConstraint::strain
+                                                   : model::TipConstraint::automatic;
+  crack.smooth = card.has_word("LINE", "SMOOTH");
+  crack.faces_in_contact = card.has_word("FACES", "CONTACT");
+  crack.mu = card.number_value("MU");
   crack.span = card.span;
-  if (card.has("PATH")) {
+  if (card.has_key("PATH")) {
     crack_path(c, card, crack);
-  } else if (card.has("FRONT")) {
+  } else if (card.has_key("FRONT")) {
     crack.kind = model::CrackDefinitionKind::front;
-    crack.path = use_node_set(c, card.reference("FRONT")).value_or(base::NodeSetId());
+    crack.path = resolve_node_set(c, card.name_reference("FRONT")).value_or(base::NodeSetId());
     if (c.known_plane()) {
       c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
               "in the plane a crack has PATH and A0, or points");
@@ -153,7 +154,7 @@ void crack(Context& c, const BoundCard& card) {
     drawn_crack(c, card, crack);
     crack_net(c, card, crack);
   }
-  if ((card.has("PATH") || card.has("FRONT")) && !card.rows.empty()) {
+  if ((card.has_key("PATH") || card.has_key("FRONT")) && !card.rows.empty()) {
     c.error(card.rows.front().span, "E110", "points mean nothing with PATH or FRONT");
   }
   crack.left = crack_face(c, crack, "LEFT");
@@ -162,14 +163,14 @@ void crack(Context& c, const BoundCard& card) {
 }
 
 // The crack a $TIPNET or $VCE belongs to; each crack has at most one of each.
-base::CrackId crack_of(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
-  const Definition* found = look_up(c, Kind::crack, card.reference("CRACK"));
+base::CrackId crack_of(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
+  const NameDefinition* found = look_up(c, EntityKind::crack, card.name_reference("CRACK"));
   if (found == nullptr) {
     return {};
   }
   if (!seen.insert(found->index).second) {
     c.error(card.find("CRACK")->span, "E302",
-            fmt::format("a second ${} for crack {}", card.spec->name, card.word("CRACK")));
+            fmt::format("a second ${} for crack {}", card.spec->name, card.word_value("CRACK")));
   }
   return base::CrackId(found->index);
 }
@@ -186,27 +187,27 @@ double finer_for(double tolerance) {
 constexpr int solid_rings = 3;
 constexpr int solid_sectors = 8;
 
-void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
+void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
   model::TipMeshSettings tip;
   tip.crack = crack_of(c, card, seen);
-  tip.radius = card.optional("RADIUS");
-  tip.size = card.optional("SIZE");
+  tip.radius = card.optional_number("RADIUS");
+  tip.size = card.optional_number("SIZE");
   const bool solid = c.model.mesh.dim == 3;
-  tip.rings = solid && !card.has("RINGS") ? solid_rings : card.integer("RINGS");
-  tip.sectors = solid && !card.has("SECTORS") ? solid_sectors : card.integer("SECTORS");
-  tip.quarter_point = card.is("QUARTER", "YES");
-  tip.join = card.is("JOIN", "TRANSITION") ? model::PatchCoupling::transition
-                                           : model::PatchCoupling::conforming;
-  tip.patch = card.is("PATCH", "YES");
-  tip.tube = card.is("TUBE", "YES");
+  tip.rings = solid && !card.has_key("RINGS") ? solid_rings : card.integer_value("RINGS");
+  tip.sectors = solid && !card.has_key("SECTORS") ? solid_sectors : card.integer_value("SECTORS");
+  tip.quarter_point = card.has_word("QUARTER", "YES");
+  tip.join = card.has_word("JOIN", "TRANSITION") ? model::PatchCoupling::transition
+                                                 : model::PatchCoupling::conforming;
+  tip.patch = card.has_word("PATCH", "YES");
+  tip.tube = card.has_word("TUBE", "YES");
   if (!tip.tube && c.known_plane()) {
     c.error(card.find("TUBE")->span, "E313", "TUBE=NO means nothing in the plane",
             "round a tip in the plane stands a rosette; QUARTER=NO has ordinary elements in it");
   }
-  tip.tolerance = card.optional("TOL");
-  tip.finer = card.number("FINER");
-  if (tip.tolerance && !solid && !card.has("FINER") && !card.has("SIZE") && !card.has("RINGS") &&
-      !card.has("SECTORS")) {
+  tip.tolerance = card.optional_number("TOL");
+  tip.finer = card.number_value("FINER");
+  if (tip.tolerance && !solid && !card.has_key("FINER") && !card.has_key("SIZE") &&
+      !card.has_key("RINGS") && !card.has_key("SECTORS")) {
     tip.finer = finer_for(*tip.tolerance);
   }
   tip.span = card.span;
@@ -216,13 +217,13 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   c.model.tip_nets.push_back(tip);
 }
 
-void vce(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
+void vce(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
   model::CrackExtensionSettings vce;
   vce.crack = crack_of(c, card, seen);
-  vce.shift = card.optional("SHIFT");
-  vce.opening = card.is("CHECK", "OPENING");
+  vce.shift = card.optional_number("SHIFT");
+  vce.opening = card.has_word("CHECK", "OPENING");
   vce.span = card.span;
-  if (card.has("DOMAINS")) {
+  if (card.has_key("DOMAINS")) {
     for (const double rings : card.find("DOMAINS")->numbers) {
       if (rings < 1.0) {
         c.error(card.find("DOMAINS")->span, "E109", "DOMAINS: a domain has at least one ring");
@@ -236,10 +237,10 @@ void vce(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
 
 } // namespace
 
-void build_cracks(Context& context) {
+void build_cracks(DeckContext& context) {
   std::set<std::size_t> with_tip_net;
   std::set<std::size_t> with_vce;
-  for (const BoundCard& card : context.cards) {
+  for (const CheckedCard& card : context.cards) {
     if (card.bad) {
       continue;
     }

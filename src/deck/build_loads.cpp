@@ -69,18 +69,18 @@ std::optional<base::Dimension> dimension_of(LoadType type) {
 
 // The face set of CRACK.LEFT or CRACK.RIGHT, invalid where the name means a set as well; none: not
 // of that form.
-std::optional<base::FaceSetId> crack_face_set(Context& c, const Reference& reference) {
+std::optional<base::FaceSetId> crack_face_set(DeckContext& c, const NameReference& reference) {
   const std::size_t dot = reference.name.rfind('.');
   const std::string side = dot == std::string::npos ? "" : reference.name.substr(dot + 1);
   if (side != "LEFT" && side != "RIGHT") {
     return std::nullopt;
   }
   const std::string name = reference.name.substr(0, dot);
-  const Definition* crack = c.names.find({Kind::crack}, name, {});
+  const NameDefinition* crack = c.names.find({EntityKind::crack}, name, {});
   if (crack == nullptr || crack->poisoned || crack->index >= c.model.cracks.size()) {
     return std::nullopt;
   }
-  if (c.names.find(meanings(Kind::any_set), reference.name, reference.net) != nullptr) {
+  if (c.names.find(accepted_kinds(EntityKind::any_set), reference.name, reference.net) != nullptr) {
     c.error(reference.span, "E302",
             fmt::format("{} is a set as well as the face of crack {}", reference.name, name),
             "rename the crack");
@@ -90,18 +90,18 @@ std::optional<base::FaceSetId> crack_face_set(Context& c, const Reference& refer
   return side == "LEFT" ? found.left : found.right;
 }
 
-bool load_set(Context& c, const Reference& reference, model::Load& load) {
+bool load_set(DeckContext& c, const NameReference& reference, model::Load& load) {
   switch (load.type) {
   case LoadType::force:
   case LoadType::displacement:
-    if (const auto id = use_node_set(c, reference)) {
+    if (const auto id = resolve_node_set(c, reference)) {
       load.nodes = *id;
       return true;
     }
     return false;
   case LoadType::body:
   case LoadType::temperature:
-    if (const auto id = use_element_set(c, reference)) {
+    if (const auto id = resolve_element_set(c, reference)) {
       load.elements = *id;
       return true;
     }
@@ -114,10 +114,11 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
     }
     break;
   case LoadType::resultant: {
-    const auto known = c.names.find({Kind::face_set, Kind::node_set, Kind::element_set},
-                                    reference.name, reference.net);
-    if (known != nullptr && known->kind == Kind::element_set) {
-      const auto id = use_element_set(c, reference);
+    const auto known =
+        c.names.find({EntityKind::face_set, EntityKind::node_set, EntityKind::element_set},
+                     reference.name, reference.net);
+    if (known != nullptr && known->kind == EntityKind::element_set) {
+      const auto id = resolve_element_set(c, reference);
       load.elements = id.value_or(base::ElementSetId());
       return id.has_value();
     }
@@ -126,31 +127,32 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
   default:
     break;
   }
-  const auto id = use_face_set(c, reference);
+  const auto id = resolve_face_set(c, reference);
   load.faces = id.value_or(base::FaceSetId());
   return id.has_value();
 }
 
-bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, model::Load& load) {
-  using FieldKind = grammar::Field::Kind;
+bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& field,
+                model::Load& load) {
+  using FieldKind = grammar::CardField::CardFieldKind;
   if (field.kind != FieldKind::number && field.kind != FieldKind::expression) {
-    number_of(field, grammar::Quantity::number, "a number or (expression)", c.scope,
-              c.diagnostics); // says what is wrong
+    read_field_number(field, grammar::Quantity::number, "a number or (expression)", c.scope,
+                      c.diagnostics); // says what is wrong
     return false;
   }
-  auto value =
-      grammar::compile(field.expression, c.scope, grammar::Fields::position, c.diagnostics);
+  auto value = grammar::compile_expression(field.expression, c.scope,
+                                           grammar::AllowedVariables::position, c.diagnostics);
   if (value && !value->is_constant() &&
       (form.type == LoadType::resultant || form.type == LoadType::bearing)) {
     c.error(field.span, "E209", fmt::format("TYPE={} is a total, which has no place", form.word),
             "give a number; TRACTION, PRESSURE and BODY take fields of x y z");
     return false;
   }
-  const base::SourceSpan unit = grammar::known_unit(field.expression, c.scope);
+  const base::SourceSpan unit = grammar::explicit_or_parameter_unit(field.expression, c.scope);
   if (value && unit.valid()) {
     const auto known = base::parse_unit(c.sources.text(unit));
     if (known && known->dimension != dimension_of(form.type)) {
-      const bool written_here = grammar::outer_unit(field.expression).valid();
+      const bool written_here = grammar::explicit_unit(field.expression).valid();
       c.error(written_here ? unit : field.span, "E205",
               fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values),
               written_here ? "" : "the parameter is given in this unit");
@@ -164,17 +166,17 @@ bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, m
   return true;
 }
 
-void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
+void load_row(DeckContext& c, const CheckedCard& card, const grammar::DataRow& row,
               model::LoadCase& load_case) {
-  const LoadForm& form = form_of(card.word("TYPE"));
+  const LoadForm& form = form_of(card.word_value("TYPE"));
   model::Load load;
   load.type = form.type;
-  load.shape =
-      card.is("SHAPE", "UNIFORM") ? model::BearingShape::uniform : model::BearingShape::cosine;
+  load.shape = card.has_word("SHAPE", "UNIFORM") ? model::BearingShape::uniform
+                                                 : model::BearingShape::cosine;
   load.span = row.span;
-  const auto reference = set_field(c, card, row.fields.front());
-  const Definition* crack =
-      reference && form.of_crack ? look_up(c, Kind::crack, *reference) : nullptr;
+  const auto reference = read_set_reference(c, card, row.fields.front());
+  const NameDefinition* crack =
+      reference && form.of_crack ? look_up(c, EntityKind::crack, *reference) : nullptr;
   bool ok = reference && (form.of_crack ? crack != nullptr : load_set(c, *reference, load));
   const std::size_t given = row.fields.size() - 1;
   const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);
@@ -203,7 +205,7 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
 }
 
 /// What the deck says of a node's freedoms, in bits of x y z.
-struct Held {
+struct NodeConstraints {
   unsigned prescribed = 0;
   unsigned suppressed = 0;
 };
@@ -216,14 +218,15 @@ bool on_axis(const model::Model& model, base::NodeId node, std::size_t direction
 
 // Displacements belong to prescribed freedoms: elsewhere they would have no effect, and what is
 // suppressed does not move.
-void check_displacement(Context& c, const model::Load& load, const std::vector<Held>& held) {
+void check_displacement(DeckContext& c, const model::Load& load,
+                        const std::vector<NodeConstraints>& held) {
   const model::Mesh& mesh = c.model.mesh;
   for (const base::NodeId node : mesh.set_with_id(load.nodes).nodes) {
     for (std::size_t d = 0; d < load.value.size(); ++d) {
       const base::CompiledExpression& value = load.value[d];
       const double here = value(mesh.x[node.index()]);
       const unsigned bit = 1U << d;
-      const Held& is = held[node.index()];
+      const NodeConstraints& is = held[node.index()];
       const base::Label label = mesh.node_label[node.index()];
       if ((here != 0.0 || !value.is_constant()) && (is.prescribed & bit) == 0) {
         c.error(load.span, "E319",
@@ -284,7 +287,7 @@ ToldFreedoms told_displacements(const model::Mesh& mesh, const model::LoadCase& 
 
 // Lines for one set add up. Where different sets meet, at corners, the same value counts once, and
 // a zero gives way; two others say two things.
-void displacements_agree(Context& c, const model::LoadCase& load_case) {
+void displacements_agree(DeckContext& c, const model::LoadCase& load_case) {
   constexpr double equal = 1e-9;
   for (const auto& [freedom, here] : told_displacements(c.model.mesh, load_case)) {
     const Told* first = nullptr;
@@ -306,8 +309,8 @@ void displacements_agree(Context& c, const model::LoadCase& load_case) {
   }
 }
 
-std::vector<Held> held_nodes(const Context& c) {
-  std::vector<Held> held(c.model.mesh.node_count());
+std::vector<NodeConstraints> held_nodes(const DeckContext& c) {
+  std::vector<NodeConstraints> held(c.model.mesh.node_count());
   for (const model::FreedomAssignment& freedom : c.model.freedoms) {
     for (const base::NodeId node : c.model.mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
@@ -320,7 +323,7 @@ std::vector<Held> held_nodes(const Context& c) {
   return held;
 }
 
-void check_displacements(Context& c, const std::vector<Held>& held) {
+void check_displacements(DeckContext& c, const std::vector<NodeConstraints>& held) {
   for (const model::LoadCase& load_case : c.model.cases) {
     displacements_agree(c, load_case);
   }
@@ -335,7 +338,7 @@ void check_displacements(Context& c, const std::vector<Held>& held) {
 
 // Whether a value along that direction would count: a displacement counts where it is prescribed.
 bool counts_along(const model::Mesh& mesh, const model::Load& load, std::size_t direction,
-                  const std::vector<Held>& held) {
+                  const std::vector<NodeConstraints>& held) {
   return load.type != LoadType::displacement ||
          std::ranges::any_of(mesh.set_with_id(load.nodes).nodes, [&](base::NodeId node) {
            return (held[node.index()].prescribed & (1U << direction)) != 0;
@@ -343,7 +346,8 @@ bool counts_along(const model::Mesh& mesh, const model::Load& load, std::size_t 
 }
 
 // Directions along which a line says nothing have zeros, told of where another value would count.
-void fill_in(Context& c, const std::vector<Held>& held, bool sound, model::Load& load) {
+void fill_in(DeckContext& c, const std::vector<NodeConstraints>& held, bool sound,
+             model::Load& load) {
   const LoadForm& form = form_of(load.type);
   const std::size_t given = load.value.size();
   const auto most = static_cast<std::size_t>(c.model.mesh.dim);
@@ -367,29 +371,30 @@ void fill_in(Context& c, const std::vector<Held>& held, bool sound, model::Load&
 
 } // namespace
 
-void build_loads(Context& context) {
+void build_loads(DeckContext& context) {
   std::vector<model::LoadCase>& cases = context.model.cases;
-  for (const BoundCard& card : context.cards) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name != "LOAD" || card.bad) {
       continue;
     }
-    Definition definition;
-    definition.kind = Kind::load_case;
+    NameDefinition definition;
+    definition.kind = EntityKind::load_case;
     definition.index = cases.size();
     definition.span = card.find("CASE")->span;
-    const std::string name(card.word("CASE"));
-    const Definition* before = context.names.define(name, definition);
+    const std::string name(card.word_value("CASE"));
+    const NameDefinition* before = context.names.define(name, definition);
     if (before == nullptr || before->poisoned) {
       cases.push_back({name, {}});
     }
     const std::size_t index =
         before == nullptr || before->poisoned ? cases.size() - 1 : before->index;
-    for (const grammar::Row& row : card.rows) {
+    for (const grammar::DataRow& row : card.rows) {
       load_row(context, card, row, cases[index]);
     }
   }
   const bool sound = context.freedom_sound && context.mesh_sound;
-  const std::vector<Held> held = sound ? held_nodes(context) : std::vector<Held>();
+  const std::vector<NodeConstraints> held =
+      sound ? held_nodes(context) : std::vector<NodeConstraints>();
   if (sound) {
     check_displacements(context, held);
   }

@@ -29,34 +29,36 @@ base::ElementType element_type(std::string_view name) {
 
 /// The set of a kind that a table adds to, made at its first use. Null after an error.
 template <class Set>
-Set* table_set(Context& c, const BoundCard& card, std::string_view key, std::vector<Set>& sets) {
-  if (!card.has(key)) {
+Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
+               std::vector<Set>& sets) {
+  if (!card.has_key(key)) {
     return nullptr;
   }
-  const BoundValue& value = *card.find(key);
-  Definition definition;
+  const CheckedValue& value = *card.find(key);
+  NameDefinition definition;
   definition.kind = value.key->kind;
   definition.index = sets.size();
   definition.span = value.span;
   const std::string full = qualify(card.net, value.text);
-  const Definition* before = c.names.define(full, definition);
+  const NameDefinition* before = c.names.define(full, definition);
   if (before == nullptr) {
     return &sets.emplace_back(Set{full, {}, value.span});
   }
   if (before->card) {
     const std::size_t line = c.sources.locate(before->span.file, before->span.begin).line;
-    c.error(value.span, "E302",
-            fmt::format("{} {} is defined twice", grammar::word_of(definition.kind), value.text),
-            fmt::format("first in line {}", line));
+    c.error(
+        value.span, "E302",
+        fmt::format("{} {} is defined twice", grammar::display_name(definition.kind), value.text),
+        fmt::format("first in line {}", line));
     return nullptr;
   }
   return before->poisoned ? nullptr : &sets[before->index];
 }
 
-grammar::TableForm coordinate_form(const BoundCard& card) {
-  const std::string columns = card.is("SYSTEM", "CYL") ? "r theta" : "x y";
-  grammar::TableForm form;
-  form.columns = static_cast<std::size_t>(card.integer("DIM"));
+grammar::BulkTableForm coordinate_form(const CheckedCard& card) {
+  const std::string columns = card.has_word("SYSTEM", "CYL") ? "r theta" : "x y";
+  grammar::BulkTableForm form;
+  form.columns = static_cast<std::size_t>(card.integer_value("DIM"));
   form.missing = form.columns == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
                                    : fmt::format("a line is id {}", columns);
   form.surplus = form.columns == 2 ? fmt::format("with DIM=2 a line is id {}", columns)
@@ -64,22 +66,22 @@ grammar::TableForm coordinate_form(const BoundCard& card) {
   return form;
 }
 
-void coordinates(Context& c, const BoundCard& card) {
-  const bool polar = card.is("SYSTEM", "CYL");
-  const grammar::TableForm form = coordinate_form(card);
-  Labels& labels = c.node_labels[card.net_id.index()];
+void coordinates(DeckContext& c, const CheckedCard& card) {
+  const bool polar = card.has_word("SYSTEM", "CYL");
+  const grammar::BulkTableForm form = coordinate_form(card);
+  LabelMap& labels = c.node_labels[card.net_id.index()];
   model::Mesh& mesh = c.model.mesh;
   model::NodeSet* const set = table_set(c, card, "NSET", mesh.node_sets);
   const std::size_t errors = c.diagnostics.error_count();
   std::size_t twice = 0;
   bool turned = false;
-  const auto take = [&](const grammar::Table<double>& table) {
+  const auto take = [&](const grammar::BulkTable<double>& table) {
     for (std::size_t i = 0; i < table.label.size(); ++i) {
       const double* v = &table.value[i * form.columns];
       if (polar && !turned && std::abs(v[1]) > more_than_a_turn) {
         turned = true; // once for a table
         c.diagnostics.warning(
-            grammar::table_field(c.sources, card.data, table.offset[i], 2), "W355",
+            grammar::table_field_span(c.sources, card.data, table.offset[i], 2), "W355",
             fmt::format("theta = {:.6g} of node {} is in radians, more than a turn", v[1],
                         table.label[i]),
             fmt::format("degrees are written {:.6g}[deg]", v[1]));
@@ -87,7 +89,7 @@ void coordinates(Context& c, const BoundCard& card) {
       const base::Vec3 x(polar ? v[0] * std::cos(v[1]) : v[0], polar ? v[0] * std::sin(v[1]) : v[1],
                          form.columns == 3 ? v[2] : 0.0);
       if (!labels.insert(table.label[i], mesh.node_count())) {
-        c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
+        c.error(grammar::table_field_span(c.sources, card.data, table.offset[i], 0), "E304",
                 fmt::format("node {} is defined twice", table.label[i]));
         ++twice;
         continue;
@@ -104,7 +106,7 @@ void coordinates(Context& c, const BoundCard& card) {
 }
 
 // Node indices of one row; false if a number is unknown or stands twice.
-bool resolve(const Labels& labels, std::span<const base::Label> row,
+bool resolve(const LabelMap& labels, std::span<const base::Label> row,
              std::vector<base::NodeId>& nodes) {
   bool ok = true;
   for (std::size_t k = 0; k < row.size(); ++k) {
@@ -119,14 +121,14 @@ bool resolve(const Labels& labels, std::span<const base::Label> row,
 }
 
 // Says what is wrong with a row that could not be resolved.
-void report_row(Context& c, const BoundCard& card, const grammar::Table<base::Label>& table,
-                std::size_t row) {
-  const Labels& labels = c.node_labels[card.net_id.index()];
+void report_row(DeckContext& c, const CheckedCard& card,
+                const grammar::BulkTable<base::Label>& table, std::size_t row) {
+  const LabelMap& labels = c.node_labels[card.net_id.index()];
   const base::Label* of_row = &table.value[row * table.columns];
   for (std::size_t k = 0; k < table.columns; ++k) {
     const bool twice = std::find(of_row, of_row + k, of_row[k]) != of_row + k;
     if (twice || (labels.complete && !labels.find(of_row[k]))) {
-      c.error(grammar::table_field(c.sources, card.data, table.offset[row], k + 1), "E303",
+      c.error(grammar::table_field_span(c.sources, card.data, table.offset[row], k + 1), "E303",
               twice ? fmt::format("node {} stands twice in element {}", of_row[k], table.label[row])
                     : fmt::format("there is no node {}{}", of_row[k],
                                   card.net.empty() ? "" : " in net " + card.net));
@@ -134,10 +136,10 @@ void report_row(Context& c, const BoundCard& card, const grammar::Table<base::La
   }
 }
 
-void elements(Context& c, const BoundCard& card) {
-  const base::ElementType type = element_type(card.word("TYPE"));
+void elements(DeckContext& c, const CheckedCard& card) {
+  const base::ElementType type = element_type(card.word_value("TYPE"));
   const base::ElementInfo& info = base::element_info(type);
-  grammar::TableForm form;
+  grammar::BulkTableForm form;
   form.columns = static_cast<std::size_t>(info.nodes);
   form.row = "element number";
   form.missing =
@@ -145,11 +147,11 @@ void elements(Context& c, const BoundCard& card) {
   form.surplus = fmt::format("{} takes {} nodes", info.name, info.nodes);
   model::Mesh& mesh = c.model.mesh;
   model::ElementSet* const set = table_set(c, card, "ESET", mesh.element_sets);
-  const Labels& node_labels = c.node_labels[card.net_id.index()];
-  Labels& labels = c.element_labels[card.net_id.index()];
+  const LabelMap& node_labels = c.node_labels[card.net_id.index()];
+  LabelMap& labels = c.element_labels[card.net_id.index()];
   ElementOrigin origin{mesh.element_count(), 0, card.span, card.data};
   std::vector<base::NodeId> nodes(form.columns);
-  const auto take = [&](const grammar::Table<base::Label>& table) {
+  const auto take = [&](const grammar::BulkTable<base::Label>& table) {
     for (std::size_t i = 0; i < table.label.size(); ++i) {
       if (!resolve(node_labels, {&table.value[i * form.columns], form.columns}, nodes)) {
         report_row(c, card, table, i);
@@ -157,7 +159,7 @@ void elements(Context& c, const BoundCard& card) {
         continue;
       }
       if (!labels.insert(table.label[i], mesh.element_count())) {
-        c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
+        c.error(grammar::table_field_span(c.sources, card.data, table.offset[i], 0), "E304",
                 fmt::format("element {} is defined twice", table.label[i]));
         continue;
       }
@@ -172,60 +174,60 @@ void elements(Context& c, const BoundCard& card) {
   c.origins.push_back(origin);
 }
 
-void generate(Context& c, const BoundCard& card) {
-  const base::ElementType type = element_type(card.word("TYPE"));
+void generate(DeckContext& c, const CheckedCard& card) {
+  const base::ElementType type = element_type(card.word_value("TYPE"));
   const std::string prefix = card.net.empty() ? "" : card.net + ".";
   model::Mesh& mesh = c.model.mesh;
-  const Refinement* finer = c.refinement(card.net);
+  const NetRefinement* finer = c.refinement(card.net);
   const int times = finer == nullptr ? 1 : finer->counts;
   if (times > 1) {
     c.remeshed.insert(card.net);
   }
-  if (card.is("SHAPE", "BLOCK")) {
+  if (card.has_word("SHAPE", "BLOCK")) {
     mesh::BlockSpec spec;
     spec.type = type;
-    spec.origin = {card.number("X0"), card.number("Y0"), card.number("Z0")};
-    spec.size = {card.number("LX"), card.number("LY"), card.number("LZ")};
-    spec.nx = times * card.integer("NX");
-    spec.ny = times * card.integer("NY");
-    spec.nz = times * card.integer("NZ");
-    spec.bias = card.number("BIAS");
+    spec.origin = {card.number_value("X0"), card.number_value("Y0"), card.number_value("Z0")};
+    spec.size = {card.number_value("LX"), card.number_value("LY"), card.number_value("LZ")};
+    spec.nx = times * card.integer_value("NX");
+    spec.ny = times * card.integer_value("NY");
+    spec.nz = times * card.integer_value("NZ");
+    spec.bias = card.number_value("BIAS");
     const bool solid = base::element_info(type).dim == 3;
     (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, card.net_id, prefix, spec);
-  } else if (card.is("SHAPE", "RING")) {
+  } else if (card.has_word("SHAPE", "RING")) {
     mesh::RingSpec spec;
     spec.type = type;
-    spec.x0 = card.number("X0");
-    spec.y0 = card.number("Y0");
-    spec.ri = card.number("RI");
-    spec.ro = card.number("RO");
-    spec.t0 = card.number("T0");
-    spec.t1 = card.number("T1");
-    spec.nr = times * card.integer("NR");
-    spec.nt = times * card.integer("NT");
-    spec.bias = card.number("BIAS");
+    spec.x0 = card.number_value("X0");
+    spec.y0 = card.number_value("Y0");
+    spec.ri = card.number_value("RI");
+    spec.ro = card.number_value("RO");
+    spec.t0 = card.number_value("T0");
+    spec.t1 = card.number_value("T1");
+    spec.nr = times * card.integer_value("NR");
+    spec.nt = times * card.integer_value("NT");
+    spec.bias = card.number_value("BIAS");
     mesh::generate_ring(mesh, card.net_id, prefix, spec);
   } else {
     mesh::LugSpec spec;
     spec.type = type;
-    spec.x0 = card.number("X0");
-    spec.y0 = card.number("Y0");
-    spec.ri = card.number("RI");
-    spec.width = card.number("W");
-    spec.length = card.number("L");
-    spec.nr = times * card.integer("NR");
-    spec.nt = times * card.integer("NT");
+    spec.x0 = card.number_value("X0");
+    spec.y0 = card.number_value("Y0");
+    spec.ri = card.number_value("RI");
+    spec.width = card.number_value("W");
+    spec.length = card.number_value("L");
+    spec.nr = times * card.integer_value("NR");
+    spec.nt = times * card.integer_value("NT");
     mesh::generate_lug(mesh, card.net_id, prefix, spec);
   }
 }
 
 // Sizes that only together make a shape.
-bool sizes_fit(Context& c, const BoundCard& card) {
-  if (base::element_info(element_type(card.word("TYPE"))).dim == 3) {
-    if (!card.is("SHAPE", "BLOCK")) {
+bool sizes_fit(DeckContext& c, const CheckedCard& card) {
+  if (base::element_info(element_type(card.word_value("TYPE"))).dim == 3) {
+    if (!card.has_word("SHAPE", "BLOCK")) {
       c.error(card.find("TYPE")->span, "E110",
-              fmt::format("{} is for SHAPE=BLOCK only", card.word("TYPE")));
-    } else if (!card.has("LZ")) {
+              fmt::format("{} is for SHAPE=BLOCK only", card.word_value("TYPE")));
+    } else if (!card.has_key("LZ")) {
       c.error(card.span, "E106", "$MESH with elements in space needs LZ");
     } else {
       return true;
@@ -236,21 +238,21 @@ bool sizes_fit(Context& c, const BoundCard& card) {
   const auto wrong = [&](std::string_view key, std::string text) {
     c.error(card.find(key)->span, "E109", std::move(text));
   };
-  if (card.is("SHAPE", "RING")) {
-    const double turn = card.number("T1") - card.number("T0");
-    if (card.number("RO") <= card.number("RI")) {
+  if (card.has_word("SHAPE", "RING")) {
+    const double turn = card.number_value("T1") - card.number_value("T0");
+    if (card.number_value("RO") <= card.number_value("RI")) {
       wrong("RO", "RO: the outer radius is larger than RI");
     }
     if (turn <= 0.0 || turn > 2.0 * std::acos(-1.0) * (1.0 + 1e-12)) {
       wrong("T1", "T1: the ring goes from T0 to a larger T1, at most once round");
     }
-  } else if (card.is("SHAPE", "LUG")) {
-    const double radius = card.number("RI");
+  } else if (card.has_word("SHAPE", "LUG")) {
+    const double radius = card.number_value("RI");
     if (radius <= 0.0) {
       wrong("RI", "RI: a lug has a bore");
-    } else if (card.number("W") <= 2.0 * radius) {
+    } else if (card.number_value("W") <= 2.0 * radius) {
       wrong("W", "W: the lug is wider than its bore");
-    } else if (card.number("L") <= radius) {
+    } else if (card.number_value("L") <= radius) {
       wrong("L", "L: END lies outside the bore");
     }
   }
@@ -260,18 +262,18 @@ bool sizes_fit(Context& c, const BoundCard& card) {
 // Names of the sets that came with a generated or imported mesh. False after an error: one name
 // that is taken stands for all of them.
 template <class Set>
-bool adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
+bool adopt_sets(DeckContext& c, const CheckedCard& card, EntityKind kind, std::vector<Set>& sets,
                 std::size_t first) {
   const auto of_net = [&](const model::MeshNet& net) { return net.name == card.net; };
   for (std::size_t i = first; i < sets.size(); ++i) {
     if (!sets[i].span.valid()) {
       sets[i].span = card.span;
     }
-    Definition definition;
+    NameDefinition definition;
     definition.kind = kind;
     definition.index = i;
     definition.span = card.span;
-    const Definition* before = c.names.define(sets[i].name, definition);
+    const NameDefinition* before = c.names.define(sets[i].name, definition);
     if (before == nullptr || before->poisoned) {
       continue;
     }
@@ -285,7 +287,7 @@ bool adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& 
   return true;
 }
 
-void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size_t element) {
+void adopt_labels(DeckContext& c, const CheckedCard& card, std::size_t node, std::size_t element) {
   const model::Mesh& mesh = c.model.mesh;
   for (; node < mesh.node_count(); ++node) {
     c.node_labels[card.net_id.index()].insert(mesh.node_label[node], node);
@@ -297,7 +299,7 @@ void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size
 }
 
 // A whole mesh from one card.
-void mesh_card(Context& c, const BoundCard& card) {
+void mesh_card(DeckContext& c, const CheckedCard& card) {
   model::Mesh& mesh = c.model.mesh;
   const std::array<std::size_t, 5> before{mesh.node_count(), mesh.element_count(),
                                           mesh.node_sets.size(), mesh.element_sets.size(),
@@ -305,13 +307,13 @@ void mesh_card(Context& c, const BoundCard& card) {
   const std::size_t errors = c.diagnostics.error_count();
   if (card.spec->name == "IMPORT") {
     import_card(c, card);
-  } else if (mesh_is_handy(c, card) && sizes_fit(c, card)) {
+  } else if (check_mesh_card_size(c, card) && sizes_fit(c, card)) {
     generate(c, card);
   }
   adopt_labels(c, card, before[0], before[1]);
-  const bool fresh = adopt_sets(c, card, Kind::node_set, mesh.node_sets, before[2]) &&
-                     adopt_sets(c, card, Kind::element_set, mesh.element_sets, before[3]) &&
-                     adopt_sets(c, card, Kind::face_set, mesh.face_sets, before[4]);
+  const bool fresh = adopt_sets(c, card, EntityKind::node_set, mesh.node_sets, before[2]) &&
+                     adopt_sets(c, card, EntityKind::element_set, mesh.element_sets, before[3]) &&
+                     adopt_sets(c, card, EntityKind::face_set, mesh.face_sets, before[4]);
   if (!fresh || c.diagnostics.error_count() != errors || mesh.element_count() == before[1]) {
     c.names.poison_net(card.net);
     c.node_labels[card.net_id.index()].complete = false;
@@ -321,18 +323,18 @@ void mesh_card(Context& c, const BoundCard& card) {
 
 // Room for every table of the deck at once: arrays of millions that grow by doubling would take
 // three times their size on the way.
-void reserve_tables(Context& c) {
+void reserve_tables(DeckContext& c) {
   std::size_t nodes = 0;
   std::size_t elements = 0;
   std::size_t entries = 0;
-  for (const BoundCard& card : c.cards) {
+  for (const CheckedCard& card : c.cards) {
     if (card.spec->name == "COOR") {
       nodes += grammar::count_lines(c.sources, card.data);
     } else if (card.spec->name == "ELEMENT" && !card.bad) {
       const std::size_t lines = grammar::count_lines(c.sources, card.data);
       elements += lines;
       entries += lines * static_cast<std::size_t>(
-                             base::element_info(element_type(card.word("TYPE"))).nodes);
+                             base::element_info(element_type(card.word_value("TYPE"))).nodes);
     }
   }
   model::reserve(c.model.mesh, nodes, elements, entries);
@@ -340,13 +342,13 @@ void reserve_tables(Context& c) {
 
 } // namespace
 
-void build_mesh(Context& context) {
+void build_mesh(DeckContext& context) {
   reserve_tables(context);
   const std::size_t nets = context.model.nets.size();
   context.node_labels.resize(nets);
   context.element_labels.resize(nets);
   const std::size_t errors = context.diagnostics.error_count();
-  for (const BoundCard& card : context.cards) {
+  for (const CheckedCard& card : context.cards) {
     if (card.bad &&
         (card.spec->name == "COOR" || card.spec->name == "MESH" || card.spec->name == "IMPORT")) {
       context.node_labels[card.net_id.index()].complete = false;
@@ -359,7 +361,7 @@ void build_mesh(Context& context) {
   // Nodes before the elements that use them, wherever they stand; tables before meshes, which
   // number on from the highest label of their net.
   for (const std::string_view name : {"COOR", "ELEMENT", "MESH"}) {
-    for (const BoundCard& card : context.cards) {
+    for (const CheckedCard& card : context.cards) {
       if (card.bad) {
         continue;
       }
@@ -373,9 +375,9 @@ void build_mesh(Context& context) {
     }
   }
   // of the space the deck means, though a bad mesh in space was not made
-  const auto in_space = [](const BoundCard& card) {
+  const auto in_space = [](const CheckedCard& card) {
     const bool typed = card.spec->name == "MESH" || card.spec->name == "ELEMENT";
-    return typed && !card.bad && base::element_info(element_type(card.word("TYPE"))).dim == 3;
+    return typed && !card.bad && base::element_info(element_type(card.word_value("TYPE"))).dim == 3;
   };
   model::Mesh& mesh = context.model.mesh;
   const bool solid = std::any_of(context.cards.begin(), context.cards.end(), in_space) ||

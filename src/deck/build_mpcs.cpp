@@ -14,18 +14,18 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 /// Reads the data lines of an equation: coefficient node dof, again and again.
 class EquationReader {
 public:
-  EquationReader(Context& context, const BoundCard& card) : c_(context), card_(card) {
-    equation_.rhs = card.number("RHS");
+  EquationReader(DeckContext& context, const CheckedCard& card) : c_(context), card_(card) {
+    equation_.rhs = card.number_value("RHS");
     equation_.span = card.span;
   }
 
   model::ConstraintEquation run() {
-    for (const grammar::Row& row : card_.rows) {
+    for (const grammar::DataRow& row : card_.rows) {
       if (row.fields.size() % 3 != 0) {
         c_.error(row.span, "E115", "an equation is coefficient node dof, again and again",
                  "as in  1 12 X  -1 17 X");
@@ -42,9 +42,9 @@ public:
   }
 
 private:
-  void term(const grammar::Row& row, std::size_t first) {
-    const auto coefficient = number_of(row.fields[first], grammar::Quantity::number,
-                                       "a coefficient", c_.scope, c_.diagnostics);
+  void term(const grammar::DataRow& row, std::size_t first) {
+    const auto coefficient = read_field_number(row.fields[first], grammar::Quantity::number,
+                                               "a coefficient", c_.scope, c_.diagnostics);
     if (coefficient == 0.0) {
       c_.error(row.fields[first].span, "E109", "a coefficient is not 0");
     }
@@ -66,12 +66,12 @@ private:
   }
 
   // 12, or NET.12 for a node of another net.
-  std::optional<base::NodeId> node_of(const Field& field) {
-    if (field.kind == Field::Kind::name) {
+  std::optional<base::NodeId> node_of(const CardField& field) {
+    if (field.kind == CardField::CardFieldKind::name) {
       return node_of_net(field);
     }
-    const auto value =
-        number_of(field, grammar::Quantity::number, "a node number", c_.scope, c_.diagnostics);
+    const auto value = read_field_number(field, grammar::Quantity::number, "a node number",
+                                         c_.scope, c_.diagnostics);
     if (!value) {
       return std::nullopt;
     }
@@ -79,7 +79,7 @@ private:
     return find(field, card_.net_id, whole ? static_cast<base::Label>(*value) : -1);
   }
 
-  std::optional<base::NodeId> node_of_net(const Field& field) {
+  std::optional<base::NodeId> node_of_net(const CardField& field) {
     const std::size_t dot = field.text.rfind('.');
     base::Label label = -1;
     const char* const last = field.text.data() + field.text.size();
@@ -92,7 +92,7 @@ private:
       return std::nullopt;
     }
     const std::string net = field.text.substr(0, dot);
-    if (look_up(c_, Kind::net, {net, field.span, {}}) == nullptr) {
+    if (look_up(c_, EntityKind::net, {net, field.span, {}}) == nullptr) {
       return std::nullopt;
     }
     const auto it = std::find_if(c_.model.nets.begin(), c_.model.nets.end(),
@@ -100,24 +100,25 @@ private:
     return find(field, base::NetId(static_cast<std::size_t>(it - c_.model.nets.begin())), label);
   }
 
-  std::optional<base::NodeId> find(const Field& field, base::NetId net, base::Label label) {
+  std::optional<base::NodeId> find(const CardField& field, base::NetId net, base::Label label) {
     if (c_.remeshed.contains(c_.model.nets[net.index()].name)) {
       c_.error(field.span, "E303", "node numbers mean other places where the net is meshed finer");
       return std::nullopt;
     }
-    const Labels& labels = c_.node_labels[net.index()];
+    const LabelMap& labels = c_.node_labels[net.index()];
     const auto found = labels.find(label);
     if (!found && labels.complete) {
       const bool several = card_.net.empty() && c_.model.nets.size() > 1;
       c_.error(field.span, "E303", fmt::format("there is no node {}", c_.sources.text(field.span)),
-               several && field.kind != Field::Kind::name ? "write NET.12 for a node of a net"
-                                                          : "");
+               several && field.kind != CardField::CardFieldKind::name
+                   ? "write NET.12 for a node of a net"
+                   : "");
     }
     return found ? std::optional(base::NodeId(*found)) : std::nullopt;
   }
 
-  std::optional<int> dof_of(const Field& field) {
-    if (field.kind != Field::Kind::name ||
+  std::optional<int> dof_of(const CardField& field) {
+    if (field.kind != CardField::CardFieldKind::name ||
         (field.text != "X" && field.text != "Y" && field.text != "Z")) {
       c_.error(field.span, "E108",
                fmt::format("expected X, Y or Z, not '{}'", c_.sources.text(field.span)));
@@ -129,33 +130,34 @@ private:
     return field.text.front() - 'X';
   }
 
-  Context& c_;
-  const BoundCard& card_;
+  DeckContext& c_;
+  const CheckedCard& card_;
   model::ConstraintEquation equation_;
 };
 
-void tie(Context& c, const BoundCard& card) {
+void tie(DeckContext& c, const CheckedCard& card) {
   if (!card.rows.empty()) {
     c.error(card.rows.front().span, "E115",
-            fmt::format("TYPE={} takes no data lines", card.word("TYPE")));
+            fmt::format("TYPE={} takes no data lines", card.word_value("TYPE")));
   }
-  const auto slave = use_node_set(c, card.reference("SLAVE")).value_or(base::NodeSetId());
-  if (card.is("TYPE", "RIGID")) {
+  const auto slave = resolve_node_set(c, card.name_reference("SLAVE")).value_or(base::NodeSetId());
+  if (card.has_word("TYPE", "RIGID")) {
     c.model.mpcs.emplace_back(model::RigidTie{slave, card.span});
     return;
   }
-  const auto master = use_face_set(c, card.reference("MASTER")).value_or(base::FaceSetId());
+  const auto master =
+      resolve_face_set(c, card.name_reference("MASTER")).value_or(base::FaceSetId());
   c.model.mpcs.emplace_back(model::TransitionTie{slave, master, card.span});
 }
 
 } // namespace
 
-void build_mpcs(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_mpcs(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name != "MPC" || card.bad) {
       continue;
     }
-    if (card.is("TYPE", "EQUATION")) {
+    if (card.has_word("TYPE", "EQUATION")) {
       context.model.mpcs.emplace_back(EquationReader(context, card).run());
     } else {
       tie(context, card);

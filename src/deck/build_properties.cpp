@@ -10,13 +10,13 @@ namespace spricka::deck {
 
 namespace {
 
-void material(Context& c, const BoundCard& card) {
+void material(DeckContext& c, const CheckedCard& card) {
   model::ElasticMaterial material;
-  material.name = card.word("NAME");
-  material.E = card.number("E");
-  material.nu = card.number("NU");
-  material.rho = card.number("RHO");
-  material.alpha = card.number("ALPHA");
+  material.name = card.word_value("NAME");
+  material.E = card.number_value("E");
+  material.nu = card.number_value("NU");
+  material.rho = card.number_value("RHO");
+  material.alpha = card.number_value("ALPHA");
   material.span = card.span;
   constexpr double absurd = 1e100; // in any unit; squares of it are still numbers
   if (material.E > absurd || material.E < 1.0 / absurd) {
@@ -37,10 +37,11 @@ model::StressState state_of(std::string_view word) {
   return word == "AXI" ? model::StressState::axisymmetric : model::StressState::solid;
 }
 
-void property(Context& c, const BoundCard& card) {
+void property(DeckContext& c, const CheckedCard& card) {
   model::Mesh& mesh = c.model.mesh;
-  const auto elements = use_element_set(c, card.reference("ESET"));
-  const Definition* material_name = look_up(c, Kind::material, card.reference("MATERIAL"));
+  const auto elements = resolve_element_set(c, card.name_reference("ESET"));
+  const NameDefinition* material_name =
+      look_up(c, EntityKind::material, card.name_reference("MATERIAL"));
   if (!elements || material_name == nullptr) {
     c.property_sound = false;
     return;
@@ -48,8 +49,8 @@ void property(Context& c, const BoundCard& card) {
   model::ElementProperty property;
   property.elements = *elements;
   property.material = base::MaterialId(material_name->index);
-  property.state = state_of(card.word("STATE"));
-  property.thickness = card.number("THICK");
+  property.state = state_of(card.word_value("STATE"));
+  property.thickness = card.number_value("THICK");
   property.span = card.span;
   const base::PropertyId id(c.model.properties.size());
   const bool solid = property.state == model::StressState::solid;
@@ -63,7 +64,7 @@ void property(Context& c, const BoundCard& card) {
     }
     if (solid != (base::element_info(mesh.type[e.index()]).dim == 3)) {
       c.error(card.find("STATE")->span, "E313",
-              fmt::format("STATE={} does not fit element {}, a {}", card.word("STATE"),
+              fmt::format("STATE={} does not fit element {}, a {}", card.word_value("STATE"),
                           mesh.element_label[e.index()],
                           base::element_info(mesh.type[e.index()]).name),
               "SOLID is for elements in space, the others for those in the plane");
@@ -72,24 +73,24 @@ void property(Context& c, const BoundCard& card) {
     }
     mesh.property[e.index()] = id;
   }
-  if (!card.has("THICK") && (property.state == model::StressState::plane_stress ||
-                             property.state == model::StressState::plane_strain)) {
+  if (!card.has_key("THICK") && (property.state == model::StressState::plane_stress ||
+                                 property.state == model::StressState::plane_strain)) {
     c.default_thickness.insert(c.model.properties.size());
   }
   c.model.properties.push_back(property);
 }
 
-void freedom(Context& c, const BoundCard& card) {
-  auto nodes = node_items(c, card);
+void freedom(DeckContext& c, const CheckedCard& card) {
+  auto nodes = collect_listed_nodes(c, card);
   if (!nodes || card.bad) {
     c.freedom_sound = false;
     return;
   }
-  const std::string_view dof = card.word("DOF");
+  const std::string_view dof = card.word_value("DOF");
   model::FreedomAssignment freedom;
-  freedom.cls = card.is("CLASS", "SUPPRESSED")   ? model::FreedomClass::suppressed
-                : card.is("CLASS", "PRESCRIBED") ? model::FreedomClass::prescribed
-                                                 : model::FreedomClass::external;
+  freedom.cls = card.has_word("CLASS", "SUPPRESSED")   ? model::FreedomClass::suppressed
+                : card.has_word("CLASS", "PRESCRIBED") ? model::FreedomClass::prescribed
+                                                       : model::FreedomClass::external;
   freedom.dof = {dof.find('X') != std::string_view::npos, dof.find('Y') != std::string_view::npos,
                  dof.find('Z') != std::string_view::npos};
   freedom.nodes = base::NodeSetId(c.model.mesh.node_sets.size());
@@ -101,10 +102,10 @@ void freedom(Context& c, const BoundCard& card) {
   c.model.freedoms.push_back(freedom);
 }
 
-void symmetry(Context& c, const BoundCard& card) {
+void symmetry(DeckContext& c, const CheckedCard& card) {
   model::MirrorPlane plane;
-  plane.axis = card.word("NORMAL").front() - 'X';
-  plane.above = card.is("KEEP", "ABOVE");
+  plane.axis = card.word_value("NORMAL").front() - 'X';
+  plane.above = card.has_word("KEEP", "ABOVE");
   plane.span = card.span;
   const base::SourceSpan at = card.find("NORMAL")->span;
   if (plane.axis == 2 && c.known_plane()) {
@@ -113,15 +114,16 @@ void symmetry(Context& c, const BoundCard& card) {
   if (std::ranges::any_of(c.model.mirrors, [&](const model::MirrorPlane& other) {
         return other.axis == plane.axis;
       })) {
-    c.error(at, "E302", fmt::format("a second $SYMMETRY with NORMAL={}", card.word("NORMAL")));
+    c.error(at, "E302",
+            fmt::format("a second $SYMMETRY with NORMAL={}", card.word_value("NORMAL")));
   }
   c.model.mirrors.push_back(plane);
 }
 
 } // namespace
 
-void build_properties(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_properties(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "MATERIAL" && !card.bad) {
       material(context, card);
     }
@@ -129,7 +131,7 @@ void build_properties(Context& context) {
   for (const mesh::ImportedPhysics& physics : context.imported) {
     mesh::append_physics(context.model, physics);
   }
-  for (const BoundCard& card : context.cards) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "PROPERTY" && !card.bad) {
       property(context, card);
     } else if (card.spec->name == "FREEDOM") {

@@ -16,18 +16,18 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 // What an $OUTPUT line may ask for, and of what.
 struct Request {
   std::string_view word;
-  Kind kind;
+  EntityKind kind;
 };
-constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
-                                           {"S", Kind::any_set},
-                                           {"CPRESS", Kind::contact},
-                                           {"K", Kind::crack},
-                                           {"REACTION", Kind::any_set}}};
+constexpr std::array<Request, 5> requests{{{"U", EntityKind::any_set},
+                                           {"S", EntityKind::any_set},
+                                           {"CPRESS", EntityKind::contact},
+                                           {"K", EntityKind::crack},
+                                           {"REACTION", EntityKind::any_set}}};
 
 // Files of every run folder or sweep; none is given away.
 constexpr std::array<std::string_view, 16> own_files{
@@ -40,7 +40,7 @@ constexpr std::array<std::string_view, 16> own_files{
 
 // Why a file in the run folder cannot have this name, which is that of FILE without its folders;
 // empty: it can.
-std::string why_not(const Context& c, const model::Output& output, const std::string& name) {
+std::string why_not(const DeckContext& c, const model::Output& output, const std::string& name) {
   const std::string named = name == output.file ? fmt::format("'{}'", name)
                                                 : fmt::format("'{}' ('{}')", name, output.file);
   const bool control = std::any_of(name.begin(), name.end(), [](char letter) {
@@ -67,12 +67,12 @@ std::string why_not(const Context& c, const model::Output& output, const std::st
   return twice ? fmt::format("{} is written by another $OUTPUT already", named) : std::string();
 }
 
-void output(Context& c, const BoundCard& card) {
+void output(DeckContext& c, const CheckedCard& card) {
   model::Output output;
-  output.file = card.word("FILE");
-  output.format = card.is("FORMAT", "VTU")   ? model::OutputFormat::vtu
-                  : card.is("FORMAT", "CSV") ? model::OutputFormat::csv
-                                             : model::OutputFormat::json;
+  output.file = card.word_value("FILE");
+  output.format = card.has_word("FORMAT", "VTU")   ? model::OutputFormat::vtu
+                  : card.has_word("FORMAT", "CSV") ? model::OutputFormat::csv
+                                                   : model::OutputFormat::json;
   const std::string name =
       std::filesystem::path(output.file).lexically_normal().filename().string();
   const std::string why = card.bad ? std::string() : why_not(c, output, name);
@@ -82,13 +82,14 @@ void output(Context& c, const BoundCard& card) {
   } else {
     output.file = name;
   }
-  output.every = card.is("EVERY", "STEP")        ? model::OutputEvery::step
-                 : card.is("EVERY", "INCREMENT") ? model::OutputEvery::increment
-                                                 : model::OutputEvery::end;
+  output.every = card.has_word("EVERY", "STEP")        ? model::OutputEvery::step
+                 : card.has_word("EVERY", "INCREMENT") ? model::OutputEvery::increment
+                                                       : model::OutputEvery::end;
   output.span = card.span;
-  for (const grammar::Row& row : card.rows) {
+  for (const grammar::DataRow& row : card.rows) {
     const auto* const it = std::find_if(requests.begin(), requests.end(), [&](const Request& r) {
-      return row.fields.front().kind == Field::Kind::name && r.word == row.fields.front().text;
+      return row.fields.front().kind == CardField::CardFieldKind::name &&
+             r.word == row.fields.front().text;
     });
     if (it == requests.end()) {
       c.error(row.fields.front().span, "E115",
@@ -96,18 +97,18 @@ void output(Context& c, const BoundCard& card) {
               std::string(card.spec->data_form));
       continue;
     }
-    if (row.fields.size() != 2 || row.fields[1].kind != Field::Kind::name) {
+    if (row.fields.size() != 2 || row.fields[1].kind != CardField::CardFieldKind::name) {
       c.error(row.span, "E115",
-              fmt::format("a line is {} {}", it->word, grammar::word_of(it->kind)));
+              fmt::format("a line is {} {}", it->word, grammar::display_name(it->kind)));
       continue;
     }
-    const bool set = it->kind == Kind::any_set;
-    const Reference reference{row.fields[1].text, row.fields[1].span, card.net};
-    if (set                         ? kind_of_set(c, it->kind, reference).has_value()
-        : it->kind == Kind::contact ? look_up_pair(c, reference)
-                                    : look_up(c, it->kind, reference) != nullptr) {
+    const bool set = it->kind == EntityKind::any_set;
+    const NameReference reference{row.fields[1].text, row.fields[1].span, card.net};
+    if (set                               ? resolve_set_kind(c, it->kind, reference).has_value()
+        : it->kind == EntityKind::contact ? check_contact_reference(c, reference)
+                                          : look_up(c, it->kind, reference) != nullptr) {
       const std::string own = qualify(card.net, reference.name);
-      const bool inside = set && c.names.find(meanings(it->kind), own, {}) != nullptr;
+      const bool inside = set && c.names.find(accepted_kinds(it->kind), own, {}) != nullptr;
       output.requests.push_back({std::string(it->word), inside ? own : reference.name, row.span});
     }
   }
@@ -116,33 +117,33 @@ void output(Context& c, const BoundCard& card) {
   }
 }
 
-void control(Context& c, const BoundCard& card) {
-  c.model.control.max_iterations = card.integer("MAXITER");
-  c.model.control.tolerance = card.number("TOL");
-  c.model.control.threads = card.integer("THREADS");
+void control(DeckContext& c, const CheckedCard& card) {
+  c.model.control.max_iterations = card.integer_value("MAXITER");
+  c.model.control.tolerance = card.number_value("TOL");
+  c.model.control.threads = card.integer_value("THREADS");
 }
 
-void restart(Context& c, const BoundCard& card) {
+void restart(DeckContext& c, const CheckedCard& card) {
   model::RestartFiles restart;
-  restart.read = card.word("READ");
-  if (card.has("AT")) {
-    restart.at = card.integer("AT");
+  restart.read = card.word_value("READ");
+  if (card.has_key("AT")) {
+    restart.at = card.integer_value("AT");
   }
-  restart.write = card.word("WRITE");
-  restart.every = card.integer("EVERY");
+  restart.write = card.word_value("WRITE");
+  restart.every = card.integer_value("EVERY");
   restart.span = card.span;
   for (const std::string_view key : {"READ", "WRITE"}) {
-    if (card.has(key) && card.word(key).empty()) {
+    if (card.has_key(key) && card.word_value(key).empty()) {
       c.error(card.find(key)->span, "E108", fmt::format("{}: the name of the file is empty", key));
     }
   }
-  if (!card.has("READ") && !card.has("WRITE")) {
+  if (!card.has_key("READ") && !card.has_key("WRITE")) {
     c.error(card.span, "E106", "$RESTART needs READ or WRITE", "WRITE='file.rst' keeps states");
   }
-  const bool swept = std::any_of(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
+  const bool swept = std::any_of(c.cards.begin(), c.cards.end(), [](const CheckedCard& other) {
     return other.spec->name == "SWEEP";
   });
-  if (swept && card.has("READ")) {
+  if (swept && card.has_key("READ")) {
     c.error(card.find("READ")->span, "E110", "READ and $SWEEP exclude each other",
             "each point keeps its own state; run --restart goes on with it");
   }
@@ -150,10 +151,10 @@ void restart(Context& c, const BoundCard& card) {
 }
 
 // What a $TASK leaves out although cards ask for it: the chain is not cut short in this version.
-void left_out(Context& c, const BoundCard& card) {
+void left_out(DeckContext& c, const CheckedCard& card) {
   const auto has_card = [&](std::string_view name) {
     return std::any_of(c.cards.begin(), c.cards.end(),
-                       [&](const BoundCard& other) { return other.spec->name == name; });
+                       [&](const CheckedCard& other) { return other.spec->name == name; });
   };
   struct Need {
     std::string_view processor, card;
@@ -163,19 +164,19 @@ void left_out(Context& c, const BoundCard& card) {
     const std::vector<std::string>& tasks = c.model.tasks;
     if (has_card(need.card) &&
         std::find(tasks.begin(), tasks.end(), need.processor) == tasks.end()) {
-      c.unavailable(fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card),
-                    card.span);
+      c.mark_unavailable(
+          fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card), card.span);
     }
   }
 }
 
-void task(Context& c, const BoundCard& card) {
+void task(DeckContext& c, const CheckedCard& card) {
   const std::vector<std::string> valid = grammar::split_words(card.spec->data_form);
   std::size_t last = 0;
-  for (const grammar::Row& row : card.rows) {
-    for (const Field& field : row.fields) {
+  for (const grammar::DataRow& row : card.rows) {
+    for (const CardField& field : row.fields) {
       const auto it = std::find(valid.begin(), valid.end(), field.text);
-      if (field.kind != Field::Kind::name || it == valid.end()) {
+      if (field.kind != CardField::CardFieldKind::name || it == valid.end()) {
         c.error(field.span, "E108",
                 fmt::format("'{}' is not a processor", c.sources.text(field.span)),
                 base::suggest_spelling(field.text, valid));
@@ -194,8 +195,8 @@ void task(Context& c, const BoundCard& card) {
 }
 
 // The parameter's name as the deck defines it. Empty after an error.
-std::string swept_parameter(Context& c, const BoundCard& card, std::string_view key) {
-  const std::string name(card.word(key));
+std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string_view key) {
+  const std::string name(card.word_value(key));
   const base::SourceSpan span = card.find(key)->span;
   const auto known = std::find_if(c.parameters.begin(), c.parameters.end(), [&](const auto& p) {
     return grammar::to_upper(p.first) == name;
@@ -221,7 +222,7 @@ std::string swept_parameter(Context& c, const BoundCard& card, std::string_view 
   const bool before =
       std::any_of(c.model.sweeps.begin(), c.model.sweeps.end(),
                   [&](const model::ParameterSweep& s) { return swept(s.parameters); });
-  const bool with_itself = key == "WITH" && card.word("PARAMETER") == name;
+  const bool with_itself = key == "WITH" && card.word_value("PARAMETER") == name;
   if (before || with_itself) {
     c.error(span, "E391", fmt::format("parameter {} is swept twice", known->first));
   }
@@ -229,35 +230,36 @@ std::string swept_parameter(Context& c, const BoundCard& card, std::string_view 
 }
 
 // A parameter's value may have any unit.
-std::optional<double> sweep_value(Context& c, const Field& field, const std::string& name) {
-  if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
-    return number_of(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
+std::optional<double> sweep_value(DeckContext& c, const CardField& field, const std::string& name) {
+  if (field.kind != CardField::CardFieldKind::number &&
+      field.kind != CardField::CardFieldKind::expression) {
+    return read_field_number(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
   }
   const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);
   const auto unit = c.scope.units_of.find(grammar::to_upper(name));
   if (value && unit != c.scope.units_of.end() && !grammar::has_unit(field.expression, c.scope) &&
       is_foreign(c, unit->second)) {
-    warn_of_lost_unit(c, field.span, name, *value, unit->second);
+    warn_of_missing_unit(c, field.span, name, *value, unit->second);
   }
   return value;
 }
 
-void sweep(Context& c, const BoundCard& card) {
+void sweep(DeckContext& c, const CheckedCard& card) {
   model::ParameterSweep sweep;
   sweep.span = card.span;
   for (const std::string_view key : {"PARAMETER", "WITH"}) {
-    if (card.has(key)) {
+    if (card.has_key(key)) {
       sweep.parameters.push_back(swept_parameter(c, card, key));
     }
   }
   const std::size_t columns = sweep.parameters.size();
-  for (const grammar::Row& row : card.rows) {
+  for (const grammar::DataRow& row : card.rows) {
     if (row.fields.size() % columns != 0) {
       c.error(row.span, "E115", "WITH takes values in pairs");
       continue;
     }
     std::vector<double> point;
-    for (const Field& field : row.fields) {
+    for (const CardField& field : row.fields) {
       point.push_back(sweep_value(c, field, sweep.parameters[point.size()]).value_or(0.0));
       if (point.size() == columns) {
         sweep.values.push_back(std::move(point));
@@ -269,7 +271,7 @@ void sweep(Context& c, const BoundCard& card) {
 }
 
 // Several cards multiply: said before the points are put together.
-void limit_sweeps(Context& c) {
+void limit_sweeps(DeckContext& c) {
   constexpr double most = 1e5;
   double points = 1.0;
   for (const model::ParameterSweep& sweep : c.model.sweeps) {
@@ -286,8 +288,8 @@ void limit_sweeps(Context& c) {
 
 } // namespace
 
-void build_requests(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_requests(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "OUTPUT") {
       output(context, card);
     } else if (card.bad) {

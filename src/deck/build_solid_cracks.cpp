@@ -19,19 +19,19 @@ using base::Vec3;
 constexpr double off_plane = 1e-6; // of the front's extent: a front lies in one plane
 constexpr double parallel = 1e-9;  // sine of the angle of two directions that are one
 
-Vec3 point_of(const BoundCard& card, char number) {
+Vec3 point_of(const CheckedCard& card, char number) {
   Vec3 point;
   for (int i = 0; i < 3; ++i) {
-    point[i] = card.number(std::string{"XYZ"[i], number});
+    point[i] = card.number_value(std::string{"XYZ"[i], number});
   }
   return point;
 }
 
 // The normal by NORMAL, or from the centre to X1; Y where the deck says neither, as in the plane z
 // = 0 of most fronts.
-bool ellipse_axes(Context& c, const BoundCard& card, model::PlanarCrack& plane) {
+bool ellipse_axes(DeckContext& c, const CheckedCard& card, model::PlanarCrack& plane) {
   int axis = 1;
-  if (card.has("X1")) {
+  if (card.has_key("X1")) {
     const Vec3 towards = point_of(card, '1') - plane.place;
     if (towards.norm() == 0.0) {
       c.error(card.find("X1")->span, "E109", "the normal's end is the centre itself");
@@ -39,8 +39,8 @@ bool ellipse_axes(Context& c, const BoundCard& card, model::PlanarCrack& plane) 
     }
     plane.normal = towards.normalized();
     plane.normal.cwiseAbs().maxCoeff(&axis);
-  } else if (card.has("NORMAL")) {
-    axis = card.word("NORMAL").front() - 'X';
+  } else if (card.has_key("NORMAL")) {
+    axis = card.word_value("NORMAL").front() - 'X';
     plane.normal = Vec3::Unit(axis);
   } else {
     c.error(card.span, "E106", "an ellipse in space needs NORMAL=X|Y|Z, or X1 Y1 Z1",
@@ -48,7 +48,7 @@ bool ellipse_axes(Context& c, const BoundCard& card, model::PlanarCrack& plane) 
     return false;
   }
   Vec3 towards = Vec3::Unit((axis + 1) % 3);
-  if (card.has("X2")) {
+  if (card.has_key("X2")) {
     towards = point_of(card, '2') - plane.place;
   }
   const Vec3 flat = towards - plane.normal.dot(towards) * plane.normal;
@@ -60,18 +60,18 @@ bool ellipse_axes(Context& c, const BoundCard& card, model::PlanarCrack& plane) 
   return true;
 }
 
-void ellipse(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+void ellipse(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::ellipse;
   crack.plane.place = point_of(card, '0');
-  crack.plane.a = card.number("A");
-  crack.plane.c = card.optional("C").value_or(crack.plane.a);
+  crack.plane.a = card.number_value("A");
+  crack.plane.c = card.optional_number("C").value_or(crack.plane.a);
   ellipse_axes(c, card, crack.plane);
   if (!card.rows.empty()) {
     c.error(card.rows.front().span, "E110", "points mean nothing with A, an ellipse");
   }
 }
 
-std::optional<Vec3> row_point(Context& c, const grammar::Row& row) {
+std::optional<Vec3> row_point(DeckContext& c, const grammar::DataRow& row) {
   if (row.fields.size() != 3) {
     c.error(row.span, "E115", "a point of a front in space is x y z");
     return std::nullopt;
@@ -79,17 +79,17 @@ std::optional<Vec3> row_point(Context& c, const grammar::Row& row) {
   Vec3 point;
   bool ok = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto x =
-        number_of(row.fields[i], grammar::Quantity::length, "a coordinate", c.scope, c.diagnostics);
+    const auto x = read_field_number(row.fields[i], grammar::Quantity::length, "a coordinate",
+                                     c.scope, c.diagnostics);
     point[static_cast<Eigen::Index>(i)] = x.value_or(0.0);
     ok = ok && x.has_value();
   }
   return ok ? std::optional(point) : std::nullopt;
 }
 
-bool front_points(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+bool front_points(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   bool ok = !card.rows_bad;
-  for (const grammar::Row& row : card.rows) {
+  for (const grammar::DataRow& row : card.rows) {
     const std::optional<Vec3> point = row_point(c, row);
     ok = ok && point.has_value();
     if (!point) {
@@ -106,9 +106,9 @@ bool front_points(Context& c, const BoundCard& card, model::CrackDefinition& cra
 
 // The plane through all points (and the one within the crack of an open front), its normal with the
 // largest component positive.
-bool front_plane(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+bool front_plane(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   std::vector<Vec3> all = crack.points;
-  if (card.has("X0")) {
+  if (card.has_key("X0")) {
     all.push_back(crack.plane.place);
   }
   Vec3 centre = Vec3::Zero();
@@ -148,8 +148,8 @@ bool front_plane(Context& c, const BoundCard& card, model::CrackDefinition& crac
 }
 
 // All of X0, Y0, Z0 or none.
-bool has_whole_place(Context& c, const BoundCard& card) {
-  const std::array<bool, 3> given{card.has("X0"), card.has("Y0"), card.has("Z0")};
+bool has_whole_place(DeckContext& c, const CheckedCard& card) {
+  const std::array<bool, 3> given{card.has_key("X0"), card.has_key("Y0"), card.has_key("Z0")};
   const auto count = std::ranges::count(given, true);
   if (count != 0 && count != 3) {
     c.error(card.span, "E106", "a point within the crack has X0, Y0 and Z0");
@@ -157,11 +157,11 @@ bool has_whole_place(Context& c, const BoundCard& card) {
   return count == 0 || count == 3;
 }
 
-void drawn_front(Context& c, const BoundCard& card, model::CrackDefinition& crack) {
+void drawn_front(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::drawn;
-  crack.plane.closed = card.is("CLOSED", "YES");
+  crack.plane.closed = card.has_word("CLOSED", "YES");
   for (const char* key : {"X1", "X2"}) {
-    if (card.has(key)) {
+    if (card.has_key(key)) {
       c.error(card.find(key)->span, "E110",
               fmt::format("{} means nothing without A, an ellipse", key));
     }
@@ -175,11 +175,11 @@ void drawn_front(Context& c, const BoundCard& card, model::CrackDefinition& crac
     c.error(card.span, "E115",
             fmt::format("{} front has at least {} points",
                         crack.plane.closed ? "a closed" : "an open", least));
-  } else if (sound && !crack.plane.closed && !card.has("X0")) {
+  } else if (sound && !crack.plane.closed && !card.has_key("X0")) {
     c.error(card.span, "E106", "an open front needs X0 Y0 Z0: a point within the crack",
             "or CLOSED=YES where the last point joins the first");
   } else if (sound) {
-    if (card.has("X0")) {
+    if (card.has_key("X0")) {
       crack.plane.place = point_of(card, '0');
     }
     front_plane(c, card, crack);
@@ -188,8 +188,9 @@ void drawn_front(Context& c, const BoundCard& card, model::CrackDefinition& crac
 
 } // namespace
 
-void solid_crack(Context& context, const BoundCard& card, model::CrackDefinition& crack) {
-  if (card.has("A")) {
+void read_solid_crack(DeckContext& context, const CheckedCard& card,
+                      model::CrackDefinition& crack) {
+  if (card.has_key("A")) {
     ellipse(context, card, crack);
   } else {
     drawn_front(context, card, crack);

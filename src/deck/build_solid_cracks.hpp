@@ -7,6 +7,6 @@ namespace spricka::deck {
 
 /// Reads the keys and data lines of a crack in space into it: an ellipse with A, or a front drawn
 /// by its points. Mistakes are reported.
-void solid_crack(Context& context, const BoundCard& card, model::CrackDefinition& crack);
+void read_solid_crack(DeckContext& context, const CheckedCard& card, model::CrackDefinition& crack);
 
 } // namespace spricka::deck

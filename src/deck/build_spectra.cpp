@@ -12,30 +12,31 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 constexpr double same_place = 1e-9; // of a load path's length, as its own rows are rounded
 
 class SpectrumReader {
 public:
-  SpectrumReader(Context& c, const BoundCard& card) : c_(c), card_(card) {}
+  SpectrumReader(DeckContext& c, const CheckedCard& card) : c_(c), card_(card) {}
 
   void read() {
-    spectrum_.name = card_.word("NAME");
-    spectrum_.sequence = card_.is("TYPE", "SEQUENCE");
+    spectrum_.name = card_.word_value("NAME");
+    spectrum_.sequence = card_.has_word("TYPE", "SEQUENCE");
     spectrum_.span = card_.span;
-    const Definition* path = look_up(c_, Kind::path, card_.reference("PATH"));
+    const NameDefinition* path = look_up(c_, EntityKind::path, card_.name_reference("PATH"));
     if (path != nullptr && path->index < c_.model.load_paths.size()) {
       spectrum_.path = path->index;
       last_ = c_.model.load_paths[path->index].beyond;
     }
-    if (card_.has("FILE")) {
+    if (card_.has_key("FILE")) {
       from_file();
     } else {
       from_rows();
     }
     if (good_ && !card_.rows_bad && !off_path_ && !has_cycle()) {
-      c_.error(card_.span, "E325", fmt::format("spectrum {} has no cycle", card_.word("NAME")),
+      c_.error(card_.span, "E325",
+               fmt::format("spectrum {} has no cycle", card_.word_value("NAME")),
                spectrum_.sequence ? "a sequence has two or more different turning points"
                                   : "a line of TYPE=BLOCKS is low high count");
     }
@@ -44,12 +45,12 @@ public:
 
 private:
   void from_rows() {
-    for (const grammar::Row& row : card_.rows) {
+    for (const grammar::DataRow& row : card_.rows) {
       NumberLine line;
       line.span = row.span;
-      for (const Field& field : row.fields) {
-        const auto number = number_of(field, grammar::Quantity::number, "a place t on the path",
-                                      c_.scope, c_.diagnostics);
+      for (const CardField& field : row.fields) {
+        const auto number = read_field_number(field, grammar::Quantity::number,
+                                              "a place t on the path", c_.scope, c_.diagnostics);
         good_ = good_ && number.has_value();
         line.numbers.push_back(number.value_or(0.0));
       }
@@ -142,18 +143,18 @@ private:
   }
 
   [[nodiscard]] double place(double t) const {
-    return std::clamp(t * card_.number("FACTOR"), 0.0, last_);
+    return std::clamp(t * card_.number_value("FACTOR"), 0.0, last_);
   }
 
   bool on_path(const NumberLine& line, double t) {
-    const double at = t * card_.number("FACTOR");
+    const double at = t * card_.number_value("FACTOR");
     if (at >= -same_place * last_ && at <= last_ * (1.0 + same_place)) {
       return true;
     }
     off_path_ = true;
     wrong(line, "E325",
           fmt::format("t = {:.6g} lies beyond load path {}, 0 to {:.6g}", at,
-                      card_.reference("PATH").name, last_),
+                      card_.name_reference("PATH").name, last_),
           hint_beyond(at));
     return false;
   }
@@ -181,8 +182,8 @@ private:
     return !spectrum_.cycles.empty() || (!spectrum_.turning_points.empty() && *low < *high);
   }
 
-  Context& c_;
-  const BoundCard& card_;
+  DeckContext& c_;
+  const CheckedCard& card_;
   model::SpectrumDefinition spectrum_;
   double last_ = 1.0; ///< t at the end of the path
   bool good_ = true;
@@ -192,8 +193,8 @@ private:
 
 } // namespace
 
-void build_spectra(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_spectra(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "SPECTRUM" && !card.bad) {
       SpectrumReader(context, card).read();
     }

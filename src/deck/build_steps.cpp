@@ -13,13 +13,13 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 const std::vector<std::string> k_actions{"LOAD", "FIT", "MOUNT", "DISMOUNT"};
 
 // A second LOAD of a case, FIT of a contact .. in one step: the deck means something else.
-bool says_twice(Context& c, const grammar::Row& row, const model::Step& step, std::string_view verb,
-                std::size_t index) {
+bool says_twice(DeckContext& c, const grammar::DataRow& row, const model::Step& step,
+                std::string_view verb, std::size_t index) {
   const auto same = [&](const model::Action& action) {
     if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
       return verb == "LOAD" && load->load_case.index() == index;
@@ -43,21 +43,22 @@ bool says_twice(Context& c, const grammar::Row& row, const model::Step& step, st
 }
 
 // The name and factor behind LOAD and FIT, the name behind MOUNT and DISMOUNT.
-void action(Context& c, const grammar::Row& row, model::Step& step) {
-  const Field& verb = row.fields.front();
+void action(DeckContext& c, const grammar::DataRow& row, model::Step& step) {
+  const CardField& verb = row.fields.front();
   const bool loads = verb.text == "LOAD";
   const bool factored = loads || verb.text == "FIT";
   const std::size_t wanted = factored ? 3 : 2;
-  if (row.fields.size() != wanted || row.fields[1].kind != Field::Kind::name) {
+  if (row.fields.size() != wanted || row.fields[1].kind != CardField::CardFieldKind::name) {
     c.error(row.span, "E115",
             fmt::format("a line is {} {}{}", verb.text, loads ? "case" : "contact",
                         factored ? " factor" : ""));
     return;
   }
-  const Reference reference{row.fields[1].text, row.fields[1].span, {}};
-  const Definition* found = look_up(c, loads ? Kind::load_case : Kind::contact, reference);
-  const auto factor = factored ? number_of(row.fields[2], grammar::Quantity::number, "a factor",
-                                           c.scope, c.diagnostics)
+  const NameReference reference{row.fields[1].text, row.fields[1].span, {}};
+  const NameDefinition* found =
+      look_up(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
+  const auto factor = factored ? read_field_number(row.fields[2], grammar::Quantity::number,
+                                                   "a factor", c.scope, c.diagnostics)
                                : std::optional(1.0);
   if (found == nullptr || !factor) {
     return;
@@ -76,14 +77,14 @@ void action(Context& c, const grammar::Row& row, model::Step& step) {
   }
 }
 
-void step(Context& c, const BoundCard& card) {
+void step(DeckContext& c, const CheckedCard& card) {
   model::Step step;
-  step.name = card.word("NAME");
-  step.substeps = card.has("SUBSTEPS") ? card.integer("SUBSTEPS") : 0;
+  step.name = card.word_value("NAME");
+  step.substeps = card.has_key("SUBSTEPS") ? card.integer_value("SUBSTEPS") : 0;
   step.span = card.span;
-  for (const grammar::Row& row : card.rows) {
-    const Field& verb = row.fields.front();
-    const bool known = verb.kind == Field::Kind::name &&
+  for (const grammar::DataRow& row : card.rows) {
+    const CardField& verb = row.fields.front();
+    const bool known = verb.kind == CardField::CardFieldKind::name &&
                        std::find(k_actions.begin(), k_actions.end(), verb.text) != k_actions.end();
     if (known) {
       action(c, row, step);
@@ -113,20 +114,20 @@ model::CrackGrowthLaw law_of(std::string_view word) {
   return model::CrackGrowthLaw::increment;
 }
 
-base::StepId step_id(Context& c, const BoundCard& card, std::string_view key) {
-  if (!card.has(key)) {
+base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view key) {
+  if (!card.has_key(key)) {
     return {};
   }
-  const Definition* found = look_up(c, Kind::step, card.reference(key));
+  const NameDefinition* found = look_up(c, EntityKind::step, card.name_reference(key));
   return found == nullptr ? base::StepId() : base::StepId(found->index);
 }
 
 // The crack lengths of LAW=INCREMENT, ascending.
-void lengths(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) {
-  for (const grammar::Row& row : card.rows) {
-    for (const Field& field : row.fields) {
-      const auto a =
-          number_of(field, grammar::Quantity::length, "a crack length", c.scope, c.diagnostics);
+void lengths(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
+  for (const grammar::DataRow& row : card.rows) {
+    for (const CardField& field : row.fields) {
+      const auto a = read_field_number(field, grammar::Quantity::length, "a crack length", c.scope,
+                                       c.diagnostics);
       if (!a) {
         continue;
       }
@@ -147,16 +148,16 @@ void lengths(Context& c, const BoundCard& card, model::CrackGrowthSettings& grow
 }
 
 // The lines `delta_K da/dN` of LAW=TABLE, in KUNIT and AUNIT.
-void law_table(Context& c, const BoundCard& card, model::GrowthLawConstants& constants) {
-  for (const grammar::Row& row : card.rows) {
+void law_table(DeckContext& c, const CheckedCard& card, model::GrowthLawConstants& constants) {
+  for (const grammar::DataRow& row : card.rows) {
     if (row.fields.size() != 2) {
       c.error(row.span, "E115", "a line of LAW=TABLE is delta_K da/dN");
       continue;
     }
-    const auto k =
-        number_of(row.fields[0], grammar::Quantity::number, "a range of K", c.scope, c.diagnostics);
-    const auto rate = number_of(row.fields[1], grammar::Quantity::number, "a growth per cycle",
-                                c.scope, c.diagnostics);
+    const auto k = read_field_number(row.fields[0], grammar::Quantity::number, "a range of K",
+                                     c.scope, c.diagnostics);
+    const auto rate = read_field_number(row.fields[1], grammar::Quantity::number,
+                                        "a growth per cycle", c.scope, c.diagnostics);
     if (!k || !rate) {
       continue;
     }
@@ -175,43 +176,44 @@ void law_table(Context& c, const BoundCard& card, model::GrowthLawConstants& con
 }
 
 // One unit of KUNIT or AUNIT in deck units.
-double law_unit(const Context& c, const BoundCard& card, std::string_view key) {
-  const auto unit = base::parse_unit(card.word(key));
-  return card.has(key) && unit ? base::to_deck_factor(*unit, c.scope.units) : 1.0;
+double law_unit(const DeckContext& c, const CheckedCard& card, std::string_view key) {
+  const auto unit = base::parse_unit(card.word_value(key));
+  return card.has_key(key) && unit ? base::to_deck_factor(*unit, c.scope.units) : 1.0;
 }
 
 // A K of the law in deck units: a number alone counts in KUNIT, as C does.
-double law_intensity(const BoundCard& card, std::string_view key, double k_unit) {
-  const BoundValue* value = card.find(key);
+double law_intensity(const CheckedCard& card, std::string_view key, double k_unit) {
+  const CheckedValue* value = card.find(key);
   return value->with_unit ? value->number : value->number * k_unit;
 }
 
-void law_constants(const Context& c, const BoundCard& card, model::GrowthLawConstants& constants) {
-  constants.C = card.number("C");
-  constants.m = card.number("M");
-  constants.p = card.number("P");
-  constants.q = card.number("Q");
-  constants.alpha = card.number("ALPHA");
-  constants.stress_ratio = card.number("SMAX");
+void law_constants(const DeckContext& c, const CheckedCard& card,
+                   model::GrowthLawConstants& constants) {
+  constants.C = card.number_value("C");
+  constants.m = card.number_value("M");
+  constants.p = card.number_value("P");
+  constants.q = card.number_value("Q");
+  constants.alpha = card.number_value("ALPHA");
+  constants.stress_ratio = card.number_value("SMAX");
   constants.k_unit = law_unit(c, card, "KUNIT");
   constants.a_unit = law_unit(c, card, "AUNIT");
   constants.threshold = law_intensity(card, "DKTH", constants.k_unit);
-  if (card.has("KC")) {
+  if (card.has_key("KC")) {
     constants.k_c = law_intensity(card, "KC", constants.k_unit);
   }
 }
 
 // What ends the growth by a law, and how well it is followed.
-void stops(const BoundCard& card, double tolerance, model::CrackGrowthSettings& growth) {
-  growth.largest_advance = card.optional("DA");
-  growth.last_length = card.optional("AMAX");
-  growth.cycles = card.optional("CYCLES");
-  growth.tolerance = card.optional("TOL").value_or(tolerance);
-  growth.flow_stress = card.optional("SFLOW");
-  growth.corrected = card.is("CORRECT", "YES");
+void stops(const CheckedCard& card, double tolerance, model::CrackGrowthSettings& growth) {
+  growth.largest_advance = card.optional_number("DA");
+  growth.last_length = card.optional_number("AMAX");
+  growth.cycles = card.optional_number("CYCLES");
+  growth.tolerance = card.optional_number("TOL").value_or(tolerance);
+  growth.flow_stress = card.optional_number("SFLOW");
+  growth.corrected = card.has_word("CORRECT", "YES");
 }
 
-void law(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) {
+void law(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
   law_constants(c, card, growth.constants);
   if (growth.law == model::CrackGrowthLaw::increment) {
     lengths(c, card, growth);
@@ -219,53 +221,54 @@ void law(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) 
     law_table(c, card, growth.constants);
   } else if (!card.rows.empty()) {
     c.error(card.rows.front().span, "E115",
-            fmt::format("LAW={} takes no data lines", card.word("LAW")));
+            fmt::format("LAW={} takes no data lines", card.word_value("LAW")));
   }
   // K of fronts scatters from mesh to mesh by some thousandths: a life is no better than that.
   stops(card, c.model.mesh.dim == 3 ? 0.02 : 1e-3, growth);
 }
 
 // The loads that a law counts: from step to step, or a spectrum.
-void cycles_of(Context& c, const BoundCard& card, model::CrackGrowthSettings& growth) {
+void cycles_of(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
   growth.kmax = step_id(c, card, "KMAX");
   growth.kmin = step_id(c, card, "KMIN");
   if (growth.kmin.valid() && growth.kmin == growth.kmax) {
     c.error(card.find("KMIN")->span, "E110", "KMAX and KMIN name the same step");
   }
-  if (card.has("SPECTRUM")) {
-    if (const Definition* found = look_up(c, Kind::spectrum, card.reference("SPECTRUM"))) {
+  if (card.has_key("SPECTRUM")) {
+    if (const NameDefinition* found =
+            look_up(c, EntityKind::spectrum, card.name_reference("SPECTRUM"))) {
       growth.spectrum = found->index;
     }
   } else if (growth.law != model::CrackGrowthLaw::increment &&
-             !(card.has("KMAX") && card.has("KMIN"))) {
+             !(card.has_key("KMAX") && card.has_key("KMIN"))) {
     c.error(card.span, "E106",
-            fmt::format("$GROW LAW={} needs KMAX and KMIN, or SPECTRUM", card.word("LAW")),
+            fmt::format("$GROW LAW={} needs KMAX and KMIN, or SPECTRUM", card.word_value("LAW")),
             "the steps with the largest and the smallest K of a cycle, or a load history");
   }
 }
 
-void grow(Context& c, const BoundCard& card) {
+void grow(DeckContext& c, const CheckedCard& card) {
   model::CrackGrowthSettings growth;
-  growth.law = law_of(card.word("LAW"));
-  growth.direction = card.is("DIRECTION", "HOOP")     ? model::GrowthDirection::hoop
-                     : card.is("DIRECTION", "K2ZERO") ? model::GrowthDirection::k2_zero
-                                                      : model::GrowthDirection::path;
-  if (card.has("CRACKS")) {
-    for (const Reference& name : card.find("CRACKS")->names) {
-      if (const Definition* found = look_up(c, Kind::crack, name)) {
+  growth.law = law_of(card.word_value("LAW"));
+  growth.direction = card.has_word("DIRECTION", "HOOP")     ? model::GrowthDirection::hoop
+                     : card.has_word("DIRECTION", "K2ZERO") ? model::GrowthDirection::k2_zero
+                                                            : model::GrowthDirection::path;
+  if (card.has_key("CRACKS")) {
+    for (const NameReference& name : card.find("CRACKS")->names) {
+      if (const NameDefinition* found = look_up(c, EntityKind::crack, name)) {
         growth.cracks.emplace_back(found->index);
       }
     }
   }
-  growth.history = card.is("HISTORY", "CONTINUE") ? model::GrowthHistoryMode::carry_on
-                                                  : model::GrowthHistoryMode::restart;
+  growth.history = card.has_word("HISTORY", "CONTINUE") ? model::GrowthHistoryMode::carry_on
+                                                        : model::GrowthHistoryMode::restart;
   // a part that keeps what it has slipped keeps what it was mounted with
   growth.mounted =
-      card.is("MOUNTED", "FIRST") || growth.history == model::GrowthHistoryMode::carry_on
+      card.has_word("MOUNTED", "FIRST") || growth.history == model::GrowthHistoryMode::carry_on
           ? model::ContactMounting::first
           : model::ContactMounting::each;
-  growth.shape =
-      card.is("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse : model::FrontShapeRule::free;
+  growth.shape = card.has_word("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse
+                                                   : model::FrontShapeRule::free;
   growth.span = card.span;
   cycles_of(c, card, growth);
   law(c, card, growth);
@@ -281,12 +284,12 @@ bool changes_contacts(const model::Step& step) {
 }
 
 // Steps must be complete.
-void load_path(Context& c, const BoundCard& card) {
+void load_path(DeckContext& c, const CheckedCard& card) {
   model::LoadPathDefinition path;
-  path.name = card.word("NAME");
+  path.name = card.word_value("NAME");
   path.from = step_id(c, card, "FROM");
   path.to = step_id(c, card, "TO");
-  path.beyond = card.number("BEYOND");
+  path.beyond = card.number_value("BEYOND");
   path.span = card.span;
   const std::vector<model::Step>& steps = c.model.steps;
   const bool known = path.from.valid() && path.to.valid() && path.from.index() < steps.size() &&
@@ -323,7 +326,7 @@ std::string what_rubs(const model::Model& model) {
 }
 
 // With friction there is no map over a path; only a growth can follow its loads, as they come.
-void paths_with_friction(Context& c) {
+void paths_with_friction(DeckContext& c) {
   const std::string rubs = what_rubs(c.model);
   const std::optional<model::CrackGrowthSettings>& growth = c.model.growth;
   const bool spectrum = growth && growth->spectrum && *growth->spectrum < c.model.spectra.size();
@@ -352,15 +355,15 @@ void paths_with_friction(Context& c) {
 
 } // namespace
 
-void build_steps(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_steps(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "STEP") {
       step(context, card);
     } else if (card.spec->name == "GROW" && !card.bad) {
       grow(context, card);
     }
   }
-  for (const BoundCard& card : context.cards) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "LOADPATH" && !card.bad) {
       load_path(context, card);
     }

@@ -12,10 +12,10 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 /// Numbers of a line and the place for messages about it.
-struct Reading {
+struct DeckTestReading {
   double first = 0.0, second = 0.0;
   std::optional<double> third = {};
   base::SourceSpan span;
@@ -38,21 +38,22 @@ std::size_t fewest_readings(const model::GrowthTestReadings& test) {
 
 class TestReader {
 public:
-  TestReader(Context& c, const BoundCard& card) : c_(c), card_(card) {}
+  TestReader(DeckContext& c, const CheckedCard& card) : c_(c), card_(card) {}
 
   void read() {
-    test_.name = card_.word("NAME");
-    test_.method = card_.is("METHOD", "SECANT")   ? model::TestRateMethod::secant
-                   : card_.is("METHOD", "E647")   ? model::TestRateMethod::e647
-                   : card_.is("METHOD", "SPLINE") ? model::TestRateMethod::spline
-                                                  : model::TestRateMethod::polynomial;
-    test_.window = card_.integer("POINTS");
-    test_.ratio = card_.optional("RATIO");
+    test_.name = card_.word_value("NAME");
+    test_.method = card_.has_word("METHOD", "SECANT")   ? model::TestRateMethod::secant
+                   : card_.has_word("METHOD", "E647")   ? model::TestRateMethod::e647
+                   : card_.has_word("METHOD", "SPLINE") ? model::TestRateMethod::spline
+                                                        : model::TestRateMethod::polynomial;
+    test_.window = card_.integer_value("POINTS");
+    test_.ratio = card_.optional_number("RATIO");
     test_.k_unit = unit("KUNIT");
     test_.a_unit = unit("AUNIT");
-    test_.on_c = card_.is("AXIS", "C");
+    test_.on_c = card_.has_word("AXIS", "C");
     test_.span = card_.span;
-    if (const Definition* crack = look_up(c_, Kind::crack, card_.reference("CRACK"))) {
+    if (const NameDefinition* crack =
+            look_up(c_, EntityKind::crack, card_.name_reference("CRACK"))) {
       test_.crack = base::CrackId(crack->index);
     }
     if (test_.window % 2 == 0) {
@@ -61,8 +62,8 @@ public:
                         test_.window));
     }
     rows();
-    file("FILE", most_lengths() + 1, [this](const Reading& line) { reading(line); });
-    file("REFERENCE", 2, [this](const Reading& pair) { rate(pair); });
+    file("FILE", most_lengths() + 1, [this](const DeckTestReading& line) { reading(line); });
+    file("REFERENCE", 2, [this](const DeckTestReading& pair) { rate(pair); });
     if (good_ && !card_.rows_bad) {
       look_at_the_whole();
     }
@@ -71,17 +72,17 @@ public:
 
 private:
   double unit(std::string_view key) {
-    const auto parsed = base::parse_unit(card_.word(key));
-    return card_.has(key) && parsed ? base::to_deck_factor(*parsed, c_.scope.units) : 1.0;
+    const auto parsed = base::parse_unit(card_.word_value(key));
+    return card_.has_key(key) && parsed ? base::to_deck_factor(*parsed, c_.scope.units) : 1.0;
   }
 
   // A crack in space has two half axes that can be read.
   [[nodiscard]] std::size_t most_lengths() const { return c_.known_plane() ? 1 : 2; }
 
   void rows() {
-    for (const grammar::Row& row : card_.rows) {
-      const bool of_reference =
-          row.fields.front().kind == Field::Kind::name && row.fields.front().text == "RATE";
+    for (const grammar::DataRow& row : card_.rows) {
+      const bool of_reference = row.fields.front().kind == CardField::CardFieldKind::name &&
+                                row.fields.front().text == "RATE";
       const std::string_view other = of_reference ? "REFERENCE" : "FILE";
       const std::size_t first = of_reference ? 1 : 0;
       const std::size_t count = row.fields.size() - first;
@@ -92,32 +93,33 @@ private:
                           most_lengths() > 1 ? " [c]" : ""));
         continue;
       }
-      if (card_.has(other)) {
+      if (card_.has_key(other)) {
         wrong({.span = row.span, .where = {}}, "E115",
               fmt::format("with {} there are no such data lines", other));
         return;
       }
-      const auto x =
-          number_of(row.fields[first], grammar::Quantity::number,
-                    of_reference ? "a range of K" : "a number of cycles", c_.scope, c_.diagnostics);
-      const auto y = number_of(row.fields[first + 1],
-                               of_reference ? grammar::Quantity::number : grammar::Quantity::length,
-                               of_reference ? "a growth per cycle" : "a crack length", c_.scope,
-                               c_.diagnostics);
-      const auto third = count < 3 ? std::optional<double>()
-                                   : number_of(row.fields[first + 2], grammar::Quantity::length,
-                                               "a half axis", c_.scope, c_.diagnostics);
+      const auto x = read_field_number(row.fields[first], grammar::Quantity::number,
+                                       of_reference ? "a range of K" : "a number of cycles",
+                                       c_.scope, c_.diagnostics);
+      const auto y = read_field_number(
+          row.fields[first + 1],
+          of_reference ? grammar::Quantity::number : grammar::Quantity::length,
+          of_reference ? "a growth per cycle" : "a crack length", c_.scope, c_.diagnostics);
+      const auto third = count < 3
+                             ? std::optional<double>()
+                             : read_field_number(row.fields[first + 2], grammar::Quantity::length,
+                                                 "a half axis", c_.scope, c_.diagnostics);
       const bool sound = x && y && third.has_value() == (count == 3);
       good_ = good_ && sound;
       if (sound) {
-        const Reading line{*x, *y, third, row.span, {}};
+        const DeckTestReading line{*x, *y, third, row.span, {}};
         of_reference ? rate(line) : reading(line);
       }
     }
   }
 
   template <class Take> void file(std::string_view key, std::size_t most, Take&& take) {
-    if (!card_.has(key)) {
+    if (!card_.has_key(key)) {
       return;
     }
     const auto lines = number_file(c_, card_, key);
@@ -130,12 +132,12 @@ private:
               most > 2 ? "a line holds two numbers or three" : "a line holds two numbers");
       } else {
         const auto third = count > 2 ? std::optional(line.numbers[2]) : std::nullopt;
-        take(Reading{line.numbers[0], line.numbers[1], third, line.span, line.where});
+        take(DeckTestReading{line.numbers[0], line.numbers[1], third, line.span, line.where});
       }
     }
   }
 
-  void reading(const Reading& line) {
+  void reading(const DeckTestReading& line) {
     const bool both = line.third.has_value();
     const double least = both ? std::min(line.second, *line.third) : line.second;
     if (!test_.readings.empty() && line.first <= test_.readings.back()[0]) {
@@ -155,7 +157,7 @@ private:
     }
   }
 
-  void rate(const Reading& pair) {
+  void rate(const DeckTestReading& pair) {
     const double last_k = test_.delta_k.empty() ? 0.0 : test_.delta_k.back();
     const double last_rate = test_.growth.empty() ? 0.0 : test_.growth.back();
     if (pair.first <= last_k || pair.second <= last_rate) {
@@ -172,25 +174,25 @@ private:
     };
     if (test_.readings.size() < fewest_readings(test_)) {
       lacks(fmt::format("{} readings, METHOD={} needs {}", test_.readings.size(),
-                        card_.word("METHOD"), fewest_readings(test_)),
+                        card_.word_value("METHOD"), fewest_readings(test_)),
             "data lines N a, or FILE");
     }
     if (test_.delta_k.size() == 1) {
       lacks("a reference has two or more rates", "RATE delta_K da/dN");
     }
-    const bool units = card_.has("KUNIT") || card_.has("AUNIT");
+    const bool units = card_.has_key("KUNIT") || card_.has_key("AUNIT");
     if (units && test_.delta_k.empty()) {
       lacks("KUNIT and AUNIT are those of RATE and REFERENCE, and there is neither",
             "$GROW has units for its own law");
     }
-    if (!test_.delta_k.empty() && !(card_.has("KUNIT") && card_.has("AUNIT"))) {
+    if (!test_.delta_k.empty() && !(card_.has_key("KUNIT") && card_.has_key("AUNIT"))) {
       lacks(fmt::format("{} is not given: the rates of a reference have units",
-                        card_.has("KUNIT") ? "AUNIT" : "KUNIT"),
+                        card_.has_key("KUNIT") ? "AUNIT" : "KUNIT"),
             "KUNIT='MPa*m^0.5' AUNIT='m/cycle', or those of the reference");
     }
     look_at_the_crack(lacks);
     const bool bad_growth = std::ranges::any_of(
-        c_.cards, [](const BoundCard& card) { return card.spec->name == "GROW" && card.bad; });
+        c_.cards, [](const CheckedCard& card) { return card.spec->name == "GROW" && card.bad; });
     if (!bad_growth) {
       look_at_the_growth(lacks);
     }
@@ -198,7 +200,7 @@ private:
 
   template <class Lacks> void look_at_the_crack(Lacks&& lacks) {
     const bool space = c_.model.mesh.dim == 3;
-    if (c_.known_plane() && card_.has("AXIS")) {
+    if (c_.known_plane() && card_.has_key("AXIS")) {
       lacks("AXIS is of a crack in space", "in the plane a crack has one length");
     }
     if (space && test_.crack.valid() &&
@@ -224,21 +226,21 @@ private:
     }
   }
 
-  void wrong(const Reading& place, const char* code, const std::string& text) {
+  void wrong(const DeckTestReading& place, const char* code, const std::string& text) {
     c_.error(place.span, code, place.where + text);
     good_ = false;
   }
 
-  Context& c_;
-  const BoundCard& card_;
+  DeckContext& c_;
+  const CheckedCard& card_;
   model::GrowthTestReadings test_;
   bool good_ = true;
 };
 
 } // namespace
 
-void build_tests(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_tests(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "TEST" && !card.bad) {
       TestReader(context, card).read();
     }

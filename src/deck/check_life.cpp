@@ -14,10 +14,10 @@ namespace spricka::deck {
 namespace {
 
 /// Loads and fits at the end of a step.
-struct Factors {
+struct CheckedStepFactors {
   std::vector<double> load; ///< [case]
   std::vector<double> fit;  ///< [contact]
-  bool operator==(const Factors&) const = default;
+  bool operator==(const CheckedStepFactors&) const = default;
 };
 
 bool mounts(const model::Step& step) {
@@ -28,23 +28,23 @@ bool mounts(const model::Step& step) {
 }
 
 // Whether the deck gives a contact the number 0 as its gap; an expression may have other values.
-bool is_net_fit(const Context& c, const model::Contact& contact) {
+bool is_net_fit(const DeckContext& c, const model::Contact& contact) {
   if (contact.gap != 0.0) {
     return false;
   }
-  const auto card = std::ranges::find_if(c.cards, [&](const BoundCard& one) {
-    return one.spec->name == "CONTACT" && one.word("NAME") == contact.name;
+  const auto card = std::ranges::find_if(c.cards, [&](const CheckedCard& one) {
+    return one.spec->name == "CONTACT" && one.word_value("NAME") == contact.name;
   });
-  const bool has_gap = card != c.cards.end() && card->has("GAP");
+  const bool has_gap = card != c.cards.end() && card->has_key("GAP");
   return has_gap && c.sources.text(card->find("GAP")->span).find('(') == std::string_view::npos;
 }
 
 // At the end of every step; what a fit of gap 0 is scaled by counts for nothing.
-std::vector<Factors> factors_of_steps(const Context& c) {
+std::vector<CheckedStepFactors> factors_of_steps(const DeckContext& c) {
   const model::Model& model = c.model;
-  Factors now{std::vector<double>(model.cases.size(), 0.0),
-              std::vector<double>(model.contacts.size(), 0.0)};
-  std::vector<Factors> all;
+  CheckedStepFactors now{std::vector<double>(model.cases.size(), 0.0),
+                         std::vector<double>(model.contacts.size(), 0.0)};
+  std::vector<CheckedStepFactors> all;
   for (const model::Step& step : model.steps) {
     for (const model::Action& action : step.actions) {
       if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
@@ -59,7 +59,7 @@ std::vector<Factors> factors_of_steps(const Context& c) {
   return all;
 }
 
-void unused_cases(Context& c) {
+void unused_cases(DeckContext& c) {
   std::vector<bool> used(c.model.cases.size(), false);
   for (const model::Step& step : c.model.steps) {
     for (const model::Action& action : step.actions) {
@@ -81,14 +81,14 @@ void unused_cases(Context& c) {
 
 // A first step says where the others begin, with LOAD .. 0 too; one without a line solves what is
 // there from the beginning.
-void idle_steps(Context& c, const std::vector<Factors>& factors) {
+void idle_steps(DeckContext& c, const std::vector<CheckedStepFactors>& factors) {
   for (std::size_t s = 0; s < factors.size(); ++s) {
     const model::Step& step = c.model.steps[s];
     const bool loads = std::ranges::any_of(step.actions, [](const model::Action& action) {
       return std::holds_alternative<model::ApplyLoad>(action);
     });
-    const Factors none{std::vector<double>(c.model.cases.size(), 0.0),
-                       std::vector<double>(c.model.contacts.size(), 0.0)};
+    const CheckedStepFactors none{std::vector<double>(c.model.cases.size(), 0.0),
+                                  std::vector<double>(c.model.contacts.size(), 0.0)};
     const bool first = s == 0 && !loads && !step.actions.empty() && factors[s] == none;
     const bool later = s > 0 && factors[s] == factors[s - 1];
     if ((first || later) && !mounts(step)) {
@@ -103,12 +103,13 @@ void idle_steps(Context& c, const std::vector<Factors>& factors) {
   }
 }
 
-base::SourceSpan span_of(const BoundCard& card, std::string_view key) {
-  return card.has(key) ? card.find(key)->span : card.span;
+base::SourceSpan span_of(const CheckedCard& card, std::string_view key) {
+  return card.has_key(key) ? card.find(key)->span : card.span;
 }
 
 // Where K has no other cause than the loads, more of them at KMIN is KMIN and KMAX exchanged.
-void exchanged_steps(Context& c, const BoundCard& card, const std::vector<Factors>& factors) {
+void exchanged_steps(DeckContext& c, const CheckedCard& card,
+                     const std::vector<CheckedStepFactors>& factors) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   if (!growth.kmax.valid() || !growth.kmin.valid() || !c.model.contacts.empty() ||
       !c.model.mpcs.empty()) {
@@ -134,7 +135,7 @@ void exchanged_steps(Context& c, const BoundCard& card, const std::vector<Factor
   }
 }
 
-void odd_constants(Context& c, const BoundCard& card) {
+void odd_constants(DeckContext& c, const CheckedCard& card) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   const model::GrowthLawConstants& law = growth.constants;
   if (law.k_c && *law.k_c <= law.threshold) {
@@ -165,7 +166,7 @@ void odd_constants(Context& c, const BoundCard& card) {
 }
 
 // Lengths of $GROW count, not A0; those that are all shorter were hardly meant.
-void shorter_lengths(Context& c, const BoundCard& card) {
+void shorter_lengths(DeckContext& c, const CheckedCard& card) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   for (std::size_t i = 0; i < c.model.cracks.size() && !growth.lengths.empty(); ++i) {
     const model::CrackDefinition& crack = c.model.cracks[i];
@@ -182,8 +183,8 @@ void shorter_lengths(Context& c, const BoundCard& card) {
   }
 }
 
-void growing_cracks(Context& c, const std::vector<Factors>& factors) {
-  const BoundCard* card = c.first_card("GROW");
+void growing_cracks(DeckContext& c, const std::vector<CheckedStepFactors>& factors) {
+  const CheckedCard* card = c.first_card("GROW");
   if (card == nullptr || !c.model.growth) {
     return;
   }
@@ -202,11 +203,11 @@ void growing_cracks(Context& c, const std::vector<Factors>& factors) {
 
 } // namespace
 
-void check_life(Context& context) {
+void check_steps_and_growth(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
-  const std::vector<Factors> factors = factors_of_steps(context);
+  const std::vector<CheckedStepFactors> factors = factors_of_steps(context);
   unused_cases(context);
   idle_steps(context, factors);
   growing_cracks(context, factors);

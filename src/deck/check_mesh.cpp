@@ -12,7 +12,7 @@
 
 namespace spricka::deck {
 
-const ElementOrigin& element_origin(const Context& c, std::size_t element) {
+const ElementOrigin& element_origin(const DeckContext& c, std::size_t element) {
   const auto after =
       std::upper_bound(c.origins.begin(), c.origins.end(), element,
                        [](std::size_t e, const ElementOrigin& origin) { return e < origin.first; });
@@ -20,17 +20,18 @@ const ElementOrigin& element_origin(const Context& c, std::size_t element) {
   return *(after - 1);
 }
 
-base::SourceSpan element_place(const Context& c, std::size_t element) {
+base::SourceSpan element_span(const DeckContext& c, std::size_t element) {
   const ElementOrigin& origin = element_origin(c, element);
-  return origin.data.valid() ? grammar::table_label(c.sources, origin.data, element - origin.first)
-                             : origin.card;
+  return origin.data.valid()
+             ? grammar::table_label_span(c.sources, origin.data, element - origin.first)
+             : origin.card;
 }
 
 namespace {
 
 // One message for each card, with the count: a mesh may hold thousands.
-void report_elements(Context& c, const std::vector<std::size_t>& elements, std::string_view code,
-                     std::string_view what, std::string_view hint) {
+void report_elements(DeckContext& c, const std::vector<std::size_t>& elements,
+                     std::string_view code, std::string_view what, std::string_view hint) {
   for (std::size_t i = 0; i < elements.size();) {
     const ElementOrigin& origin = element_origin(c, elements[i]);
     std::size_t j = i;
@@ -38,7 +39,7 @@ void report_elements(Context& c, const std::vector<std::size_t>& elements, std::
       ++j;
     }
     const std::string more = j - i > 1 ? fmt::format(" and {} more", j - i - 1) : "";
-    c.error(element_place(c, elements[i]), std::string(code),
+    c.error(element_span(c, elements[i]), std::string(code),
             fmt::format("element {}{} {}", c.model.mesh.element_label[elements[i]], more, what),
             std::string(hint));
     i = std::max(j, i + 1);
@@ -50,7 +51,7 @@ std::string place(const model::Mesh& mesh, const base::Vec3& x) {
 }
 
 // Elements that run the wrong way round by card, those that fold somewhere one by one.
-void report_bad(Context& c, const std::vector<mesh::InvalidElement>& bad) {
+void report_bad(DeckContext& c, const std::vector<mesh::InvalidElement>& bad) {
   const model::Mesh& mesh = c.model.mesh;
   std::vector<std::size_t> turned;
   for (const mesh::InvalidElement& b : bad) {
@@ -69,7 +70,7 @@ void report_bad(Context& c, const std::vector<mesh::InvalidElement>& bad) {
 }
 
 // One message for each card, about its worst corner.
-void tell_corners(Context& c, const std::vector<mesh::FoldedCorner>& corners) {
+void tell_corners(DeckContext& c, const std::vector<mesh::FoldedCorner>& corners) {
   const model::Mesh& mesh = c.model.mesh;
   for (std::size_t i = 0; i < corners.size();) {
     const ElementOrigin& origin = element_origin(c, corners[i].element.index());
@@ -79,7 +80,7 @@ void tell_corners(Context& c, const std::vector<mesh::FoldedCorner>& corners) {
       worst = corners[j].part < worst.part ? corners[j] : worst;
     }
     c.diagnostics.warning(
-        element_place(c, worst.element.index()), "W307",
+        element_span(c, worst.element.index()), "W307",
         fmt::format("element {} folds over in its corner at node {}{}: its Jacobian there is "
                     "{:.2g} % of the mean, though positive at all integration points; stresses at "
                     "that node are those of the element's middle",
@@ -91,7 +92,7 @@ void tell_corners(Context& c, const std::vector<mesh::FoldedCorner>& corners) {
   }
 }
 
-void one_space(Context& c) {
+void one_space(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   if (mesh.dim != 2) {
     std::vector<std::size_t> plane;
@@ -115,7 +116,7 @@ void one_space(Context& c) {
 
 } // namespace
 
-void check_mesh(Context& context) {
+void check_mesh(DeckContext& context) {
   if (!context.mesh_sound) {
     return;
   }

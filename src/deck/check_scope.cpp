@@ -17,7 +17,7 @@ namespace {
 using model::StressState;
 
 // A plane mesh is a section through bodies about an axis as a whole, or not at all.
-void one_symmetry(Context& c) {
+void one_symmetry(DeckContext& c) {
   const auto first =
       std::find_if(c.model.properties.begin(), c.model.properties.end(),
                    [](const auto& p) { return p.state == StressState::axisymmetric; });
@@ -45,17 +45,18 @@ void one_symmetry(Context& c) {
 }
 
 // What growth in space does not have in this version.
-void solid_growth_in_reach(Context& c) {
+void solid_growth_in_reach(DeckContext& c) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   const auto no = [&](const char* what) {
-    c.unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
+    c.mark_unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
   };
   for (std::size_t i = 0; i < c.model.cracks.size(); ++i) {
     const bool grows = growth.cracks.empty() ||
                        std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
     if (growth.law == model::CrackGrowthLaw::increment && grows &&
         c.model.cracks[i].kind != model::CrackDefinitionKind::ellipse) {
-      c.unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse", growth.span);
+      c.mark_unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse",
+                         growth.span);
     }
   }
   const bool turns = growth.direction != model::GrowthDirection::path;
@@ -71,36 +72,38 @@ void solid_growth_in_reach(Context& c) {
 }
 
 // What cracks in space do not have in this version.
-void solid_cracks_in_reach(Context& c) {
+void solid_cracks_in_reach(DeckContext& c) {
   if (c.model.growth && !c.model.cracks.empty()) {
     solid_growth_in_reach(c);
   }
   for (const model::TipMeshSettings& tip : c.model.tip_nets) {
     const bool found = c.model.cracks[tip.crack.index()].kind == model::CrackDefinitionKind::front;
     if ((!tip.patch && !found) || tip.join == model::PatchCoupling::transition) {
-      c.unavailable(fmt::format("$TIPNET {} in space", !tip.patch ? "PATCH=NO" : "JOIN=TRANSITION"),
-                    tip.span);
+      c.mark_unavailable(
+          fmt::format("$TIPNET {} in space", !tip.patch ? "PATCH=NO" : "JOIN=TRANSITION"),
+          tip.span);
     }
   }
   for (const model::CrackExtensionSettings& vce : c.model.vces) {
     if (vce.shift) {
-      c.unavailable("$VCE SHIFT in space", vce.span);
+      c.mark_unavailable("$VCE SHIFT in space", vce.span);
     }
   }
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (crack.state == model::TipConstraint::stress) {
-      c.unavailable("$CRACK STATE=STRESS in space, where a front is in plane strain,", crack.span);
+      c.mark_unavailable("$CRACK STATE=STRESS in space, where a front is in plane strain,",
+                         crack.span);
     }
   }
 }
 
-void cracks_in_reach(Context& c) {
+void cracks_in_reach(DeckContext& c) {
   const bool space = c.model.mesh.dim == 3;
   const bool axial = model::axisymmetric(c.model);
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (axial && crack.state == model::TipConstraint::stress) {
-      c.unavailable("$CRACK STATE=STRESS about an axis, where a front is in plane strain,",
-                    crack.span);
+      c.mark_unavailable("$CRACK STATE=STRESS about an axis, where a front is in plane strain,",
+                         crack.span);
     }
   }
   if (space) {
@@ -118,21 +121,22 @@ void cracks_in_reach(Context& c) {
     const model::ElementProperty& property = c.model.element_property(mesh, id);
     if (model::nearly_incompressible(material, property.state,
                                      base::element_info(mesh.type[e]).quadratic)) {
-      c.unavailable(fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
-                                base::element_info(mesh.type[e]).name, material.nu),
-                    c.model.cracks.front().span);
+      c.mark_unavailable(
+          fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
+                      base::element_info(mesh.type[e]).name, material.nu),
+          c.model.cracks.front().span);
       return;
     }
   }
 }
 
-void loads_in_reach(Context& c) {
+void loads_in_reach(DeckContext& c) {
   const bool axial = model::axisymmetric(c.model);
-  for (const BoundCard& card : c.cards) {
+  for (const CheckedCard& card : c.cards) {
     if (card.spec->name != "LOAD") {
       continue;
     }
-    if (card.is("TYPE", "BEARING") && axial) {
+    if (card.has_word("TYPE", "BEARING") && axial) {
       c.error(card.span, "E313",
               "TYPE=BEARING pushes to one side: it means nothing with STATE=AXI");
     }
@@ -140,7 +144,7 @@ void loads_in_reach(Context& c) {
 }
 
 // Heat that nothing feels is a forgotten key.
-void heated_materials_expand(Context& c) {
+void heated_materials_expand(DeckContext& c) {
   std::vector<bool> told(c.model.materials.size(), false);
   for (const model::LoadCase& load_case : c.model.cases) {
     for (const model::Load& load : load_case.loads) {
@@ -165,7 +169,7 @@ void heated_materials_expand(Context& c) {
 
 } // namespace
 
-void check_scope(Context& context) {
+void check_model_consistency(DeckContext& context) {
   if (context.diagnostics.has_errors()) { // elements may lack a property
     return;
   }

@@ -17,7 +17,7 @@ namespace spricka::deck {
 namespace {
 
 /// Where a name stands in the deck: first where it is defined.
-struct Places {
+struct NameOccurrences {
   base::SourceSpan first;
   std::size_t count = 0;
 };
@@ -28,8 +28,8 @@ bool in_word(char c) {
 
 // The words of all files of the deck, upper case, without comments, texts in quotes and the names
 // that $SWEEP varies.
-std::map<std::string, Places> words_of(const base::SourceTexts& sources) {
-  std::map<std::string, Places> words;
+std::map<std::string, NameOccurrences> words_of(const base::SourceTexts& sources) {
+  std::map<std::string, NameOccurrences> words;
   for (std::size_t f = 0; f < sources.count(); ++f) {
     const auto file = static_cast<std::int32_t>(f);
     const std::string_view text = sources.text(file);
@@ -48,7 +48,7 @@ std::map<std::string, Places> words_of(const base::SourceTexts& sources) {
         const std::string word = grammar::to_upper(std::string(text.substr(i, end - i)));
         const bool swept =
             (word == "PARAMETER" || word == "WITH") && end < text.size() && text[end] == '=';
-        Places& places = words[word];
+        NameOccurrences& places = words[word];
         if (places.count++ == 0) {
           places.first = {file, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)};
         }
@@ -62,7 +62,7 @@ std::map<std::string, Places> words_of(const base::SourceTexts& sources) {
   return words;
 }
 
-std::string name_of(const ScriptTable& script) {
+std::string name_of(const ImportedScript& script) {
   return std::filesystem::path(script.file).filename().string();
 }
 
@@ -72,9 +72,9 @@ bool belongs_to_the_report(const std::string& name) {
 }
 
 // The number stands in the deck for nothing: it was meant for a script.
-void unused(Context& c, const std::string& name, const base::SourceSpan& span) {
+void unused(DeckContext& c, const std::string& name, const base::SourceSpan& span) {
   std::vector<std::string> unset;
-  for (const ScriptTable& script : c.scripts) {
+  for (const ImportedScript& script : c.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.defined && !constant.from_deck) {
         unset.push_back(constant.name);
@@ -96,8 +96,8 @@ void unused(Context& c, const std::string& name, const base::SourceSpan& span) {
   }
 }
 
-bool reaches_a_script(const Context& c, const std::string& upper) {
-  return std::any_of(c.scripts.begin(), c.scripts.end(), [&](const ScriptTable& script) {
+bool reaches_a_script(const DeckContext& c, const std::string& upper) {
+  return std::any_of(c.scripts.begin(), c.scripts.end(), [&](const ImportedScript& script) {
     return std::any_of(script.constants.begin(), script.constants.end(),
                        [&](const mesh::GeometryScriptConstant& constant) {
                          return constant.from_deck && grammar::to_upper(constant.name) == upper;
@@ -106,13 +106,13 @@ bool reaches_a_script(const Context& c, const std::string& upper) {
 }
 
 // Points that differ in nothing but the value of a name.
-void idle_sweeps(Context& c, const std::map<std::string, Places>& words) {
-  for (const BoundCard& card : c.cards) {
+void idle_sweeps(DeckContext& c, const std::map<std::string, NameOccurrences>& words) {
+  for (const CheckedCard& card : c.cards) {
     for (const std::string_view key : {"PARAMETER", "WITH"}) {
-      if (card.spec->name != "SWEEP" || card.bad || !card.has(key)) {
+      if (card.spec->name != "SWEEP" || card.bad || !card.has_key(key)) {
         continue;
       }
-      const std::string name(card.word(key));
+      const std::string name(card.word_value(key));
       const auto at = words.find(name);
       if (at != words.end() && at->second.count < 2 && !reaches_a_script(c, name) &&
           !belongs_to_the_report(name)) {
@@ -128,13 +128,13 @@ void idle_sweeps(Context& c, const std::map<std::string, Places>& words) {
 
 } // namespace
 
-void check_scripts(Context& c) {
+void check_scripts(DeckContext& c) {
   const bool swept = std::ranges::any_of(
-      c.cards, [](const BoundCard& card) { return card.spec->name == "SWEEP"; });
+      c.cards, [](const CheckedCard& card) { return card.spec->name == "SWEEP"; });
   if ((c.scripts.empty() && !swept) || c.scope.incomplete || c.diagnostics.has_errors()) {
     return;
   }
-  const std::map<std::string, Places> words = words_of(c.sources);
+  const std::map<std::string, NameOccurrences> words = words_of(c.sources);
   idle_sweeps(c, words);
   if (c.scripts.empty()) {
     return;
@@ -142,10 +142,10 @@ void check_scripts(Context& c) {
   for (const auto& [written, value] : c.parameters) {
     const std::string upper = grammar::to_upper(written);
     const auto at = words.find(upper);
-    const Places places = at == words.end() ? Places{} : at->second;
+    const NameOccurrences places = at == words.end() ? NameOccurrences{} : at->second;
     const bool arrives = reaches_a_script(c, upper);
     bool told = arrives; // where it arrives in one script, another may have a name of its own
-    for (const ScriptTable& script : c.scripts) {
+    for (const ImportedScript& script : c.scripts) {
       for (const mesh::GeometryScriptConstant& constant : script.constants) {
         if (!told && !constant.defined && constant.name == written && constant.value &&
             *constant.value != value) {

@@ -22,7 +22,7 @@ namespace {
 
 using base::NodeId;
 
-void doubled(Context& c) {
+void doubled(DeckContext& c) {
   auto pairs = mesh::doubled_elements(c.model.mesh);
   std::erase_if(pairs, [&](const auto& pair) { // bodies of their own may be drawn on each other
     return c.model.mesh.element_net[pair.first.index()] !=
@@ -34,14 +34,14 @@ void doubled(Context& c) {
   const auto& [first, second] = pairs.front();
   const auto label = [&](base::ElementId e) { return c.model.mesh.element_label[e.index()]; };
   const std::string more = pairs.size() > 1 ? fmt::format(" and {} more", pairs.size() - 1) : "";
-  c.error(element_place(c, second.index()), "E340",
+  c.error(element_span(c, second.index()), "E340",
           fmt::format("element {}{} lies on element {}: the material would count twice",
                       label(second), more, label(first)),
           "is an $ELEMENT, $MESH or $IMPORT there twice?");
 }
 
 // Nodes that a contact or a tie looks after.
-std::vector<bool> looked_after(const Context& c) {
+std::vector<bool> looked_after(const DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   std::vector<bool> found(mesh.node_count(), false);
   const auto faces = [&](base::FaceSetId set) {
@@ -103,7 +103,7 @@ void take_out_cracks(const model::Model& model, std::vector<mesh::CoincidentFace
 }
 
 // A slit that is meant is told like one that is not: only its maker knows.
-void open_seams(Context& c) {
+void open_seams(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   if (!c.boundary) {
     c.boundary = mesh::boundary_faces(mesh);
@@ -132,7 +132,7 @@ void open_seams(Context& c) {
     return mesh.element_label[face.element.index()];
   };
   c.diagnostics.warning(
-      element_place(c, seam.second.element.index()), "W341",
+      element_span(c, seam.second.element.index()), "W341",
       fmt::format("elements {} and {}{} touch along a side but have nodes of their own there{}: "
                   "nothing joins them",
                   label(seam.first), label(seam.second), net(seam.first),
@@ -143,7 +143,7 @@ void open_seams(Context& c) {
 
 // Where a side of a quadratic element has middle nodes that its linear neighbour does not have, the
 // two part between the corners.
-void hanging_nodes(Context& c) {
+void hanging_nodes(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   const auto is_linear = [](base::ElementType type) { return !base::element_info(type).quadratic; };
   const auto linear = std::ranges::count_if(mesh.type, is_linear);
@@ -177,7 +177,7 @@ void hanging_nodes(Context& c) {
       return base::element_info(mesh.type[e.index()]).name;
     };
     c.diagnostics.warning(
-        element_place(c, first->first.index()), "W370",
+        element_span(c, first->first.index()), "W370",
         fmt::format("element {} ({}) has a side in common with element {} ({}), whose middle nodes "
                     "there hang free{}: between the corners the two part or overlap",
                     label(first->first), name(first->first), label(first->second),
@@ -190,7 +190,7 @@ void hanging_nodes(Context& c) {
 
 } // namespace
 
-void check_seams(Context& context) {
+void check_seams(DeckContext& context) {
   if (!context.mesh_sound || context.diagnostics.has_errors() ||
       context.model.mesh.element_count() == 0) {
     return;

@@ -15,9 +15,9 @@ namespace spricka::deck {
 
 namespace {
 
-void angles(Context& c) {
-  for (const BoundCard& card : c.cards) {
-    for (const BoundValue& value : card.values) {
+void angles(DeckContext& c) {
+  for (const CheckedCard& card : c.cards) {
+    for (const CheckedValue& value : card.values) {
       if (value.given && value.key != nullptr && value.key->quantity == grammar::Quantity::angle) {
         warn_of_whole_radians(c, value.span, value.key->name, value.number);
       }
@@ -30,9 +30,9 @@ bool is_power_of_ten(double value) {
 }
 
 // Whether the deck works a modulus out, as 1000 times that of another body.
-bool is_worked_out(const Context& c, const model::ElasticMaterial& material) {
-  return std::ranges::any_of(c.cards, [&](const BoundCard& card) {
-    return card.spec->name == "MATERIAL" && !card.bad && card.word("NAME") == material.name &&
+bool is_worked_out(const DeckContext& c, const model::ElasticMaterial& material) {
+  return std::ranges::any_of(c.cards, [&](const CheckedCard& card) {
+    return card.spec->name == "MATERIAL" && !card.bad && card.word_value("NAME") == material.name &&
            c.sources.text(card.find("E")->span).find('*') != std::string_view::npos;
   });
 }
@@ -40,7 +40,7 @@ bool is_worked_out(const Context& c, const model::ElasticMaterial& material) {
 // Nothing is stiffer than diamond, E = 1.2e12 Pa; bodies that stand for rigid ones may be a
 // thousand times as stiff as others. Linear elasticity ends with rubber, at some 1e6 Pa. A modulus
 // of 1, 1000 or 1e9 is that of a problem without dimensions.
-void moduli(Context& c) {
+void moduli(DeckContext& c) {
   constexpr double stiffest = 5e12;
   constexpr double rigid = 1.2e15;
   constexpr double softest = 3e5;
@@ -73,7 +73,7 @@ std::string_view word_of(model::StressState state) {
 
 // K belongs to G by E or by E/(1 - nu^2): that of another state than the elements' is off by
 // 1 - nu^2 under a root.
-void crack_states(Context& c) {
+void crack_states(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (crack.state == model::TipConstraint::automatic || mesh.dim != 2) {
@@ -114,7 +114,7 @@ double length_of(const model::CrackDefinition& crack) {
 }
 
 // A start inside, but by a small part of the length: of an edge crack whose mouth missed the edge.
-void crack_starts(Context& c) {
+void crack_starts(DeckContext& c) {
   constexpr double missed = 0.1;
   const auto drawn = [](const model::CrackDefinition& crack) {
     return crack.kind == model::CrackDefinitionKind::free && !crack.points.empty();
@@ -142,7 +142,7 @@ void crack_starts(Context& c) {
 }
 
 // Pressure and traction act on whole faces of the mesh.
-void cut_sets(Context& c) {
+void cut_sets(DeckContext& c) {
   for (const model::LoadCase& load_case : c.model.cases) {
     for (const model::Load& load : load_case.loads) {
       const bool by_area =
@@ -152,7 +152,7 @@ void cut_sets(Context& c) {
       if (border == c.set_borders.end()) {
         continue;
       }
-      const SetBorder& area = border->second;
+      const FaceSetCoverage& area = border->second;
       const std::string unit = c.model.units.length_name + (c.model.mesh.dim == 3 ? "^2" : "");
       c.diagnostics.warning(
           load.span, "W372",
@@ -168,7 +168,7 @@ void cut_sets(Context& c) {
 
 } // namespace
 
-void check_sense(Context& context) {
+void check_plausibility(DeckContext& context) {
   angles(context);
   if (context.diagnostics.has_errors()) {
     return;

@@ -41,18 +41,19 @@ std::string count_of(std::size_t faces) {
 }
 
 /// Two surfaces that are to meet, faces ascending.
-struct Pair {
+struct SurfaceFacePair {
   Faces one, two;
 };
 
-Pair pair_of(const model::Mesh& mesh, const model::Contact& contact) {
+SurfaceFacePair pair_of(const model::Mesh& mesh, const model::Contact& contact) {
   return {sorted_faces(mesh, contact.slave),
           contact.master.valid() ? sorted_faces(mesh, contact.master) : Faces()};
 }
 
-class Surfaces {
+class SurfaceConflictCheck {
 public:
-  explicit Surfaces(Context& context) : c_(context), model_(context.model), mesh_(model_.mesh) {
+  explicit SurfaceConflictCheck(DeckContext& context)
+      : c_(context), model_(context.model), mesh_(model_.mesh) {
     for (const model::Contact& contact : model_.contacts) {
       pairs_.push_back(pair_of(mesh_, contact));
     }
@@ -135,7 +136,7 @@ private:
 
   // Faces of one pair that lie opposite the same faces in another as well: of the faces that both
   // have, those whose nearest partner of either pair belongs to both.
-  [[nodiscard]] std::size_t doubled(const Pair& a, const Pair& b) const {
+  [[nodiscard]] std::size_t doubled(const SurfaceFacePair& a, const SurfaceFacePair& b) const {
     const Faces shared = common(a.one, b.one);
     const Faces partner = common(a.two, b.two);
     if (shared.empty() || partner.empty()) {
@@ -236,7 +237,7 @@ private:
     if (first.rigid.valid() || second.rigid.valid()) {
       faces = first.rigid == second.rigid ? common(pairs_[a].one, pairs_[b].one).size() : 0;
     } else {
-      const Pair swapped{pairs_[b].two, pairs_[b].one};
+      const SurfaceFacePair swapped{pairs_[b].two, pairs_[b].one};
       faces = std::max(doubled(pairs_[a], pairs_[b]), doubled(pairs_[a], swapped));
     }
     if (faces > 0 && alike(first, second)) {
@@ -284,9 +285,9 @@ private:
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     const Faces master = sorted_faces(mesh_, tie.master);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const Pair& pair = pairs_[i];
-      const Pair here{faces_within(pair.one, nodes), master};
-      const Pair turned{faces_within(pair.two, nodes), master};
+      const SurfaceFacePair& pair = pairs_[i];
+      const SurfaceFacePair here{faces_within(pair.one, nodes), master};
+      const SurfaceFacePair turned{faces_within(pair.two, nodes), master};
       const std::size_t faces =
           std::max(doubled(pair, here), doubled({pair.two, pair.one}, turned));
       if (faces > 0) {
@@ -303,7 +304,7 @@ private:
     const std::vector<base::NodeId>& list = mesh_.set_with_id(tie.slave).nodes;
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const Pair& pair = pairs_[i];
+      const SurfaceFacePair& pair = pairs_[i];
       const bool both = !pair.two.empty() && faces_within(pair.one, nodes) == pair.one &&
                         faces_within(pair.two, nodes) == pair.two;
       if (both) {
@@ -376,7 +377,7 @@ private:
       for (std::size_t s = 0; s < loaded_.size(); ++s) {
         acts = acts || (loaded_[s][load_case] != 0.0 && mounted_[s][i]);
       }
-      const Pair& pair = pairs_[i];
+      const SurfaceFacePair& pair = pairs_[i];
       const std::size_t shared =
           facing(common(faces, pair.one), pair.two) + facing(common(faces, pair.two), pair.one);
       if (acts && shared > 0) {
@@ -393,17 +394,17 @@ private:
     }
   }
 
-  Context& c_;
+  DeckContext& c_;
   const model::Model& model_;
   const model::Mesh& mesh_;
-  std::vector<Pair> pairs_;                 ///< [contact]
+  std::vector<SurfaceFacePair> pairs_;      ///< [contact]
   std::vector<std::vector<bool>> mounted_;  ///< [step][contact] at its end
   std::vector<std::vector<double>> loaded_; ///< [step][case] at its end
 };
 
 } // namespace
 
-void check_surfaces(Context& context) {
+void check_surfaces(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
@@ -412,7 +413,7 @@ void check_surfaces(Context& context) {
     return contact.slave.valid() && (contact.master.valid() || contact.rigid.valid());
   });
   if (!model.contacts.empty() && whole) {
-    Surfaces(context).look();
+    SurfaceConflictCheck(context).look();
   }
 }
 

@@ -24,7 +24,7 @@ bool is_total(const model::Load& load) {
 
 // One of several properties without THICK is an oversight; with none of them, the thickness matters
 // where whole forces are given.
-void thickness_is_given(Context& c) {
+void thickness_is_given(DeckContext& c) {
   const auto has = [&](std::size_t p) { return !c.default_thickness.contains(p); };
   const std::vector<model::ElementProperty>& properties = c.model.properties;
   std::optional<double> given;
@@ -58,7 +58,7 @@ void thickness_is_given(Context& c) {
 }
 
 /// Properties on both sides of a contact, a tie or a seam.
-struct Meeting {
+struct AdjoiningProperties {
   std::string what; ///< "contact PIN"
   base::SourceSpan span;
   std::set<std::size_t> one, other;
@@ -73,9 +73,9 @@ std::set<std::size_t> properties_of(const model::Mesh& mesh,
   return result;
 }
 
-std::vector<Meeting> meetings_of(const Context& c) {
+std::vector<AdjoiningProperties> meetings_of(const DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
-  std::vector<Meeting> result;
+  std::vector<AdjoiningProperties> result;
   for (const model::Contact& contact : c.model.contacts) {
     if (contact.master.valid()) {
       result.push_back({"contact " + contact.name, contact.span,
@@ -91,7 +91,8 @@ std::vector<Meeting> meetings_of(const Context& c) {
   }
   for (const model::Mpc& mpc : c.model.mpcs) {
     if (const auto* tie = std::get_if<model::TransitionTie>(&mpc)) {
-      Meeting m{"a tie", tie->span, {}, properties_of(mesh, mesh.set_with_id(tie->master).faces)};
+      AdjoiningProperties m{
+          "a tie", tie->span, {}, properties_of(mesh, mesh.set_with_id(tie->master).faces)};
       for (const base::NodeId n : mesh.set_with_id(tie->slave).nodes) {
         m.one.insert(at_node[n.index()].begin(), at_node[n.index()].end());
       }
@@ -107,11 +108,11 @@ std::vector<Meeting> meetings_of(const Context& c) {
   return result;
 }
 
-void bodies_that_meet_are_alike(Context& c) {
+void bodies_that_meet_are_alike(DeckContext& c) {
   const std::vector<model::ElementProperty>& properties = c.model.properties;
   std::set<std::array<double, 2>> thicknesses; // each said once
   bool states = false;
-  for (const Meeting& m : meetings_of(c)) {
+  for (const AdjoiningProperties& m : meetings_of(c)) {
     std::set<std::size_t> all = m.one;
     all.insert(m.other.begin(), m.other.end());
     if (all.size() < 2) {
@@ -143,7 +144,7 @@ void bodies_that_meet_are_alike(Context& c) {
 
 } // namespace
 
-void check_thickness(Context& context) {
+void check_thickness(DeckContext& context) {
   const std::vector<model::ElementProperty>& properties = context.model.properties;
   if (context.model.mesh.dim != 2 || properties.empty() ||
       !std::ranges::all_of(properties, is_plane)) {

@@ -11,7 +11,7 @@ namespace spricka::deck {
 
 namespace {
 
-void unused_spectra(Context& c) {
+void unused_spectra(DeckContext& c) {
   for (std::size_t i = 0; i < c.model.spectra.size(); ++i) {
     if (!c.model.growth || c.model.growth->spectrum != i) {
       c.diagnostics.warning(
@@ -23,7 +23,7 @@ void unused_spectra(Context& c) {
   }
 }
 
-void unused_rigids(Context& c) {
+void unused_rigids(DeckContext& c) {
   for (std::size_t i = 0; i < c.model.rigids.size(); ++i) {
     const bool used = std::ranges::any_of(c.model.contacts, [&](const model::Contact& contact) {
       return contact.rigid == base::RigidId(i);
@@ -49,14 +49,14 @@ bool same_load(const model::Load& a, const model::Load& b) {
 }
 
 // Without blanks: values that are alike by chance are written in different words.
-std::string words_of(const Context& c, base::SourceSpan span) {
+std::string words_of(const DeckContext& c, base::SourceSpan span) {
   std::string words(c.sources.text(span));
   std::erase_if(words, [](char letter) { return letter == ' ' || letter == '\t'; });
   return words;
 }
 
 // Lines of one case add up, over several cards too.
-void doubled_loads(Context& c) {
+void doubled_loads(DeckContext& c) {
   for (const model::LoadCase& load_case : c.model.cases) {
     const std::vector<model::Load>& loads = load_case.loads;
     for (std::size_t i = 1; i < loads.size(); ++i) {
@@ -80,7 +80,7 @@ void doubled_loads(Context& c) {
   }
 }
 
-void doubled_points(Context& c) {
+void doubled_points(DeckContext& c) {
   for (const model::ParameterSweep& sweep : c.model.sweeps) {
     for (std::size_t i = 1; i < sweep.values.size(); ++i) {
       const auto last = sweep.values.begin() + static_cast<std::ptrdiff_t>(i);
@@ -97,7 +97,7 @@ void doubled_points(Context& c) {
 }
 
 // Freedoms of a class that says that they are moved, and that no case moves: a clamp.
-void unmoved_freedoms(Context& c) {
+void unmoved_freedoms(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   std::vector<bool> moved(mesh.node_count(), false);
   std::vector<unsigned> held(mesh.node_count(), 0);
@@ -141,7 +141,7 @@ void unmoved_freedoms(Context& c) {
 
 } // namespace
 
-void check_unused(Context& context) {
+void check_unused(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }

@@ -14,16 +14,16 @@ namespace spricka::deck {
 namespace {
 
 // Of a key of the card that made something; of that thing where there is no such card or key.
-base::SourceSpan key_span(const Context& c, std::string_view card_name, std::string_view name,
+base::SourceSpan key_span(const DeckContext& c, std::string_view card_name, std::string_view name,
                           std::string_view key, base::SourceSpan otherwise) {
-  const auto card = std::ranges::find_if(c.cards, [&](const BoundCard& one) {
-    return one.spec->name == card_name && !one.bad && one.word("NAME") == name;
+  const auto card = std::ranges::find_if(c.cards, [&](const CheckedCard& one) {
+    return one.spec->name == card_name && !one.bad && one.word_value("NAME") == name;
   });
-  return card != c.cards.end() && card->has(key) ? card->find(key)->span : otherwise;
+  return card != c.cards.end() && card->has_key(key) ? card->find(key)->span : otherwise;
 }
 
 // Metals have 1e-5 to 3e-5 per degree, plastics and rubber 2e-4.
-void odd_materials(Context& c) {
+void odd_materials(DeckContext& c) {
   constexpr double most_expansion = 1e-3;
   for (const model::ElasticMaterial& material : c.model.materials) {
     if (std::abs(material.alpha) > most_expansion) {
@@ -44,7 +44,7 @@ void odd_materials(Context& c) {
 }
 
 // No solid bears a tenth of its modulus.
-void odd_flow_stress(Context& c, const BoundCard& card) {
+void odd_flow_stress(DeckContext& c, const CheckedCard& card) {
   constexpr double most = 0.1;
   double stiffest = 0.0;
   for (const model::ElasticMaterial& material : c.model.materials) {
@@ -53,7 +53,7 @@ void odd_flow_stress(Context& c, const BoundCard& card) {
   const std::optional<double>& flow = c.model.growth->flow_stress;
   if (flow && *flow > most * stiffest) {
     c.diagnostics.warning(
-        card.has("SFLOW") ? card.find("SFLOW")->span : card.span, "W360",
+        card.has_key("SFLOW") ? card.find("SFLOW")->span : card.span, "W360",
         fmt::format("SFLOW = {:.4g} {} is {:.3g} times the largest modulus: it would never end a "
                     "growth",
                     *flow, c.model.units.stress_name(), *flow / stiffest),
@@ -64,7 +64,7 @@ void odd_flow_stress(Context& c, const BoundCard& card) {
 // (K/E)^2 is the opening of the crack's tip times the flow stress over E: the toughest metals open
 // by some millimetres before they tear, at some thousandths of E. Numbers without dimensions have
 // moduli that are powers of ten.
-void odd_toughness(Context& c, const BoundCard& card) {
+void odd_toughness(DeckContext& c, const CheckedCard& card) {
   constexpr double most = 1e-5; // [m] steel 650 MPa m^0.5, aluminium 220
   const std::optional<double>& k_c = c.model.growth->constants.k_c;
   double stiffest = 0.0;
@@ -77,7 +77,7 @@ void odd_toughness(Context& c, const BoundCard& card) {
   const double bound = stiffest * std::sqrt(most / c.model.units.metre_per_length);
   if (*k_c > bound) {
     c.diagnostics.warning(
-        card.has("KC") ? card.find("KC")->span : card.span, "W371",
+        card.has_key("KC") ? card.find("KC")->span : card.span, "W371",
         fmt::format("KC = {:.4g} {}: no material of such a modulus is tougher than {:.2g}, so that "
                     "it would never end a growth",
                     *k_c, c.model.units.stress_intensity_name(), bound),
@@ -86,7 +86,7 @@ void odd_toughness(Context& c, const BoundCard& card) {
 }
 
 // A measured table scatters; it does not turn round.
-void falling_table(Context& c, const BoundCard& card) {
+void falling_table(DeckContext& c, const CheckedCard& card) {
   const model::GrowthLawConstants& law = c.model.growth->constants;
   for (std::size_t i = 1; i < law.growth.size(); ++i) {
     if (law.growth[i] < law.growth[i - 1]) {
@@ -101,7 +101,7 @@ void falling_table(Context& c, const BoundCard& card) {
 }
 
 // Within REL 1 of a value lies 0 as well.
-void wide_checks(Context& c) {
+void wide_checks(DeckContext& c) {
   for (const model::ResultCheck& check : c.model.checks) {
     if (check.relative && check.tolerance >= 1.0) {
       c.diagnostics.warning(
@@ -115,7 +115,7 @@ void wide_checks(Context& c) {
   }
 }
 
-void odd_ratios(Context& c) {
+void odd_ratios(DeckContext& c) {
   constexpr double least = -5.0;
   for (const model::GrowthTestReadings& test : c.model.tests) {
     if (test.ratio && *test.ratio < least) {
@@ -129,7 +129,7 @@ void odd_ratios(Context& c) {
 }
 
 // FIT has a part of the fit that the contact declares; the fit itself there makes almost none.
-void odd_fit(Context& c, const model::Step& step, const model::ApplyFit& fit) {
+void odd_fit(DeckContext& c, const model::Step& step, const model::ApplyFit& fit) {
   const model::Contact& contact = c.model.contacts[fit.contact.index()];
   const double gap = std::abs(contact.gap.value_or(0.0));
   const auto is = [&](double value) {
@@ -156,7 +156,7 @@ void odd_fit(Context& c, const model::Step& step, const model::ApplyFit& fit) {
 }
 
 // A contact that some step mounts is absent before that, whatever earlier steps say of its fit.
-void fit_of_absent(Context& c) {
+void fit_of_absent(DeckContext& c) {
   std::vector<const model::Step*> early(c.model.contacts.size(), nullptr);
   std::vector<bool> mounted(c.model.contacts.size(), false);
   for (const model::Step& step : c.model.steps) {
@@ -185,7 +185,7 @@ void fit_of_absent(Context& c) {
   }
 }
 
-void odd_steps(Context& c) {
+void odd_steps(DeckContext& c) {
   fit_of_absent(c);
   std::vector<bool> in(c.model.contacts.size(), true);
   for (const model::Step& step : c.model.steps) {
@@ -220,12 +220,12 @@ void odd_steps(Context& c) {
 
 } // namespace
 
-void check_values(Context& context) {
+void check_values(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
   odd_materials(context);
-  const BoundCard* card = context.first_card("GROW");
+  const CheckedCard* card = context.first_card("GROW");
   if (card != nullptr && context.model.growth) {
     odd_flow_stress(context, *card);
     odd_toughness(context, *card);

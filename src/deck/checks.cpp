@@ -18,12 +18,12 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 /// Reads one line: QUANTITY(arguments) = value REL|ABS tolerance [SOURCE 'text'].
 class CheckReader {
 public:
-  CheckReader(Context& context, const BoundCard& card, const grammar::Row& row)
+  CheckReader(DeckContext& context, const CheckedCard& card, const grammar::DataRow& row)
       : c_(context), card_(card), row_(row) {}
 
   void run() {
@@ -54,16 +54,18 @@ public:
 private:
   // quantity = value word tolerance [SOURCE text]; the = belongs to the first field
   bool form() {
-    const std::vector<Field>& f = row_.fields;
-    const auto word = [&](std::size_t i) { return f.size() > i && f[i].kind == Field::Kind::name; };
-    if (f[0].kind != Field::Kind::quantity) {
+    const std::vector<CardField>& f = row_.fields;
+    const auto word = [&](std::size_t i) {
+      return f.size() > i && f[i].kind == CardField::CardFieldKind::name;
+    };
+    if (f[0].kind != CardField::CardFieldKind::quantity) {
       return wrong(f[0].span, "a result with its arguments is expected, as K(CRACK, STEP)");
     }
     if (f[0].separator != '=') {
       return wrong(f[0].span, "'=' and a value are expected behind the result");
     }
     if (f.size() < 3 || !word(2)) {
-      const bool bare = f.size() == 3 && f[2].kind == Field::Kind::number;
+      const bool bare = f.size() == 3 && f[2].kind == CardField::CardFieldKind::number;
       return wrong(bare ? f[2].span : row_.span,
                    bare ? "REL or ABS is missing before the tolerance"
                         : "the tolerance is missing: REL or ABS and a number");
@@ -81,7 +83,7 @@ private:
     if (f.size() > 4 && (!word(4) || f[4].text != "SOURCE")) {
       return wrong(f[4].span, fmt::format("unexpected {}", c_.sources.text(f[4].span)));
     }
-    if (f.size() > 4 && (f.size() != 6 || f[5].kind != Field::Kind::text)) {
+    if (f.size() > 4 && (f.size() != 6 || f[5].kind != CardField::CardFieldKind::text)) {
       return wrong(f[f.size() > 6 ? 6 : 4].span, "SOURCE is followed by one text in quotes");
     }
     check_.quantity = f[0].text;
@@ -97,11 +99,11 @@ private:
 
   std::optional<double> number(std::size_t place, grammar::Quantity quantity,
                                std::string_view what) {
-    return number_of(row_.fields[place], quantity, what, c_.scope, c_.diagnostics);
+    return read_field_number(row_.fields[place], quantity, what, c_.scope, c_.diagnostics);
   }
 
   bool arguments() {
-    const Field& quantity = row_.fields[0];
+    const CardField& quantity = row_.fields[0];
     const grammar::ResultQuantity* spec = grammar::find_quantity(quantity.text);
     if (spec == nullptr) {
       unknown(quantity);
@@ -130,7 +132,7 @@ private:
   }
 
   // Contacts in the plane have arcs and places along them, those between solids areas and moments.
-  bool is_of_this_dimension(const grammar::ResultQuantity& spec, const Field& quantity) {
+  bool is_of_this_dimension(const grammar::ResultQuantity& spec, const CardField& quantity) {
     static constexpr std::array plane{"ARC.FROM",      "ARC.TO",      "ARC.PARTS",
                                       "ARC.PART.FROM", "ARC.PART.TO", "STICK.FROM",
                                       "STICK.TO",      "CPRESS.AT",   "SHEAR.AT"};
@@ -153,7 +155,7 @@ private:
   }
 
   // K of a tip in the plane is one number, along a front in space a place belongs to it.
-  bool is_of_these_cracks(std::string_view name, const Field& quantity) {
+  bool is_of_these_cracks(std::string_view name, const CardField& quantity) {
     const std::size_t point = name.rfind('.');
     const std::string_view where =
         point == std::string_view::npos ? std::string_view() : name.substr(point + 1);
@@ -182,14 +184,14 @@ private:
 
   // By a law of $GROW, or perhaps by one that is refused already.
   [[nodiscard]] bool counts_cycles() const {
-    const bool bad = std::any_of(c_.cards.begin(), c_.cards.end(), [](const BoundCard& card) {
+    const bool bad = std::any_of(c_.cards.begin(), c_.cards.end(), [](const CheckedCard& card) {
       return card.spec->name == "GROW" && card.bad;
     });
     return bad || (c_.model.growth && c_.model.growth->law != model::CrackGrowthLaw::increment);
   }
 
   // Names that go on where this one stops come first: S.XX is S.XX.MIN, S.XX.MAX or S.XX.AT.
-  void unknown(const Field& quantity) {
+  void unknown(const CardField& quantity) {
     std::vector<std::string> valid;
     std::vector<std::string> longer;
     for (const grammar::ResultQuantity& q : grammar::result_quantities()) {
@@ -210,8 +212,9 @@ private:
 
   // The letters for these arguments: what follows ? and the number z may be left out. A lone name
   // in the place of z that is no parameter, or a step that no step follows, is the step behind it.
-  [[nodiscard]] std::string pattern_for(std::string_view letters,
-                                        const std::vector<grammar::Expression>& arguments) const {
+  [[nodiscard]] std::string
+  pattern_for(std::string_view letters,
+              const std::vector<grammar::ParsedExpression>& arguments) const {
     std::string all(letters);
     const std::size_t count = arguments.size();
     const std::size_t z = all.find('z');
@@ -228,15 +231,17 @@ private:
     return all;
   }
 
-  [[nodiscard]] bool is_word(const grammar::Expression& e) const {
-    return e.terms.size() == 1 && e.terms[0].kind == grammar::Term::Kind::name &&
+  [[nodiscard]] bool is_word(const grammar::ParsedExpression& e) const {
+    return e.terms.size() == 1 &&
+           e.terms[0].kind == grammar::ExpressionTerm::ExpressionTermKind::name &&
            !c_.scope.values.contains(grammar::to_upper(c_.sources.text(e.terms[0].span)));
   }
 
-  [[nodiscard]] bool is_step(const grammar::Expression& e) const {
-    return e.terms.size() == 1 && e.terms[0].kind == grammar::Term::Kind::name &&
-           c_.names.find({Kind::step}, grammar::to_upper(c_.sources.text(e.terms[0].span)), {}) !=
-               nullptr;
+  [[nodiscard]] bool is_step(const grammar::ParsedExpression& e) const {
+    return e.terms.size() == 1 &&
+           e.terms[0].kind == grammar::ExpressionTerm::ExpressionTermKind::name &&
+           c_.names.find({EntityKind::step}, grammar::to_upper(c_.sources.text(e.terms[0].span)),
+                         {}) != nullptr;
   }
 
   static std::string usage(std::string_view letters) {
@@ -257,7 +262,7 @@ private:
     return letter == 'd' ? "X|Y|Z" : letter == 'e' ? "net or *" : grammar::argument_word(letter);
   }
 
-  bool argument(char letter, const grammar::Expression& expression) {
+  bool argument(char letter, const grammar::ParsedExpression& expression) {
     if (letter == 'a' || letter == 'z') {
       const auto value = grammar::evaluate(expression, c_.scope, c_.diagnostics);
       check_.arguments.emplace_back(value.value_or(0.0));
@@ -266,7 +271,8 @@ private:
       }
       return value.has_value();
     }
-    if (expression.terms.size() != 1 || expression.terms[0].kind != grammar::Term::Kind::name) {
+    if (expression.terms.size() != 1 ||
+        expression.terms[0].kind != grammar::ExpressionTerm::ExpressionTermKind::name) {
       c_.error(
           expression.span, "E315",
           fmt::format("expected {}, not '{}'", word(letter), c_.sources.text(expression.span)));
@@ -280,7 +286,7 @@ private:
 
   // Names of sets become qualified.
   bool known(char letter, std::string& name, base::SourceSpan span) {
-    const Reference reference{name, span, card_.net};
+    const NameReference reference{name, span, card_.net};
     switch (letter) {
     case 'c': {
       const std::size_t dot = name.find('.');
@@ -288,26 +294,26 @@ private:
         c_.error(span, "E315", "the tips of a crack are NAME.1 and NAME.2");
         return false;
       }
-      return look_up(c_, Kind::crack, {name.substr(0, dot), span, {}}) != nullptr;
+      return look_up(c_, EntityKind::crack, {name.substr(0, dot), span, {}}) != nullptr;
     }
     case 'p':
-      return look_up_pair(c_, reference);
+      return check_contact_reference(c_, reference);
     case 's':
-      return look_up(c_, Kind::step, reference) != nullptr;
+      return look_up(c_, EntityKind::step, reference) != nullptr;
     case 'o':
-      return look_up(c_, Kind::load_case, reference) != nullptr;
+      return look_up(c_, EntityKind::load_case, reference) != nullptr;
     case 'm':
-      return look_up(c_, Kind::material, reference) != nullptr;
+      return look_up(c_, EntityKind::material, reference) != nullptr;
     case 'l':
-      return look_up(c_, Kind::path, reference) != nullptr;
+      return look_up(c_, EntityKind::path, reference) != nullptr;
     case 't':
-      return look_up(c_, Kind::test, reference) != nullptr;
+      return look_up(c_, EntityKind::test, reference) != nullptr;
     case 'e':
-      return name == "*" || look_up(c_, Kind::net, {name, span, {}}) != nullptr;
+      return name == "*" || look_up(c_, EntityKind::net, {name, span, {}}) != nullptr;
     case 'n': {
       const std::string own = qualify(card_.net, name);
-      const bool ok = kind_of_set(c_, Kind::any_set, reference).has_value();
-      name = c_.names.find(meanings(Kind::any_set), own, {}) != nullptr ? own : name;
+      const bool ok = resolve_set_kind(c_, EntityKind::any_set, reference).has_value();
+      name = c_.names.find(accepted_kinds(EntityKind::any_set), own, {}) != nullptr ? own : name;
       return ok;
     }
     default:
@@ -319,16 +325,16 @@ private:
     }
   }
 
-  Context& c_;
-  const BoundCard& card_;
-  const grammar::Row& row_;
+  DeckContext& c_;
+  const CheckedCard& card_;
+  const grammar::DataRow& row_;
   model::ResultCheck check_;
 };
 
 } // namespace
 
-void read_checks(Context& context, const BoundCard& card) {
-  for (const grammar::Row& row : card.rows) {
+void read_checks(DeckContext& context, const CheckedCard& card) {
+  for (const grammar::DataRow& row : card.rows) {
     CheckReader(context, card, row).run();
   }
 }

@@ -6,6 +6,6 @@ namespace spricka::deck {
 
 /// The lines of a $CHECK card into the model: quantities and their arguments against the
 /// catalogue, names against the deck.
-void read_checks(Context& context, const BoundCard& card);
+void read_checks(DeckContext& context, const CheckedCard& card);
 
 } // namespace spricka::deck

@@ -5,9 +5,9 @@
 
 namespace spricka::deck {
 
-const BoundCard* Context::first_card(std::string_view name) const {
+const CheckedCard* DeckContext::first_card(std::string_view name) const {
   const auto found =
-      std::ranges::find_if(cards, [&](const BoundCard& card) { return card.spec->name == name; });
+      std::ranges::find_if(cards, [&](const CheckedCard& card) { return card.spec->name == name; });
   return found == cards.end() ? nullptr : &*found;
 }
 

@@ -28,32 +28,32 @@ struct ElementOrigin {
 };
 
 /// Everything the stages of reading share: what is being built and what is known about names.
-struct Context {
+struct DeckContext {
   base::SourceTexts& sources;
   base::Diagnostics& diagnostics;
-  grammar::Scope scope{};
+  grammar::ExpressionScope scope{};
   std::vector<std::pair<std::string, double>> parameters{}; ///< as written
   std::set<std::string> overridden{};                       ///< by -D, upper case
-  Names names{};
-  std::vector<BoundCard> cards{};
+  NameTable names{};
+  std::vector<CheckedCard> cards{};
   model::Model model{};
 
-  std::vector<ScriptTable> scripts{};            ///< of $IMPORT FORMAT=GEO, in their order
+  std::vector<ImportedScript> scripts{};         ///< of $IMPORT FORMAT=GEO, in their order
   std::vector<mesh::ImportedPhysics> imported{}; ///< by $IMPORT FORMAT=INP, in their order
 
-  std::vector<Labels> node_labels{};                         ///< [net]
-  std::vector<Labels> element_labels{};                      ///< [net]
-  std::vector<ElementOrigin> origins{};                      ///< ascending
-  std::size_t largest_mesh = 0;                              ///< see ReadOptions
-  const std::map<std::string, Refinement>* refine = nullptr; ///< see ReadOptions
+  std::vector<LabelMap> node_labels{};                          ///< [net]
+  std::vector<LabelMap> element_labels{};                       ///< [net]
+  std::vector<ElementOrigin> origins{};                         ///< ascending
+  std::size_t largest_mesh = 0;                                 ///< see ReadOptions
+  const std::map<std::string, NetRefinement>* refine = nullptr; ///< see ReadOptions
   std::set<std::string> remeshed{};          ///< nets whose cards took their refinement themselves
   std::set<std::size_t> default_thickness{}; ///< plane properties whose card has no THICK
   bool mesh_sound = true;                    ///< no mistake while nodes and elements were made
   bool property_sound = true;                ///< no mistake in $PROPERTY and what it names
   bool freedom_sound = true;                 ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
-  std::vector<std::size_t> building{};            ///< cards of sets being built, outermost first
-  std::map<std::size_t, SetBorder> set_borders{}; ///< of face sets whose WHERE cuts faces
+  std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
+  std::map<std::size_t, FaceSetCoverage> set_borders{};    ///< of face sets whose WHERE cuts faces
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 
@@ -61,77 +61,78 @@ struct Context {
     diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
   }
   /// The first card of a name; null: the deck has none.
-  [[nodiscard]] const BoundCard* first_card(std::string_view name) const;
+  [[nodiscard]] const CheckedCard* first_card(std::string_view name) const;
   /// Of the net that a card stands in; null: as the deck has it.
-  [[nodiscard]] const Refinement* refinement(const std::string& net) const {
-    const auto found =
-        refine == nullptr ? std::map<std::string, Refinement>::const_iterator() : refine->find(net);
+  [[nodiscard]] const NetRefinement* refinement(const std::string& net) const {
+    const auto found = refine == nullptr ? std::map<std::string, NetRefinement>::const_iterator()
+                                         : refine->find(net);
     return refine == nullptr || found == refine->end() ? nullptr : &found->second;
   }
   /// Elements of the plane, without doubt: a mesh whose card is refused may have been a solid one.
   [[nodiscard]] bool known_plane() const {
     return mesh_sound && model.mesh.element_count() > 0 && model.mesh.dim == 2;
   }
-  void unavailable(std::string what, base::SourceSpan span) {
+  void mark_unavailable(std::string what, base::SourceSpan span) {
     model.unavailable.push_back({std::move(what), span});
   }
 };
 
 /// The definition a reference means. Empty after an error, which is reported unless the name is
 /// poisoned.
-const Definition* look_up(Context& context, Kind kind, const Reference& reference);
+const NameDefinition* look_up(DeckContext& context, EntityKind kind,
+                              const NameReference& reference);
 
 /// Whether a reference means a contact, or with CRACK.FACES the faces of a crack; else an error is
 /// reported as by look_up.
-bool look_up_pair(Context& context, const Reference& reference);
+bool check_contact_reference(DeckContext& context, const NameReference& reference);
 
 // The stages, in their order. Each takes its cards from the context and leaves its part of the
 // model there; mistakes go to the diagnostics.
 
 /// Passes 2 and 3: parameters, headers and rows of all cards; nets; names defined.
-void bind_all(Context& context, const std::vector<grammar::Card>& cards,
-              const ReadOptions& options);
+void resolve_all_cards(DeckContext& context, const std::vector<grammar::Card>& cards,
+                       const DeckReadOptions& options);
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
-void build_mesh(Context& context);
+void build_mesh(DeckContext& context);
 /// Parameters that reach no script, though they seem to be meant to.
-void check_scripts(Context& context);
+void check_scripts(DeckContext& context);
 /// $NSET, $ESET, $FSET.
-void build_sets(Context& context);
+void build_sets(DeckContext& context);
 /// $MATERIAL, $PROPERTY, $FREEDOM.
-void build_properties(Context& context);
+void build_properties(DeckContext& context);
 /// $MPC.
-void build_mpcs(Context& context);
+void build_mpcs(DeckContext& context);
 /// $LOAD and the cases.
-void build_loads(Context& context);
+void build_loads(DeckContext& context);
 /// $RIGID, $CONTACT, $CRACK, $TIPNET, $VCE.
-void build_contacts(Context& context);
-void build_cracks(Context& context);
+void build_contacts(DeckContext& context);
+void build_cracks(DeckContext& context);
 /// $STEP, $LOADPATH, $GROW.
-void build_steps(Context& context);
+void build_steps(DeckContext& context);
 /// $SPECTRUM, once its load paths are there.
-void build_spectra(Context& context);
+void build_spectra(DeckContext& context);
 /// $TEST, once $GROW is there.
-void build_tests(Context& context);
+void build_tests(DeckContext& context);
 /// $OUTPUT, $CHECK, $CONTROL, $RESTART, $SWEEP, $TASK.
-void build_requests(Context& context);
+void build_requests(DeckContext& context);
 /// Names that cards with bad headers use: the stages above leave these cards out.
-void check_references(Context& context);
+void check_references(DeckContext& context);
 /// Elements without a property, bad elements, mixed dimensions.
-void check_mesh(Context& context);
+void check_mesh(DeckContext& context);
 /// Elements that stand twice; sides that touch and nothing joins.
-void check_seams(Context& context);
-void check_scope(Context& context);
+void check_seams(DeckContext& context);
+void check_model_consistency(DeckContext& context);
 /// Values that the language allows and hardly anybody means.
-void check_sense(Context& context);
+void check_plausibility(DeckContext& context);
 /// Surfaces that two cards hold or load.
-void check_surfaces(Context& context);
+void check_surfaces(DeckContext& context);
 /// Numbers that are allowed and that hardly any material, law, fit or check has.
-void check_values(Context& context);
+void check_values(DeckContext& context);
 /// What nothing uses or moves, and what stands twice.
-void check_unused(Context& context);
+void check_unused(DeckContext& context);
 /// Thickness and state of plane bodies.
-void check_thickness(Context& context);
+void check_thickness(DeckContext& context);
 /// Steps that do nothing and growths that cannot be meant.
-void check_life(Context& context);
+void check_steps_and_growth(DeckContext& context);
 
 } // namespace spricka::deck

@@ -62,7 +62,7 @@ DeckCard text_of(const grammar::Card& card, const base::SourceTexts& sources) {
   DeckCard text;
   text.name = card.name;
   text.card = card;
-  for (const grammar::Parameter& parameter : card.parameters) {
+  for (const grammar::HeaderParameter& parameter : card.parameters) {
     std::string value(sources.text(parameter.span));
     std::ranges::replace(value, '\n', ' '); // of a header that goes on in the next line
     text.keys.emplace_back(parameter.key, std::move(value));
@@ -98,7 +98,7 @@ const std::string* DeckCard::find(std::string_view key) const {
   return found == keys.end() ? nullptr : &found->second;
 }
 
-std::string DeckCard::word(std::string_view key) const {
+std::string DeckCard::word_value(std::string_view key) const {
   const std::string* value = find(key);
   return value == nullptr ? std::string() : grammar::to_upper(without_quotes(*value));
 }
@@ -119,7 +119,7 @@ void DeckCard::erase(std::string_view key) {
 std::optional<DeckText> read_deck_text(const fs::path& deck, base::SourceTexts& sources,
                                        base::Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
-  const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
+  const DeckFileCards loaded = read_deck_files(deck, sources, diagnostics);
   if (loaded.incomplete || diagnostics.error_count() > before) {
     return std::nullopt;
   }
@@ -135,7 +135,7 @@ std::optional<DeckText> read_deck_text(const fs::path& deck, base::SourceTexts& 
     }
     next.net = net;
     if (card.name == "NET") {
-      net = next.word("NAME");
+      net = next.word_value("NAME");
     }
     make_absolute(next, fs::path(sources.file_name(card.header.file)).parent_path());
     text.push_back(std::move(next));
@@ -159,7 +159,7 @@ std::string write_deck(DeckText text, const fs::path& folder,
   return grammar::format_deck(sources, file, diagnostics).value_or(out);
 }
 
-void append(DeckText& text, DeckCard card) {
+void append_card(DeckText& text, DeckCard card) {
   const auto end = std::ranges::find(text, "END", &DeckCard::name);
   text.insert(end, std::move(card));
 }

@@ -24,9 +24,9 @@ struct DeckCard {
   grammar::Card card; ///< as it was read; empty for a new one
 
   [[nodiscard]] const std::string* find(std::string_view key) const;
-  [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
+  [[nodiscard]] bool has_key(std::string_view key) const { return find(key) != nullptr; }
   /// The value of a key in upper case, quotes taken off; empty without it.
-  [[nodiscard]] std::string word(std::string_view key) const;
+  [[nodiscard]] std::string word_value(std::string_view key) const;
   /// Gives a key a value, in its place or behind the others.
   void set(std::string_view key, std::string value);
   void erase(std::string_view key);
@@ -46,6 +46,6 @@ std::string write_deck(DeckText text, const std::filesystem::path& folder,
                        const std::vector<std::string>& head = {});
 
 /// Puts a card in front of $END, or at the end.
-void append(DeckText& text, DeckCard card);
+void append_card(DeckText& text, DeckCard card);
 
 } // namespace spricka::deck

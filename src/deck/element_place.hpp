@@ -5,9 +5,9 @@
 namespace spricka::deck {
 
 /// The card and rows that made an element, by its index.
-const ElementOrigin& element_origin(const Context& context, std::size_t element);
+const ElementOrigin& element_origin(const DeckContext& context, std::size_t element);
 
 /// Its row of an $ELEMENT table, or the card that meshed it.
-base::SourceSpan element_place(const Context& context, std::size_t element);
+base::SourceSpan element_span(const DeckContext& context, std::size_t element);
 
 } // namespace spricka::deck

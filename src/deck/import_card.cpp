@@ -16,20 +16,20 @@ namespace spricka::deck {
 namespace {
 
 // Materials of a file stand behind those of the cards and are known by their names.
-void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics physics) {
+void adopt_physics(DeckContext& c, const CheckedCard& card, mesh::ImportedPhysics physics) {
   auto next = static_cast<std::size_t>(
-      std::count_if(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
+      std::count_if(c.cards.begin(), c.cards.end(), [](const CheckedCard& other) {
         return other.spec->name == "MATERIAL" && !other.bad;
       }));
   for (const mesh::ImportedPhysics& before : c.imported) {
     next += before.materials.size();
   }
   for (const model::ElasticMaterial& material : physics.materials) {
-    Definition definition;
-    definition.kind = Kind::material;
+    NameDefinition definition;
+    definition.kind = EntityKind::material;
     definition.index = next++;
     definition.span = card.span;
-    const Definition* before = c.names.define(material.name, definition);
+    const NameDefinition* before = c.names.define(material.name, definition);
     if (before != nullptr && !before->poisoned) {
       c.error(card.span, "E302", fmt::format("there is a material {} already", material.name),
               "put each file into a $NET of its own, or rename the material");
@@ -42,7 +42,7 @@ void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics phys
   c.imported.push_back(std::move(physics));
 }
 
-bool took_too_long(const Context& c) {
+bool took_too_long(const DeckContext& c) {
   const std::vector<base::Diagnostic>& all = c.diagnostics.messages();
   return std::any_of(all.begin(), all.end(), [](const base::Diagnostic& d) {
     return d.code == "E481" || d.code == "E482";
@@ -51,27 +51,28 @@ bool took_too_long(const Context& c) {
 
 } // namespace
 
-void import_card(Context& c, const BoundCard& card) {
+void import_card(DeckContext& c, const CheckedCard& card) {
   mesh::ImportRequest request;
   // Relative to the file that the card stands in, as $INCLUDE is.
   request.file = std::filesystem::path(c.sources.file_name(card.span.file)).parent_path() /
-                 std::string(card.word("FILE"));
-  request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
-  request.scale = card.number("SCALE");
-  request.quadratic = card.is("TYPE", "QUADRATIC");
-  request.skip_loads = card.is("SKIP", "LOADS");
+                 std::string(card.word_value("FILE"));
+  request.format =
+      card.has_word("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
+  request.scale = card.number_value("SCALE");
+  request.quadratic = card.has_word("TYPE", "QUADRATIC");
+  request.skip_loads = card.has_word("SKIP", "LOADS");
   request.prefix = card.net.empty() ? "" : card.net + ".";
   request.net = card.net_id;
   request.parameters = c.parameters;
   request.span = card.span;
-  const Refinement* finer = c.refinement(card.net);
+  const NetRefinement* finer = c.refinement(card.net);
   if (request.format == mesh::ImportFormat::geo && finer != nullptr && finer->size) {
     c.remeshed.insert(card.net);
     request.size = {finer->size.map, request.scale};
   }
-  for (const grammar::Row& row : card.rows) {
-    using FieldKind = grammar::Field::Kind;
-    const auto named = [](const grammar::Field& f) {
+  for (const grammar::DataRow& row : card.rows) {
+    using FieldKind = grammar::CardField::CardFieldKind;
+    const auto named = [](const grammar::CardField& f) {
       return f.kind == FieldKind::text || f.kind == FieldKind::name;
     };
     if (row.fields.size() != 2 || !named(row.fields[0]) || row.fields[0].separator != '=' ||
@@ -84,7 +85,7 @@ void import_card(Context& c, const BoundCard& card) {
                                      : std::string(c.sources.text(row.fields[0].span)),
                                  row.fields[1].text);
   }
-  if (request.skip_loads && !card.is("FORMAT", "INP")) {
+  if (request.skip_loads && !card.has_word("FORMAT", "INP")) {
     c.error(card.find("SKIP")->span, "E110", "SKIP=LOADS is for FORMAT=INP",
             "meshes of gmsh hold no loads");
     return;
@@ -94,9 +95,9 @@ void import_card(Context& c, const BoundCard& card) {
   if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
-  } else if (!card.is("FORMAT", "INP") && took_too_long(c)) {
+  } else if (!card.has_word("FORMAT", "INP") && took_too_long(c)) {
     return; // one file has taken all the time there is: the others wait until it is mended
-  } else if (!card.is("FORMAT", "INP")) {
+  } else if (!card.has_word("FORMAT", "INP")) {
     std::vector<mesh::GeometryScriptConstant> constants =
         mesh::import_mesh(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {

@@ -9,7 +9,7 @@
 namespace spricka::deck {
 
 /// The constants of one geometry script that a deck has imported, in the order of the script.
-struct ScriptTable {
+struct ImportedScript {
   std::string file;
   std::string net;
   base::SourceSpan card;

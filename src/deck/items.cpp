@@ -13,27 +13,27 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 /// Lists the nodes or elements that the data lines of a card name.
 class ItemReader {
 public:
-  ItemReader(Context& context, const BoundCard& card, Kind kind, const SetFinder& sets)
+  ItemReader(DeckContext& context, const CheckedCard& card, EntityKind kind, const SetFinder& sets)
       : c_(context), card_(card), kind_(kind), sets_(sets),
-        labels_((kind == Kind::node_set ? context.node_labels
-                                        : context.element_labels)[card.net_id.index()]) {}
+        labels_((kind == EntityKind::node_set ? context.node_labels
+                                              : context.element_labels)[card.net_id.index()]) {}
 
-  bool read(Collection& collection) {
-    for (const grammar::Row& row : card_.rows) {
+  bool read(IndexCollection& collection) {
+    for (const grammar::DataRow& row : card_.rows) {
       const auto equal = std::find_if(row.fields.begin(), row.fields.end(),
-                                      [](const Field& f) { return f.separator == '='; });
+                                      [](const CardField& f) { return f.separator == '='; });
       if (equal != row.fields.end()) {
         c_.error(equal->span, "E115", "no '=' in a list of items",
                  std::string(card_.spec->data_form));
         ok_ = false;
         continue;
       }
-      for (const Field& field : row.fields) {
+      for (const CardField& field : row.fields) {
         item(field, collection);
       }
     }
@@ -41,9 +41,9 @@ public:
   }
 
 private:
-  void item(const Field& field, Collection& collection) {
-    if (field.kind != Field::Kind::name && field.kind != Field::Kind::minus_name &&
-        c_.remeshed.contains(card_.net)) {
+  void item(const CardField& field, IndexCollection& collection) {
+    if (field.kind != CardField::CardFieldKind::name &&
+        field.kind != CardField::CardFieldKind::minus_name && c_.remeshed.contains(card_.net)) {
       c_.error(field.span, "E303",
                fmt::format("{} numbers mean other places where the net is meshed finer", thing()),
                "name a set, or choose by WHERE");
@@ -51,15 +51,15 @@ private:
       return;
     }
     switch (field.kind) {
-    case Field::Kind::number:
-    case Field::Kind::expression:
+    case CardField::CardFieldKind::number:
+    case CardField::CardFieldKind::expression:
       number(field, collection);
       break;
-    case Field::Kind::range:
+    case CardField::CardFieldKind::range:
       range(field, collection);
       break;
-    case Field::Kind::name:
-    case Field::Kind::minus_name:
+    case CardField::CardFieldKind::name:
+    case CardField::CardFieldKind::minus_name:
       members(field, collection);
       break;
     default:
@@ -70,12 +70,13 @@ private:
   }
 
   [[nodiscard]] std::string_view thing() const {
-    return kind_ == Kind::node_set ? "node" : "element";
+    return kind_ == EntityKind::node_set ? "node" : "element";
   }
 
-  void number(const Field& field, Collection& collection) {
-    const auto value = number_of(field, grammar::Quantity::number,
-                                 fmt::format("a {} number", thing()), c_.scope, c_.diagnostics);
+  void number(const CardField& field, IndexCollection& collection) {
+    const auto value =
+        read_field_number(field, grammar::Quantity::number, fmt::format("a {} number", thing()),
+                          c_.scope, c_.diagnostics);
     if (!value) {
       ok_ = false;
       return;
@@ -90,7 +91,7 @@ private:
   }
 
   // Numbers in a range may be missing, as long as there is one.
-  void range(const Field& field, Collection& collection) {
+  void range(const CardField& field, IndexCollection& collection) {
     const base::Label first = field.range[0];
     if (first < 1) {
       c_.error(field.span, "E103", fmt::format("a {} number is 1 or more", thing()));
@@ -112,7 +113,7 @@ private:
 
   [[nodiscard]] const std::vector<base::Label>& all_labels() const {
     const model::Mesh& mesh = c_.model.mesh;
-    return kind_ == Kind::node_set ? mesh.node_label : mesh.element_label;
+    return kind_ == EntityKind::node_set ? mesh.node_label : mesh.element_label;
   }
 
   // Asks for every number of the range.
@@ -134,7 +135,7 @@ private:
                                               base::Label step) const {
     const std::vector<base::Label>& labels = all_labels();
     const model::Mesh& mesh = c_.model.mesh;
-    const auto& net = kind_ == Kind::node_set ? mesh.node_net : mesh.element_net;
+    const auto& net = kind_ == EntityKind::node_set ? mesh.node_net : mesh.element_net;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const bool inside = labels[i] >= first && labels[i] <= last && net[i] == card_.net_id;
@@ -147,7 +148,7 @@ private:
     return found;
   }
 
-  void missing(const Field& field, std::string text) {
+  void missing(const CardField& field, std::string text) {
     ok_ = false;
     if (labels_.complete) {
       c_.error(field.span, "E303",
@@ -158,11 +159,11 @@ private:
     }
   }
 
-  void members(const Field& field, Collection& collection) {
-    const Reference reference{field.text, field.span, card_.net};
-    const bool minus = field.kind == Field::Kind::minus_name;
+  void members(const CardField& field, IndexCollection& collection) {
+    const NameReference reference{field.text, field.span, card_.net};
+    const bool minus = field.kind == CardField::CardFieldKind::minus_name;
     const auto put = [&](std::size_t i) { minus ? collection.remove(i) : collection.add(i); };
-    if (kind_ == Kind::node_set) {
+    if (kind_ == EntityKind::node_set) {
       if (const auto id = sets_.nodes(reference)) {
         for (const base::NodeId n : c_.model.mesh.set_with_id(*id).nodes) {
           put(n.index());
@@ -178,18 +179,18 @@ private:
     ok_ = false;
   }
 
-  Context& c_;
-  const BoundCard& card_;
-  Kind kind_;
+  DeckContext& c_;
+  const CheckedCard& card_;
+  EntityKind kind_;
   const SetFinder& sets_;
-  const Labels& labels_;
+  const LabelMap& labels_;
   bool ok_ = true;
 };
 
 } // namespace
 
-bool read_items(Context& context, const BoundCard& card, Kind kind, const SetFinder& sets,
-                Collection& collection) {
+bool read_items(DeckContext& context, const CheckedCard& card, EntityKind kind,
+                const SetFinder& sets, IndexCollection& collection) {
   return ItemReader(context, card, kind, sets).read(collection);
 }
 

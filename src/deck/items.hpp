@@ -8,9 +8,9 @@
 namespace spricka::deck {
 
 /// Indices, each at most once, in the order they came.
-class Collection {
+class IndexCollection {
 public:
-  explicit Collection(std::size_t count) : place_(count, 0) {}
+  explicit IndexCollection(std::size_t count) : place_(count, 0) {}
 
   void add(std::size_t i) {
     if (place_[i] == 0) {
@@ -20,7 +20,7 @@ public:
   }
   void remove(std::size_t i) { place_[i] = 0; }
 
-  [[nodiscard]] std::vector<std::size_t> take() const {
+  [[nodiscard]] std::vector<std::size_t> collected_indices() const {
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < listed_.size(); ++k) {
       if (place_[listed_[k]] == k + 1) { // else it was removed, and perhaps added again later
@@ -38,7 +38,7 @@ private:
 /// Adds what the data lines of a card name, numbers, ranges and sets of nodes or elements, and
 /// removes what -SET takes away. False if an item is not understood; the others are collected all
 /// the same.
-bool read_items(Context& context, const BoundCard& card, Kind kind, const SetFinder& sets,
-                Collection& collection);
+bool read_items(DeckContext& context, const CheckedCard& card, EntityKind kind,
+                const SetFinder& sets, IndexCollection& collection);
 
 } // namespace spricka::deck

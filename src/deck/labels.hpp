@@ -12,7 +12,7 @@ namespace spricka::deck {
 
 /// Deck numbers of one net to indices. Numbers without wide gaps, as nearly all decks have them,
 /// live in a plain array.
-class Labels {
+class LabelMap {
 public:
   /// False if the number is taken.
   bool insert(base::Label label, std::size_t index) {

@@ -49,8 +49,8 @@ std::size_t first_odd_byte(std::string_view text) {
   return text.size();
 }
 
-const grammar::Field* value_of(const grammar::Card& card, std::string_view key) {
-  for (const grammar::Parameter& p : card.parameters) {
+const grammar::CardField* value_of(const grammar::Card& card, std::string_view key) {
+  for (const grammar::HeaderParameter& p : card.parameters) {
     if (p.key == key) {
       return &p.values.front();
     }
@@ -81,7 +81,7 @@ public:
     open_.pop_back();
   }
 
-  LoadedDeck deck;
+  DeckFileCards deck;
 
 private:
   // Not a program, a picture or UTF-16.
@@ -112,8 +112,8 @@ private:
   }
 
   void include(const fs::path& from, const grammar::Card& card) {
-    const grammar::Field* name = value_of(card, "FILE");
-    if (name == nullptr || name->kind != grammar::Field::Kind::text) {
+    const grammar::CardField* name = value_of(card, "FILE");
+    if (name == nullptr || name->kind != grammar::CardField::CardFieldKind::text) {
       deck.incomplete = true; // the missing key is reported with the card's others
       return;
     }
@@ -139,7 +139,7 @@ private:
     }
   }
 
-  void refuse(const grammar::Field& name, std::string text) {
+  void refuse(const grammar::CardField& name, std::string text) {
     diagnostics_.error(name.span, "E113", std::move(text));
     deck.incomplete = true;
   }
@@ -184,8 +184,8 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
 
 } // namespace
 
-LoadedDeck load_deck(const std::filesystem::path& deck, base::SourceTexts& sources,
-                     base::Diagnostics& diagnostics) {
+DeckFileCards read_deck_files(const std::filesystem::path& deck, base::SourceTexts& sources,
+                              base::Diagnostics& diagnostics) {
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());
   loader.file(deck, deck.string());

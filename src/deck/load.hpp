@@ -11,14 +11,14 @@ namespace spricka::deck {
 
 /// The cards of a deck with those of its includes in their places. The $INCLUDE cards follow
 /// what they bring.
-struct LoadedDeck {
+struct DeckFileCards {
   std::vector<grammar::Card> cards;
   bool incomplete = false; ///< an include could not be read
 };
 
 /// Reads the deck and its includes and checks the frame: $DECK first, $END last. Trouble with the
 /// deck's own file throws std::system_error; with an include it is a deck error.
-LoadedDeck load_deck(const std::filesystem::path& deck, base::SourceTexts& sources,
-                     base::Diagnostics& diagnostics);
+DeckFileCards read_deck_files(const std::filesystem::path& deck, base::SourceTexts& sources,
+                              base::Diagnostics& diagnostics);
 
 } // namespace spricka::deck

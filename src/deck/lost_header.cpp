@@ -12,12 +12,12 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
-bool is_header(const grammar::Row& row) {
-  const std::vector<Field>& f = row.fields;
-  return f.size() > 2 && f[0].kind == Field::Kind::name && f[0].separator == ' ' &&
-         f[1].kind == Field::Kind::name && f[1].separator == '=' &&
+bool is_header(const grammar::DataRow& row) {
+  const std::vector<CardField>& f = row.fields;
+  return f.size() > 2 && f[0].kind == CardField::CardFieldKind::name && f[0].separator == ' ' &&
+         f[1].kind == CardField::CardFieldKind::name && f[1].separator == '=' &&
          grammar::find_card(f[0].text) != nullptr;
 }
 
@@ -27,21 +27,22 @@ std::string card_hint(std::string_view word) {
   const std::string upper = grammar::to_upper(word);
   return grammar::find_card(upper) != nullptr
              ? fmt::format("did you mean ${}?", upper)
-             : std::string(grammar::slip_at(word.data(), word.data(), word.data() + word.size()));
+             : std::string(
+                   grammar::foreign_sign_hint(word.data(), word.data(), word.data() + word.size()));
 }
 
-void drop_lost_header(Context& context, BoundCard& card) {
+void drop_header_without_dollar(DeckContext& context, CheckedCard& card) {
   const auto lost = std::find_if(card.rows.begin(), card.rows.end(), is_header);
   if (lost == card.rows.end()) {
     return;
   }
-  const Field& name = lost->fields.front();
+  const CardField& name = lost->fields.front();
   context.error(name.span, "E115",
                 fmt::format("a card starts with $; this reads as data of ${}", card.spec->name),
                 card_hint(name.text));
-  for (const Field& field : lost->fields) {
+  for (const CardField& field : lost->fields) {
     if (!field.text.empty()) {
-      context.names.poison_word(field.text);
+      context.names.poison_name_ending(field.text);
     }
   }
   card.rows.erase(lost, card.rows.end());

@@ -6,7 +6,7 @@ namespace spricka::deck {
 
 /// A data line like `STEP NAME=PULL` is a header whose $ was forgotten: it is reported, what it
 /// would have defined is poisoned, and it and the lines below it leave the card.
-void drop_lost_header(Context& context, BoundCard& card);
+void drop_header_without_dollar(DeckContext& context, CheckedCard& card);
 
 /// "did you mean $STEP?" when a word is the name of a card, what to write in place of a foreign
 /// sign, else empty.

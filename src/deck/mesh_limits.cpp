@@ -35,33 +35,35 @@ double nodes_per_cell(const base::ElementInfo& info) {
 }
 
 // Cells of the generator's grid: at least as many as it will make.
-double cells_of(const BoundCard& card, const base::ElementInfo& info) {
-  if (card.is("SHAPE", "BLOCK")) {
-    return card.number("NX") * card.number("NY") * (info.dim == 3 ? card.number("NZ") : 1.0);
+double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
+  if (card.has_word("SHAPE", "BLOCK")) {
+    return card.number_value("NX") * card.number_value("NY") *
+           (info.dim == 3 ? card.number_value("NZ") : 1.0);
   }
-  const double round = std::max(card.number("NT"), 8.0);
-  double cells = card.number("NR") * round;
-  if (card.is("SHAPE", "RING") && card.number("RI") == 0.0) {
+  const double round = std::max(card.number_value("NT"), 8.0);
+  double cells = card.number_value("NR") * round;
+  if (card.has_word("SHAPE", "RING") && card.number_value("RI") == 0.0) {
     cells += 0.25 * round * round; // the core of a disc
   }
-  if (card.is("SHAPE", "LUG")) { // the shank, in squares as wide as those at the back of the eye
+  if (card.has_word("SHAPE",
+                    "LUG")) { // the shank, in squares as wide as those at the back of the eye
     const double across = 0.25 * round + 1.0;
-    cells += across * (across * card.number("L") / card.number("W") + 1.0);
+    cells += across * (across * card.number_value("L") / card.number_value("W") + 1.0);
   }
   return cells;
 }
 
 } // namespace
 
-bool mesh_is_handy(Context& context, const BoundCard& card) {
-  const base::ElementInfo& info = info_of(card.word("TYPE"));
+bool check_mesh_card_size(DeckContext& context, const CheckedCard& card) {
+  const base::ElementInfo& info = info_of(card.word_value("TYPE"));
   const double elements = cells_of(card, info) * per_cell(info);
   const auto present = static_cast<double>(context.model.mesh.nodes.size());
   const double room = static_cast<double>(context.largest_mesh) - present;
   if (!(elements * info.nodes <= room)) {
-    const std::string_view hint = card.is("SHAPE", "BLOCK") ? "see NX, NY and NZ"
-                                  : card.is("SHAPE", "LUG") ? "see NR, NT and L over W"
-                                                            : "see NR and NT";
+    const std::string_view hint = card.has_word("SHAPE", "BLOCK") ? "see NX, NY and NZ"
+                                  : card.has_word("SHAPE", "LUG") ? "see NR, NT and L over W"
+                                                                  : "see NR and NT";
     context.error(card.span, "E321",
                   fmt::format("about {:.3g} elements of type {} are too many, there is room for "
                               "{:.3g}",

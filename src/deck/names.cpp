@@ -27,51 +27,51 @@ std::string qualify(const std::string& net, const std::string& name) {
   return net.empty() ? name : net + "." + name;
 }
 
-std::vector<Kind> meanings(Kind kind) {
+std::vector<EntityKind> accepted_kinds(EntityKind kind) {
   switch (kind) {
-  case Kind::set:
-  case Kind::node_set:
-    return {Kind::node_set, Kind::face_set};
-  case Kind::face_set:
-    return {Kind::face_set, Kind::node_set};
-  case Kind::any_set:
-    return {Kind::node_set, Kind::face_set, Kind::element_set};
-  case Kind::surface:
-    return {Kind::face_set, Kind::node_set, Kind::rigid};
+  case EntityKind::set:
+  case EntityKind::node_set:
+    return {EntityKind::node_set, EntityKind::face_set};
+  case EntityKind::face_set:
+    return {EntityKind::face_set, EntityKind::node_set};
+  case EntityKind::any_set:
+    return {EntityKind::node_set, EntityKind::face_set, EntityKind::element_set};
+  case EntityKind::surface:
+    return {EntityKind::face_set, EntityKind::node_set, EntityKind::rigid};
   default:
     return {kind};
   }
 }
 
-const Definition* Names::define(const std::string& name, const Definition& definition) {
+const NameDefinition* NameTable::define(const std::string& name, const NameDefinition& definition) {
   const auto [it, fresh] = table_.try_emplace({definition.kind, name}, definition);
   return fresh ? nullptr : &it->second;
 }
 
-void Names::poison(Kind kind, const std::string& name) {
-  Definition definition;
+void NameTable::poison(EntityKind kind, const std::string& name) {
+  NameDefinition definition;
   definition.kind = kind;
   definition.poisoned = true;
   const auto [it, fresh] = table_.try_emplace({kind, name}, definition);
   it->second.poisoned = true;
 }
 
-void Names::built(Kind kind, const std::string& name, std::size_t index) {
-  Definition& definition = table_.at({kind, name});
+void NameTable::mark_set_built(EntityKind kind, const std::string& name, std::size_t index) {
+  NameDefinition& definition = table_.at({kind, name});
   definition.index = index;
   definition.card.reset();
 }
 
-const Definition* Names::find(const std::vector<Kind>& kinds, const std::string& name,
-                              const std::string& net) const {
+const NameDefinition* NameTable::find(const std::vector<EntityKind>& kinds, const std::string& name,
+                                      const std::string& net) const {
   if (!net.empty()) {
-    for (const Kind kind : kinds) {
+    for (const EntityKind kind : kinds) {
       if (const auto it = table_.find({kind, qualify(net, name)}); it != table_.end()) {
         return &it->second;
       }
     }
   }
-  for (const Kind kind : kinds) {
+  for (const EntityKind kind : kinds) {
     if (const auto it = table_.find({kind, name}); it != table_.end()) {
       return &it->second;
     }
@@ -79,10 +79,10 @@ const Definition* Names::find(const std::vector<Kind>& kinds, const std::string&
   return nullptr;
 }
 
-bool Names::is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
-                        const std::string& net) const {
+bool NameTable::is_poisoned(const std::vector<EntityKind>& kinds, const std::string& name,
+                            const std::string& net) const {
   const bool kind_poisoned =
-      std::any_of(kinds.begin(), kinds.end(), [&](Kind k) { return kinds_.contains(k); });
+      std::any_of(kinds.begin(), kinds.end(), [&](EntityKind k) { return kinds_.contains(k); });
   if (everything_ || kind_poisoned || words_.contains(std::string(last_part(name))) ||
       words_.contains(name)) {
     return true;
@@ -92,13 +92,14 @@ bool Names::is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
          (own.empty() && !net.empty() && nets_.contains(net));
 }
 
-std::string Names::other_meaning(const std::vector<Kind>& kinds, const std::string& name) const {
+std::string NameTable::other_meaning(const std::vector<EntityKind>& kinds,
+                                     const std::string& name) const {
   for (const auto& [key, definition] : table_) {
     if (key.second == name && std::find(kinds.begin(), kinds.end(), key.first) == kinds.end()) {
-      const std::string_view word = grammar::word_of(key.first);
-      const bool faces = std::ranges::find(kinds, Kind::face_set) != kinds.end();
+      const std::string_view word = grammar::display_name(key.first);
+      const bool faces = std::ranges::find(kinds, EntityKind::face_set) != kinds.end();
       return fmt::format("'{0}' is {1} {2}{3}", name, word.front() == 'e' ? "an" : "a", word,
-                         key.first == Kind::crack && faces
+                         key.first == EntityKind::crack && faces
                              ? fmt::format("; a pressure on both of its faces is $LOAD TYPE=FACES, "
                                            "on one of them {0}.LEFT or {0}.RIGHT is loaded",
                                            name)
@@ -108,7 +109,7 @@ std::string Names::other_meaning(const std::vector<Kind>& kinds, const std::stri
   return {};
 }
 
-std::string Names::hint(const std::vector<Kind>& kinds, const std::string& name) const {
+std::string NameTable::hint(const std::vector<EntityKind>& kinds, const std::string& name) const {
   std::vector<std::string> valid;
   std::vector<std::string> same_word;
   for (const auto& [key, definition] : table_) {

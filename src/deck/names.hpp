@@ -14,12 +14,12 @@
 
 namespace spricka::deck {
 
-using grammar::Kind;
+using grammar::EntityKind;
 
 /// What a name was defined as. `index` counts the entities of its kind in the model; a set that
 /// its card has not built yet has `card`, the card's number, instead.
-struct Definition {
-  Kind kind = Kind::none;
+struct NameDefinition {
+  EntityKind kind = EntityKind::none;
   std::size_t index = 0;
   std::optional<std::size_t> card;
   base::SourceSpan span;
@@ -28,15 +28,15 @@ struct Definition {
 
 /// The names of a deck, by kind. Names are upper case; those of sets are qualified by their net.
 /// What a bad card would have defined is poisoned: it can be used without a further error.
-class Names {
+class NameTable {
 public:
   /// The older definition if the name is taken already; then nothing changes.
-  const Definition* define(const std::string& name, const Definition& definition);
-  void poison(Kind kind, const std::string& name);
+  const NameDefinition* define(const std::string& name, const NameDefinition& definition);
+  void poison(EntityKind kind, const std::string& name);
   /// Any name of any kind that ends in `name` (a card of unknown meaning named it).
-  void poison_word(const std::string& name) { words_.insert(name); }
+  void poison_name_ending(const std::string& name) { words_.insert(name); }
   /// Any name of a kind: a bad card defined one that could not be read.
-  void poison_kind(Kind kind) { kinds_.insert(kind); }
+  void poison_kind(EntityKind kind) { kinds_.insert(kind); }
   /// Every set of a net: its mesh could not be made.
   void poison_net(const std::string& net) { nets_.insert(net); }
   /// Every name: an include is missing.
@@ -44,30 +44,31 @@ public:
 
   /// The definition of `name` as one of `kinds`, the first kind first; within a net its own sets
   /// come before those outside. Null when unknown.
-  [[nodiscard]] const Definition* find(const std::vector<Kind>& kinds, const std::string& name,
-                                       const std::string& net) const;
-  [[nodiscard]] bool is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
+  [[nodiscard]] const NameDefinition* find(const std::vector<EntityKind>& kinds,
+                                           const std::string& name, const std::string& net) const;
+  [[nodiscard]] bool is_poisoned(const std::vector<EntityKind>& kinds, const std::string& name,
                                  const std::string& net) const;
   /// "did you mean ..": the nearest name, or one of another net with the same last part.
-  [[nodiscard]] std::string hint(const std::vector<Kind>& kinds, const std::string& name) const;
+  [[nodiscard]] std::string hint(const std::vector<EntityKind>& kinds,
+                                 const std::string& name) const;
 
   /// "'PLATE' is an element set" where the name stands for something of another kind.
-  [[nodiscard]] std::string other_meaning(const std::vector<Kind>& kinds,
+  [[nodiscard]] std::string other_meaning(const std::vector<EntityKind>& kinds,
                                           const std::string& name) const;
 
   /// For a set that has been built.
-  void built(Kind kind, const std::string& name, std::size_t index);
+  void mark_set_built(EntityKind kind, const std::string& name, std::size_t index);
 
 private:
-  std::map<std::pair<Kind, std::string>, Definition> table_;
-  std::set<Kind> kinds_;
+  std::map<std::pair<EntityKind, std::string>, NameDefinition> table_;
+  std::set<EntityKind> kinds_;
   std::set<std::string> words_;
   std::set<std::string> nets_;
   bool everything_ = false;
 };
 
 /// "SETS" that a reference of this kind may mean, in the order of preference.
-std::vector<Kind> meanings(Kind kind);
+std::vector<EntityKind> accepted_kinds(EntityKind kind);
 
 /// NAME within a net: "NET.NAME".
 std::string qualify(const std::string& net, const std::string& name);

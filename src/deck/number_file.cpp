@@ -34,12 +34,12 @@ NumberLine numbers_in(std::string_view text) {
 
 } // namespace
 
-std::optional<std::vector<NumberLine>> number_file(Context& context, const BoundCard& card,
+std::optional<std::vector<NumberLine>> number_file(DeckContext& context, const CheckedCard& card,
                                                    std::string_view key) {
   const base::SourceSpan span = card.find(key)->span;
   const std::filesystem::path path =
       std::filesystem::path(context.sources.file_name(card.span.file)).parent_path() /
-      std::string(card.word(key));
+      std::string(card.word_value(key));
   std::string all;
   try {
     all = base::read_file(path, base::largest_number_file);

@@ -12,18 +12,20 @@
 
 namespace spricka::deck {
 
-void Overrides::warn_of_lost_unit(Context& context, const grammar::Assignment& deck) const {
-  const Entry& entry = table_.at(deck.name);
+void ParameterOverrides::warn_of_missing_unit(DeckContext& context,
+                                              const grammar::Assignment& deck) const {
+  const ParameterOverride& entry = table_.at(deck.name);
   if (!entry.expression || grammar::has_unit(*entry.expression, context.scope)) {
     return;
   }
   const base::SourceSpan unit = foreign_unit(deck.value, context.scope);
   if (unit.valid() && entry.value) {
-    deck::warn_of_lost_unit(context, entry.span, entry.written, *entry.value, unit);
+    deck::warn_of_missing_unit(context, entry.span, entry.written, *entry.value, unit);
   }
 }
 
-void Overrides::define(Context& context, const std::string& name, const std::string& text) {
+void ParameterOverrides::define(DeckContext& context, const std::string& name,
+                                const std::string& text) {
   const std::int32_t file = context.sources.add_text(fmt::format("-D {}", name), text);
   const base::SourceSpan all{file, 0, static_cast<std::uint32_t>(text.size())};
   const std::string upper = grammar::to_upper(name);
@@ -33,7 +35,7 @@ void Overrides::define(Context& context, const std::string& name, const std::str
     context.error(all, "E210", fmt::format("-D: '{}' cannot be the name of a parameter", name));
     return;
   }
-  Entry entry;
+  ParameterOverride entry;
   entry.written = name;
   entry.span = all;
   entry.expression = grammar::parse_expression(context.sources, all, context.diagnostics);
@@ -43,7 +45,7 @@ void Overrides::define(Context& context, const std::string& name, const std::str
   }
 }
 
-void Overrides::read(Context& context, const ReadOptions& options) {
+void ParameterOverrides::read(DeckContext& context, const DeckReadOptions& options) {
   for (const auto& [name, text] : options.defines) {
     define(context, name, text);
   }
@@ -51,7 +53,7 @@ void Overrides::read(Context& context, const ReadOptions& options) {
     context.overridden.insert(name);
   }
   for (const auto& [name, number] : options.sweep_values) {
-    Entry entry;
+    ParameterOverride entry;
     entry.written = name;
     entry.value = number;
     entry.evaluated = true;
@@ -59,8 +61,8 @@ void Overrides::read(Context& context, const ReadOptions& options) {
   }
 }
 
-std::optional<double> Overrides::value(Context& context, const std::string& name) {
-  Entry& entry = table_.at(name);
+std::optional<double> ParameterOverrides::value(DeckContext& context, const std::string& name) {
+  ParameterOverride& entry = table_.at(name);
   if (entry.evaluated) {
     return entry.value;
   }
@@ -70,8 +72,8 @@ std::optional<double> Overrides::value(Context& context, const std::string& name
     return std::nullopt;
   }
   entry.running = true;
-  for (const grammar::Term& term : entry.expression->terms) {
-    if (term.kind != grammar::Term::Kind::name) {
+  for (const grammar::ExpressionTerm& term : entry.expression->terms) {
+    if (term.kind != grammar::ExpressionTerm::ExpressionTermKind::name) {
       continue;
     }
     const std::string needed = grammar::to_upper(context.sources.text(term.span));
@@ -91,17 +93,19 @@ std::optional<double> Overrides::value(Context& context, const std::string& name
   return entry.value;
 }
 
-base::SourceSpan Overrides::unit(const std::string& name) const {
-  const std::optional<grammar::Expression>& expression = table_.at(name).expression;
-  return expression ? grammar::outer_unit(*expression) : base::SourceSpan();
+base::SourceSpan ParameterOverrides::unit_span(const std::string& name) const {
+  const std::optional<grammar::ParsedExpression>& expression = table_.at(name).expression;
+  return expression ? grammar::explicit_unit(*expression) : base::SourceSpan();
 }
 
-bool Overrides::has_unit(const Context& context, const grammar::Assignment& own) const {
-  const std::optional<grammar::Expression>& expression = table_.at(own.name).expression;
+bool ParameterOverrides::has_unit(const DeckContext& context,
+                                  const grammar::Assignment& own) const {
+  const std::optional<grammar::ParsedExpression>& expression = table_.at(own.name).expression;
   return grammar::has_unit(expression ? *expression : own.value, context.scope);
 }
 
-void Overrides::report_unknown(Context& context, const std::set<std::string>& defined) const {
+void ParameterOverrides::report_unknown(DeckContext& context,
+                                        const std::set<std::string>& defined) const {
   const std::vector<std::string> valid(defined.begin(), defined.end());
   for (const auto& [name, entry] : table_) {
     const bool syntax_error = entry.evaluated && !entry.value && !entry.expression;

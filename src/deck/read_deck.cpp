@@ -13,13 +13,13 @@ namespace spricka::deck {
 
 namespace {
 
-void divide_elements(Context& context) {
+void divide_elements(DeckContext& context) {
   model::Model& model = context.model;
   for (int round = 0;; ++round) {
     std::vector<bool> nets(model.nets.size(), false);
     for (std::size_t n = 0; n < nets.size(); ++n) {
       const std::string& name = model.nets[n].name;
-      const Refinement* wish = context.refinement(name);
+      const NetRefinement* wish = context.refinement(name);
       nets[n] = wish != nullptr && wish->splits > round && !context.remeshed.contains(name);
     }
     if (std::none_of(nets.begin(), nets.end(), [](bool divided) { return divided; })) {
@@ -31,11 +31,12 @@ void divide_elements(Context& context) {
 
 } // namespace
 
-std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
-                                      base::SourceTexts& sources, base::Diagnostics& diagnostics,
-                                      std::vector<ScriptTable>* scripts) {
-  const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
-  Context context{sources, diagnostics};
+std::optional<model::Model> read_deck(const std::filesystem::path& deck,
+                                      const DeckReadOptions& options, base::SourceTexts& sources,
+                                      base::Diagnostics& diagnostics,
+                                      std::vector<ImportedScript>* scripts) {
+  const DeckFileCards loaded = read_deck_files(deck, sources, diagnostics);
+  DeckContext context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
   context.refine = &options.refine;
   if (loaded.incomplete) {
@@ -44,7 +45,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
     context.mesh_sound = false;
     context.property_sound = false;
   }
-  bind_all(context, loaded.cards, options);
+  resolve_all_cards(context, loaded.cards, options);
   build_mesh(context);
   check_scripts(context);
   build_sets(context);
@@ -58,12 +59,12 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   check_references(context);
   check_mesh(context);
   check_seams(context);
-  check_scope(context);
-  check_sense(context);
+  check_model_consistency(context);
+  check_plausibility(context);
   check_surfaces(context);
   check_values(context);
   check_unused(context);
-  check_life(context);
+  check_steps_and_growth(context);
   if (scripts != nullptr) {
     *scripts = std::move(context.scripts);
   }

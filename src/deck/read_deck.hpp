@@ -16,8 +16,9 @@ namespace spricka::deck {
 /// mistakes of all passes go to `diagnostics`; with errors the result is empty. File trouble with
 /// the deck itself throws std::system_error. Constants of geometry scripts go to `scripts`, if
 /// given.
-std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
-                                      base::SourceTexts& sources, base::Diagnostics& diagnostics,
-                                      std::vector<ScriptTable>* scripts = nullptr);
+std::optional<model::Model> read_deck(const std::filesystem::path& deck,
+                                      const DeckReadOptions& options, base::SourceTexts& sources,
+                                      base::Diagnostics& diagnostics,
+                                      std::vector<ImportedScript>* scripts = nullptr);
 
 } // namespace spricka::deck

@@ -11,7 +11,7 @@
 namespace spricka::deck {
 
 /// How much finer than its cards say a net is meshed, in the plane.
-struct Refinement {
+struct NetRefinement {
   /// Size of elements wanted at a point [length], for $IMPORT FORMAT=GEO; empty: as its script has.
   mesh::ScriptSizeRequest size = {};
   int counts = 1; ///< numbers of elements of $MESH times this
@@ -19,13 +19,13 @@ struct Refinement {
 };
 
 /// What the command line adds to a deck, and what is too large to try.
-struct ReadOptions {
+struct DeckReadOptions {
   std::vector<std::pair<std::string, std::string>> defines = {}; ///< -D NAME=expression
   /// Nodes of all elements together, counted for each element, that $MESH may make.
   std::size_t largest_mesh = 500'000'000;
   /// One point of the deck's $SWEEP: these parameters take these values.
   std::vector<std::pair<std::string, double>> sweep_values = {};
-  std::map<std::string, Refinement> refine = {}; ///< by net; "" is what stands in no net
+  std::map<std::string, NetRefinement> refine = {}; ///< by net; "" is what stands in no net
 };
 
 } // namespace spricka::deck

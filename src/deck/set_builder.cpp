@@ -17,7 +17,7 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::Field;
+using grammar::CardField;
 
 base::Vec3 centroid(const model::Mesh& mesh, base::ElementId e) {
   const auto nodes = mesh.element_nodes(e);
@@ -29,20 +29,21 @@ base::Vec3 centroid(const model::Mesh& mesh, base::ElementId e) {
   return sum / corners;
 }
 
-bool has_positive_items(const BoundCard& card) {
-  return std::any_of(card.rows.begin(), card.rows.end(), [](const grammar::Row& row) {
-    return std::any_of(row.fields.begin(), row.fields.end(),
-                       [](const Field& f) { return f.kind != Field::Kind::minus_name; });
+bool has_positive_items(const CheckedCard& card) {
+  return std::any_of(card.rows.begin(), card.rows.end(), [](const grammar::DataRow& row) {
+    return std::any_of(row.fields.begin(), row.fields.end(), [](const CardField& f) {
+      return f.kind != CardField::CardFieldKind::minus_name;
+    });
   });
 }
 
 // A set by WHERE alone starts from everything: all nodes of its net, or of all nets outside nets.
-bool starts_from_all(const BoundCard& card) {
-  return !card.has("FROM") && !has_positive_items(card) && card.has("WHERE");
+bool starts_from_all(const CheckedCard& card) {
+  return !card.has_key("FROM") && !has_positive_items(card) && card.has_key("WHERE");
 }
 
-bool has_start(Context& c, const BoundCard& card) {
-  if (card.has("FROM") || card.has("WHERE") || has_positive_items(card) || card.rows_bad) {
+bool has_start(DeckContext& c, const CheckedCard& card) {
+  if (card.has_key("FROM") || card.has_key("WHERE") || has_positive_items(card) || card.rows_bad) {
     return true;
   }
   c.error(card.span, "E115", fmt::format("${} needs items, FROM or WHERE", card.spec->name),
@@ -50,13 +51,13 @@ bool has_start(Context& c, const BoundCard& card) {
   return false;
 }
 
-bool holds(const BoundCard& card, const base::Vec3& x) {
-  return !card.has("WHERE") || card.find("WHERE")->expression(x) == 1.0;
+bool holds(const CheckedCard& card, const base::Vec3& x) {
+  return !card.has_key("WHERE") || card.find("WHERE")->expression(x) == 1.0;
 }
 
 // Sorts by ORDER, equal values by their place before.
-bool sort_nodes(Context& c, const BoundCard& card, std::vector<std::size_t>& nodes) {
-  if (!card.has("ORDER")) {
+bool sort_nodes(DeckContext& c, const CheckedCard& card, std::vector<std::size_t>& nodes) {
+  if (!card.has_key("ORDER")) {
     return true;
   }
   std::vector<std::pair<double, std::size_t>> keyed;
@@ -74,13 +75,13 @@ bool sort_nodes(Context& c, const BoundCard& card, std::vector<std::size_t>& nod
   return true;
 }
 
-std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCard& card,
+std::optional<std::vector<base::NodeId>> nodes_of_card(DeckContext& c, const CheckedCard& card,
                                                        const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
   if (!has_start(c, card)) {
     return std::nullopt;
   }
-  Collection collection(mesh.node_count());
+  IndexCollection collection(mesh.node_count());
   if (starts_from_all(card)) {
     for (std::size_t i = 0; i < mesh.node_count(); ++i) {
       if ((card.net.empty() || mesh.node_net[i] == card.net_id) && holds(card, mesh.x[i])) {
@@ -89,15 +90,15 @@ std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCa
     }
   }
   bool ok = true;
-  if (card.has("FROM")) {
-    const auto from = sets.nodes(card.reference("FROM"));
+  if (card.has_key("FROM")) {
+    const auto from = sets.nodes(card.name_reference("FROM"));
     ok = from.has_value();
     for (std::size_t i = 0; ok && i < mesh.set_with_id(*from).nodes.size(); ++i) {
       collection.add(mesh.set_with_id(*from).nodes[i].index());
     }
   }
-  ok = read_items(c, card, Kind::node_set, sets, collection) && ok;
-  std::vector<std::size_t> indices = collection.take();
+  ok = read_items(c, card, EntityKind::node_set, sets, collection) && ok;
+  std::vector<std::size_t> indices = collection.collected_indices();
   std::erase_if(indices, [&](std::size_t i) { return !holds(card, mesh.x[i]); });
   if (!ok || !sort_nodes(c, card, indices)) {
     return std::nullopt;
@@ -105,13 +106,13 @@ std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCa
   return std::vector<base::NodeId>(indices.begin(), indices.end());
 }
 
-std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const BoundCard& card,
-                                                             const SetFinder& sets) {
+std::optional<std::vector<base::ElementId>>
+elements_of_card(DeckContext& c, const CheckedCard& card, const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
   if (!has_start(c, card)) {
     return std::nullopt;
   }
-  Collection collection(mesh.element_count());
+  IndexCollection collection(mesh.element_count());
   if (starts_from_all(card)) {
     for (std::size_t i = 0; i < mesh.element_count(); ++i) {
       if (card.net.empty() || mesh.element_net[i] == card.net_id) {
@@ -120,22 +121,22 @@ std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const B
     }
   }
   bool ok = true;
-  if (card.has("FROM")) {
-    const auto from = sets.elements(card.reference("FROM"));
+  if (card.has_key("FROM")) {
+    const auto from = sets.elements(card.name_reference("FROM"));
     ok = from.has_value();
     for (std::size_t i = 0; ok && i < mesh.set_with_id(*from).elements.size(); ++i) {
       collection.add(mesh.set_with_id(*from).elements[i].index());
     }
   }
-  ok = read_items(c, card, Kind::element_set, sets, collection) && ok;
-  std::vector<std::size_t> indices = collection.take();
+  ok = read_items(c, card, EntityKind::element_set, sets, collection) && ok;
+  std::vector<std::size_t> indices = collection.collected_indices();
   std::erase_if(indices,
                 [&](std::size_t i) { return !holds(card, centroid(mesh, base::ElementId(i))); });
   return ok ? std::optional(std::vector<base::ElementId>(indices.begin(), indices.end()))
             : std::nullopt;
 }
 
-const std::vector<model::Face>& boundary(Context& c) {
+const std::vector<model::Face>& boundary(DeckContext& c) {
   if (!c.boundary) {
     c.boundary = mesh::boundary_faces(c.model.mesh);
   }
@@ -147,16 +148,17 @@ std::uint64_t number_of_face(const model::Face& face) {
 }
 
 // Faces of the sets that the data lines name, taken away by -SET.
-bool face_items(Context& c, const BoundCard& card, const SetFinder& sets,
+bool face_items(DeckContext& c, const CheckedCard& card, const SetFinder& sets,
                 std::vector<model::Face>& faces) {
   bool ok = true;
   std::unordered_set<std::uint64_t> present;
   for (const model::Face& face : faces) {
     present.insert(number_of_face(face));
   }
-  for (const grammar::Row& row : card.rows) {
-    for (const Field& field : row.fields) {
-      if (field.kind != Field::Kind::name && field.kind != Field::Kind::minus_name) {
+  for (const grammar::DataRow& row : card.rows) {
+    for (const CardField& field : row.fields) {
+      if (field.kind != CardField::CardFieldKind::name &&
+          field.kind != CardField::CardFieldKind::minus_name) {
         c.error(field.span, "E115", "the name of a node or face set is expected",
                 std::string(card.spec->data_form));
         ok = false;
@@ -167,7 +169,7 @@ bool face_items(Context& c, const BoundCard& card, const SetFinder& sets,
         ok = false;
         continue;
       }
-      const bool minus = field.kind == Field::Kind::minus_name;
+      const bool minus = field.kind == CardField::CardFieldKind::minus_name;
       for (const model::Face& face : c.model.mesh.set_with_id(*id).faces) {
         if (minus) {
           present.erase(number_of_face(face));
@@ -185,7 +187,7 @@ bool face_items(Context& c, const BoundCard& card, const SetFinder& sets,
   return ok;
 }
 
-std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCard& card,
+std::optional<std::vector<model::Face>> faces_of_card(DeckContext& c, const CheckedCard& card,
                                                       const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
   if (!has_start(c, card)) {
@@ -199,15 +201,15 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
         faces.push_back(face);
       }
     }
-  } else if (card.has("FROM")) {
-    const auto from = sets.faces(card.reference("FROM"));
+  } else if (card.has_key("FROM")) {
+    const auto from = sets.faces(card.name_reference("FROM"));
     ok = from.has_value();
     if (ok) {
       faces = mesh.set_with_id(*from).faces;
     }
   }
   ok = face_items(c, card, sets, faces) && ok;
-  if (card.has("WHERE")) {
+  if (card.has_key("WHERE")) {
     std::vector<bool> inside(mesh.node_count(), false);
     for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces)) {
       inside[n.index()] = holds(card, mesh.x[n.index()]);
@@ -218,8 +220,8 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
         });
     const std::vector<model::Face> left_out(others, faces.end());
     faces.erase(others, faces.end());
-    const SetBorder border =
-        border_of(mesh, faces, left_out, [&](const base::Vec3& x) { return holds(card, x); });
+    const FaceSetCoverage border = face_set_coverage(
+        mesh, faces, left_out, [&](const base::Vec3& x) { return holds(card, x); });
     constexpr double little = 0.01;
     if (border.meant > (1.0 + little) * border.taken) {
       c.set_borders[mesh.face_sets.size()] = border;
@@ -229,7 +231,7 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
 }
 
 // Where the nodes lie that WHERE chose none of.
-std::string extent(const Context& c, const BoundCard& card) {
+std::string extent(const DeckContext& c, const CheckedCard& card) {
   const model::Mesh& mesh = c.model.mesh;
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
   base::Vec3 high = -low;
@@ -250,7 +252,8 @@ std::string extent(const Context& c, const BoundCard& card) {
 
 } // namespace
 
-std::vector<model::Face> boundary_within(Context& context, const std::vector<base::NodeId>& nodes) {
+std::vector<model::Face> boundary_within(DeckContext& context,
+                                         const std::vector<base::NodeId>& nodes) {
   const model::Mesh& mesh = context.model.mesh;
   std::vector<bool> inside(mesh.node_count(), false);
   for (const base::NodeId n : nodes) {
@@ -265,10 +268,10 @@ std::vector<model::Face> boundary_within(Context& context, const std::vector<bas
   return result;
 }
 
-void build_set(Context& context, const BoundCard& card, const SetFinder& sets) {
-  const BoundValue& name = *card.find("NAME");
+void build_set(DeckContext& context, const CheckedCard& card, const SetFinder& sets) {
+  const CheckedValue& name = *card.find("NAME");
   const std::string full = qualify(card.net, name.text);
-  const Kind kind = name.key->kind;
+  const EntityKind kind = name.key->kind;
   model::Mesh& mesh = context.model.mesh;
   std::optional<std::size_t> size;
   std::size_t index = 0;
@@ -279,24 +282,24 @@ void build_set(Context& context, const BoundCard& card, const SetFinder& sets) {
       into.push_back({full, std::move(*members), card.span});
     }
   };
-  if (kind == Kind::node_set) {
+  if (kind == EntityKind::node_set) {
     keep(mesh.node_sets, nodes_of_card(context, card, sets));
-  } else if (kind == Kind::element_set) {
+  } else if (kind == EntityKind::element_set) {
     keep(mesh.element_sets, elements_of_card(context, card, sets));
   } else {
     keep(mesh.face_sets, faces_of_card(context, card, sets));
   }
   // where a mesh is missing, as one in space may, an empty set says nothing
   const bool whole = std::all_of(context.node_labels.begin(), context.node_labels.end(),
-                                 [](const Labels& labels) { return labels.complete; });
+                                 [](const LabelMap& labels) { return labels.complete; });
   if (size == std::size_t{0} && context.mesh_sound && whole && !card.rows_bad) {
     context.error(name.span, "E309", fmt::format("set {} is empty", full),
-                  card.has("WHERE") ? extent(context, card) : "");
+                  card.has_key("WHERE") ? extent(context, card) : "");
   }
   if (size.value_or(0) == 0 || card.rows_bad) {
     context.names.poison(kind, full);
   }
-  context.names.built(kind, full, index);
+  context.names.mark_set_built(kind, full, index);
 }
 
 } // namespace spricka::deck

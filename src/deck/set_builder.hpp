@@ -9,9 +9,10 @@ namespace spricka::deck {
 
 /// Builds the set of an $NSET, $ESET or $FSET card into the mesh and notes its index under its
 /// name; after an error the name is poisoned. The sets that the card names come by `sets`.
-void build_set(Context& context, const BoundCard& card, const SetFinder& sets);
+void build_set(DeckContext& context, const CheckedCard& card, const SetFinder& sets);
 
 /// Boundary faces all of whose nodes are listed. The boundary of the mesh is found only once.
-std::vector<model::Face> boundary_within(Context& context, const std::vector<base::NodeId>& nodes);
+std::vector<model::Face> boundary_within(DeckContext& context,
+                                         const std::vector<base::NodeId>& nodes);
 
 } // namespace spricka::deck

@@ -12,9 +12,9 @@ namespace spricka::deck {
 /// error, which is reported already. Sets are made of other sets and each is built when it is first
 /// named: who builds a set hands in the way to the others.
 struct SetFinder {
-  std::function<std::optional<base::NodeSetId>(const Reference&)> nodes;
-  std::function<std::optional<base::ElementSetId>(const Reference&)> elements;
-  std::function<std::optional<base::FaceSetId>(const Reference&)> faces;
+  std::function<std::optional<base::NodeSetId>(const NameReference&)> nodes;
+  std::function<std::optional<base::ElementSetId>(const NameReference&)> elements;
+  std::function<std::optional<base::FaceSetId>(const NameReference&)> faces;
 };
 
 } // namespace spricka::deck

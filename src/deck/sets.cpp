@@ -15,15 +15,15 @@ namespace spricka::deck {
 namespace {
 
 // Sets that the card of another one names.
-SetFinder finder(Context& c) {
-  return {[&c](const Reference& reference) { return use_node_set(c, reference); },
-          [&c](const Reference& reference) { return use_element_set(c, reference); },
-          [&c](const Reference& reference) { return use_face_set(c, reference); }};
+SetFinder finder(DeckContext& c) {
+  return {[&c](const NameReference& reference) { return resolve_node_set(c, reference); },
+          [&c](const NameReference& reference) { return resolve_element_set(c, reference); },
+          [&c](const NameReference& reference) { return resolve_face_set(c, reference); }};
 }
 
 // The definition of a set, its card built if it has not been yet.
-const Definition* find_set(Context& c, Kind kind, const Reference& reference) {
-  const Definition* found = look_up(c, kind, reference);
+const NameDefinition* find_set(DeckContext& c, EntityKind kind, const NameReference& reference) {
+  const NameDefinition* found = look_up(c, kind, reference);
   if (found == nullptr || !found->card) {
     return found;
   }
@@ -40,17 +40,19 @@ const Definition* find_set(Context& c, Kind kind, const Reference& reference) {
 
 } // namespace
 
-std::optional<Kind> kind_of_set(Context& context, Kind kind, const Reference& reference) {
-  const Definition* found = find_set(context, kind, reference);
+std::optional<EntityKind> resolve_set_kind(DeckContext& context, EntityKind kind,
+                                           const NameReference& reference) {
+  const NameDefinition* found = find_set(context, kind, reference);
   return found == nullptr ? std::nullopt : std::optional(found->kind);
 }
 
-std::optional<base::NodeSetId> use_node_set(Context& context, const Reference& reference) {
-  const Definition* found = find_set(context, Kind::set, reference);
+std::optional<base::NodeSetId> resolve_node_set(DeckContext& context,
+                                                const NameReference& reference) {
+  const NameDefinition* found = find_set(context, EntityKind::set, reference);
   if (found == nullptr) {
     return std::nullopt;
   }
-  if (found->kind == Kind::node_set) {
+  if (found->kind == EntityKind::node_set) {
     return base::NodeSetId(found->index);
   }
   const auto [it, fresh] = context.nodes_of_faces.try_emplace(found->index);
@@ -63,12 +65,13 @@ std::optional<base::NodeSetId> use_node_set(Context& context, const Reference& r
   return it->second;
 }
 
-std::optional<base::FaceSetId> use_face_set(Context& context, const Reference& reference) {
-  const Definition* found = find_set(context, Kind::face_set, reference);
+std::optional<base::FaceSetId> resolve_face_set(DeckContext& context,
+                                                const NameReference& reference) {
+  const NameDefinition* found = find_set(context, EntityKind::face_set, reference);
   if (found == nullptr) {
     return std::nullopt;
   }
-  if (found->kind == Kind::face_set) {
+  if (found->kind == EntityKind::face_set) {
     return base::FaceSetId(found->index);
   }
   if (const auto it = context.faces_of_nodes.find(found->index);
@@ -91,46 +94,48 @@ std::optional<base::FaceSetId> use_face_set(Context& context, const Reference& r
   return id;
 }
 
-std::optional<base::ElementSetId> use_element_set(Context& context, const Reference& reference) {
-  const Definition* found = find_set(context, Kind::element_set, reference);
+std::optional<base::ElementSetId> resolve_element_set(DeckContext& context,
+                                                      const NameReference& reference) {
+  const NameDefinition* found = find_set(context, EntityKind::element_set, reference);
   return found == nullptr ? std::nullopt : std::optional(base::ElementSetId(found->index));
 }
 
-std::optional<std::vector<base::NodeId>> node_items(Context& context, const BoundCard& card) {
-  Collection collection(context.model.mesh.node_count());
-  if (!read_items(context, card, Kind::node_set, finder(context), collection)) {
+std::optional<std::vector<base::NodeId>> collect_listed_nodes(DeckContext& context,
+                                                              const CheckedCard& card) {
+  IndexCollection collection(context.model.mesh.node_count());
+  if (!read_items(context, card, EntityKind::node_set, finder(context), collection)) {
     return std::nullopt;
   }
-  const std::vector<std::size_t> indices = collection.take();
+  const std::vector<std::size_t> indices = collection.collected_indices();
   return std::vector<base::NodeId>(indices.begin(), indices.end());
 }
 
-std::optional<Reference> set_field(Context& context, const BoundCard& card,
-                                   const grammar::Field& field) {
-  if (field.kind == grammar::Field::Kind::name) {
-    return Reference{field.text, field.span, card.net};
+std::optional<NameReference> read_set_reference(DeckContext& context, const CheckedCard& card,
+                                                const grammar::CardField& field) {
+  if (field.kind == grammar::CardField::CardFieldKind::name) {
+    return NameReference{field.text, field.span, card.net};
   }
   context.error(field.span, "E115", "the name of a set is expected",
                 std::string(card.spec->data_form));
   return std::nullopt;
 }
 
-void build_sets(Context& context) {
-  for (const BoundCard& card : context.cards) {
+void build_sets(DeckContext& context) {
+  for (const CheckedCard& card : context.cards) {
     if (card.bad ||
         (card.spec->name != "NSET" && card.spec->name != "ESET" && card.spec->name != "FSET")) {
       continue;
     }
-    const BoundValue& name = *card.find("NAME");
-    const Reference reference{qualify(card.net, name.text), name.span, {}};
-    const Definition* found = context.names.find({name.key->kind}, reference.name, {});
+    const CheckedValue& name = *card.find("NAME");
+    const NameReference reference{qualify(card.net, name.text), name.span, {}};
+    const NameDefinition* found = context.names.find({name.key->kind}, reference.name, {});
     if (found == nullptr || found->poisoned) {
       continue;
     }
-    if (name.key->kind == Kind::element_set) {
-      use_element_set(context, reference);
+    if (name.key->kind == EntityKind::element_set) {
+      resolve_element_set(context, reference);
     } else {
-      kind_of_set(context, name.key->kind, reference);
+      resolve_set_kind(context, name.key->kind, reference);
     }
   }
 }

@@ -10,21 +10,26 @@
 namespace spricka::deck {
 
 /// A node set; a face set stands for its nodes.
-std::optional<base::NodeSetId> use_node_set(Context& context, const Reference& reference);
+std::optional<base::NodeSetId> resolve_node_set(DeckContext& context,
+                                                const NameReference& reference);
 
 /// A face set; a node set stands for the boundary faces all of whose nodes lie in it.
-std::optional<base::FaceSetId> use_face_set(Context& context, const Reference& reference);
+std::optional<base::FaceSetId> resolve_face_set(DeckContext& context,
+                                                const NameReference& reference);
 
-std::optional<base::ElementSetId> use_element_set(Context& context, const Reference& reference);
+std::optional<base::ElementSetId> resolve_element_set(DeckContext& context,
+                                                      const NameReference& reference);
 
 /// The kind of set a reference means, first of `kind`'s meanings first.
-std::optional<Kind> kind_of_set(Context& context, Kind kind, const Reference& reference);
+std::optional<EntityKind> resolve_set_kind(DeckContext& context, EntityKind kind,
+                                           const NameReference& reference);
 
 /// The nodes that the data lines of a card list, each once, in the order they are listed.
-std::optional<std::vector<base::NodeId>> node_items(Context& context, const BoundCard& card);
+std::optional<std::vector<base::NodeId>> collect_listed_nodes(DeckContext& context,
+                                                              const CheckedCard& card);
 
 /// A field that names a set, as a reference; empty after an error.
-std::optional<Reference> set_field(Context& context, const BoundCard& card,
-                                   const grammar::Field& field);
+std::optional<NameReference> read_set_reference(DeckContext& context, const CheckedCard& card,
+                                                const grammar::CardField& field);
 
 } // namespace spricka::deck

@@ -13,11 +13,11 @@ namespace spricka::deck {
 namespace {
 
 template <class Wanted>
-base::SourceSpan find_unit(const grammar::Expression& expression, const grammar::Scope& scope,
-                           const Wanted& wanted) {
-  for (const grammar::Term& term : expression.terms) {
+base::SourceSpan find_unit(const grammar::ParsedExpression& expression,
+                           const grammar::ExpressionScope& scope, const Wanted& wanted) {
+  for (const grammar::ExpressionTerm& term : expression.terms) {
     base::SourceSpan unit = term.unit;
-    if (term.kind == grammar::Term::Kind::name) {
+    if (term.kind == grammar::ExpressionTerm::ExpressionTermKind::name) {
       const auto known = scope.units_of.find(grammar::to_upper(scope.sources->text(term.span)));
       unit = known == scope.units_of.end() ? unit : known->second;
     }
@@ -28,25 +28,26 @@ base::SourceSpan find_unit(const grammar::Expression& expression, const grammar:
   return {};
 }
 
-double factor_of(base::SourceSpan unit, const grammar::Scope& scope) {
+double factor_of(base::SourceSpan unit, const grammar::ExpressionScope& scope) {
   const std::optional<base::PhysicalUnit> known = base::parse_unit(scope.sources->text(unit));
   return known ? base::to_deck_factor(*known, scope.units) : 1.0;
 }
 
 } // namespace
 
-bool is_foreign(const Context& context, base::SourceSpan unit) {
+bool is_foreign(const DeckContext& context, base::SourceSpan unit) {
   return std::abs(factor_of(unit, context.scope) - 1.0) > 1e-12;
 }
 
-base::SourceSpan foreign_unit(const grammar::Expression& expression, const grammar::Scope& scope) {
+base::SourceSpan foreign_unit(const grammar::ParsedExpression& expression,
+                              const grammar::ExpressionScope& scope) {
   return find_unit(expression, scope, [&](base::SourceSpan unit) {
     return std::abs(factor_of(unit, scope) - 1.0) > 1e-12;
   });
 }
 
-void warn_of_lost_unit(Context& context, base::SourceSpan at, std::string_view name, double value,
-                       base::SourceSpan unit) {
+void warn_of_missing_unit(DeckContext& context, base::SourceSpan at, std::string_view name,
+                          double value, base::SourceSpan unit) {
   if (value == 0.0) {
     return;
   }
@@ -60,7 +61,7 @@ void warn_of_lost_unit(Context& context, base::SourceSpan at, std::string_view n
       fmt::format("write {}[{}], or the unit that is meant", written, word));
 }
 
-void warn_of_whole_radians(Context& context, base::SourceSpan at, std::string_view name,
+void warn_of_whole_radians(DeckContext& context, base::SourceSpan at, std::string_view name,
                            double value) {
   if (value == 0.0 || value != std::floor(value) ||
       context.sources.text(at).find('[') != std::string_view::npos) {
@@ -74,7 +75,7 @@ void warn_of_whole_radians(Context& context, base::SourceSpan at, std::string_vi
                   value));
 }
 
-void warn_of_mixed_units(Context& context, base::SourceSpan at, const base::UnitSystem& units) {
+void warn_of_mixed_units(DeckContext& context, base::SourceSpan at, const base::UnitSystem& units) {
   const bool inches = units.length_name == "in";
   const bool pounds = units.force_name == "lbf";
   if (inches != pounds) {

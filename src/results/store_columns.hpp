@@ -142,11 +142,11 @@ public:
   }
 
 private:
-  using Data = std::variant<std::vector<double>, std::vector<std::int64_t>,
-                            std::vector<std::string>, std::unique_ptr<RecordPacker>>;
+  using DataLineForm = std::variant<std::vector<double>, std::vector<std::int64_t>,
+                                    std::vector<std::string>, std::unique_ptr<RecordPacker>>;
   struct PackedChild {
     std::string name;
-    Data data;
+    DataLineForm data;
     std::size_t columns = 1;
   };
 

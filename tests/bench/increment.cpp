@@ -73,7 +73,7 @@ Costs solve_all(const model::Model& model) {
 
 int main(int argc, char** argv) {
   base::return_large_blocks();
-  deck::ReadOptions options;
+  deck::DeckReadOptions options;
   if (argc > 2) {
     options.defines.emplace_back("fine", argv[2]);
   }

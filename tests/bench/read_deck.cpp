@@ -140,13 +140,13 @@ struct Deck {
 // The tables alone into flat arrays, labels as they stand.
 void tables_alone(const base::SourceTexts& sources, const Deck& deck) {
   base::Diagnostics diagnostics;
-  grammar::Scope scope;
+  grammar::ExpressionScope scope;
   scope.sources = &sources;
   Bare flat;
   flat.label.reserve(deck.nodes + deck.elements);
   flat.x.reserve(3 * deck.nodes);
   flat.node.reserve(10 * deck.elements);
-  grammar::TableForm form;
+  grammar::BulkTableForm form;
   form.columns = 3;
   grammar::parse_coordinates(form, deck.node_data, scope, diagnostics, [&](const auto& rows) {
     flat.label.insert(flat.label.end(), rows.label.begin(), rows.label.end());
@@ -167,9 +167,9 @@ double read_to_mesh(const std::filesystem::path& path, std::size_t& arrays) {
   const base::Stopwatch watch;
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const deck::LoadedDeck loaded = deck::load_deck(path, sources, diagnostics);
-  deck::Context context{sources, diagnostics};
-  deck::bind_all(context, loaded.cards, {});
+  const deck::DeckFileCards loaded = deck::read_deck_files(path, sources, diagnostics);
+  deck::DeckContext context{sources, diagnostics};
+  deck::resolve_all_cards(context, loaded.cards, {});
   deck::build_mesh(context);
   const double spent = watch.cpu_time();
   const model::Mesh& mesh = context.model.mesh;
@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
   }
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const deck::LoadedDeck loaded = deck::load_deck(path, sources, diagnostics);
+  const deck::DeckFileCards loaded = deck::read_deck_files(path, sources, diagnostics);
   const Deck deck{side * side * side, 6 * cubes * cubes * cubes, loaded.cards[1].data,
                   loaded.cards[2].data};
   const double bare = best_of(repeats, [&] {

@@ -51,7 +51,7 @@ void line(const char* what, double seconds, double flops, double rate) {
 int main(int argc, char** argv) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  deck::ReadOptions options;
+  deck::DeckReadOptions options;
   for (int i = 2; i < argc; ++i) {
     const std::string_view text = argv[i];
     const std::size_t equals = text.find('=');

@@ -51,12 +51,12 @@ const ExactField plane_exact{
 //     b_x = -((lambda - mu) sin x + (lambda + 2 mu) q) sin y
 //     b_y = ((lambda + 5 mu) cos x + (mu - lambda) s) cos y.
 std::vector<base::CompiledExpression> plane_force(const fe::ConstitutiveLaw& k) {
-  Field x = Field(k.mu - k.lambda) * sin(x_field);
-  Field y = Field(k.lambda + 5.0 * k.mu) * cos(x_field);
+  CardField x = CardField(k.mu - k.lambda) * sin(x_field);
+  CardField y = CardField(k.lambda + 5.0 * k.mu) * cos(x_field);
   if (k.axisymmetric) {
-    const Field s = sin(x_field) / x_field;
-    x = x - Field(k.lambda + 2.0 * k.mu) * ((cos(x_field) - s) / x_field);
-    y = y + Field(k.mu - k.lambda) * s;
+    const CardField s = sin(x_field) / x_field;
+    x = x - CardField(k.lambda + 2.0 * k.mu) * ((cos(x_field) - s) / x_field);
+    y = y + CardField(k.mu - k.lambda) * s;
   }
   return {(x * sin(y_field)).code, (y * cos(y_field)).code};
 }
@@ -91,10 +91,10 @@ ExactField solid_exact(const Vec3& a) {
   return field;
 }
 
-Field along(int i) {
-  const Field z_field{base::OpCode::z};
-  const std::array<Field, 3> x{x_field, y_field, z_field};
-  Field e = sin(x[static_cast<std::size_t>(i)]);
+CardField along(int i) {
+  const CardField z_field{base::OpCode::z};
+  const std::array<CardField, 3> x{x_field, y_field, z_field};
+  CardField e = sin(x[static_cast<std::size_t>(i)]);
   for (int j = 0; j < 3; ++j) {
     e = j == i ? e : e * cos(x[static_cast<std::size_t>(j)]);
   }
@@ -189,8 +189,8 @@ Manufactured manufactured_solid(ElementType type, double nu, const Vec3& a, int 
   // b_i = ((lambda + mu)(a_1 + a_2 + a_3) + 3 mu a_i) e_i.
   for (int i = 0; i < 3; ++i) {
     const double b = (k.lambda + k.mu) * a.sum() + 3.0 * k.mu * a[i];
-    body.value.push_back((Field(b) * along(i)).code);
-    rim.value.push_back((Field(a[i]) * along(i)).code);
+    body.value.push_back((CardField(b) * along(i)).code);
+    rim.value.push_back((CardField(a[i]) * along(i)).code);
   }
   base::Vector u = solve_by_gradients(model, {"", {body, rim}});
   return {std::move(model), std::move(u), solid_exact(a)};

@@ -44,14 +44,14 @@ model::Model quarter_plate(ElementType type, int n, const Map& map) {
 
 // Source: Kirsch 1898 (Timoshenko, Goodier art. 35), in Cartesian components.
 struct Kirsch {
-  Field c2 = cos(2.0 * theta_field);
-  Field c4 = cos(4.0 * theta_field);
-  Field s2 = sin(2.0 * theta_field);
-  Field s4 = sin(4.0 * theta_field);
-  Field q = 1.0 / (rho_field * rho_field);
-  Field xx = 1.0 - q * (1.5 * c2 + c4) + 1.5 * q * q * c4;
-  Field yy = 0.0 - q * (0.5 * c2 - c4) - 1.5 * q * q * c4;
-  Field xy = 0.0 - q * (0.5 * s2 + s4) + 1.5 * q * q * s4;
+  CardField c2 = cos(2.0 * theta_field);
+  CardField c4 = cos(4.0 * theta_field);
+  CardField s2 = sin(2.0 * theta_field);
+  CardField s4 = sin(4.0 * theta_field);
+  CardField q = 1.0 / (rho_field * rho_field);
+  CardField xx = 1.0 - q * (1.5 * c2 + c4) + 1.5 * q * q * c4;
+  CardField yy = 0.0 - q * (0.5 * c2 - c4) - 1.5 * q * q * c4;
+  CardField xy = 0.0 - q * (0.5 * s2 + s4) + 1.5 * q * q * s4;
 };
 
 base::Vector solve_infinite(model::Model& model) {

@@ -87,7 +87,7 @@ Reader::~Reader() {
 Outcome Reader::read(const std::string& text, std::size_t largest_mesh) const {
   std::ofstream(deck(), std::ios::binary) << text;
   Outcome outcome;
-  deck::ReadOptions options;
+  deck::DeckReadOptions options;
   options.largest_mesh = largest_mesh;
   limit(k_seconds);
   outcome.model = deck::read_deck(deck(), options, outcome.sources, outcome.diagnostics);

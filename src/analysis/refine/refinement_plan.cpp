@@ -265,7 +265,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     if (!near_ends && !in_places && f >= no_change) {
       continue;
     }
-    deck::Refinement& refinement = nets_[net];
+    deck::NetRefinement& refinement = nets_[net];
     refinement.size.map = std::make_shared<const mesh::SizeMap>(std::move(list));
     refinement.counts =
         static_cast<int>(std::ceil(refinement.counts / std::min(f, near_ends ? 0.7 : 1.0)));

@@ -22,7 +22,9 @@ public:
   std::string refine(const model::Model& model, const results::RunResult& run);
 
   /// For deck::read_deck.
-  [[nodiscard]] const std::map<std::string, deck::Refinement>& refinements() const { return nets_; }
+  [[nodiscard]] const std::map<std::string, deck::NetRefinement>& refinements() const {
+    return nets_;
+  }
   /// Writes what patches are to have into a model that was read anew.
   void apply(model::Model& model) const;
 
@@ -33,7 +35,7 @@ private:
   std::string refine_fronts(const model::Model& model, const results::RunResult& run);
 
   double patch_growth_ = 1.0;
-  std::map<std::string, deck::Refinement> nets_;
+  std::map<std::string, deck::NetRefinement> nets_;
   std::vector<double> finer_; ///< [crack] divides the element sizes of its patch
 };
 

@@ -45,7 +45,7 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontSetting& set, const FrontExt
     const fe::AnyNodeVectors<3> X = fe::coordinates(element, set.mesh, e);
     for (const auto& point : quadrature_rule(element, e)) {
       const TurningAxes axes(set.axes.locate_point(X * element.N(point.r)));
-      Fields& at = fields_.emplace_back();
+      AllowedVariables& at = fields_.emplace_back();
       for (std::size_t k = 1; k < front_partners; ++k) {
         const FrontAuxiliaryField w = front_auxiliary_field(k, axes, set.body);
         at[k - 1] = {w.H, w.divergence};

@@ -26,7 +26,7 @@ public:
   /// The partners 1 to 4 of an element at a point of its rule.
   [[nodiscard]] FrontAuxiliaryField at(base::ElementId e, std::size_t point,
                                        std::size_t partner) const {
-    const Fields& fields = fields_[start_[slot_[e.index() - first_]] + point];
+    const AllowedVariables& fields = fields_[start_[slot_[e.index() - first_]] + point];
     FrontAuxiliaryField w;
     w.H = fields[partner - 1].H;
     w.sigma = isotropic_stress(body_, w.H);
@@ -42,7 +42,7 @@ private:
     Tensor<3> H;
     base::Vec3 divergence;
   };
-  using Fields = std::array<TabulatedAuxiliaryField, front_partners - 1>;
+  using AllowedVariables = std::array<TabulatedAuxiliaryField, front_partners - 1>;
 
   FrontBody body_;
   std::vector<base::ElementId> elements_;
@@ -51,7 +51,7 @@ private:
   std::vector<std::size_t> slot_;  ///< [element - first] into start_
   std::vector<std::size_t> start_; ///< [slot] into fields_
   std::vector<base::Vec3> places_; ///< [element] of its nodes, as a sum
-  std::vector<Fields> fields_;
+  std::vector<AllowedVariables> fields_;
 };
 
 /// Of the domains of a front, from their memory if they have one.

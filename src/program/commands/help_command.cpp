@@ -41,26 +41,27 @@ std::string code_help(const ErrorCode& code, std::size_t width) {
   const std::string kind = kind_of(code);
   return fmt::format("{}: {}{}\n", code.code, code.meaning,
                      kind.empty() ? "" : fmt::format(" ({})", kind)) +
-         (advice.empty() ? "" : grammar::paragraph(advice, 2, width));
+         (advice.empty() ? "" : grammar::wrap_paragraph(advice, 2, width));
 }
 
 std::string codes_help(std::size_t width) {
-  grammar::Columns table{{}, {6, 0}};
+  grammar::TextColumns table{{}, {6, 0}};
   for (const ErrorCode& code : all_codes()) {
     table.rows.push_back({std::string(code.code), std::string(code.meaning)});
   }
-  return "Errors E and warnings W; spricka help E108 says more about one:\n" + table.text(width);
+  return "Errors E and warnings W; spricka help E108 says more about one:\n" +
+         table.format_columns(width);
 }
 
 // Codes whose meaning has a word, given in capitals.
 std::string codes_with(const std::string& topic, std::size_t width) {
-  grammar::Columns table{{}, {6, 0}};
+  grammar::TextColumns table{{}, {6, 0}};
   for (const ErrorCode& code : all_codes()) {
     if (topic.size() > 2 && grammar::to_upper(code.meaning).find(topic) != std::string::npos) {
       table.rows.push_back({std::string(code.code), std::string(code.meaning)});
     }
   }
-  return table.rows.empty() ? std::string() : table.text(width);
+  return table.rows.empty() ? std::string() : table.format_columns(width);
 }
 
 std::string codes_markdown() {
@@ -93,7 +94,7 @@ std::optional<std::string> list_help(const std::string& topic, std::size_t width
     return codes_help(width);
   }
   if (topic == "WORDS") {
-    return grammar::field_words_help(width);
+    return grammar::list_damage_tolerance_terms(width);
   }
   return std::nullopt;
 }
@@ -141,7 +142,7 @@ std::optional<std::string> help_on(const std::string& topic, const ProgramText& 
 std::string help_or_field_help(const std::string& topic, const ProgramText& program,
                                std::size_t width) {
   std::string text = help_on(topic, program, width).value_or("");
-  const std::string field = grammar::field_help(topic, width);
+  const std::string field = grammar::damage_tolerance_help(topic, width);
   text += text.empty() || field.empty() ? "" : "\n";
   return text + field;
 }
@@ -157,8 +158,8 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
   for (const CommandText& command : program.commands) {
     known.push_back(command.name);
   }
-  for (const grammar::FieldWord& word : grammar::field_words()) {
-    const auto names = grammar::names_of(word);
+  for (const grammar::DamageToleranceTerm& word : grammar::damage_tolerance_terms()) {
+    const auto names = grammar::term_synonyms(word);
     known.insert(known.end(), names.begin(), names.end());
   }
   return base::suggest_spelling(topic, known);
@@ -182,7 +183,8 @@ base::Outcome help_command(const HelpOptions& options, const ProgramText& progra
     to_stdout(text);
     return base::Outcome::done;
   }
-  if (const std::string found = grammar::text_help(options.topic, width) + codes_with(topic, width);
+  if (const std::string found =
+          grammar::search_help_texts(options.topic, width) + codes_with(topic, width);
       !found.empty()) {
     fmt::print("'{}' is no word of the language; it stands in the texts of\n{}", options.topic,
                found);

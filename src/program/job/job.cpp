@@ -147,8 +147,8 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     out.run = once(*deck.model, trouble);
     return out;
   }
-  const auto read_finer = [&](const std::map<std::string, deck::Refinement>& refine) {
-    deck::ReadOptions finer = deck.options;
+  const auto read_finer = [&](const std::map<std::string, deck::NetRefinement>& refine) {
+    deck::DeckReadOptions finer = deck.options;
     finer.refine = refine;
     const analysis::RecordedInterval stretch(solve.recorder, "DECK", "meshes made finer");
     return read_silently(options.deck, finer);

@@ -104,7 +104,7 @@ RunOutcome refused(const base::SourceTexts& sources, const base::Diagnostics& li
   return {kind, first_error(sources, list), {}};
 }
 
-ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
+ReadyDeck read_ready(const std::filesystem::path& deck, const deck::DeckReadOptions& options,
                      const Log& log, const base::Diagnostics* told) {
   ReadyDeck ready;
   ready.options = options;
@@ -142,7 +142,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   return ready;
 }
 
-ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptions& options) {
+ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadOptions& options) {
   ReadyDeck ready;
   ready.options = options;
   std::optional<model::Model> model =

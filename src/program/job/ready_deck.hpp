@@ -26,10 +26,10 @@ struct RunOutcome {
 /// A deck that has been read: fit to be solved (model) or refused.
 struct ReadyDeck {
   base::SourceTexts sources;
-  base::Diagnostics diagnostics;          ///< of reading
-  deck::ReadOptions options;              ///< as it was read
-  std::vector<deck::ScriptTable> scripts; ///< the constants of geometry scripts
-  std::vector<std::string> flaws;         ///< what bodies in space have of each crack
+  base::Diagnostics diagnostics;             ///< of reading
+  deck::DeckReadOptions options;             ///< as it was read
+  std::vector<deck::ImportedScript> scripts; ///< the constants of geometry scripts
+  std::vector<std::string> flaws;            ///< what bodies in space have of each crack
   std::optional<model::Model> model;
   RunOutcome refusal; ///< without a model
 };
@@ -37,11 +37,11 @@ struct ReadyDeck {
 /// Reads and checks a deck; messages go to the log. Cards that this version does not have are
 /// refused (not_solvable), so is a deck without a step. Throws std::system_error on file trouble.
 /// What was `told` already is not said again, as of the other points of a sweep.
-ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
+ReadyDeck read_ready(const std::filesystem::path& deck, const deck::DeckReadOptions& options,
                      const Log& log, const base::Diagnostics* told = nullptr);
 
 /// A deck that has been read before, with its meshes finer: nothing new to tell of it.
-ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptions& options);
+ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadOptions& options);
 
 /// What is wrong goes to the log, but for what was `told` before of the same place, and the first
 /// error into the outcome.

@@ -9,7 +9,7 @@ namespace spricka::program {
 
 std::vector<results::ReportedScriptConstant> script_constants(const ReadyDeck& deck) {
   std::vector<results::ReportedScriptConstant> result;
-  for (const deck::ScriptTable& script : deck.scripts) {
+  for (const deck::ImportedScript& script : deck.scripts) {
     std::string file = std::filesystem::path(script.file).filename().string();
     if (!script.net.empty()) {
       file += fmt::format(" ({})", script.net);

@@ -14,7 +14,7 @@ namespace spricka::program {
 bool wants_tolerance(const model::Model& model);
 
 /// The deck read anew, with its meshes refined; without a model if it can't be read so.
-using ReadFiner = std::function<ReadyDeck(const std::map<std::string, deck::Refinement>&)>;
+using ReadFiner = std::function<ReadyDeck(const std::map<std::string, deck::NetRefinement>&)>;
 
 /// A run that was refined until every K with a tolerance has it, or why it ended before.
 struct ToleratedRun {

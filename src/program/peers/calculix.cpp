@@ -23,9 +23,9 @@ constexpr std::size_t number_from = 3;
 constexpr std::size_t values_from = 13;
 constexpr std::size_t width = 12;
 
-template <class Number> std::optional<Number> read(std::string_view columns) {
+template <class ScannedNumber> std::optional<ScannedNumber> read(std::string_view columns) {
   columns.remove_prefix(std::min(columns.find_first_not_of(' '), columns.size()));
-  Number value{};
+  ScannedNumber value{};
   const auto end = std::from_chars(columns.data(), columns.data() + columns.size(), value);
   return end.ec == std::errc() ? std::optional(value) : std::nullopt;
 }

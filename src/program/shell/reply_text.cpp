@@ -24,7 +24,7 @@ namespace {
 struct Line {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  grammar::Scope scope;
+  grammar::ExpressionScope scope;
   base::SourceSpan whole;
 
   Line(const std::string& text, const model::Model& model) {
@@ -55,7 +55,7 @@ bool is_name(char letter, const std::string& name, const std::vector<std::string
   return std::ranges::find(names, tip ? name.substr(0, dot) : name) != names.end();
 }
 
-base::Trouble read_argument(char letter, const grammar::Expression& expression,
+base::Trouble read_argument(char letter, const grammar::ParsedExpression& expression,
                             const model::Model& model, Line& line, model::ResultCheck& check) {
   if (letter == 'a' || letter == 'z') {
     const std::optional<double> value = grammar::evaluate(expression, line.scope, line.diagnostics);
@@ -63,7 +63,8 @@ base::Trouble read_argument(char letter, const grammar::Expression& expression,
     return value ? base::Trouble() : line.trouble();
   }
   const std::string written(line.sources.text(expression.span));
-  if (expression.terms.size() != 1 || expression.terms[0].kind != grammar::Term::Kind::name) {
+  if (expression.terms.size() != 1 ||
+      expression.terms[0].kind != grammar::ExpressionTerm::ExpressionTermKind::name) {
     return misuse(
         fmt::format("a {} is expected, not '{}'", grammar::argument_word(letter), written));
   }
@@ -154,18 +155,18 @@ std::vector<ShellWord> shell_words(std::string_view line) {
 base::Trouble read_number(const std::string& text, const model::Model& model,
                           grammar::Quantity quantity, double& value) {
   Line line(text, model);
-  const std::optional<grammar::Expression> expression =
+  const std::optional<grammar::ParsedExpression> expression =
       grammar::parse_expression(line.sources, line.whole, line.diagnostics);
   if (!expression) {
     return line.trouble();
   }
-  const base::SourceSpan unit = grammar::outer_unit(*expression);
+  const base::SourceSpan unit = grammar::explicit_unit(*expression);
   const std::optional<base::PhysicalUnit> known =
       unit.valid() ? base::parse_unit(line.sources.text(unit)) : std::nullopt;
-  if (known && known->dimension != grammar::dimension_of(quantity)) {
+  if (known && known->dimension != grammar::quantity_dimension(quantity)) {
     line.diagnostics.error(unit, "E205",
                            fmt::format("'{}' is not the unit of {}", line.sources.text(unit),
-                                       grammar::word_of(quantity)));
+                                       grammar::display_name(quantity)));
     return line.trouble();
   }
   const std::optional<double> found = grammar::evaluate(*expression, line.scope, line.diagnostics);
@@ -213,16 +214,16 @@ std::vector<std::string> names_for(char letter, const model::Model& model) {
 base::Trouble read_quantity(const std::string& text, const model::Model& model,
                             model::ResultCheck& check) {
   Line line(text, model);
-  const std::vector<grammar::Row> rows =
+  const std::vector<grammar::DataRow> rows =
       grammar::parse_rows(line.sources, line.whole, line.diagnostics);
   if (line.diagnostics.has_errors()) {
     return line.trouble();
   }
   if (rows.size() != 1 || rows[0].fields.size() != 1 ||
-      rows[0].fields[0].kind != grammar::Field::Kind::quantity) {
+      rows[0].fields[0].kind != grammar::CardField::CardFieldKind::quantity) {
     return misuse("one result with its arguments is expected", "K1(CRACK, NOW)");
   }
-  const grammar::Field& field = rows[0].fields[0];
+  const grammar::CardField& field = rows[0].fields[0];
   const grammar::ResultQuantity* is = grammar::find_quantity(field.text);
   if (is == nullptr) {
     return no_such("result", field.text, quantity_names());

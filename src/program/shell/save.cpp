@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using grammar::Card;
 
 std::string value_of(const Card& card, std::string_view key) {
-  for (const grammar::Parameter& p : card.parameters) {
+  for (const grammar::HeaderParameter& p : card.parameters) {
     if (p.key == key && !p.values.empty()) {
       return p.values.front().text;
     }
@@ -44,7 +44,7 @@ public:
   /// Sets a key of a header; others in its place are taken away.
   void set_key(const Card& card, std::string_view key, const std::string& value,
                std::initializer_list<std::string_view> instead = {}) {
-    for (const grammar::Parameter& p : card.parameters) {
+    for (const grammar::HeaderParameter& p : card.parameters) {
       if (p.key == key || std::ranges::find(instead, p.key) != instead.end()) {
         replace(p.key_span.begin, p.span.end, "");
       }
@@ -220,7 +220,7 @@ void move_files(const ShellSession& session, const fs::path& folder, Edits& edit
     return;
   }
   for (const Card& card : edits.cards()) {
-    for (const grammar::Parameter& p : card.parameters) {
+    for (const grammar::HeaderParameter& p : card.parameters) {
       const bool read = card.name == "INCLUDE" || card.name == "IMPORT";
       if (read && p.key == "FILE" && !p.values.empty() &&
           fs::path(p.values.front().text).is_relative()) {

@@ -103,7 +103,7 @@ void erase_nets(DeckText& text, const std::set<std::string>& nets) {
   bool inside = false;
   for (DeckCard& card : text) {
     if (card.name == "NET") {
-      inside = nets.contains(card.word("NAME"));
+      inside = nets.contains(card.word_value("NAME"));
     }
     const bool dropped = inside;
     if (card.name == "ENDNET") {
@@ -195,7 +195,7 @@ std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& n
   std::set<std::string> contacts;
   for (const DeckCard& card : text) {
     if (card.name == "CONTACT" && stands_on(card, nets)) {
-      contacts.insert(card.word("NAME"));
+      contacts.insert(card.word_value("NAME"));
     }
   }
   std::erase_if(text, [&](const DeckCard& card) { return stands_on(card, nets); });
@@ -224,7 +224,7 @@ void drop_lost_loads(DeckText& text) {
   std::set<std::string> cases;
   for (const DeckCard& card : text) {
     if (card.name == "LOAD") {
-      cases.insert(card.word("CASE"));
+      cases.insert(card.word_value("CASE"));
     }
   }
   for (DeckCard& card : text) {

@@ -51,7 +51,7 @@ PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text)
     deck::DeckCard card;
     card.name = "SYMMETRY";
     card.set("NORMAL", std::string(1, "XYZ"[mirror.axis]));
-    append(changed, std::move(card));
+    append_card(changed, std::move(card));
     part.mirrored += "XYZ"[mirror.axis];
     part.words += fmt::format("{}{} >= {:.4g}", part.words.empty() ? "" : ", ", axis, mirror.at);
   }

@@ -199,7 +199,7 @@ deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung) {
     }
   }
   deck::DeckText whole = *rung.rung.text;
-  append(whole, std::move(checks));
+  append_card(whole, std::move(checks));
   return whole;
 }
 

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 std::set<std::string> names_of_scripts(const ReadyDeck& ready, bool from_deck) {
   std::set<std::string> names;
-  for (const deck::ScriptTable& script : ready.scripts) {
+  for (const deck::ImportedScript& script : ready.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.from_deck || !from_deck) {
         names.insert(grammar::to_upper(constant.name));
@@ -38,7 +38,7 @@ MeshParameter parameter_of(const std::string& name, double value, double ratio) 
 }
 
 std::optional<MeshParameter> probe(const StudiedDeck& deck, const std::string& name, double value) {
-  deck::ReadOptions options{.defines = deck.defines};
+  deck::DeckReadOptions options{.defines = deck.defines};
   std::erase_if(options.defines,
                 [&](const auto& define) { return grammar::to_upper(define.first) == name; });
   options.defines.emplace_back(name, fmt::format("{:.9g}", 2.0 * value));
@@ -66,7 +66,7 @@ void set_constant(deck::DeckText& text, const std::string& name, double value) {
   deck::DeckCard card;
   card.name = "PARAMETER";
   card.data = fmt::format("  {} = {:.9g}\n", name, value);
-  append(text, std::move(card));
+  append_card(text, std::move(card));
 }
 
 // Cards whose elements one of the parameters decides.
@@ -93,7 +93,7 @@ std::string name_of_file(const std::string& file) {
 // Scripts that take one of the parameters, or have one of the constants, by file.
 std::set<std::string> reached_scripts(const MeshKnob& knob, const ReadyDeck& ready) {
   std::set<std::string> reached;
-  for (const deck::ScriptTable& script : ready.scripts) {
+  for (const deck::ImportedScript& script : ready.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.from_deck ? is_among(knob.parameters, constant.name)
                              : constant.defined && is_among(knob.constants, constant.name)) {
@@ -111,7 +111,7 @@ std::string file_of(const deck::DeckCard& card) {
 }
 
 bool is_script(const deck::DeckCard& card) {
-  return card.name == "IMPORT" && card.word("FORMAT") == "GEO";
+  return card.name == "IMPORT" && card.word_value("FORMAT") == "GEO";
 }
 
 std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
@@ -147,7 +147,7 @@ std::vector<MeshParameter> find_constants(const StudiedDeck& deck, const MeshKno
                                           const fs::path& folder) {
   const std::set<std::string> reached = reached_scripts(knob, *deck.ready);
   std::vector<MeshParameter> found;
-  for (const deck::ScriptTable& script : deck.ready->scripts) {
+  for (const deck::ImportedScript& script : deck.ready->scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       const bool free =
           constant.defined && !constant.from_deck && constant.value.value_or(0.0) > 0.0;
@@ -176,7 +176,7 @@ public:
   }
 
   [[nodiscard]] std::optional<double> of(const deck::DeckCard& card, std::string_view key) const {
-    for (const grammar::Parameter& parameter : card.card.parameters) {
+    for (const grammar::HeaderParameter& parameter : card.card.parameters) {
       if (parameter.key == key) {
         base::Diagnostics ignored;
         return grammar::evaluate(parameter.values.front().expression, scope_, ignored);
@@ -186,7 +186,7 @@ public:
   }
 
 private:
-  grammar::Scope scope_;
+  grammar::ExpressionScope scope_;
 };
 
 void multiply_counts(const CardValues& values, double fineness, deck::DeckCard& card) {

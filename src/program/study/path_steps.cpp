@@ -105,7 +105,7 @@ bool put_steps_for_paths(deck::DeckText& text, const model::Model& model) {
       step.set("NAME", fmt::format("{}_{}", path.name, i));
       step.data =
           lines_at(from.fits, to.fits, t, "FIT") + lines_at(from.loads, to.loads, t, "LOAD");
-      append(text, std::move(step));
+      append_card(text, std::move(step));
     }
   }
   return true;

@@ -74,21 +74,21 @@ private:
     const std::set<std::string> stiff = pins();
     for (DeckCard& card : text) {
       if (card.name == "PROPERTY" && stiff.contains(net_of_name(*card.find("ESET")))) {
-        made.insert(card.word("MATERIAL"));
-        card.set("MATERIAL", card.word("MATERIAL") + "_RIGID");
+        made.insert(card.word_value("MATERIAL"));
+        card.set("MATERIAL", card.word_value("MATERIAL") + "_RIGID");
       }
     }
     DeckText more;
     for (const DeckCard& card : text) {
-      if (card.name == "MATERIAL" && made.contains(card.word("NAME"))) {
+      if (card.name == "MATERIAL" && made.contains(card.word_value("NAME"))) {
         DeckCard rigid = card;
-        rigid.set("NAME", card.word("NAME") + "_RIGID");
+        rigid.set("NAME", card.word_value("NAME") + "_RIGID");
         rigid.set("E", fmt::format("({}*{})", times, *card.find("E")));
         more.push_back(std::move(rigid));
       }
     }
     for (DeckCard& card : more) {
-      append(text, std::move(card));
+      append_card(text, std::move(card));
     }
     return !more.empty();
   }
@@ -116,7 +116,7 @@ private:
       return false;
     }
     const auto card = std::ranges::find_if(text, [&](const DeckCard& c) {
-      return c.name == "CONTACT" && c.word("NAME") == contact.name;
+      return c.name == "CONTACT" && c.word_value("NAME") == contact.name;
     });
     if (card == text.end()) {
       return false;
@@ -127,8 +127,8 @@ private:
     replaced.set("MASTER", contact.name + "_RIGID");
     replaced.erase("MULTIPLIER");
     remove_nets(text, {slave ? contact.slave.net : contact.master.net});
-    append(text, target(contact.name + "_RIGID", *surface));
-    append(text, std::move(replaced));
+    append_card(text, target(contact.name + "_RIGID", *surface));
+    append_card(text, std::move(replaced));
     put_back_fit(text, contact.name);
     return true;
   }
@@ -140,7 +140,7 @@ private:
         continue;
       }
       const auto own = std::ranges::find_if(given_, [&](const DeckCard& c) {
-        return c.name == "STEP" && c.word("NAME") == card.word("NAME");
+        return c.name == "STEP" && c.word_value("NAME") == card.word_value("NAME");
       });
       DeckCard lines = *own;
       keep_lines(lines, [&](const std::vector<std::string>& fields) {

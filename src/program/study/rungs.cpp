@@ -58,7 +58,7 @@ void drop_interference(DeckText& text, const Joint& joint) {
     }
   }
   for (DeckCard& card : text) {
-    if (card.name == "CONTACT" && pressing.contains(card.word("NAME"))) {
+    if (card.name == "CONTACT" && pressing.contains(card.word_value("NAME"))) {
       card.erase("INTERFERENCE");
       card.erase("DIAMETRAL");
       card.set("GAP", "0");
@@ -80,7 +80,7 @@ void bond(DeckText& text, bool keep_fits) {
       card.erase("INTERFERENCE");
       card.erase("DIAMETRAL");
       card.set("GAP", "0");
-      all.insert(card.word("NAME"));
+      all.insert(card.word_value("NAME"));
     }
   }
   if (!keep_fits) {
@@ -225,7 +225,7 @@ private:
     }
     remove_nets(text, nets);
     for (DeckCard& load : loads) {
-      append(text, std::move(load));
+      append_card(text, std::move(load));
     }
     drop_lost_loads(text);
     return {std::move(text), {}};
@@ -249,7 +249,7 @@ private:
       if (lines.empty()) {
         continue;
       }
-      if (card.word("TYPE") != "RESULTANT" || lines.size() > 1) {
+      if (card.word_value("TYPE") != "RESULTANT" || lines.size() > 1) {
         return "the load of what presses is no single RESULTANT";
       }
       DeckCard load;
@@ -277,10 +277,10 @@ private:
     DeckText text = given_;
     bool changed = false;
     for (DeckCard& card : text) {
-      if (card.name == "PROPERTY" && card.word("STATE") == from) {
+      if (card.name == "PROPERTY" && card.word_value("STATE") == from) {
         card.set("STATE", to);
         changed = true;
-      } else if (card.name == "CRACK" && card.word("STATE") == from) {
+      } else if (card.name == "CRACK" && card.word_value("STATE") == from) {
         card.set("STATE", to);
       }
     }

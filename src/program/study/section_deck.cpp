@@ -127,13 +127,13 @@ private:
   // A plane along the axis is a line, a cylinder along it a circle; about it, they are lines.
   DeckCard rigid(const DeckCard& card) {
     const auto own = std::ranges::find_if(model_.rigids, [&](const model::RigidTarget& rigid) {
-      return grammar::to_upper(rigid.name) == card.word("NAME");
+      return grammar::to_upper(rigid.name) == card.word_value("NAME");
     });
     const std::string reason =
-        fmt::format("the rigid target {} does not run along the axis", card.word("NAME"));
+        fmt::format("the rigid target {} does not run along the axis", card.word_value("NAME"));
     DeckCard flat;
     flat.name = "RIGID";
-    flat.set("NAME", card.word("NAME"));
+    flat.set("NAME", card.word_value("NAME"));
     if (own == model_.rigids.end() || plane().round) {
       refuse(reason);
       return flat;
@@ -172,12 +172,12 @@ private:
   // A straight front through the thickness is a tip, where the crack leaves the body its mouth.
   DeckCard crack(const DeckCard& card) {
     const auto own = std::ranges::find_if(model_.cracks, [&](const model::CrackDefinition& crack) {
-      return grammar::to_upper(crack.name) == card.word("NAME");
+      return grammar::to_upper(crack.name) == card.word_value("NAME");
     });
     DeckCard flat = card;
     if (own == model_.cracks.end() || plane().round || !runs_through(*own)) {
-      refuse(
-          fmt::format("crack {} has no straight front through the thickness", card.word("NAME")));
+      refuse(fmt::format("crack {} has no straight front through the thickness",
+                         card.word_value("NAME")));
       return flat;
     }
     constexpr std::array of_space{"FRONT", "A",  "C",  "X0", "Y0", "Z0",     "NORMAL", "X1",
@@ -191,7 +191,7 @@ private:
         (within - tip).norm() > 0.0 ? sense::find_exit_point(section_.mesh, own->net, tip, within)
                                     : std::nullopt;
     if (!mouth) {
-      refuse(fmt::format("crack {} reaches no surface", card.word("NAME")));
+      refuse(fmt::format("crack {} reaches no surface", card.word_value("NAME")));
       return flat;
     }
     flat.data = fmt::format("  {}  {}\n  {}  {}\n", number(mouth->x()), number(mouth->y()),
@@ -200,7 +200,7 @@ private:
         plane().section_coordinates(own->plane.normal) - plane().section_coordinates(Vec3::Zero());
     const Vec3 way = tip - *mouth;
     const double left = way.x() * normal.y() - way.y() * normal.x();
-    made_.view.sign_of_K2[card.word("NAME")] = left > 0.0 ? 1.0 : -1.0;
+    made_.view.sign_of_K2[card.word_value("NAME")] = left > 0.0 ? 1.0 : -1.0;
     return flat;
   }
 
@@ -248,7 +248,7 @@ private:
       for (const std::string& name : mesh_.node_set(fmt::format("HELD_{}", ++supports_), own)) {
         card.data += "  " + name + "\n";
       }
-      append(after, std::move(card));
+      append_card(after, std::move(card));
     }
     if (plane().round && !ends_are_held(model_, section_)) {
       refuse("the ends of the sector are not held across");

@@ -156,7 +156,7 @@ std::string loads_against_section(const model::Model& model, const sense::PlaneS
 
 deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionPlane& plane,
                                std::string& reason) {
-  const std::string type = card.word("TYPE");
+  const std::string type = card.word_value("TYPE");
   const bool directed = type != "PRESSURE" && type != "TEMPERATURE" && type != "FACES";
   const bool whole_turn = plane.round && (type == "RESULTANT" || type == "BEARING");
   const Renamed renamed(plane);
@@ -167,12 +167,12 @@ deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionP
       const std::optional<std::string> made = renamed.field(k < fields.size() ? fields[k] : "0");
       if (!made && reason.empty()) {
         reason = fmt::format("load case {} depends on coordinates that the section does not have",
-                             card.word("CASE"));
+                             card.word_value("CASE"));
       }
       return made.value_or("0");
     };
     if (reason.empty() && type != "FACES" && is_crack_face(fields.front())) {
-      reason = fmt::format("load case {} acts on one face of a crack", card.word("CASE"));
+      reason = fmt::format("load case {} acts on one face of a crack", card.word_value("CASE"));
     }
     lines += "  " + fields.front();
     if (!directed) {

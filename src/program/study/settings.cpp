@@ -46,7 +46,7 @@ void drop_frame_cards(DeckText& text) {
 
 DeckCard* tip_net_of(DeckText& text, const std::string& crack) {
   const auto found = std::ranges::find_if(text, [&](const DeckCard& card) {
-    return card.name == "TIPNET" && card.word("CRACK") == crack;
+    return card.name == "TIPNET" && card.word_value("CRACK") == crack;
   });
   return found == text.end() ? nullptr : &*found;
 }
@@ -55,12 +55,13 @@ DeckCard* tip_net_of(DeckText& text, const std::string& crack) {
 std::vector<std::string> cut_cracks(const DeckText& text) {
   std::vector<std::string> names;
   for (const DeckCard& card : text) {
-    if (card.name != "CRACK" || card.has("FRONT")) {
+    if (card.name != "CRACK" || card.has_key("FRONT")) {
       continue;
     }
-    const std::string name = card.word("NAME");
+    const std::string name = card.word_value("NAME");
     const bool own = std::ranges::any_of(text, [&](const DeckCard& net) {
-      return net.name == "TIPNET" && net.word("CRACK") == name && net.word("PATCH") == "NO";
+      return net.name == "TIPNET" && net.word_value("CRACK") == name &&
+             net.word_value("PATCH") == "NO";
     });
     if (!own) {
       names.push_back(name);
@@ -76,7 +77,7 @@ template <class Set> void set_tip_nets(DeckText& text, const Set& set) {
       DeckCard card;
       card.name = "TIPNET";
       card.set("CRACK", crack);
-      append(text, std::move(card));
+      append_card(text, std::move(card));
     }
     set(*tip_net_of(text, crack));
   }
@@ -111,12 +112,12 @@ bool make_linear(DeckText& text, const fs::path& folder) {
   bool changed = false;
   for (DeckCard& card : text) {
     for (const auto& [curved, linear] : partners) {
-      if (card.name == "MESH" && card.word("TYPE") == curved) {
+      if (card.name == "MESH" && card.word_value("TYPE") == curved) {
         card.set("TYPE", linear);
         changed = true;
       }
     }
-    if (card.name == "IMPORT" && card.word("FORMAT") == "GEO") {
+    if (card.name == "IMPORT" && card.word_value("FORMAT") == "GEO") {
       const std::string quoted = *card.find("FILE");
       const fs::path file = quoted.substr(1, quoted.size() - 2);
       const fs::path copy = folder / (file.stem().string() + "_linear.geo");

@@ -13,15 +13,15 @@
 namespace spricka::report {
 namespace {
 
-using Names = std::vector<std::string>;
+using NameTable = std::vector<std::string>;
 
 constexpr std::size_t most_rows = 80; // of all steps' tables: more nobody reads
 
-bool has(const Names& names, const std::string& name) {
+bool has(const NameTable& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-void add(Names& names, const std::string& name) {
+void add(NameTable& names, const std::string& name) {
   if (!has(names, name)) {
     names.push_back(name);
   }
@@ -67,16 +67,16 @@ std::string ranges_of(const std::set<int>& numbers) {
 struct MissingBarReason {
   std::string why;
   std::set<int> increments;
-  Names steps;
-  Names tips;
+  NameTable steps;
+  NameTable tips;
   std::size_t count = 0;
 };
 
 /// All that there is, to say "everywhere" where it is so.
 struct KResultExtent {
   std::set<int> increments;
-  Names steps;
-  Names tips;
+  NameTable steps;
+  NameTable tips;
   std::size_t count = 0;
 };
 
@@ -89,7 +89,7 @@ void extend(KResultExtent& all, const results::Increment& increment,
 }
 
 std::string place_of(const MissingBarReason& gap, const KResultExtent& all) {
-  Names parts;
+  NameTable parts;
   if (gap.increments != all.increments) {
     parts.push_back(fmt::format("increment{} {}", gap.increments.size() > 1 ? "s" : "",
                                 ranges_of(gap.increments)));
@@ -117,7 +117,7 @@ std::string words_of(const std::string& why) {
              : why;
 }
 
-Names others_than(const std::string& name, Names names) {
+NameTable others_than(const std::string& name, NameTable names) {
   std::erase(names, name);
   return names;
 }
@@ -132,7 +132,7 @@ std::size_t rows_of(const std::vector<ReportTable>& tables) {
 
 } // namespace
 
-std::vector<std::string> missing_bars(const results::RunResult& run, const Names& steps) {
+std::vector<std::string> missing_bars(const results::RunResult& run, const NameTable& steps) {
   std::vector<MissingBarReason> gaps;
   KResultExtent all;
   for (const results::Increment& increment : run.increments) {
@@ -172,8 +172,8 @@ KSection k_section(const model::Model& model, const results::RunResult& run) {
   for (const auto& [step, size] : steps) {
     largest = std::max(largest, size);
   }
-  Names shown;
-  Names nothing;
+  NameTable shown;
+  NameTable nothing;
   for (const auto& [step, size] : steps) {
     add(step == leading || size > 1e-9 * largest ? shown : nothing, step);
   }

@@ -166,7 +166,7 @@ Tube::Tube(const mesh::FrontCurve& curve, const TubeSpec& spec) {
   cracked.mesh = mesh;
 }
 
-base::Vector Tube::at_nodes(const Field& u) const {
+base::Vector Tube::at_nodes(const CardField& u) const {
   std::vector<crack::CrackFaceSide> side(mesh().node_count(), crack::CrackFaceSide::none);
   for (const NodeId n : cracked.faces.front().left) {
     side[n.index()] = crack::CrackFaceSide::upper;

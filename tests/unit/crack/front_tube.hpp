@@ -31,8 +31,8 @@ struct Tube {
 
   /// Nodal values [3 * node] of a displacement; `upper` and `lower` say which face of the crack a
   /// node lies on.
-  using Field = std::function<base::Vec3(const base::Vec3& x, crack::CrackFaceSide side)>;
-  [[nodiscard]] base::Vector at_nodes(const Field& u) const;
+  using CardField = std::function<base::Vec3(const base::Vec3& x, crack::CrackFaceSide side)>;
+  [[nodiscard]] base::Vector at_nodes(const CardField& u) const;
   /// Values without a pattern, a reproducible part of one.
   [[nodiscard]] base::Vector rough() const;
   [[nodiscard]] crack::FrontExtensions fields(const std::vector<int>& rings = {1, 2}) const;

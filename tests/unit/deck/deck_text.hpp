@@ -39,7 +39,7 @@ struct Reading {
   base::Diagnostics diagnostics;
   std::optional<model::Model> model;
 
-  Reading(const Folder& folder, const std::string& text, const ReadOptions& options = {}) {
+  Reading(const Folder& folder, const std::string& text, const DeckReadOptions& options = {}) {
     folder.write("test.deck", text);
     model = read_deck(folder.path / "test.deck", options, sources, diagnostics);
   }

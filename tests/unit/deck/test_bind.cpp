@@ -14,17 +14,18 @@ namespace {
 struct Binder {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  grammar::Scope scope;
+  grammar::ExpressionScope scope;
 
   Binder() {
     scope.sources = &sources;
     scope.units = *base::make_unit_system("mm", "N");
     scope.values = {{"DELTA", 0.084}};
   }
-  BoundCard bind(const std::string& header) {
+  CheckedCard bind(const std::string& header) {
     diagnostics = {};
     const auto cards = grammar::parse_cards(sources, sources.add_text("card", header), diagnostics);
-    return bind_card(cards.front(), *grammar::find_card(cards.front().name), scope, diagnostics);
+    return check_card_header(cards.front(), *grammar::find_card(cards.front().name), scope,
+                             diagnostics);
   }
   std::string code(const std::string& header) {
     EXPECT_TRUE(bind(header).bad) << header;
@@ -34,23 +35,25 @@ struct Binder {
 
 TEST(Bind, ValuesAndDefaults) {
   Binder b;
-  const BoundCard card =
+  const CheckedCard card =
       b.bind("$CONTACT NAME=fit SLAVE=PIN.OUTER MASTER=HUB.INNER DIAMETRAL=(2*delta) PAIRING=node");
   EXPECT_FALSE(card.bad) << base::format_messages(b.sources, b.diagnostics);
-  EXPECT_EQ(card.word("NAME"), "FIT");
-  EXPECT_EQ(card.reference("SLAVE").name, "PIN.OUTER");
-  EXPECT_EQ(card.number("DIAMETRAL"), 0.168);
-  EXPECT_TRUE(card.is("PAIRING", "NODE"));
-  EXPECT_TRUE(card.is("RECOVERY", "LUMPED"));
-  EXPECT_FALSE(card.has("RECOVERY"));
-  EXPECT_FALSE(card.optional("GAP"));
-  EXPECT_EQ(b.bind("$MESH SHAPE=RING TYPE=QUAM4 RI=1 RO=2").number("T1"), 2 * std::numbers::pi);
+  EXPECT_EQ(card.word_value("NAME"), "FIT");
+  EXPECT_EQ(card.name_reference("SLAVE").name, "PIN.OUTER");
+  EXPECT_EQ(card.number_value("DIAMETRAL"), 0.168);
+  EXPECT_TRUE(card.has_word("PAIRING", "NODE"));
+  EXPECT_TRUE(card.has_word("RECOVERY", "LUMPED"));
+  EXPECT_FALSE(card.has_key("RECOVERY"));
+  EXPECT_FALSE(card.optional_number("GAP"));
+  EXPECT_EQ(b.bind("$MESH SHAPE=RING TYPE=QUAM4 RI=1 RO=2").number_value("T1"),
+            2 * std::numbers::pi);
 }
 
 TEST(Bind, UnitsOfTheKeyAreDemanded) {
   Binder b;
-  EXPECT_EQ(b.bind("$MATERIAL NAME=M E=70[GPa] NU=0.3").number("E"), 70000.0);
-  EXPECT_EQ(b.bind("$MESH SHAPE=RING TYPE=QUAM4 RI=1 RO=1[in] T1=90[deg]").number("RO"), 25.4);
+  EXPECT_EQ(b.bind("$MATERIAL NAME=M E=70[GPa] NU=0.3").number_value("E"), 70000.0);
+  EXPECT_EQ(b.bind("$MESH SHAPE=RING TYPE=QUAM4 RI=1 RO=1[in] T1=90[deg]").number_value("RO"),
+            25.4);
   EXPECT_EQ(b.code("$MATERIAL NAME=M E=70[mm] NU=0.3"), "E205");
   EXPECT_EQ(b.code("$MATERIAL NAME=M E=(70)[N] NU=0.3"), "E205");
   EXPECT_EQ(b.code("$MATERIAL NAME=M E=70 NU=0.3[mm]"), "E205");

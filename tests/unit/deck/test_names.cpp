@@ -7,49 +7,49 @@
 namespace spricka::deck::test_names {
 namespace {
 
-Definition of(Kind kind, std::size_t index) {
-  Definition definition;
+NameDefinition of(EntityKind kind, std::size_t index) {
+  NameDefinition definition;
   definition.kind = kind;
   definition.index = index;
   return definition;
 }
 
-TEST(Names, ANetsOwnSetsComeFirst) {
-  Names names;
-  names.define("BORE", of(Kind::node_set, 0));
-  names.define("LUG.BORE", of(Kind::node_set, 1));
-  EXPECT_EQ(names.find({Kind::node_set}, "BORE", "")->index, 0U);
-  EXPECT_EQ(names.find({Kind::node_set}, "BORE", "LUG")->index, 1U);
-  EXPECT_EQ(names.find({Kind::node_set}, "BORE", "PIN")->index, 0U);
-  EXPECT_EQ(names.find({Kind::node_set}, "LUG.BORE", "PIN")->index, 1U);
-  EXPECT_EQ(names.find({Kind::face_set}, "BORE", ""), nullptr);
+TEST(NameTable, ANetsOwnSetsComeFirst) {
+  NameTable names;
+  names.define("BORE", of(EntityKind::node_set, 0));
+  names.define("LUG.BORE", of(EntityKind::node_set, 1));
+  EXPECT_EQ(names.find({EntityKind::node_set}, "BORE", "")->index, 0U);
+  EXPECT_EQ(names.find({EntityKind::node_set}, "BORE", "LUG")->index, 1U);
+  EXPECT_EQ(names.find({EntityKind::node_set}, "BORE", "PIN")->index, 0U);
+  EXPECT_EQ(names.find({EntityKind::node_set}, "LUG.BORE", "PIN")->index, 1U);
+  EXPECT_EQ(names.find({EntityKind::face_set}, "BORE", ""), nullptr);
 }
 
-TEST(Names, TheWantedKindComesFirst) {
-  Names names;
-  names.define("A", of(Kind::node_set, 0));
-  names.define("A", of(Kind::face_set, 1));
-  EXPECT_EQ(names.find(meanings(Kind::face_set), "A", "")->index, 1U);
-  EXPECT_EQ(names.find(meanings(Kind::node_set), "A", "")->index, 0U);
+TEST(NameTable, TheWantedKindComesFirst) {
+  NameTable names;
+  names.define("A", of(EntityKind::node_set, 0));
+  names.define("A", of(EntityKind::face_set, 1));
+  EXPECT_EQ(names.find(accepted_kinds(EntityKind::face_set), "A", "")->index, 1U);
+  EXPECT_EQ(names.find(accepted_kinds(EntityKind::node_set), "A", "")->index, 0U);
 }
 
-TEST(Names, ASecondDefinitionDoesNotCount) {
-  Names names;
-  EXPECT_EQ(names.define("A", of(Kind::step, 0)), nullptr);
-  EXPECT_EQ(names.define("A", of(Kind::step, 5))->index, 0U);
-  EXPECT_EQ(names.define("A", of(Kind::crack, 0)), nullptr);
+TEST(NameTable, ASecondDefinitionDoesNotCount) {
+  NameTable names;
+  EXPECT_EQ(names.define("A", of(EntityKind::step, 0)), nullptr);
+  EXPECT_EQ(names.define("A", of(EntityKind::step, 5))->index, 0U);
+  EXPECT_EQ(names.define("A", of(EntityKind::crack, 0)), nullptr);
 }
 
-TEST(Names, HintsKnowOtherNets) {
-  Names names;
-  names.define("HUB.BODY", of(Kind::element_set, 0));
-  EXPECT_EQ(names.hint({Kind::element_set}, "BODY"), "did you mean 'HUB.BODY'?");
-  names.define("PIN.BODY", of(Kind::element_set, 1));
-  EXPECT_EQ(names.hint({Kind::element_set}, "BODY"), "one of: HUB.BODY, PIN.BODY");
+TEST(NameTable, HintsKnowOtherNets) {
+  NameTable names;
+  names.define("HUB.BODY", of(EntityKind::element_set, 0));
+  EXPECT_EQ(names.hint({EntityKind::element_set}, "BODY"), "did you mean 'HUB.BODY'?");
+  names.define("PIN.BODY", of(EntityKind::element_set, 1));
+  EXPECT_EQ(names.hint({EntityKind::element_set}, "BODY"), "one of: HUB.BODY, PIN.BODY");
 }
 
-TEST(Labels, NearAndFarNumbers) {
-  Labels labels;
+TEST(LabelMap, NearAndFarNumbers) {
+  LabelMap labels;
   for (std::size_t i = 0; i < 5000; ++i) {
     EXPECT_TRUE(labels.insert(static_cast<base::Label>(10 * i + 1), i));
   }

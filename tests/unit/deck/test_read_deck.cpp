@@ -63,7 +63,7 @@ TEST(ReadDeck, TheCommandLineOverridesParametersEverywhere) {
   const Folder folder;
   folder.write("sub/more.inc", "$PARAMETER\n t = 5\n$INCLUDE FILE='deep.inc'\n");
   folder.write("sub/deep.inc", "$NSET NAME=CORNER\n (n)\n");
-  ReadOptions options;
+  DeckReadOptions options;
   options.defines = {{"T", "3*2[mm]"}, {"N", "3"}};
   const Reading r(folder,
                   k_square + "$PARAMETER\n n = 1\n$INCLUDE FILE='sub/more.inc'\n"
@@ -77,7 +77,7 @@ TEST(ReadDeck, TheCommandLineOverridesParametersEverywhere) {
 
 TEST(ReadDeck, BadDefinitionsOnTheCommandLine) {
   const Folder folder;
-  ReadOptions options;
+  DeckReadOptions options;
   options.defines = {{"x", "1"}, {"2", "1"}, {"A", "1+"}, {"B", "Q"}};
   const Reading r(folder, k_square + "$END\n", options);
   EXPECT_EQ(r.diagnostics.error_count(), 4U) << r.messages();
@@ -85,7 +85,7 @@ TEST(ReadDeck, BadDefinitionsOnTheCommandLine) {
 
 TEST(ReadDeck, DefinitionsOnTheCommandLineMayUseOtherParameters) {
   const Folder folder;
-  ReadOptions options;
+  DeckReadOptions options;
   options.defines = {{"c", "a + 10*b"}, {"b", "2*a"}};
   const Reading r(folder, k_square + "$PARAMETER\n a = 3\n b = 1\n c = 0\n$END\n", options);
   ASSERT_TRUE(r.model) << r.messages();
@@ -112,7 +112,7 @@ TEST(ReadDeck, SweepsTakeValuesWithUnitsAndExpressions) {
   EXPECT_EQ(r.model->sweeps[0].parameters, (std::vector<std::string>{"fit", "mu"}));
   EXPECT_EQ(r.model->sweeps[0].values, (std::vector<std::vector<double>>{{0, 0}, {1e-3, 0.05}}));
   EXPECT_EQ(r.model->sweeps[1].values, (std::vector<std::vector<double>>{{3}, {4}, {5}}));
-  ReadOptions options;
+  DeckReadOptions options;
   options.defines = {{"MU", "1"}};
   EXPECT_EQ(Reading(folder, deck, options).codes(), "E390");
   options.defines.clear();

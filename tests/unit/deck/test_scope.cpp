@@ -46,7 +46,7 @@ std::string moved(const std::string& cards, const std::string& disp, const std::
          disp + "\n$END\n";
 }
 
-TEST(Scope, SuppressedFreedomsCannotBeMoved) {
+TEST(ExpressionScope, SuppressedFreedomsCannotBeMoved) {
   const Folder folder;
   const std::string both = "$FREEDOM CLASS=SUPPRESSED DOF=X\n A\n"
                            "$FREEDOM CLASS=PRESCRIBED DOF=XY\n A\n";
@@ -61,7 +61,7 @@ TEST(Scope, SuppressedFreedomsCannotBeMoved) {
   EXPECT_EQ(Reading(folder, moved(both, "A (y) 1", "STRESS")).codes(), "E319"); // node 4 only
 }
 
-TEST(Scope, NothingLeavesTheAxis) {
+TEST(ExpressionScope, NothingLeavesTheAxis) {
   const Folder folder;
   const std::string all = "$FREEDOM CLASS=PRESCRIBED DOF=XY\n A B\n";
   const Reading r(folder, moved(all, "A 1e-3 0", "AXI"));
@@ -72,7 +72,7 @@ TEST(Scope, NothingLeavesTheAxis) {
   EXPECT_EQ(Reading(folder, moved(all, "A 1e-3 0", "STRAIN")).codes(), ""); // x = 0 is no axis
 }
 
-TEST(Scope, HeatedMaterialsWithoutAlphaAreToldOnce) {
+TEST(ExpressionScope, HeatedMaterialsWithoutAlphaAreToldOnce) {
   const Folder folder;
   const auto read = [&](const std::string& alpha, const std::string& loads) {
     const Reading r(folder, head + block("A", plane) + block("B", plane + " Y0=3") +
@@ -93,7 +93,7 @@ TEST(Scope, HeatedMaterialsWithoutAlphaAreToldOnce) {
   EXPECT_EQ(read("", "$LOAD CASE=H TYPE=BODY\n A.BODY 1 0\n"), "");
 }
 
-TEST(Scope, AMeshAboutAnAxisIsThatAsAWhole) {
+TEST(ExpressionScope, AMeshAboutAnAxisIsThatAsAWhole) {
   const Folder folder;
   const std::string nets =
       head + block("A", plane) + block("B", plane + " Y0=2") + material() + property("A", "AXI");
@@ -110,7 +110,7 @@ TEST(Scope, AMeshAboutAnAxisIsThatAsAWhole) {
   EXPECT_EQ(at("-1e-12"), ""); // round-off
 }
 
-TEST(Scope, APinPushesNoRing) {
+TEST(ExpressionScope, APinPushesNoRing) {
   const Folder folder;
   const std::string push = "$LOAD CASE=P TYPE=BEARING\n A.XMIN 1 0\n$END\n";
   const auto codes = [&](const std::string& state) {
@@ -122,7 +122,7 @@ TEST(Scope, APinPushesNoRing) {
   EXPECT_EQ(codes("STRESS"), "");
 }
 
-TEST(Scope, ContactIsThereInEachDimension) {
+TEST(ExpressionScope, ContactIsThereInEachDimension) {
   const Folder folder;
   const auto pair = [&](const std::string& mesh, const std::string& shift, const std::string& state,
                         const std::string& low, const std::string& high,
@@ -141,7 +141,7 @@ TEST(Scope, ContactIsThereInEachDimension) {
   EXPECT_EQ(pair(plane, " Y0=2", "AXI", "YMIN", "YMAX"), Notes{});
 }
 
-TEST(Scope, CracksAreOfThePlane) {
+TEST(ExpressionScope, CracksAreOfThePlane) {
   const Folder folder;
   const auto cracked = [&](const std::string& state, const std::string& mat,
                            const std::string& more = "") {
@@ -164,7 +164,7 @@ TEST(Scope, CracksAreOfThePlane) {
             Notes{});
 }
 
-TEST(Scope, CracksInSpace) {
+TEST(ExpressionScope, CracksInSpace) {
   const Folder folder;
   const auto cracked = [&](const std::string& card, const std::string& more = "") {
     return notes(Reading(folder, head + block("A", solid) + material() + property("A", "SOLID") +

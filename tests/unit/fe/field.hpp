@@ -6,47 +6,47 @@
 /// field.
 namespace spricka::test {
 
-struct Field {
+struct CardField {
   base::CompiledExpression code;
 
-  Field(double value)
+  CardField(double value)
       : code(base::CompiledExpression::constant(value)) {} // NOLINT: numbers are fields
-  explicit Field(base::OpCode variable) : code{{{variable, 0.0}}} {}
+  explicit CardField(base::OpCode variable) : code{{{variable, 0.0}}} {}
 
-  Field& append(const Field& b, base::OpCode op) {
+  CardField& append(const CardField& b, base::OpCode op) {
     code.code.insert(code.code.end(), b.code.code.begin(), b.code.code.end());
     code.code.push_back({op, 0.0});
     return *this;
   }
-  [[nodiscard]] Field apply(base::OpCode op) const {
-    Field f = *this;
+  [[nodiscard]] CardField apply(base::OpCode op) const {
+    CardField f = *this;
     f.code.code.push_back({op, 0.0});
     return f;
   }
 };
 
-inline Field operator+(Field a, const Field& b) {
+inline CardField operator+(CardField a, const CardField& b) {
   return a.append(b, base::OpCode::add);
 }
-inline Field operator-(Field a, const Field& b) {
+inline CardField operator-(CardField a, const CardField& b) {
   return a.append(b, base::OpCode::subtract);
 }
-inline Field operator*(Field a, const Field& b) {
+inline CardField operator*(CardField a, const CardField& b) {
   return a.append(b, base::OpCode::multiply);
 }
-inline Field operator/(Field a, const Field& b) {
+inline CardField operator/(CardField a, const CardField& b) {
   return a.append(b, base::OpCode::divide);
 }
-inline Field sin(const Field& a) {
+inline CardField sin(const CardField& a) {
   return a.apply(base::OpCode::sin);
 }
-inline Field cos(const Field& a) {
+inline CardField cos(const CardField& a) {
   return a.apply(base::OpCode::cos);
 }
 
-inline const Field x_field{base::OpCode::x};
-inline const Field y_field{base::OpCode::y};
-inline const Field rho_field{base::OpCode::rho};
-inline const Field theta_field{base::OpCode::theta};
+inline const CardField x_field{base::OpCode::x};
+inline const CardField y_field{base::OpCode::y};
+inline const CardField rho_field{base::OpCode::rho};
+inline const CardField theta_field{base::OpCode::theta};
 
 } // namespace spricka::test

@@ -31,14 +31,14 @@ protected:
             4.0 * p.x() * std::sin(angle) + p.y() * std::cos(angle)};
   }
   static constexpr double angle = 0.7;
-  static Field along() { return std::cos(angle) * X + std::sin(angle) * Y; }  // 0 .. 4
-  static Field across() { return std::cos(angle) * Y - std::sin(angle) * X; } // 0 .. 1
+  static CardField along() { return std::cos(angle) * X + std::sin(angle) * Y; }  // 0 .. 4
+  static CardField across() { return std::cos(angle) * Y - std::sin(angle) * X; } // 0 .. 1
 
   Sides() : model(test::plane_model(1.0, 0.3, model::StressState::plane_stress, 1.0)) {
     model.mesh = test::make_mesh(GetParam(), test::unit_grid(6, 3), turned);
   }
   /// Work of a load on the displacements 1 and (distance along the strip), both along x.
-  Vec2 force_and_moment(model::LoadType type, const Field& value) {
+  Vec2 force_and_moment(model::LoadType type, const CardField& value) {
     model::Load card;
     card.type = type;
     card.value = {value.e};
@@ -118,7 +118,7 @@ TEST_P(Sides, a_step_of_body_force_is_integrated_up_to_its_line) {
 TEST_P(Sides, a_peak_of_body_force_is_found) {
   const double width = 0.05;
   const double force = width * width * std::numbers::pi;
-  const Field square = ((along() - 2.3571) ^ 2.0) + ((across() - 0.5123) ^ 2.0);
+  const CardField square = ((along() - 2.3571) ^ 2.0) + ((across() - 0.5123) ^ 2.0);
   const Vec2 found = force_and_moment(model::LoadType::body, exp(-square / (width * width)));
   EXPECT_LT(std::abs(found.x() - force), (unresolved + 1e-4) * force);
   EXPECT_LT(unresolved, 1e-3);
@@ -129,7 +129,7 @@ TEST_P(Sides, a_peak_of_body_force_is_found) {
 TEST_P(Sides, a_step_on_borders_times_a_thin_window_keeps_its_force) {
   const double border = 4.0 / 3.0;
   for (const double width : {0.2, 0.02}) {
-    const Field window = (across() > 0.51) * (0.51 + width > across());
+    const CardField window = (across() > 0.51) * (0.51 + width > across());
     const Vec2 found = force_and_moment(model::LoadType::body, (along() > border) * window);
     const double force = (4.0 - border) * width;
     EXPECT_LE(std::abs(found.x() - force), (unresolved + 1e-4) * force) << width;
@@ -141,8 +141,8 @@ TEST_P(Sides, a_step_on_borders_times_a_thin_window_keeps_its_force) {
 // rest: layers of any thickness, along the elements' sides, across them and askew.
 TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
   model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
-  const std::array<std::pair<Field, double>, 2> ways{std::pair{along(), 1.0},
-                                                     std::pair{across(), 4.0}};
+  const std::array<std::pair<CardField, double>, 2> ways{std::pair{along(), 1.0},
+                                                         std::pair{across(), 4.0}};
   for (const auto& [way, length] : ways) {
     for (const double width : {0.1, 0.02}) {
       model::Load card;
@@ -170,7 +170,7 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
 
 // What nodes cannot carry of a displacement: nothing of a polynomial; a kink, a step, a peak.
 TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
-  const auto off = [&](const Field& value) {
+  const auto off = [&](const CardField& value) {
     model::Load card;
     card.type = model::LoadType::displacement;
     card.value = {value.e};
@@ -247,7 +247,7 @@ TEST(LoadRule, WhatIsNotResolvedIsTold) {
   model::Load card;
   card.type = model::LoadType::traction;
   const Eigen::Matrix<double, 3, 3> side{{0.0, 1.0, 0.5}, {0.0, 0.3, 0.15}, {0.0, 0.0, 0.0}};
-  for (const Field& value : {sin(1e9 * X), 1e-9 / ((X - 0.3137) ^ 2.0)}) {
+  for (const CardField& value : {sin(1e9 * X), 1e-9 / ((X - 0.3137) ^ 2.0)}) {
     card.value = {value.e};
     const auto rule = load_rule<1>(shape::reference_line(3), side, card, {1e-9, 1e-9});
     EXPECT_GT(rule.missed, 0.05 * rule.amount);

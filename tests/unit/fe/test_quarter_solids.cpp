@@ -112,9 +112,10 @@ TEST_P(QuarterSolids, pass_constant_strain) {
   model::Load move;
   move.type = model::LoadType::displacement;
   move.nodes = held.nodes;
-  const test::Field sum = test::x_field + test::y_field + test::Field{base::OpCode::z};
-  for (const test::Field& x : {test::x_field, test::y_field, test::Field{base::OpCode::z}}) {
-    move.value.push_back((test::Field(0.5e-3) * (sum + x)).code);
+  const test::CardField sum = test::x_field + test::y_field + test::CardField{base::OpCode::z};
+  for (const test::CardField& x :
+       {test::x_field, test::y_field, test::CardField{base::OpCode::z}}) {
+    move.value.push_back((test::CardField(0.5e-3) * (sum + x)).code);
   }
   base::Vector reaction;
   const base::Vector u = test::solve(model, {"", {move}}, &reaction);

@@ -116,9 +116,9 @@ template <class S> void expect_free_expansion(model::StressState state) {
   load.type = model::LoadType::temperature;
   load.elements = base::ElementSetId(0);
   const Vec3 c = S::dim == 3 ? Vec3(3.0, -2.0, 1.0) : Vec3(3.0, -2.0, 0.0);
-  const test::Field z{base::OpCode::z};
-  load.value = {(test::Field(c.x()) * test::x_field + test::Field(c.y()) * test::y_field +
-                 test::Field(c.z()) * z + test::Field(5.0))
+  const test::CardField z{base::OpCode::z};
+  load.value = {(test::CardField(c.x()) * test::x_field + test::CardField(c.y()) * test::y_field +
+                 test::CardField(c.z()) * z + test::CardField(5.0))
                     .code};
   heat.loads.push_back(load);
   const base::Vector T = element_temperature(model, model.mesh, heat);

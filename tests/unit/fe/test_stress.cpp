@@ -21,9 +21,9 @@ using test::Cells;
 constexpr double E = 200.0;
 constexpr double nu = 0.3;
 
-using Field = std::function<Vec2(const Vec3&)>;
+using CardField = std::function<Vec2(const Vec3&)>;
 
-Vector interpolate(const model::Mesh& mesh, const Field& field) {
+Vector interpolate(const model::Mesh& mesh, const CardField& field) {
   Vector u(2 * static_cast<Eigen::Index>(mesh.node_count()));
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     u.segment<2>(2 * static_cast<Eigen::Index>(n)) = field(mesh.x[n]);

@@ -35,7 +35,7 @@ TEST(Catalogue, NamesAreUniqueAndDocumented) {
     EXPECT_TRUE(cards.insert(card.name).second) << card.name;
     EXPECT_FALSE(card.doc.empty()) << card.name;
     EXPECT_FALSE(card.group.empty()) << card.name;
-    EXPECT_EQ(card.data == Data::none, card.data_form.empty()) << card.name;
+    EXPECT_EQ(card.data == DataLineForm::none, card.data_form.empty()) << card.name;
     std::set<std::string_view> keys;
     for (const KeySpec& key : card.keys) {
       EXPECT_TRUE(keys.insert(key.name).second) << card.name << ' ' << key.name;
@@ -49,7 +49,7 @@ TEST(Catalogue, NamesAreUniqueAndDocumented) {
 TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  Scope scope;
+  ExpressionScope scope;
   scope.sources = &sources;
   for (const CardSpec& card : catalogue()) {
     for (const KeySpec& key : card.keys) {
@@ -73,7 +73,7 @@ TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
 
 TEST(Catalogue, ClausesSpeakOfKeysThatExist) {
   for (const CardSpec& card : catalogue()) {
-    for (const When& clause : card.when) {
+    for (const KeyCondition& clause : card.when) {
       const KeySpec* key = card.find(clause.key);
       ASSERT_NE(key, nullptr) << card.name << ' ' << clause.key;
       EXPECT_TRUE(clause.word.empty() || has_word(key->words, clause.word))
@@ -98,11 +98,11 @@ TEST(Catalogue, ClausesSpeakOfKeysThatExist) {
 }
 
 TEST(Catalogue, RangesSpeak) {
-  EXPECT_EQ((Range{0.0, k_unbounded, true, false}.text()), ">0");
-  EXPECT_EQ((Range{-1.0, 0.5, true, true}.text()), "-1<..<0.5");
-  EXPECT_TRUE((Range{-1.0, 0.5, true, true}.holds(0.3)));
-  EXPECT_FALSE((Range{-1.0, 0.5, true, true}.holds(0.5)));
-  EXPECT_TRUE((Range{2.0, 3.0, false, false}.holds(2.0)));
+  EXPECT_EQ((ValueLimits{0.0, k_unbounded, true, false}.text()), ">0");
+  EXPECT_EQ((ValueLimits{-1.0, 0.5, true, true}.text()), "-1<..<0.5");
+  EXPECT_TRUE((ValueLimits{-1.0, 0.5, true, true}.holds(0.3)));
+  EXPECT_FALSE((ValueLimits{-1.0, 0.5, true, true}.holds(0.5)));
+  EXPECT_TRUE((ValueLimits{2.0, 3.0, false, false}.holds(2.0)));
 }
 
 } // namespace

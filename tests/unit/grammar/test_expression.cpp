@@ -17,7 +17,7 @@ namespace {
 struct Reader {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  Scope scope;
+  ExpressionScope scope;
 
   Reader() {
     scope.sources = &sources;
@@ -25,18 +25,18 @@ struct Reader {
     scope.values = {{"A", 20.0}, {"R", 36.0}};
   }
   std::optional<base::CompiledExpression> read(const std::string& text,
-                                               Fields fields = Fields::none) {
+                                               AllowedVariables fields = AllowedVariables::none) {
     const auto file = sources.add_text("expression", text);
     const auto parsed =
         parse_expression(sources, {file, 0, static_cast<std::uint32_t>(text.size())}, diagnostics);
-    return parsed ? compile(*parsed, scope, fields, diagnostics) : std::nullopt;
+    return parsed ? compile_expression(*parsed, scope, fields, diagnostics) : std::nullopt;
   }
   double value(const std::string& text) {
     const auto expression = read(text);
     EXPECT_TRUE(expression) << text << '\n' << base::format_messages(sources, diagnostics);
     return expression ? (*expression)(base::Vec3::Zero()) : std::nan("");
   }
-  std::string code(const std::string& text, Fields fields = Fields::none) {
+  std::string code(const std::string& text, AllowedVariables fields = AllowedVariables::none) {
     diagnostics = {};
     EXPECT_FALSE(read(text, fields)) << text;
     return diagnostics.messages().empty() ? "" : diagnostics.messages().front().code;
@@ -99,11 +99,11 @@ TEST(Expression, UnitsBecomeDeckUnits) {
 
 TEST(Expression, FieldsStayOpenTillThePointIsKnown) {
   Reader r;
-  const auto e = r.read("1e-3*(x+y/2) + R*0", Fields::position);
+  const auto e = r.read("1e-3*(x+y/2) + R*0", AllowedVariables::position);
   ASSERT_TRUE(e);
   EXPECT_FALSE(e->is_constant());
   EXPECT_EQ((*e)(base::Vec3(2.0, 4.0, 0.0)), 1e-3 * 4.0);
-  const auto polar = r.read("rho*cos(theta) - x", Fields::position);
+  const auto polar = r.read("rho*cos(theta) - x", AllowedVariables::position);
   ASSERT_TRUE(polar);
   EXPECT_NEAR((*polar)(base::Vec3(-3.0, 4.0, 1.0)), 0.0, 1e-14);
 }

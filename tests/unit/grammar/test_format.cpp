@@ -34,7 +34,7 @@ public:
     const std::int32_t file = sources_.add_text("test.deck", text);
     for (const Card& card : parse_cards(sources_, file, diagnostics)) {
       out_ << '$' << card.name;
-      for (const Parameter& p : card.parameters) {
+      for (const HeaderParameter& p : card.parameters) {
         out_ << ' ' << p.key << '=';
         fields(p.values);
       }
@@ -47,16 +47,16 @@ public:
 private:
   void data(const Card& card, base::Diagnostics& diagnostics) {
     const CardSpec* spec = find_card(card.name);
-    if (spec == nullptr || spec->data == Data::table || spec->data == Data::none) {
+    if (spec == nullptr || spec->data == DataLineForm::table || spec->data == DataLineForm::none) {
       words(card.data);
-    } else if (spec->data == Data::assignments) {
+    } else if (spec->data == DataLineForm::assignments) {
       for (const Assignment& a : parse_assignments(sources_, card.data, diagnostics)) {
         out_ << "  " << a.written << " = ";
         expression(a.value);
         out_ << '\n';
       }
     } else {
-      for (const Row& row : parse_rows(sources_, card.data, diagnostics)) {
+      for (const DataRow& row : parse_rows(sources_, card.data, diagnostics)) {
         fields(row.fields);
         out_ << '\n';
       }
@@ -78,25 +78,26 @@ private:
     }
   }
 
-  void fields(const std::vector<Field>& all) {
-    for (const Field& field : all) {
+  void fields(const std::vector<CardField>& all) {
+    for (const CardField& field : all) {
       out_ << ' ' << static_cast<int>(field.kind) << field.separator << field.text << '|';
       for (const base::Label label : field.range) {
         out_ << label << ':';
       }
       expression(field.expression);
-      for (const Expression& argument : field.arguments) {
+      for (const ParsedExpression& argument : field.arguments) {
         out_ << " arg ";
         expression(argument);
       }
     }
   }
 
-  void expression(const Expression& e) {
-    for (const Term& t : e.terms) {
+  void expression(const ParsedExpression& e) {
+    for (const ExpressionTerm& t : e.terms) {
       out_ << '<' << static_cast<int>(t.kind) << ' ' << static_cast<int>(t.op) << ' ' << t.count
            << ' ' << t.value;
-      if (t.kind == Term::Kind::name || t.kind == Term::Kind::call) {
+      if (t.kind == ExpressionTerm::ExpressionTermKind::name ||
+          t.kind == ExpressionTerm::ExpressionTermKind::call) {
         out_ << ' ' << to_upper(sources_.text(t.span));
       }
       if (t.unit.valid()) {

@@ -58,16 +58,16 @@ TEST(Help, ShowsEveryKeyAndStaysInItsWidth) {
 TEST(Help, EveryCardStandsInAGroupOfTheOverview) {
   const std::string text = cards_help(80);
   for (const CardSpec& card : catalogue()) {
-    EXPECT_FALSE(about_group(card.group).empty()) << card.group;
+    EXPECT_FALSE(card_group_purpose(card.group).empty()) << card.group;
     EXPECT_TRUE(has(text, "  $" + std::string(card.name) + " ")) << card.name;
   }
 }
 
 TEST(Help, PutsClausesIntoSentences) {
-  const auto rigid = clause_sentences(*find_card("RIGID"));
+  const auto rigid = card_rule_sentences(*find_card("RIGID"));
   ASSERT_EQ(rigid.size(), 6U);
   EXPECT_EQ(rigid[0], "SHAPE=LINE needs X0, Y0, X1 and Y1 and excludes R, R1, Z0 and Z1.");
-  const auto contact = clause_sentences(*find_card("CONTACT"));
+  const auto contact = card_rule_sentences(*find_card("CONTACT"));
   ASSERT_FALSE(contact.empty());
   EXPECT_EQ(contact[0], "At most one of INTERFERENCE, DIAMETRAL and GAP may be given.");
 }
@@ -81,12 +81,12 @@ TEST(Help, WritesResultsAsCalls) {
 
 // The documented form of every function compiles, with numbers for its letters.
 TEST(Help, FunctionsAreWrittenAsTheyAreRead) {
-  for (const WordText& function : function_texts()) {
+  for (const ExpressionWord& function : function_texts()) {
     std::string call = std::regex_replace(std::string(function.form), std::regex(", \\.\\."), "");
     call = std::regex_replace(call, std::regex("\\b[xyab]\\b"), "0.5");
     base::SourceTexts sources;
     base::Diagnostics diagnostics;
-    Scope scope;
+    ExpressionScope scope;
     scope.sources = &sources;
     const auto file = sources.add_text("call", call);
     const auto parsed =
@@ -110,7 +110,7 @@ std::vector<std::string> found_in(std::string_view text, const char* pattern) {
 
 TEST(FieldWords, LeadToCardsKeysResultsAndPages) {
   const std::filesystem::path manual = test::source_folder() + "/manual";
-  for (const FieldWord& word : field_words()) {
+  for (const DamageToleranceTerm& word : damage_tolerance_terms()) {
     const auto topics = split_words(word.topics);
     const auto pages = split_words(word.pages);
     EXPECT_FALSE(topics.empty()) << word.word;
@@ -135,30 +135,31 @@ TEST(FieldWords, LeadToCardsKeysResultsAndPages) {
 TEST(FieldWords, HaveOneEntryEachAndARowInTheGlossary) {
   std::ifstream in(test::source_folder() + "/manual/glossary.md");
   const std::string glossary{std::istreambuf_iterator<char>(in), {}};
-  for (const FieldWord& word : field_words()) {
-    for (const std::string_view name : names_of(word)) {
-      EXPECT_EQ(find_field_word(name), &word) << name;
+  for (const DamageToleranceTerm& word : damage_tolerance_terms()) {
+    for (const std::string_view name : term_synonyms(word)) {
+      EXPECT_EQ(find_damage_tolerance_term(name), &word) << name;
     }
     EXPECT_TRUE(has(glossary, "\n| " + std::string(word.word))) << word.word;
   }
 }
 
 TEST(FieldWords, AreFoundHoweverTheyAreWritten) {
-  const FieldWord* bushing = find_field_word("bushing");
+  const DamageToleranceTerm* bushing = find_damage_tolerance_term("bushing");
   ASSERT_NE(bushing, nullptr);
   for (const char* name : {"Bushing", "BUSHINGS", "bush", "sleeves"}) {
-    EXPECT_EQ(find_field_word(name), bushing) << name;
+    EXPECT_EQ(find_damage_tolerance_term(name), bushing) << name;
   }
-  EXPECT_EQ(find_field_word("bearing bypass"), find_field_word("bearing-bypass"));
-  EXPECT_EQ(find_field_word("link_up"), find_field_word("link-up"));
-  EXPECT_EQ(find_field_word(""), nullptr);
-  EXPECT_EQ(find_field_word("s"), nullptr);
-  EXPECT_TRUE(field_help("contact", 80).empty());
+  EXPECT_EQ(find_damage_tolerance_term("bearing bypass"),
+            find_damage_tolerance_term("bearing-bypass"));
+  EXPECT_EQ(find_damage_tolerance_term("link_up"), find_damage_tolerance_term("link-up"));
+  EXPECT_EQ(find_damage_tolerance_term(""), nullptr);
+  EXPECT_EQ(find_damage_tolerance_term("s"), nullptr);
+  EXPECT_TRUE(damage_tolerance_help("contact", 80).empty());
 }
 
 TEST(FieldWords, AreExplainedWithinTheWidth) {
-  for (const FieldWord& word : field_words()) {
-    const std::string text = field_help(word.word, 80);
+  for (const DamageToleranceTerm& word : damage_tolerance_terms()) {
+    const std::string text = damage_tolerance_help(word.word, 80);
     EXPECT_TRUE(text.starts_with(word.word)) << text;
     EXPECT_TRUE(has(text, "More: spricka help ")) << text;
     EXPECT_TRUE(has(text, "Manual: ")) << text;
@@ -167,15 +168,16 @@ TEST(FieldWords, AreExplainedWithinTheWidth) {
       EXPECT_LE(end - at, 80U) << text.substr(at, end - at);
       at = end + 1;
     }
-    EXPECT_TRUE(has(field_words_help(80), "\n  " + std::string(word.word) + " ")) << word.word;
+    EXPECT_TRUE(has(list_damage_tolerance_terms(80), "\n  " + std::string(word.word) + " "))
+        << word.word;
   }
 }
 
 TEST(Wrap, BreaksAtBlanksAndBars) {
-  EXPECT_EQ(wrap("one two three", 7), (std::vector<std::string>{"one two", "three"}));
-  EXPECT_EQ(wrap("A|BB|CCC", 5), (std::vector<std::string>{"A|BB|", "CCC"}));
-  EXPECT_EQ(wrap("unbreakable", 4), (std::vector<std::string>{"unbreakable"}));
-  EXPECT_TRUE(wrap("", 4).empty());
+  EXPECT_EQ(wrap_text("one two three", 7), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(wrap_text("A|BB|CCC", 5), (std::vector<std::string>{"A|BB|", "CCC"}));
+  EXPECT_EQ(wrap_text("unbreakable", 4), (std::vector<std::string>{"unbreakable"}));
+  EXPECT_TRUE(wrap_text("", 4).empty());
 }
 
 TEST(Schema, HoldsTheWholeCatalogue) {

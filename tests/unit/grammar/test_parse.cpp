@@ -16,7 +16,7 @@ struct Reader {
   std::vector<Card> cards(const std::string& text) {
     return parse_cards(sources, sources.add_text("deck", text), diagnostics);
   }
-  std::vector<Row> rows(const std::string& text) {
+  std::vector<DataRow> rows(const std::string& text) {
     const auto file = sources.add_text("rows", text);
     return parse_rows(sources, {file, 0, static_cast<std::uint32_t>(text.size())}, diagnostics);
   }
@@ -34,7 +34,7 @@ TEST(Parse, HeadersHoldKeysOfEveryKind) {
   EXPECT_EQ(cards[0].parameters[1].key, "DOMAINS");
   EXPECT_EQ(cards[0].parameters[1].values.size(), 3U);
   EXPECT_EQ(cards[0].parameters[2].values[0].text, "a ! b");
-  EXPECT_EQ(cards[0].parameters[3].values[0].kind, Field::Kind::expression);
+  EXPECT_EQ(cards[0].parameters[3].values[0].kind, CardField::CardFieldKind::expression);
   EXPECT_EQ(r.sources.text(cards[0].data), "  1 2\n");
   EXPECT_EQ(r.sources.text(cards[1].name_span), "$END");
 }
@@ -47,19 +47,19 @@ TEST(Parse, RowsHoldFieldsOfEveryKind) {
   ASSERT_EQ(rows.size(), 2U);
   const auto& f = rows[0].fields;
   ASSERT_EQ(f.size(), 7U);
-  EXPECT_EQ(f[0].kind, Field::Kind::number);
-  EXPECT_EQ(f[1].kind, Field::Kind::range);
+  EXPECT_EQ(f[0].kind, CardField::CardFieldKind::number);
+  EXPECT_EQ(f[1].kind, CardField::CardFieldKind::range);
   EXPECT_EQ(f[1].range, (std::array<base::Label, 3>{3, 9, 2}));
-  EXPECT_EQ(f[2].kind, Field::Kind::minus_name);
+  EXPECT_EQ(f[2].kind, CardField::CardFieldKind::minus_name);
   EXPECT_EQ(f[2].text, "LEFT");
   EXPECT_EQ(f[3].text, "LUG.BORE");
   EXPECT_EQ(f[3].separator, ',');
-  EXPECT_EQ(f[4].kind, Field::Kind::expression);
+  EXPECT_EQ(f[4].kind, CardField::CardFieldKind::expression);
   EXPECT_EQ(f[5].expression.terms[0].value, -2.5);
   EXPECT_EQ(f[6].text, "a text");
   const auto& check = rows[1].fields;
   ASSERT_EQ(check.size(), 4U);
-  EXPECT_EQ(check[0].kind, Field::Kind::quantity);
+  EXPECT_EQ(check[0].kind, CardField::CardFieldKind::quantity);
   EXPECT_EQ(check[0].separator, '=');
   ASSERT_EQ(check[0].arguments.size(), 3U);
   EXPECT_EQ(r.sources.text(check[0].arguments[0].span), "C1.1");
