@@ -26,7 +26,7 @@ namespace {
 
 using namespace spricka;
 
-struct Cost {
+struct DeckCost {
   double a = 0.0;
   double cpu = 0.0;
   std::map<std::string, double> of; ///< [processor]
@@ -34,7 +34,7 @@ struct Cost {
 
 /// The lengths in their order, and the program's CPU time when the first was done [s].
 struct Costs {
-  std::vector<Cost> lengths;
+  std::vector<DeckCost> lengths;
   double first_answer = 0.0;
 };
 
@@ -58,7 +58,7 @@ Costs solve_all(const model::Model& model) {
     if (costs.lengths.empty()) {
       costs.first_answer = base::cpu_seconds();
     }
-    Cost& cost = costs.lengths.emplace_back();
+    DeckCost& cost = costs.lengths.emplace_back();
     cost.a = a;
     cost.cpu = watch.cpu_time();
     for (const results::LogLine& line : lines) {
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
                base::format_messages(sources, diagnostics));
     return 2;
   }
-  std::vector<Cost> best;
+  std::vector<DeckCost> best;
   double first_answer = 0.0;
   for (int i = 0; i < (argc > 3 ? std::atoi(argv[3]) : 7); ++i) {
     const Costs costs = solve_all(*model);

@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
   const double first = dgemm_rate(1000);
   length->number_freedoms();
   results::CrackLengthPreview told;
-  program::Forecast(*model, 1, rate)
-      .add(length->request(), length->bodies(), length->discretisation(), 0.0, told);
+  program::CostForecast(*model, 1, rate)
+      .add_length(length->request(), length->bodies(), length->discretisation(), 0.0, told);
   fmt::print("{} equations, {} rows, {:.0f} MB foretold\n", told.unknowns,
              length->discretisation().table.size(), 1e-6 * told.memory);
   analysis::CondensationFigures log;

@@ -22,36 +22,38 @@ namespace spricka::program {
 
 namespace {
 
-double tip_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run) {
-  const std::string tip = args.name("a crack");
-  const std::string step = args.name("a step");
-  const Place at = find_place(run, step, args.number());
+double tip_quantity(const std::string& quantity, CheckArguments& args,
+                    const results::RunResult& run) {
+  const std::string tip = args.next_name("a crack");
+  const std::string step = args.next_name("a step");
+  const CheckedStep at = find_checked_step(run, step, args.next_number());
   const results::TipResult* found = results::find_tip(*at.step, tip);
   if (found == nullptr) {
     const bool two = results::find_tip(*at.step, tip + ".1") != nullptr;
-    throw Missing(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
-                      : fmt::format("no tip {}", tip));
+    throw MissingQuantity(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
+                              : fmt::format("no tip {}", tip));
   }
   const results::TipQuantity& asked = *results::find_tip_quantity(quantity);
   if (!found->invalid_reason.empty() &&
       !(found->two_materials && asked.given == results::TipQuantityCondition::always)) {
-    throw Missing(found->invalid_reason);
+    throw MissingQuantity(found->invalid_reason);
   }
   if (asked.given == results::TipQuantityCondition::with_bar && !found->no_bar.empty()) {
-    throw Missing("no error bar: " + found->no_bar);
+    throw MissingQuantity("no error bar: " + found->no_bar);
   }
   return asked.extract_value(*found);
 }
 
-double reaction(const model::Model& model, Arguments& args, const results::RunResult& run) {
-  const std::string set = args.name("a set");
-  const std::string step = args.name("a step");
-  const Eigen::Index axis = axis_of(args.name("X, Y or Z"));
-  const Place at = find_place(run, step, args.number());
+double reaction(const model::Model& model, CheckArguments& args, const results::RunResult& run) {
+  const std::string set = args.next_name("a set");
+  const std::string step = args.next_name("a step");
+  const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
+  const CheckedStep at = find_checked_step(run, step, args.next_number());
   if (const auto lost = analysis::unassigned_reaction(model, at.increment->mesh, set)) {
-    throw Missing(fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
-                              "set with the whole edge there",
-                              model.mesh.node_label[lost->index()]));
+    throw MissingQuantity(
+        fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
+                    "set with the whole edge there",
+                    model.mesh.node_label[lost->index()]));
   }
   std::vector<base::NodeId> nodes = nodes_of_set(at.increment->mesh, set);
   std::sort(nodes.begin(), nodes.end());
@@ -64,27 +66,27 @@ double reaction(const model::Model& model, Arguments& args, const results::RunRe
   return sum;
 }
 
-double energy(Arguments& args, const results::RunResult& run) {
-  const std::string net = args.name("a net or *");
-  const std::string step = args.name("a step");
-  const results::StepResult& at = *find_place(run, step, args.number()).step;
+double energy(CheckArguments& args, const results::RunResult& run) {
+  const std::string net = args.next_name("a net or *");
+  const std::string step = args.next_name("a step");
+  const results::StepResult& at = *find_checked_step(run, step, args.next_number()).step;
   if (net == "*") {
     return at.energy;
   }
   const auto found = std::ranges::find(at.nets, net, &results::ForceBalance::body);
   if (found == at.nets.end()) {
-    throw Missing(fmt::format("net {} has no elements", net));
+    throw MissingQuantity(fmt::format("net {} has no elements", net));
   }
   return found->energy;
 }
 
-double estimated_error(Arguments& args, const results::RunResult& run) {
-  const std::string net = args.name("a net or *");
-  const std::string step = args.name("a step");
-  const results::StepResult& at = *find_place(run, step, args.number()).step;
+double estimated_error(CheckArguments& args, const results::RunResult& run) {
+  const std::string net = args.next_name("a net or *");
+  const std::string step = args.next_name("a step");
+  const results::StepResult& at = *find_checked_step(run, step, args.next_number()).step;
   const auto found = std::ranges::find(at.errors, net, &results::NetErrorEstimate::net);
   if (found == at.errors.end()) {
-    throw Missing(fmt::format("net {} has no elements outside crack patches", net));
+    throw MissingQuantity(fmt::format("net {} has no elements outside crack patches", net));
   }
   return found->part;
 }
@@ -101,102 +103,106 @@ results::SensitivityParameter cause_of(const std::string& quantity) {
 }
 
 // Value times derivative. At a change of contact there are two derivatives and no answer.
-double derivative(const std::string& quantity, Arguments& args, const results::RunResult& run) {
+double derivative(const std::string& quantity, CheckArguments& args,
+                  const results::RunResult& run) {
   const results::SensitivityParameter cause = cause_of(quantity);
-  const std::string tip = args.name("a crack");
-  const std::string step = args.name("a step");
+  const std::string tip = args.next_name("a crack");
+  const std::string step = args.next_name("a step");
   const std::string name =
-      cause == results::SensitivityParameter::length ? tip : args.name("a name");
+      cause == results::SensitivityParameter::length ? tip : args.next_name("a name");
   const results::TipResult* found =
-      results::find_tip(*find_place(run, step, args.number()).step, tip);
+      results::find_tip(*find_checked_step(run, step, args.next_number()).step, tip);
   if (found == nullptr) {
-    throw Missing(fmt::format("no tip {}", tip));
+    throw MissingQuantity(fmt::format("no tip {}", tip));
   }
   if (!found->invalid_reason.empty()) {
-    throw Missing(found->invalid_reason);
+    throw MissingQuantity(found->invalid_reason);
   }
   const results::TipSensitivityResults& all = found->sensitivities;
   const auto it = std::ranges::find_if(
       all.of, [&](const results::Sensitivity& s) { return s.cause == cause && s.name == name; });
   if (it == all.of.end()) {
-    throw Missing(all.notes.empty() ? fmt::format("{} has no value in that step", name)
-                                    : all.notes.front());
+    throw MissingQuantity(all.notes.empty() ? fmt::format("{} has no value in that step", name)
+                                            : all.notes.front());
   }
   const std::size_t k = quantity.starts_with("DK1") ? 0 : 1;
   if (!it->below || !it->above) {
-    throw Missing("on one side of this state nothing holds a body");
+    throw MissingQuantity("on one side of this state nothing holds a body");
   }
   if (!it->slope()) {
-    throw Missing(fmt::format("the contact changes at this very state: {:.7g} below, {:.7g} above",
-                              it->value * (*it->below)[k], it->value * (*it->above)[k]));
+    throw MissingQuantity(
+        fmt::format("the contact changes at this very state: {:.7g} below, {:.7g} above",
+                    it->value * (*it->below)[k], it->value * (*it->above)[k]));
   }
   return it->value * (*it->slope())[k];
 }
 
 // Cycles until the first of the growing tips has a length, or to the end.
-double cycles(const std::string& quantity, Arguments& args, const results::RunResult& run) {
+double cycles(const std::string& quantity, CheckArguments& args, const results::RunResult& run) {
   if (!run.growth) {
-    throw Missing("no crack grows by a law");
+    throw MissingQuantity("no crack grows by a law");
   }
   if (results::ended_early(*run.growth)) {
-    throw Missing("the growth ended early: " + run.growth->reason);
+    throw MissingQuantity("the growth ended early: " + run.growth->reason);
   }
   if (quantity == "LIFE") {
     return run.growth->final_cycles();
   }
-  const std::optional<double> a = args.number();
+  const std::optional<double> a = args.next_number();
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t tip = 0; a && tip < run.growth->tips.size(); ++tip) {
     const double at = results::cycles_at(*run.growth, tip, *a);
     first = at < first ? at : first;
   }
   if (!(first < std::numeric_limits<double>::infinity())) {
-    throw Missing("no tip of the growth has that length");
+    throw MissingQuantity("no tip of the growth has that length");
   }
   return first;
 }
 
 // A line of $CHECK: its word, and what is left of its arguments.
-struct Line {
+struct CheckLine {
   const model::Model& model;
   const results::RunResult& run;
   const std::string& word;
-  Arguments args;
+  CheckArguments args;
 };
 
-using Reader = double (*)(Line&);
+using Reader = double (*)(CheckLine&);
 
 // Words that are not of a tip or a contact, by what stands in front of their first point.
-struct Family {
+struct QuantityFamily {
   std::string_view name;
   Reader read;
 };
 constexpr std::array families{
-    Family{"DK1", [](Line& l) { return derivative(l.word, l.args, l.run); }},
-    Family{"DK2", [](Line& l) { return derivative(l.word, l.args, l.run); }},
-    Family{"PATH", [](Line& l) { return path_quantity(l.word, l.args, l.run); }},
-    Family{"TEST", [](Line& l) { return test_quantity(l.word, l.args, l.run); }},
-    Family{"N", [](Line& l) { return cycles(l.word, l.args, l.run); }},
-    Family{"LIFE", [](Line& l) { return cycles(l.word, l.args, l.run); }},
-    Family{"ENERGY", [](Line& l) { return energy(l.args, l.run); }},
-    Family{"ERROR", [](Line& l) { return estimated_error(l.args, l.run); }},
-    Family{"REACTION", [](Line& l) { return reaction(l.model, l.args, l.run); }},
-    Family{"U", [](Line& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
-    Family{"S", [](Line& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
+    QuantityFamily{"DK1", [](CheckLine& l) { return derivative(l.word, l.args, l.run); }},
+    QuantityFamily{"DK2", [](CheckLine& l) { return derivative(l.word, l.args, l.run); }},
+    QuantityFamily{"PATH", [](CheckLine& l) { return path_quantity(l.word, l.args, l.run); }},
+    QuantityFamily{"TEST", [](CheckLine& l) { return test_quantity(l.word, l.args, l.run); }},
+    QuantityFamily{"N", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
+    QuantityFamily{"LIFE", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
+    QuantityFamily{"ENERGY", [](CheckLine& l) { return energy(l.args, l.run); }},
+    QuantityFamily{"ERROR", [](CheckLine& l) { return estimated_error(l.args, l.run); }},
+    QuantityFamily{"REACTION", [](CheckLine& l) { return reaction(l.model, l.args, l.run); }},
+    QuantityFamily{"U",
+                   [](CheckLine& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
+    QuantityFamily{"S",
+                   [](CheckLine& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
 };
 
 Reader reader_of(std::string_view word) {
   if (results::find_tip_quantity(word) != nullptr) {
-    return [](Line& l) { return tip_quantity(l.word, l.args, l.run); };
+    return [](CheckLine& l) { return tip_quantity(l.word, l.args, l.run); };
   }
   if (is_front_quantity(word)) {
-    return [](Line& l) { return front_quantity(l.word, l.args, l.run); };
+    return [](CheckLine& l) { return front_quantity(l.word, l.args, l.run); };
   }
   if (is_contact_quantity(word)) {
-    return [](Line& l) { return contact_quantity(l.model, l.word, l.args, l.run); };
+    return [](CheckLine& l) { return contact_quantity(l.model, l.word, l.args, l.run); };
   }
   const auto* const found =
-      std::ranges::find(families, word.substr(0, word.find('.')), &Family::name);
+      std::ranges::find(families, word.substr(0, word.find('.')), &QuantityFamily::name);
   return found == families.end() ? nullptr : found->read;
 }
 
@@ -204,9 +210,9 @@ double evaluate(const model::Model& model, const model::ResultCheck& check,
                 const results::RunResult& run) {
   const Reader read = reader_of(check.quantity);
   if (read == nullptr) {
-    throw Missing(fmt::format("{} is not available in this version", check.quantity));
+    throw MissingQuantity(fmt::format("{} is not available in this version", check.quantity));
   }
-  Line line{model, run, check.quantity, Arguments(check)};
+  CheckLine line{model, run, check.quantity, CheckArguments(check)};
   return read(line);
 }
 
@@ -227,10 +233,10 @@ double bar_of(const model::Model& model, const model::ResultCheck& check,
               const results::RunResult& run) {
   model::ResultCheck asked = check;
   asked.quantity = bar_word(check.quantity);
-  if (!asked.quantity.empty() && is_available(asked.quantity)) {
+  if (!asked.quantity.empty() && is_checkable_quantity(asked.quantity)) {
     try {
       return evaluate(model, asked, run);
-    } catch (const Missing&) { // it has none here
+    } catch (const MissingQuantity&) { // it has none here
     }
   }
   return std::numeric_limits<double>::quiet_NaN();
@@ -249,7 +255,7 @@ std::string check_text(const model::ResultCheck& check) {
   return text + ")";
 }
 
-bool is_available(std::string_view word) {
+bool is_checkable_quantity(std::string_view word) {
   return reader_of(word) != nullptr;
 }
 
@@ -269,7 +275,7 @@ std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
       result.error = check.relative ? difference / std::abs(check.value) : difference;
       result.passed = std::abs(result.error) <= check.tolerance;
       result.bar = bar_of(model, check, run);
-    } catch (const Missing& missing) {
+    } catch (const MissingQuantity& missing) {
       result.trouble = missing.what();
     }
     all.push_back(std::move(result));

@@ -19,6 +19,6 @@ std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
 std::string check_text(const model::ResultCheck& check);
 
 /// Whether $CHECK finds a value of that word, as it must of all that the catalogue names.
-bool is_available(std::string_view word);
+bool is_checkable_quantity(std::string_view word);
 
 } // namespace spricka::program

@@ -29,7 +29,7 @@ results::ContactResult open_faces(const model::Model& model, const std::string& 
       return open;
     }
   }
-  throw Missing(fmt::format("no contact {}", contact));
+  throw MissingQuantity(fmt::format("no contact {}", contact));
 }
 
 results::ContactResult contact_of(const model::Model& model, const results::StepResult& step,
@@ -75,8 +75,8 @@ double value_at(const results::ContactResult& contact, PointValue value, double 
   // On a circle two points may be found for any angle: more than a radian apart they are the ends
   // of a gap.
   if (below == nullptr || above == nullptr || (round && up + down > 1.0)) {
-    throw Missing(round ? "no contact surface at that angle"
-                        : "no contact surface at that distance");
+    throw MissingQuantity(round ? "no contact surface at that angle"
+                                : "no contact surface at that distance");
   }
   if (analysis::between_pieces(contact, place)) {
     return 0.0;
@@ -112,17 +112,18 @@ double largest(const Question& q) {
 }
 double at_place(const Question& q) {
   if (std::abs(q.at) > full_circle) {
-    throw Missing(fmt::format("{0:.6g} rad, {1:.6g} degrees, is more than a circle; an angle "
-                              "without a unit is in radians, {0:.6g}[deg] in degrees",
-                              q.at, q.at * 180.0 / std::numbers::pi));
+    throw MissingQuantity(
+        fmt::format("{0:.6g} rad, {1:.6g} degrees, is more than a circle; an angle "
+                    "without a unit is in radians, {0:.6g}[deg] in degrees",
+                    q.at, q.at * 180.0 / std::numbers::pi));
   }
   return value_at(q.contact, q.value, q.at);
 }
 double near_point(const Question& q) {
-  return pressure_near(q.contact, q.value, q.point);
+  return contact_value_near(q.contact, q.value, q.point);
 }
 template <std::size_t end> double part_end(const Question& q) {
-  return end_of_part(q.contact, q.at, end);
+  return contact_arc_end(q.contact, q.at, end);
 }
 double count_of_parts(const Question& q) {
   return static_cast<double>(analysis::closed_parts(q.contact).size());
@@ -132,7 +133,8 @@ double force(const Question& q) {
 }
 double moment(const Question& q) {
   if (!q.contact.space) {
-    throw Missing(fmt::format("contact {} is one of the plane: it has no moment", q.contact.name));
+    throw MissingQuantity(
+        fmt::format("contact {} is one of the plane: it has no moment", q.contact.name));
   }
   return q.contact.moment_on_slave[q.axis];
 }
@@ -177,16 +179,17 @@ double member_of(const results::ContactResult& contact, const results::ContactQu
       quantity.given == results::ContactQuantityCondition::with_friction_in_space ||
       quantity.given == results::ContactQuantityCondition::where_it_sticks;
   if (friction && !contact.rubs) {
-    throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
+    throw MissingQuantity(fmt::format("contact {} has no friction in that step", contact.name));
   }
   if (quantity.given == results::ContactQuantityCondition::where_it_sticks &&
       contact.sticking == 0) {
-    throw Missing("nothing sticks");
+    throw MissingQuantity("nothing sticks");
   }
   const bool space = quantity.given == results::ContactQuantityCondition::in_space ||
                      quantity.given == results::ContactQuantityCondition::with_friction_in_space;
   if (space && !contact.space) {
-    throw Missing(fmt::format("contact {} is one of the plane, which has arcs", contact.name));
+    throw MissingQuantity(
+        fmt::format("contact {} is one of the plane, which has arcs", contact.name));
   }
   return contact.*quantity.member;
 }
@@ -207,37 +210,38 @@ bool is_contact_quantity(std::string_view word) {
   return find_word(word) != nullptr || find_member(word) != nullptr;
 }
 
-double contact_quantity(const model::Model& model, const std::string& word, Arguments& args,
+double contact_quantity(const model::Model& model, const std::string& word, CheckArguments& args,
                         const results::RunResult& run) {
   const Word* const asked = find_word(word);
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");
-  const std::string name = args.name("a contact");
+  const std::string name = args.next_name("a contact");
   base::Vec3 point = base::Vec3::Zero();
   if (argument == Argument::point) {
-    point.x() = args.needed("x");
-    point.y() = args.needed("y");
-    point.z() = model.mesh.dim == 3 ? args.needed("z") : 0.0;
+    point.x() = args.required_number("x");
+    point.y() = args.required_number("y");
+    point.z() = model.mesh.dim == 3 ? args.required_number("z") : 0.0;
   }
-  const std::string step = args.name("a step");
+  const std::string step = args.next_name("a step");
   double at = 0.0;
   Eigen::Index axis = 0;
   if (argument == Argument::place) {
-    at = args.needed("an angle or a length");
+    at = args.required_number("an angle or a length");
   } else if (argument == Argument::part) {
-    at = args.needed("a number");
+    at = args.required_number("a number");
   } else if (argument == Argument::axis) {
-    axis = axis_of(args.name("X, Y or Z"));
+    axis = axis_index(args.next_name("X, Y or Z"));
   }
-  const results::StepResult& found = *find_place(run, step, args.number()).step;
+  const results::StepResult& found = *find_checked_step(run, step, args.next_number()).step;
   const results::ContactResult contact = contact_of(model, found, name);
   if (contact.space && plane_only(argument, word)) {
-    throw Missing(fmt::format("contact {} is one of solids, which has no arc: ask CPRESS.NEAR "
-                              "with x, y and z",
-                              name));
+    throw MissingQuantity(
+        fmt::format("contact {} is one of solids, which has no arc: ask CPRESS.NEAR "
+                    "with x, y and z",
+                    name));
   }
   if (shear && !contact.sheared) {
-    throw Missing(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
+    throw MissingQuantity(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
   }
   if (asked == nullptr) {
     return member_of(contact, *find_member(word));

@@ -15,7 +15,8 @@
 
 namespace spricka::program {
 
-Place find_place(const results::RunResult& run, const std::string& step, std::optional<double> a) {
+CheckedStep find_checked_step(const results::RunResult& run, const std::string& step,
+                              std::optional<double> a) {
   // From the end: without a length the last increment is meant.
   for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
     const results::StepResult* found = results::find_step(*it, step);
@@ -27,7 +28,7 @@ Place find_place(const results::RunResult& run, const std::string& step, std::op
   for (const results::Increment& increment : run.increments) {
     lengths += fmt::format("{}{:.9g}", lengths.empty() ? "" : ", ", increment.a);
   }
-  throw Missing(
+  throw MissingQuantity(
       a ? fmt::format("no increment of length {:.9g} with step {}, only {}", *a, step, lengths)
         : fmt::format("no results of step {}", step));
 }
@@ -53,14 +54,14 @@ std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::strin
       return nodes;
     }
   }
-  throw Missing(fmt::format("no set {}", name));
+  throw MissingQuantity(fmt::format("no set {}", name));
 }
 
-Eigen::Index axis_of(const std::string& component) {
+Eigen::Index axis_index(const std::string& component) {
   if (component == "X" || component == "Y" || component == "Z") {
     return component[0] - 'X';
   }
-  throw Missing(fmt::format("no displacement component {}", component));
+  throw MissingQuantity(fmt::format("no displacement component {}", component));
 }
 
 namespace {
@@ -73,7 +74,7 @@ FieldName split(const std::string& quantity) {
   const std::size_t first = quantity.find('.');
   const std::size_t last = quantity.rfind('.');
   if (first == std::string::npos || first == last) {
-    throw Missing(fmt::format("{} is not a quantity", quantity));
+    throw MissingQuantity(fmt::format("{} is not a quantity", quantity));
   }
   return {quantity.substr(0, first), quantity.substr(first + 1, last - first - 1),
           quantity.substr(last + 1)};
@@ -84,14 +85,14 @@ double stress_component(const fe::Stress& stress, const std::string& component) 
   std::copy_n(stress.data(), 6, s.begin());
   const std::optional<double> found = results::stress_component(s, component);
   if (!found) {
-    throw Missing(fmt::format("no stress component {}", component));
+    throw MissingQuantity(fmt::format("no stress component {}", component));
   }
   return *found;
 }
 
 // Stresses of a set's elements at their own nodes; of a node set, the mean of the elements that
 // meet there, a value for each property.
-std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
+std::vector<double> stresses_of_set(const model::Model& model, const CheckedStep& at,
                                     const std::string& name, const std::string& component) {
   const model::Mesh& mesh = at.increment->mesh;
   const std::vector<fe::Stress> stress =
@@ -131,16 +132,17 @@ double displacement_at(const model::Mesh& mesh, const base::Vector& u, const bas
   constexpr double alike = 1e-4; // of the largest displacement
   const std::vector<fe::PointSide> sides = fe::separate_sides(mesh, fe::elements_at(mesh, x));
   if (sides.empty()) {
-    throw Missing("the point lies outside the body");
+    throw MissingQuantity("the point lies outside the body");
   }
   const double first = fe::displacement_at(mesh, u, sides.front())[axis];
   double sum = 0.0;
   for (const fe::PointSide& side : sides) {
     const double value = fe::displacement_at(mesh, u, side)[axis];
     if (std::abs(value - first) > alike * u.lpNorm<Eigen::Infinity>()) {
-      throw Missing(fmt::format("faces meet at that point that move apart, by {:.6g} and {:.6g}: "
-                                "ask a little beside it",
-                                first, value));
+      throw MissingQuantity(
+          fmt::format("faces meet at that point that move apart, by {:.6g} and {:.6g}: "
+                      "ask a little beside it",
+                      first, value));
     }
     sum += value;
   }
@@ -149,42 +151,42 @@ double displacement_at(const model::Mesh& mesh, const base::Vector& u, const bas
 
 } // namespace
 
-double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
+double field_quantity(const model::Model& model, const std::string& quantity, CheckArguments& args,
                       const results::RunResult& run) {
   const FieldName field = split(quantity);
   if (field.how == "AT") {
     base::Vec3 x = base::Vec3::Zero();
-    x[0] = args.needed("x");
-    x[1] = args.needed("y");
+    x[0] = args.required_number("x");
+    x[1] = args.required_number("y");
     if (model.mesh.dim == 3) {
-      x[2] = args.needed("z");
+      x[2] = args.required_number("z");
     }
-    const std::string step = args.name("a step");
-    const Place at = find_place(run, step, args.number());
+    const std::string step = args.next_name("a step");
+    const CheckedStep at = find_checked_step(run, step, args.next_number());
     if (field.what == "U") {
-      return displacement_at(at.increment->mesh, at.step->u, x, axis_of(field.component));
+      return displacement_at(at.increment->mesh, at.step->u, x, axis_index(field.component));
     }
     const std::optional<fe::Stress> s =
         fe::stress_at(model, at.increment->mesh, {at.step->u, at.step->temperature}, x);
     if (!s) {
-      throw Missing("the point lies outside the body");
+      throw MissingQuantity("the point lies outside the body");
     }
     return stress_component(*s, field.component);
   }
-  const std::string set = args.name("a set");
-  const std::string step = args.name("a step");
-  const Place at = find_place(run, step, args.number());
+  const std::string set = args.next_name("a set");
+  const std::string step = args.next_name("a step");
+  const CheckedStep at = find_checked_step(run, step, args.next_number());
   std::vector<double> values;
   if (field.what == "S") {
     values = stresses_of_set(model, at, set, field.component);
   } else {
     for (const base::NodeId n : nodes_of_set(at.increment->mesh, set)) {
       values.push_back(at.step->u[static_cast<Eigen::Index>(n.index()) * at.increment->mesh.dim +
-                                  axis_of(field.component)]);
+                                  axis_index(field.component)]);
     }
   }
   if (values.empty()) {
-    throw Missing(fmt::format("set {} is empty", set));
+    throw MissingQuantity(fmt::format("set {} is empty", set));
   }
   return field.how == "MIN" ? *std::min_element(values.begin(), values.end())
                             : *std::max_element(values.begin(), values.end());

@@ -16,33 +16,35 @@
 namespace spricka::program {
 
 /// Why a quantity has no value; caught where the line is evaluated.
-struct Missing : std::runtime_error {
+struct MissingQuantity : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// The arguments of one check, taken from the left.
-class Arguments {
+class CheckArguments {
 public:
-  explicit Arguments(const model::ResultCheck& check) : check_(check) {}
+  explicit CheckArguments(const model::ResultCheck& check) : check_(check) {}
 
-  std::string name(const char* what) {
+  std::string next_name(const char* what) {
     if (next_ >= check_.arguments.size() ||
         !std::holds_alternative<std::string>(check_.arguments[next_])) {
-      throw Missing(fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
+      throw MissingQuantity(
+          fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
     }
     return std::get<std::string>(check_.arguments[next_++]);
   }
-  std::optional<double> number() {
+  std::optional<double> next_number() {
     if (next_ < check_.arguments.size() &&
         std::holds_alternative<double>(check_.arguments[next_])) {
       return std::get<double>(check_.arguments[next_++]);
     }
     return std::nullopt;
   }
-  double needed(const char* what) {
-    const std::optional<double> value = number();
+  double required_number(const char* what) {
+    const std::optional<double> value = next_number();
     if (!value) {
-      throw Missing(fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
+      throw MissingQuantity(
+          fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
     }
     return *value;
   }
@@ -52,22 +54,23 @@ private:
   std::size_t next_ = 0;
 };
 
-struct Place {
+struct CheckedStep {
   const results::Increment* increment = nullptr;
   const results::StepResult* step = nullptr;
 };
 
 /// The increment whose length is `a` (to 1e-6), or the last one when no length is given.
-Place find_place(const results::RunResult& run, const std::string& step, std::optional<double> a);
+CheckedStep find_checked_step(const results::RunResult& run, const std::string& step,
+                              std::optional<double> a);
 
 /// Nodes of the node, face or element set of that name, perhaps several times.
 std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name);
 
 /// The number of a direction X, Y or Z.
-Eigen::Index axis_of(const std::string& component);
+Eigen::Index axis_index(const std::string& component);
 
 /// U.X.MAX, S.XX.AT and their like.
-double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
+double field_quantity(const model::Model& model, const std::string& quantity, CheckArguments& args,
                       const results::RunResult& run);
 
 } // namespace spricka::program

@@ -85,11 +85,11 @@ Fronts fronts_of(const std::vector<results::FrontResult>& all, const std::string
     }
   }
   if (fronts.empty()) {
-    throw Missing(fmt::format("no front of {}", crack));
+    throw MissingQuantity(fmt::format("no front of {}", crack));
   }
   for (const results::FrontResult* front : fronts) {
     if (!front->invalid_reason.empty()) {
-      throw Missing(front->invalid_reason);
+      throw MissingQuantity(front->invalid_reason);
     }
   }
   return fronts;
@@ -100,9 +100,9 @@ void refuse_without(const Fronts& fronts, const results::FrontQuantity& quantity
     if (quantity.given == nullptr || quantity.given(*front)) {
       continue;
     }
-    throw Missing(quantity.inside
-                      ? fmt::format("K of {} has no error bar: {}", front->name, front->no_bar)
-                      : fmt::format("{} has no {}", front->name, quantity.name));
+    throw MissingQuantity(
+        quantity.inside ? fmt::format("K of {} has no error bar: {}", front->name, front->no_bar)
+                        : fmt::format("{} has no {}", front->name, quantity.name));
   }
 }
 
@@ -118,13 +118,13 @@ double extreme(const Fronts& fronts, const FrontWord& word) {
     }
   }
   if (!best) {
-    throw Missing("the front has no point within the body");
+    throw MissingQuantity("the front has no point within the body");
   }
   return sign * *best;
 }
 
 // Where fronts are nearest to a place.
-struct Nearest {
+struct NearestFrontPlace {
   const results::FrontResult* front = nullptr;
   base::Vec3 x;
   double away = std::numeric_limits<double>::max();
@@ -139,8 +139,8 @@ double length_of(const std::vector<base::Vec3>& line) {
   return length;
 }
 
-Nearest nearest_of(const Fronts& fronts, const base::Vec3& x) {
-  Nearest nearest;
+NearestFrontPlace nearest_of(const Fronts& fronts, const base::Vec3& x) {
+  NearestFrontPlace nearest;
   for (const results::FrontResult* front : fronts) {
     std::vector<base::Vec3> line;
     for (const results::FrontPointResult& place : front->points) {
@@ -164,13 +164,13 @@ double at_place(const Fronts& fronts, const FrontWord& word, const base::Vec3& x
 double at_angle(const Fronts& fronts, const FrontWord& word, double phi) {
   for (const results::FrontResult* front : fronts) {
     if (!front->angles) {
-      throw Missing(fmt::format("{} is no ellipse: its points have no angle", front->name));
+      throw MissingQuantity(fmt::format("{} is no ellipse: its points have no angle", front->name));
     }
     if (const auto value = results::front_value_at_angle(*front, *word.quantity, phi)) {
       return *value;
     }
   }
-  throw Missing(
+  throw MissingQuantity(
       fmt::format("the front has no point at {:.6g} degrees", phi * 180.0 / std::numbers::pi));
 }
 
@@ -211,12 +211,12 @@ results::FrontResult derivative_of(const results::FrontResult& front,
     return s.cause == cause && (is_of_crack(cause) || s.name == name);
   });
   if (it == all.end()) {
-    throw Missing(front.sensitivities.notes.empty()
-                      ? fmt::format("{} has no value in that step", name)
-                      : front.sensitivities.notes.front());
+    throw MissingQuantity(front.sensitivities.notes.empty()
+                              ? fmt::format("{} has no value in that step", name)
+                              : front.sensitivities.notes.front());
   }
   if (!it->is_smooth()) {
-    throw Missing("the contact changes at this very state: there are two derivatives");
+    throw MissingQuantity("the contact changes at this very state: there are two derivatives");
   }
   results::FrontResult out = front;
   for (std::size_t i = 0; i < out.points.size(); ++i) {
@@ -238,25 +238,26 @@ struct Asked {
   Fronts fronts;
 };
 
-Asked asked_of(const std::string& text, Arguments& args, const results::RunResult& run) {
+Asked asked_of(const std::string& text, CheckArguments& args, const results::RunResult& run) {
   const bool on_path = text.starts_with(of_path);
   Asked asked;
   asked.word = front_word(text);
   const FrontWord& word = asked.word;
-  const std::string crack = args.name("a crack");
+  const std::string crack = args.next_name("a crack");
   if (word.where == "AT") {
-    asked.x = {args.needed("x"), args.needed("y"), args.needed("z")};
+    asked.x = {args.required_number("x"), args.required_number("y"), args.required_number("z")};
   }
-  const std::string name = args.name(on_path ? "a load path" : "a step");
-  const double t = on_path ? args.needed("a place t") : 0.0;
+  const std::string name = args.next_name(on_path ? "a load path" : "a step");
+  const double t = on_path ? args.required_number("a place t") : 0.0;
   const bool named = word.by && !is_of_crack(*word.by);
-  const std::string by = named ? args.name("a name") : std::string();
-  asked.phi = word.where == "PHI" ? args.needed("an angle") : 0.0;
-  const std::optional<double> a = args.number();
+  const std::string by = named ? args.next_name("a name") : std::string();
+  asked.phi = word.where == "PHI" ? args.required_number("an angle") : 0.0;
+  const std::optional<double> a = args.next_number();
   if (on_path) {
-    asked.own = fronts_at(path_at(run, name, t, a), t);
+    asked.own = fronts_at(find_load_path(run, name, t, a), t);
   }
-  asked.fronts = fronts_of(on_path ? asked.own : find_place(run, name, a).step->fronts, crack);
+  asked.fronts =
+      fronts_of(on_path ? asked.own : find_checked_step(run, name, a).step->fronts, crack);
   if (!word.by) {
     refuse_without(asked.fronts, *word.quantity);
     return asked;
@@ -276,7 +277,8 @@ constexpr double about = 0.05;
 
 } // namespace
 
-double front_quantity(const std::string& text, Arguments& args, const results::RunResult& run) {
+double front_quantity(const std::string& text, CheckArguments& args,
+                      const results::RunResult& run) {
   const Asked asked = asked_of(text, args, run);
   if (asked.word.where == "AT") {
     return at_place(asked.fronts, asked.word, asked.x);
@@ -291,9 +293,9 @@ std::optional<std::string> far_from_front(const model::ResultCheck& check, const
     return std::nullopt;
   }
   try {
-    Arguments args(check);
+    CheckArguments args(check);
     const Asked asked = asked_of(check.quantity, args, run);
-    const Nearest nearest = nearest_of(asked.fronts, asked.x);
+    const NearestFrontPlace nearest = nearest_of(asked.fronts, asked.x);
     if (!(nearest.away > about * nearest.length)) {
       return std::nullopt;
     }
@@ -301,7 +303,7 @@ std::optional<std::string> far_from_front(const model::ResultCheck& check, const
                        "{:.6g}: is it the place that is meant?",
                        nearest.front->name, nearest.away, unit, nearest.x.x(), nearest.x.y(),
                        nearest.x.z());
-  } catch (const Missing&) { // said where the value is read
+  } catch (const MissingQuantity&) { // said where the value is read
     return std::nullopt;
   }
 }

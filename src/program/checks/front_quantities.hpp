@@ -12,7 +12,7 @@ namespace spricka::program {
 bool is_front_quantity(std::string_view word);
 
 /// Its value. What the front does not have is Missing.
-double front_quantity(const std::string& text, Arguments& args, const results::RunResult& run);
+double front_quantity(const std::string& text, CheckArguments& args, const results::RunResult& run);
 
 /// What a line of $CHECK that names a place reads there, K1.AT and its like, is of the nearest
 /// place of the front: says so where that is more than a twentieth of the front's length away

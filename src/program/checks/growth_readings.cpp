@@ -322,15 +322,15 @@ results::GrowthTestResult invert(const model::Model& model, const results::RunRe
 const results::GrowthTestResult& test_of(const results::RunResult& run, const std::string& name) {
   const auto found = std::ranges::find(run.tests, name, &results::GrowthTestResult::name);
   if (found == run.tests.end()) {
-    throw Missing(fmt::format("no test {}", name));
+    throw MissingQuantity(fmt::format("no test {}", name));
   }
   return *found;
 }
 
 } // namespace
 
-std::vector<results::GrowthTestResult> invert_tests(const model::Model& model,
-                                                    const results::RunResult& run) {
+std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& model,
+                                                           const results::RunResult& run) {
   std::vector<results::GrowthTestResult> tests;
   for (const model::GrowthTestReadings& card : model.tests) {
     tests.push_back(invert(model, run, card));
@@ -338,30 +338,32 @@ std::vector<results::GrowthTestResult> invert_tests(const model::Model& model,
   return tests;
 }
 
-double test_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run) {
-  const results::GrowthTestResult& test = test_of(run, args.name("a test"));
+double test_quantity(const std::string& quantity, CheckArguments& args,
+                     const results::RunResult& run) {
+  const results::GrowthTestResult& test = test_of(run, args.next_name("a test"));
   if (quantity == "TEST.SCATTER") {
     return test.scatter;
   }
   if (quantity == "TEST.K") {
-    const double a = args.needed("a crack length");
+    const double a = args.required_number("a crack length");
     const double K = results::measured_k_at(test, a);
     if (std::isnan(K)) {
-      throw Missing(fmt::format("test {} has no K at a = {:.6g}", test.name, a));
+      throw MissingQuantity(fmt::format("test {} has no K at a = {:.6g}", test.name, a));
     }
     return K;
   }
   if (quantity == "TEST.LIFE") {
     if (std::isnan(test.life_ratio())) {
-      throw Missing(fmt::format("test {} shares no lengths with the computed K", test.name));
+      throw MissingQuantity(
+          fmt::format("test {} shares no lengths with the computed K", test.name));
     }
     return test.life_ratio();
   }
-  const double from = args.number().value_or(0.0);
-  const double to = args.number().value_or(std::numeric_limits<double>::infinity());
+  const double from = args.next_number().value_or(0.0);
+  const double to = args.next_number().value_or(std::numeric_limits<double>::infinity());
   const results::GrowthTestComparison found = results::compare_test_k(test, from, to);
   if (found.points == 0) {
-    throw Missing(
+    throw MissingQuantity(
         fmt::format("test {} has no point there with a measured and a computed K", test.name));
   }
   return quantity == "TEST.RMS"      ? found.rms

@@ -11,10 +11,11 @@ namespace spricka::program {
 
 /// Every $TEST against the run: rates from its readings, K from the rates (manual, inversion.md),
 /// beside K of the increments at the step KMAX of $GROW, interpolated in log K over log a.
-std::vector<results::GrowthTestResult> invert_tests(const model::Model& model,
-                                                    const results::RunResult& run);
+std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& model,
+                                                           const results::RunResult& run);
 
 /// TEST.K, TEST.RATIO and their like of $CHECK.
-double test_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run);
+double test_quantity(const std::string& quantity, CheckArguments& args,
+                     const results::RunResult& run);
 
 } // namespace spricka::program

@@ -15,21 +15,21 @@ const results::LoadPathResult& path_of(const results::RunResult& run, const std:
       continue;
     }
     if (path->t.empty()) {
-      throw Missing(fmt::format("load path {}: {}", name, path->stopped));
+      throw MissingQuantity(fmt::format("load path {}: {}", name, path->stopped));
     }
     return *path;
   }
-  throw Missing(a ? fmt::format("no increment of length {:.9g} with load path {}", *a, name)
-                  : fmt::format("no results of load path {}", name));
+  throw MissingQuantity(a ? fmt::format("no increment of length {:.9g} with load path {}", *a, name)
+                          : fmt::format("no results of load path {}", name));
 }
 
 const results::LoadPathTip& tip_of(const results::LoadPathResult& path, const std::string& name) {
   const results::LoadPathTip* tip = results::find_tip(path, name);
   if (tip == nullptr) {
-    throw Missing(fmt::format("no tip {}", name));
+    throw MissingQuantity(fmt::format("no tip {}", name));
   }
   if (!tip->invalid_reason.empty()) {
-    throw Missing(tip->invalid_reason);
+    throw MissingQuantity(tip->invalid_reason);
   }
   return *tip;
 }
@@ -37,16 +37,17 @@ const results::LoadPathTip& tip_of(const results::LoadPathResult& path, const st
 // K1 < 0 is no answer, as at the end of a step.
 void refuse_closed(double K1, double K2) {
   if (K1 < 0.0 && std::abs(K1) > 1e-9 * std::abs(K2)) {
-    throw Missing("K1 is negative there: the crack faces overlap, or the mesh at the tip is too "
-                  "coarse");
+    throw MissingQuantity(
+        "K1 is negative there: the crack faces overlap, or the mesh at the tip is too "
+        "coarse");
   }
 }
 
-double at_place(const std::string& quantity, Arguments& args, const results::RunResult& run) {
-  const std::string tip_name = args.name("a crack");
-  const std::string path_name = args.name("a load path");
-  const double t = args.needed("a place t");
-  const results::LoadPathResult& path = path_at(run, path_name, t, args.number());
+double at_place(const std::string& quantity, CheckArguments& args, const results::RunResult& run) {
+  const std::string tip_name = args.next_name("a crack");
+  const std::string path_name = args.next_name("a load path");
+  const double t = args.required_number("a place t");
+  const results::LoadPathResult& path = find_load_path(run, path_name, t, args.next_number());
   const results::LoadPathTip& tip = tip_of(path, tip_name);
   refuse_closed(tip.K1(t), tip.K2(t));
   if (quantity == "PATH.SLOPE") {
@@ -57,20 +58,21 @@ double at_place(const std::string& quantity, Arguments& args, const results::Run
   return quantity == "PATH.K2" ? tip.K2(t) : tip.K1(t);
 }
 
-double of_two(Arguments& args, const results::RunResult& run) {
-  const std::string tip_name = args.name("a crack");
-  const std::string path_name = args.name("a load path");
-  const double from = args.needed("a factor of FROM");
-  const double to = args.needed("a factor of TO");
-  const results::LoadPathResult& path = path_of(run, path_name, args.number());
+double of_two(CheckArguments& args, const results::RunResult& run) {
+  const std::string tip_name = args.next_name("a crack");
+  const std::string path_name = args.next_name("a load path");
+  const double from = args.required_number("a factor of FROM");
+  const double to = args.required_number("a factor of TO");
+  const results::LoadPathResult& path = path_of(run, path_name, args.next_number());
   const results::LoadPathTip& tip = tip_of(path, tip_name);
   const std::optional<double> K1 = results::k_at_load_combination(path, tip, 1, from, to);
   if (!K1) {
-    throw Missing(path.homogeneous
-                      ? fmt::format("load path {} does not cover that ratio", path_name)
-                      : fmt::format("load path {}: gaps that no FIT scales are in it, so the two "
-                                    "factors must add up to 1",
-                                    path_name));
+    throw MissingQuantity(
+        path.homogeneous
+            ? fmt::format("load path {} does not cover that ratio", path_name)
+            : fmt::format("load path {}: gaps that no FIT scales are in it, so the two "
+                          "factors must add up to 1",
+                          path_name));
   }
   refuse_closed(*K1, results::k_at_load_combination(path, tip, 2, from, to).value_or(0.0));
   return *K1;
@@ -78,35 +80,38 @@ double of_two(Arguments& args, const results::RunResult& run) {
 
 } // namespace
 
-const results::LoadPathResult& path_at(const results::RunResult& run, const std::string& name,
-                                       double t, std::optional<double> a) {
+const results::LoadPathResult& find_load_path(const results::RunResult& run,
+                                              const std::string& name, double t,
+                                              std::optional<double> a) {
   const results::LoadPathResult& path = path_of(run, name, a);
   if (!(t >= path.t.front() && t <= path.t.back())) {
-    throw Missing(fmt::format("load path {} goes from t = {:.6g} to {:.6g}{}{}", name,
-                              path.t.front(), path.t.back(), path.stopped.empty() ? "" : ": ",
-                              path.stopped));
+    throw MissingQuantity(fmt::format("load path {} goes from t = {:.6g} to {:.6g}{}{}", name,
+                                      path.t.front(), path.t.back(),
+                                      path.stopped.empty() ? "" : ": ", path.stopped));
   }
   return path;
 }
 
-double path_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run) {
+double path_quantity(const std::string& quantity, CheckArguments& args,
+                     const results::RunResult& run) {
   if (quantity == "PATH.K1.SUM") {
     return of_two(args, run);
   }
   if (quantity == "PATH.KNOTS") {
-    const std::string name = args.name("a load path");
-    return static_cast<double>(path_of(run, name, args.number()).t.size()) - 2.0;
+    const std::string name = args.next_name("a load path");
+    return static_cast<double>(path_of(run, name, args.next_number()).t.size()) - 2.0;
   }
   if (quantity == "PATH.OPENING") {
-    const std::string contact_name = args.name("a contact");
-    const std::string name = args.name("a load path");
-    const results::LoadPathResult& path = path_of(run, name, args.number());
+    const std::string contact_name = args.next_name("a contact");
+    const std::string name = args.next_name("a load path");
+    const results::LoadPathResult& path = path_of(run, name, args.next_number());
     const results::LoadPathContact* contact = results::find_contact(path, contact_name);
     if (contact == nullptr) {
-      throw Missing(fmt::format("contact {} is not mounted", contact_name));
+      throw MissingQuantity(fmt::format("contact {} is not mounted", contact_name));
     }
     if (!contact->opening) {
-      throw Missing(fmt::format("no closed pair of {} opens on load path {}", contact_name, name));
+      throw MissingQuantity(
+          fmt::format("no closed pair of {} opens on load path {}", contact_name, name));
     }
     return *contact->opening;
   }

@@ -10,10 +10,12 @@ namespace spricka::program {
 
 /// PATH.K1, PATH.OPENING and their like of $CHECK. What a path does not cover is Missing: nothing
 /// is extrapolated.
-double path_quantity(const std::string& quantity, Arguments& args, const results::RunResult& run);
+double path_quantity(const std::string& quantity, CheckArguments& args,
+                     const results::RunResult& run);
 
 /// The path of that name with the place t on it.
-const results::LoadPathResult& path_at(const results::RunResult& run, const std::string& name,
-                                       double t, std::optional<double> a);
+const results::LoadPathResult& find_load_path(const results::RunResult& run,
+                                              const std::string& name, double t,
+                                              std::optional<double> a);
 
 } // namespace spricka::program

@@ -11,10 +11,10 @@
 
 namespace spricka::program {
 
-double pressure_near(const results::ContactResult& contact, double results::ContactPoint::*value,
-                     const base::Vec3& x) {
+double contact_value_near(const results::ContactResult& contact,
+                          double results::ContactPoint::*value, const base::Vec3& x) {
   if (contact.points.empty()) {
-    throw Missing("the contact has no surface");
+    throw MissingQuantity("the contact has no surface");
   }
   double best = std::numeric_limits<double>::infinity();
   double found = 0.0;
@@ -46,11 +46,12 @@ double pressure_near(const results::ContactResult& contact, double results::Cont
   return found;
 }
 
-double end_of_part(const results::ContactResult& contact, double number, std::size_t end) {
+double contact_arc_end(const results::ContactResult& contact, double number, std::size_t end) {
   const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
   const auto count = static_cast<double>(parts.size());
   if (!(number >= 1.0 && number <= count) || number != std::floor(number)) {
-    throw Missing(fmt::format("contact {} is closed in {} parts", contact.name, parts.size()));
+    throw MissingQuantity(
+        fmt::format("contact {} is closed in {} parts", contact.name, parts.size()));
   }
   return parts[static_cast<std::size_t>(number) - 1][end];
 }

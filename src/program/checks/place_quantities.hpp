@@ -9,11 +9,11 @@ namespace spricka::program {
 
 /// A value (pressure) at the place of the surface that is nearest to a point, between two nodes
 /// that follow one another; in space at the nearest node. Throws Missing where there is no surface.
-double pressure_near(const results::ContactResult& contact, double results::ContactPoint::*value,
-                     const base::Vec3& x);
+double contact_value_near(const results::ContactResult& contact,
+                          double results::ContactPoint::*value, const base::Vec3& x);
 
 /// ARC.PART.FROM (end 0) or ARC.PART.TO (1): of the closed part of that number, along the surface.
 /// Throws Missing where there is no such part.
-double end_of_part(const results::ContactResult& contact, double number, std::size_t end);
+double contact_arc_end(const results::ContactResult& contact, double number, std::size_t end);
 
 } // namespace spricka::program

@@ -93,7 +93,7 @@ public:
     }
     const solve::FlopRate rate =
         forecast ? solve::measure_flop_rate(rate_seconds) : solve::FlopRate{};
-    Forecast future(model_, threads_, rate);
+    CostForecast future(model_, threads_, rate);
     preview.flop_rate = rate.measured;
     analysis::CondensationCache cache; // stays empty: nothing is condensed
     for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -119,7 +119,7 @@ public:
       results::CrackLengthPreview figures = preview_length(model_, scene);
       figures.number = static_cast<int>(i) + 1;
       if (forecast) {
-        future.add(length->request(), length->bodies(), scene, scene_cpu, figures);
+        future.add_length(length->request(), length->bodies(), scene, scene_cpu, figures);
       }
       preview.lengths.push_back(std::move(figures));
     }
@@ -155,7 +155,7 @@ private:
 base::Outcome verdict(const base::SourceTexts& sources, const Previewer& found, const Log& log) {
   base::Diagnostics all = found.diagnostics;
   for (const base::OperationFailure& load : found.unheld) {
-    all.error(load.span, "E510", load.why, remedy_of(load));
+    all.error(load.span, "E510", load.why, failure_remedy(load));
   }
   log.diagnostics(sources, all);
   return found.diagnostics.has_errors() ? base::Outcome::deck_error
@@ -177,7 +177,7 @@ base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, con
     for (const auto& [name, value] : points[i]) {
       words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
     }
-    const ReadyDeck point = read_ready(
+    const ReadyDeck point = read_and_check_deck(
         options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &told);
     for (const base::Diagnostic& d : point.diagnostics.messages()) {
       told.warning(d.span, d.code, d.text); // of whatever severity

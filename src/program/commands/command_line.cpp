@@ -47,37 +47,38 @@ std::vector<std::string> command_names(CLI::App& app) {
 
 // What was not understood, and what was probably meant.
 base::OperationFailure explain(CommandTree& tree, const CLI::ParseError& error) {
-  const CLI::App* command = tree.chosen();
+  const CLI::App* command = tree.parsed_command();
   const CLI::App& place = command != nullptr ? *command : tree.app();
   const std::vector<std::string> extras = place.remaining();
   const auto option = std::find_if(extras.begin(), extras.end(), is_option);
   if (option != extras.end()) {
     const std::string name = option->substr(0, option->find('='));
-    return misuse(fmt::format("there is no option {}", name),
-                  base::suggest_spelling(name, option_names(place)));
+    return invalid_input(fmt::format("there is no option {}", name),
+                         base::suggest_spelling(name, option_names(place)));
   }
   if (command == nullptr && !extras.empty() && extras.front().ends_with(".deck")) {
-    return misuse("a command is missing",
-                  fmt::format("did you mean spricka run {}?", extras.front()));
+    return invalid_input("a command is missing",
+                         fmt::format("did you mean spricka run {}?", extras.front()));
   }
   if (command == nullptr && !extras.empty()) {
-    return misuse(fmt::format("there is no command '{}'", extras.front()),
-                  base::suggest_spelling(extras.front(), command_names(tree.app())));
+    return invalid_input(fmt::format("there is no command '{}'", extras.front()),
+                         base::suggest_spelling(extras.front(), command_names(tree.app())));
   }
   if (command == nullptr) {
-    return misuse("a command is missing",
-                  fmt::format("one of: {}", fmt::join(command_names(tree.app()), ", ")));
+    return invalid_input("a command is missing",
+                         fmt::format("one of: {}", fmt::join(command_names(tree.app()), ", ")));
   }
   if (!extras.empty()) {
-    return misuse(fmt::format("'{}' is one argument too many", extras.front()));
+    return invalid_input(fmt::format("'{}' is one argument too many", extras.front()));
   }
-  return misuse(error.what());
+  return invalid_input(error.what());
 }
 
 base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
   const base::OperationFailure answer = explain(tree, error);
-  const std::string called =
-      tree.chosen() == nullptr ? "spricka" : fmt::format("spricka {}", tree.chosen()->get_name());
+  const std::string called = tree.parsed_command() == nullptr
+                                 ? "spricka"
+                                 : fmt::format("spricka {}", tree.parsed_command()->get_name());
   to_stderr(fmt::format("{}: {}\n", called, answer.why));
   if (!answer.hint.empty()) {
     to_stderr(fmt::format("       = {}\n", answer.hint));
@@ -100,10 +101,10 @@ base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
     return report(tree, error);
   }
   try {
-    return tree.act();
+    return tree.execute_command();
   } catch (const std::exception& e) {
     if (is_out_of_memory(e)) {
-      Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory());
+      Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory_message());
       return base::Outcome::not_solvable;
     }
     to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
@@ -113,12 +114,12 @@ base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
 
 } // namespace
 
-int command_line(int argc, const char* const* argv) {
+int run_command_line(int argc, const char* const* argv) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
   CommandTree tree;
   const base::Outcome outcome = act(tree, argc, argv);
-  const bool whole = written_out(tree.log_format());
+  const bool whole = check_streams_written(tree.log_format());
   return base::exit_code(outcome == base::Outcome::done && !whole ? base::Outcome::file_trouble
                                                                   : outcome);
 }

@@ -143,7 +143,7 @@ void CommandTree::add_mesh_limits(CLI::App& command) {
       .add_option_function<double>(
           "--mesh-time", [](const double& seconds) { mesh::mesher_limits().seconds = seconds; },
           "processor time that meshing one imported file may take (default: 12)")
-      ->check(positive())
+      ->check(positive_validator())
       ->type_name("SECONDS");
   command
       .add_option_function<double>(
@@ -152,7 +152,7 @@ void CommandTree::add_mesh_limits(CLI::App& command) {
             mesh::mesher_limits().memory = static_cast<std::size_t>(1e9 * gigabytes);
           },
           "memory that meshing may take (default: a quarter of the machine's)")
-      ->check(positive())
+      ->check(positive_validator())
       ->type_name("GB");
 }
 
@@ -182,7 +182,7 @@ void CommandTree::add_run() {
   command
       .add_option("--time", run_.seconds,
                   "limit of wall time: a crack length that would not fit is not begun, exit code 6")
-      ->check(positive())
+      ->check(positive_validator())
       ->type_name("SECONDS");
 }
 
@@ -207,7 +207,7 @@ void CommandTree::add_shell() {
                           "  spricka shell lug.deck --strict < questions.txt > answers.txt",
                           [this] {
                             session_.deck = run_;
-                            return program::shell(session_);
+                            return program::run_shell(session_);
                           });
   add_deck_options(command);
   add_threads(command, "threads, 0: all cores; no result depends on it");
@@ -285,7 +285,7 @@ void CommandTree::add_help() {
           "  spricka help E108           an error code; codes: all of them\n"
           "  spricka help bushing        a word of damage tolerance; words: all of them\n"
           "  spricka help --markdown     the card reference of the manual",
-          [this] { return help_command(help_, text()); });
+          [this] { return help_command(help_, describe_program()); });
   command
       .add_option_function<std::vector<std::string>>(
           "TOPIC",
@@ -333,7 +333,7 @@ void CommandTree::add_for_the_system() {
           "  source <(spricka completion bash)\n"
           "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
           [this] {
-            to_stdout(bash_completion(text()));
+            to_stdout(bash_completion(describe_program()));
             return base::Outcome::done;
           });
   completion.add_option("SHELL", shell_, "bash")
@@ -341,12 +341,12 @@ void CommandTree::add_for_the_system() {
       ->check(one_of({"bash"}))
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
-    to_stdout(man_page(text()));
+    to_stdout(man_page(describe_program()));
     return base::Outcome::done;
   });
 }
 
-const CLI::App* CommandTree::chosen() const {
+const CLI::App* CommandTree::parsed_command() const {
   for (const Command& command : commands_) {
     if (command.app->parsed()) {
       return command.app;
@@ -355,7 +355,7 @@ const CLI::App* CommandTree::chosen() const {
   return nullptr;
 }
 
-base::Outcome CommandTree::act() const {
+base::Outcome CommandTree::execute_command() const {
   for (const Command& command : commands_) {
     if (command.app->parsed()) {
       return command.act();
@@ -364,7 +364,7 @@ base::Outcome CommandTree::act() const {
   return base::Outcome::usage;
 }
 
-ProgramText CommandTree::text() const {
+ProgramText CommandTree::describe_program() const {
   ProgramText program{SPRICKA_VERSION, k_about, describe_options(app_), {}};
   for (const Command& command : commands_) {
     program.commands.push_back({command.app->get_name(), command.app->get_description(),

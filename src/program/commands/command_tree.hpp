@@ -27,13 +27,13 @@ public:
 
   [[nodiscard]] CLI::App& app() { return app_; }
   /// The command that was parsed; null without one.
-  [[nodiscard]] const CLI::App* chosen() const;
+  [[nodiscard]] const CLI::App* parsed_command() const;
   /// Runs it.
-  [[nodiscard]] base::Outcome act() const;
+  [[nodiscard]] base::Outcome execute_command() const;
   /// Everything in words, for completion and man page.
   /// How messages are wanted, as far as the command line has been read.
   [[nodiscard]] LogFormat log_format() const { return run_.log_format; }
-  [[nodiscard]] ProgramText text() const;
+  [[nodiscard]] ProgramText describe_program() const;
 
 private:
   struct Command {
@@ -66,7 +66,7 @@ private:
   ConvertOptions convert_;
   VerifyOptions verify_;
   StudyOptions study_;
-  LadderOptions ladder_;
+  HierarchyOptions ladder_;
   HelpOptions help_;
   FormatOptions format_;
   std::string editor_;

@@ -7,12 +7,12 @@ namespace spricka::program {
 namespace {
 
 // --vary NAME=value,value
-Wish wish_of(const std::string& text) {
+ParameterRequest wish_of(const std::string& text) {
   const std::size_t equal = text.find('=');
   if (equal == std::string::npos || equal == 0 || equal + 1 == text.size()) {
     throw CLI::ValidationError("--vary", "write --vary NAME=value,value, not '" + text + "'");
   }
-  Wish wish{text.substr(0, equal), {}};
+  ParameterRequest wish{text.substr(0, equal), {}};
   int depth = 0;
   wish.values.emplace_back();
   for (const char c : text.substr(equal + 1)) {
@@ -58,7 +58,7 @@ void CommandTree::add_study() {
       ->check(CLI::Range(1, 64))
       ->type_name("NUMBER");
   command.add_option("--time", study_.budget, "CPU time of all runs together (default: 600)")
-      ->check(positive())
+      ->check(positive_validator())
       ->type_name("SECONDS");
   command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
 }
@@ -71,7 +71,7 @@ void CommandTree::add_ladder() {
           "  spricka run lug.ladder/cheapest.deck",
           [this] {
             ladder_.deck = run_;
-            return ladder_deck(ladder_);
+            return run_hierarchy(ladder_);
           });
   add_deck_options(command);
   command.add_option("--out", run_.out, "folder (default: the deck's name with .ladder)")
@@ -79,7 +79,7 @@ void CommandTree::add_ladder() {
   command
       .add_option("--tol", ladder_.tolerance,
                   "relative difference that the answers may have (default: 0.02)")
-      ->check(positive())
+      ->check(positive_validator())
       ->type_name("NUMBER");
   command
       .add_option("--jobs", ladder_.jobs,

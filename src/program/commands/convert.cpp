@@ -110,7 +110,7 @@ base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sour
     report::write_mesh_vtu(options.out, with_face_nodes(model.mesh));
   } else {
     base::Diagnostics refusals;
-    const std::string text = inp_of_deck(model, refusals);
+    const std::string text = abaqus_input_text(model, refusals);
     log.diagnostics(sources, refusals);
     if (refusals.has_errors()) {
       return base::Outcome::not_solvable;

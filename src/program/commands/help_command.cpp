@@ -168,7 +168,7 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
 } // namespace
 
 base::Outcome help_command(const HelpOptions& options, const ProgramText& program) {
-  const std::size_t width = columns_of_text();
+  const std::size_t width = text_columns();
   std::string topic = grammar::to_upper(options.topic);
   topic.erase(0, topic.starts_with('$') ? 1 : 0);
   if (options.markdown && (topic.empty() || topic == "CODES")) {

@@ -6,5 +6,5 @@
 int main(int argc, char** argv) {
   spricka::base::return_large_blocks();
   spricka::solve::end_idle_threads();
-  return spricka::program::command_line(argc, argv);
+  return spricka::program::run_command_line(argc, argv);
 }

@@ -9,7 +9,7 @@
 
 namespace spricka::program {
 
-CLI::Validator positive() {
+CLI::Validator positive_validator() {
   return {[](const std::string& given) {
             double value = 0.0;
             const char* const end = given.data() + given.size();

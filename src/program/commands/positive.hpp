@@ -5,6 +5,6 @@
 namespace spricka::program {
 
 /// An option's value is a finite number above 0.
-CLI::Validator positive();
+CLI::Validator positive_validator();
 
 } // namespace spricka::program

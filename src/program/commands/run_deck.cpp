@@ -25,7 +25,7 @@ namespace {
 
 // Nothing old is taken for a new result without a word.
 void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const Log& log) {
-  if (folder.replaces()) {
+  if (folder.replaces_earlier_run()) {
     log.message(base::Severity::note, "E467",
                 fmt::format("{} still holds the results of an earlier run", options.out.string()));
   }
@@ -51,7 +51,7 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
   }
   std::mutex guard; // taken for ever by a signal
   std::optional<RunFolder> folder;
-  const Interrupt interrupt([&](int signal) {
+  const InterruptHandler interrupt([&](int signal) {
     guard.lock();
     if (folder) {
       tell_of_k(folder->abandon(true), signal_name(signal), log);
@@ -75,7 +75,7 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
   }
   if (!outcome.run) {
     if (outcome.kind == base::Outcome::stopped) {
-      tell_of_k(folder->leave_k(), "--time", log);
+      tell_of_k(folder->retain_interim_k(), "--time", log);
     }
     tell_of_earlier(options, *folder, log);
     return outcome.kind;
@@ -90,7 +90,7 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
 
 ReadyDeck read_recorded(const RunOptions& options, const Log& log) {
   const analysis::RecordedInterval stretch(options.recorder.get(), "DECK", "deck and meshes");
-  return read_ready(options.deck, {.defines = options.defines}, log);
+  return read_and_check_deck(options.deck, {.defines = options.defines}, log);
 }
 
 } // namespace
@@ -112,7 +112,7 @@ base::Outcome run_deck(const RunOptions& given) {
     if (options.check_only) {
       return check_deck(options, deck, log);
     }
-    if (has_no_place(options, *deck.model, log)) {
+    if (reject_restart_without_state(options, *deck.model, log)) {
       return base::Outcome::usage;
     }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)

@@ -71,7 +71,7 @@ public:
 
   base::Outcome run() {
     open_folder();
-    const Interrupt interrupt([this](int signal) { return last_words(signal); });
+    const InterruptHandler interrupt([this](int signal) { return last_words(signal); });
     return run_points();
   }
 
@@ -173,8 +173,8 @@ private:
     } catch (const std::exception& trouble) {
       const bool memory = is_out_of_memory(trouble);
       point.outcome = memory ? base::Outcome::not_solvable : base::Outcome::defect;
-      point.error =
-          memory ? "E466: " + out_of_memory() : fmt::format("internal error: {}", trouble.what());
+      point.error = memory ? "E466: " + out_of_memory_message()
+                           : fmt::format("internal error: {}", trouble.what());
     }
     close_point();
   }
@@ -191,12 +191,12 @@ private:
     if (outcome.run) {
       record(*deck.model, *outcome.run, point);
       // The digest of what was read just now: a file edited meanwhile is not passed over later.
-      folder_->keep(
+      folder_->add_file(
           point_record_name,
           write_point_record(sweep_, point,
                              archive::deck_digest(deck.sources, *deck.model, points_[i])));
       folder_->commit();
-    } else if (folder_->replaces()) {
+    } else if (folder_->replaces_earlier_run()) {
       log_.message(base::Severity::note, "E467",
                    fmt::format("{} still holds the results of an earlier run",
                                (out_ / point.folder).string()));
@@ -205,8 +205,9 @@ private:
 
   [[nodiscard]] ReadyDeck read_point(const RunOptions& options, std::size_t i) const {
     const analysis::RecordedInterval stretch(options.recorder.get(), "DECK", "deck and meshes");
-    return read_ready(options.deck, {.defines = options.defines, .sweep_values = points_[i]}, log_,
-                      &deck_.diagnostics);
+    return read_and_check_deck(options.deck,
+                               {.defines = options.defines, .sweep_values = points_[i]}, log_,
+                               &deck_.diagnostics);
   }
 
   // Made and ended where last_words() knows of it.

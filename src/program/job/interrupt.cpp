@@ -27,7 +27,7 @@ void on_signal(int signal) {
 
 } // namespace
 
-Interrupt::Interrupt(std::function<int(int signal)> last_words) {
+InterruptHandler::InterruptHandler(std::function<int(int signal)> last_words) {
   sem_init(&woken, 0, 0);
   received = 0;
   watcher_ = std::thread([words = std::move(last_words)] {
@@ -53,7 +53,7 @@ Interrupt::Interrupt(std::function<int(int signal)> last_words) {
   }
 }
 
-Interrupt::~Interrupt() {
+InterruptHandler::~InterruptHandler() {
   for (std::size_t i = 0; i < signals.size(); ++i) {
     sigaction(signals[i], &before_[i], nullptr);
   }

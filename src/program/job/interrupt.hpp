@@ -12,12 +12,12 @@ namespace spricka::program {
 /// that is gone) end the program in good order, however long the computation takes at that moment:
 /// `last_words` is called with the signal on a thread of its own, then the program ends with the
 /// code that it returns. At most one at a time.
-class Interrupt {
+class InterruptHandler {
 public:
-  explicit Interrupt(std::function<int(int signal)> last_words);
-  ~Interrupt();
-  Interrupt(const Interrupt&) = delete;
-  Interrupt& operator=(const Interrupt&) = delete;
+  explicit InterruptHandler(std::function<int(int signal)> last_words);
+  ~InterruptHandler();
+  InterruptHandler(const InterruptHandler&) = delete;
+  InterruptHandler& operator=(const InterruptHandler&) = delete;
 
 private:
   static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGPIPE};

@@ -120,14 +120,14 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
   const auto once = [&](const model::Model& model, base::Trouble& trouble) {
     base::Diagnostics own;
     ProgressLine line(options.log_format, options.quiet);
-    KSoFar so_far(model, folder);
+    InterimKTable so_far(model, folder);
     solve.progress = [&](const analysis::RunProgress& progress) {
-      line.tell(progress);
+      line.report_progress(progress);
       if (progress.stage.empty()) {
-        so_far.finish(progress.increment);
+        so_far.set_finished_increments(progress.increment);
       }
     };
-    solve.found = [&](const results::Increment& increment) { so_far.take(increment); };
+    solve.found = [&](const results::Increment& increment) { so_far.update_increment(increment); };
     std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
       trouble = base::OperationFailure{.kind = base::Outcome::deck_error,
@@ -153,7 +153,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     const analysis::RecordedInterval stretch(solve.recorder, "DECK", "meshes made finer");
     return read_silently(options.deck, finer);
   };
-  ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
+  RefinedRun found = solve_to_tolerance(deck, read_finer, once);
   if (is_stopped(out.trouble)) {
     return out; // in a later round: no answer yet
   }
@@ -173,7 +173,7 @@ void tell_of(const base::OperationFailure& answer, base::Diagnostics& diagnostic
     return;
   }
   diagnostics.error(answer.span, answer.kind == base::Outcome::not_converged ? "E520" : "E510",
-                    answer.why, remedy_of(answer));
+                    answer.why, failure_remedy(answer));
 }
 
 // How a run ends that has its results.
@@ -201,9 +201,9 @@ std::string write_profile(const RunOptions& options, const base::SourceTexts& so
   if (!options.recorder) {
     return {};
   }
-  ProfileTexts texts = end_profile(*options.recorder, sources, model, folder.written());
-  folder.keep(profile_name, texts.csv);
-  folder.keep(trace_name, texts.trace);
+  ProfileTexts texts = end_profile(*options.recorder, sources, model, folder.written_bytes());
+  folder.add_file(profile_name, texts.csv);
+  folder.add_file(trace_name, texts.trace);
   return std::move(texts.table);
 }
 
@@ -213,7 +213,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
                            archive::Checkpoint* checkpoint, const Log& log) {
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
-  tell_restart(checkpoint, log);
+  report_skipped_state(checkpoint, log);
   Solved solved = solve_deck(options, deck, folder, checkpoint, diagnostics);
   if (is_stopped(solved.trouble)) {
     const std::string by = solved.trouble->why;
@@ -223,7 +223,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   if (solved.trouble) {
     tell_of(*solved.trouble, diagnostics);
-    return refused(deck.sources, diagnostics, solved.trouble->kind, log);
+    return report_refusal(deck.sources, diagnostics, solved.trouble->kind, log);
   }
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
   results::RunResult& run = *solved.run;
@@ -234,7 +234,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
     const std::vector<results::Note> flaws = results::make_notes(deck.flaws);
     notes.insert(notes.begin(), flaws.begin(), flaws.end());
   }
-  run.tests = invert_tests(*used.model, run);
+  run.tests = invert_growth_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
   analysis::explain_broken_ligaments(run);
   add_warnings(*used.model, run, diagnostics);

@@ -5,7 +5,7 @@
 
 namespace spricka::program {
 
-void KSoFar::take(const results::Increment& increment) {
+void InterimKTable::update_increment(const results::Increment& increment) {
   // A state that was tried and not taken is replaced by the next.
   run_.increments.resize(finished_);
   results::Increment& shown = run_.increments.emplace_back();
@@ -20,7 +20,7 @@ void KSoFar::take(const results::Increment& increment) {
     any = any || !step.tips.empty() || !step.fronts.empty();
   }
   if (any) {
-    folder_.show_k(model_, run_);
+    folder_.write_interim_k(model_, run_);
   }
 }
 

@@ -8,14 +8,14 @@ namespace spricka::program {
 
 /// Keeps k.csv of a run under way up to date: K of all increments that are finished, and of the
 /// steps of the one that is not.
-class KSoFar {
+class InterimKTable {
 public:
-  KSoFar(const model::Model& model, RunFolder& folder) : model_(model), folder_(folder) {}
+  InterimKTable(const model::Model& model, RunFolder& folder) : model_(model), folder_(folder) {}
 
   /// The increment under way has a new K, or a bar of one.
-  void take(const results::Increment& increment);
+  void update_increment(const results::Increment& increment);
   /// So many are finished.
-  void finish(std::size_t increments) { finished_ = increments; }
+  void set_finished_increments(std::size_t increments) { finished_ = increments; }
 
 private:
   const model::Model& model_;

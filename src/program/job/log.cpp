@@ -47,7 +47,7 @@ Json record_of(const base::SourceTexts& sources, base::SourceIndex& places,
 
 } // namespace
 
-Log::Log(LogFormat format) : format_(format), colour_(colour_of_messages()) {}
+Log::Log(LogFormat format) : format_(format), colour_(message_colour()) {}
 
 void Log::diagnostics(const base::SourceTexts& sources,
                       const base::Diagnostics& diagnostics) const {

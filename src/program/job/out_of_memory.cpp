@@ -16,7 +16,7 @@ bool is_out_of_memory(const std::exception& trouble) {
          dynamic_cast<const std::length_error*>(&trouble) != nullptr; // more than can be counted
 }
 
-std::string out_of_memory() {
+std::string out_of_memory_message() {
   constexpr double mebi = 1048576.0;
   return fmt::format("out of memory: {:.0f} MiB were in use, the machine or its limits (ulimit -v, "
                      "a job queue) allow {:.0f} MiB; spricka check foretells what the deck needs",

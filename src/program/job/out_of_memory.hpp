@@ -10,6 +10,6 @@ namespace spricka::program {
 bool is_out_of_memory(const std::exception& trouble);
 
 /// "out of memory: 480 MiB were in use, 488 MiB are allowed (..); .."
-std::string out_of_memory();
+std::string out_of_memory_message();
 
 } // namespace spricka::program

@@ -30,14 +30,14 @@ std::string in_words(std::optional<double> left, bool of_increment) {
 
 } // namespace
 
-void TimeLeft::begin_increment(double now) {
+void RemainingTime::begin_increment(double now) {
   begun_ = now;
   first_step_ = now;
   step_ended_ = now;
   step_ = 0;
 }
 
-void TimeLeft::take(const analysis::RunProgress& progress, double now) {
+void RemainingTime::record_progress(const analysis::RunProgress& progress, double now) {
   if (progress.increments > 0) {
     increments_ = progress.increments;
   }
@@ -64,7 +64,7 @@ void TimeLeft::take(const analysis::RunProgress& progress, double now) {
   }
 }
 
-std::optional<double> TimeLeft::seconds(double now) const {
+std::optional<double> RemainingTime::seconds(double now) const {
   if (step_ == 0 && solved_ == 0) {
     return std::nullopt;
   }
@@ -79,10 +79,10 @@ std::optional<double> TimeLeft::seconds(double now) const {
 }
 
 ProgressLine::ProgressLine(LogFormat format, bool quiet)
-    : kind_(quiet                        ? Kind::none
-            : format == LogFormat::json  ? Kind::json
-            : isatty(STDERR_FILENO) != 0 ? Kind::terminal
-                                         : Kind::lines) {}
+    : kind_(quiet                        ? ProgressOutput::none
+            : format == LogFormat::json  ? ProgressOutput::json
+            : isatty(STDERR_FILENO) != 0 ? ProgressOutput::terminal
+                                         : ProgressOutput::lines) {}
 
 ProgressLine::~ProgressLine() {
   if (width_ > 0) {
@@ -96,16 +96,16 @@ void ProgressLine::show(const std::string& text) {
   width_ = width;
 }
 
-void ProgressLine::tell(const analysis::RunProgress& progress) {
+void ProgressLine::report_progress(const analysis::RunProgress& progress) {
   const double now = watch_.wall_time();
-  left_.take(progress, now);
+  left_.record_progress(progress, now);
   open_end_ = progress.increments > 0 ? progress.open_end : open_end_;
   const std::optional<double> left = left_.seconds(now);
   const bool ends = progress.stage.empty();
-  if (kind_ == Kind::json && (ends || progress.steps > 0)) {
+  if (kind_ == ProgressOutput::json && (ends || progress.steps > 0)) {
     Json record{{"type", ends ? "progress" : "stage"},
-                {"increment", left_.increment()},
-                {"of", left_.increments()}};
+                {"increment", left_.finished_increments()},
+                {"of", left_.total_increments()}};
     if (!ends) {
       record.update(
           {{"stage", progress.stage}, {"step", progress.step}, {"steps", progress.steps}});
@@ -113,22 +113,24 @@ void ProgressLine::tell(const analysis::RunProgress& progress) {
     record["seconds_left"] = left ? Json(*left) : Json();
     to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   }
-  if (kind_ != Kind::terminal && (kind_ != Kind::lines || now - told_ < line_every)) {
+  if (kind_ != ProgressOutput::terminal &&
+      (kind_ != ProgressOutput::lines || now - reported_ < line_every)) {
     return;
   }
-  std::string text = fmt::format("  increment {}{}: {}", left_.increment() + (ends ? 0 : 1),
-                                 open_end_ ? "" : fmt::format(" of {}", left_.increments()),
-                                 ends ? "done" : progress.stage);
+  std::string text =
+      fmt::format("  increment {}{}: {}", left_.finished_increments() + (ends ? 0 : 1),
+                  open_end_ ? "" : fmt::format(" of {}", left_.total_increments()),
+                  ends ? "done" : progress.stage);
   if (progress.steps > 0) {
     text += fmt::format(", {} of {} steps done", progress.step, progress.steps);
   }
   text += ends && open_end_ ? "" : in_words(left, open_end_);
-  if (kind_ == Kind::terminal) {
+  if (kind_ == ProgressOutput::terminal) {
     show(text);
   } else {
     to_stderr(fmt::format("{}, {:.0f} s so far\n", text, now));
   }
-  told_ = now;
+  reported_ = now;
 }
 
 } // namespace spricka::program

@@ -11,14 +11,14 @@
 namespace spricka::program {
 
 /// Seconds that are left of a run, from what its steps and crack lengths have taken so far.
-class TimeLeft {
+class RemainingTime {
 public:
   /// `now` [s] of any clock.
-  void take(const analysis::RunProgress& progress, double now);
+  void record_progress(const analysis::RunProgress& progress, double now);
   /// [s]; empty until the first step or increment is finished.
   [[nodiscard]] std::optional<double> seconds(double now) const;
-  [[nodiscard]] std::size_t increments() const { return increments_; }
-  [[nodiscard]] std::size_t increment() const { return increment_; }
+  [[nodiscard]] std::size_t total_increments() const { return increments_; }
+  [[nodiscard]] std::size_t finished_increments() const { return increment_; }
 
 private:
   void begin_increment(double now);
@@ -42,17 +42,17 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void tell(const analysis::RunProgress& progress);
+  void report_progress(const analysis::RunProgress& progress);
 
 private:
-  enum class Kind { none, terminal, lines, json };
+  enum class ProgressOutput { none, terminal, lines, json };
   void show(const std::string& text);
 
-  Kind kind_;
+  ProgressOutput kind_;
   base::Stopwatch watch_;
-  TimeLeft left_;
+  RemainingTime left_;
   bool open_end_ = false; ///< how many increments there will be is not known
-  double told_ = 0.0;     ///< [s] when the last line was written
+  double reported_ = 0.0; ///< [s] when the last line was written
   std::size_t width_ = 0; ///< of the terminal's line; 0: none is open
 };
 

@@ -98,14 +98,15 @@ std::string first_error(const base::SourceTexts& sources, const base::Diagnostic
   return {};
 }
 
-RunOutcome refused(const base::SourceTexts& sources, const base::Diagnostics& list,
-                   base::Outcome kind, const Log& log, const base::Diagnostics* told) {
+RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
+                          base::Outcome kind, const Log& log, const base::Diagnostics* told) {
   log.diagnostics(sources, news_of(list, told));
   return {kind, first_error(sources, list), {}};
 }
 
-ReadyDeck read_ready(const std::filesystem::path& deck, const deck::DeckReadOptions& options,
-                     const Log& log, const base::Diagnostics* told) {
+ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
+                              const deck::DeckReadOptions& options, const Log& log,
+                              const base::Diagnostics* told) {
   ReadyDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
@@ -125,7 +126,8 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::DeckReadOpti
     // After the mistakes: a deck with both is to be mended first.
     base::Diagnostics missing = unavailable(*model);
     if (missing.has_errors()) {
-      ready.refusal = refused(ready.sources, missing, base::Outcome::not_solvable, log, told);
+      ready.refusal =
+          report_refusal(ready.sources, missing, base::Outcome::not_solvable, log, told);
       return ready;
     }
     if (model->steps.empty()) {
@@ -134,7 +136,8 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::DeckReadOpti
     }
   }
   if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal = refused(ready.sources, ready.diagnostics, base::Outcome::deck_error, log, told);
+    ready.refusal =
+        report_refusal(ready.sources, ready.diagnostics, base::Outcome::deck_error, log, told);
     return ready;
   }
   log.diagnostics(ready.sources, news_of(ready.diagnostics, told));

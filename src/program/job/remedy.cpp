@@ -7,7 +7,7 @@
 
 namespace spricka::program {
 
-std::string remedy_of(const base::OperationFailure& answer) {
+std::string failure_remedy(const base::OperationFailure& answer) {
   if (answer.kind == base::Outcome::not_converged) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }

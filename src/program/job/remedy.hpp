@@ -8,6 +8,6 @@ namespace spricka::program {
 
 /// What can be done about a model that cannot be solved (E510, E520), for the line below the
 /// message; empty where the message says it.
-std::string remedy_of(const base::OperationFailure& answer);
+std::string failure_remedy(const base::OperationFailure& answer);
 
 } // namespace spricka::program

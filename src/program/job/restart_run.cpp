@@ -51,7 +51,8 @@ archive::CheckpointOptions place_of(const RunOptions& options, const model::Rest
 
 } // namespace
 
-bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log) {
+bool reject_restart_without_state(const RunOptions& options, const model::Model& model,
+                                  const Log& log) {
   const bool writes = model.restart && !model.restart->write.empty();
   if (writes || (!options.restart && options.seconds <= 0.0)) {
     return false;
@@ -100,7 +101,7 @@ OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
   return out;
 }
 
-void tell_restart(archive::Checkpoint* checkpoint, const Log& log) {
+void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log) {
   if (checkpoint == nullptr) {
     return;
   }

@@ -13,7 +13,8 @@
 namespace spricka::program {
 
 /// Whether --restart or --time is given for a deck that keeps no state; it is told.
-bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log);
+bool reject_restart_without_state(const RunOptions& options, const model::Model& model,
+                                  const Log& log);
 
 /// Throws FileTrouble E469 when the deck keeps its state inside the run folder, which is replaced
 /// as a whole while the state is written.
@@ -30,7 +31,7 @@ OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
                                const std::filesystem::path& folder, const Log& log);
 
 /// What a checkpoint (or null) passes over is said on stderr from now on, as it turns out.
-void tell_restart(archive::Checkpoint* checkpoint, const Log& log);
+void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log);
 /// Puts the last increments on disk, and what was taken over or passed over into the run's log.
 void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run);
 

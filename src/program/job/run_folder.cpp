@@ -212,7 +212,7 @@ void RunFolder::put_requested(const model::Model& model, const results::RunResul
   }
 }
 
-void RunFolder::show_k(const model::Model& model, const results::RunResult& so_far) {
+void RunFolder::write_interim_k(const model::Model& model, const results::RunResult& so_far) {
   const std::scoped_lock lock(writing_);
   try {
     if (!shows_k_) {
@@ -225,7 +225,7 @@ void RunFolder::show_k(const model::Model& model, const results::RunResult& so_f
   }
 }
 
-std::optional<fs::path> RunFolder::leave_k() {
+std::optional<fs::path> RunFolder::retain_interim_k() {
   std::optional<std::string> table;
   try {
     table = base::read_file(part_ / k_table_name, base::largest_number_file);
@@ -266,17 +266,17 @@ void RunFolder::write(const base::SourceTexts& sources, const model::Model& mode
   put(results_name,
       [&](const fs::path& file) { archive::write_results_file(file, sources, model, run); });
   const std::vector<results::LoadTotal> totals = sense::load_totals(model);
-  keep("report.html", report::html_report(sources, model, run, totals));
+  add_file("report.html", report::html_report(sources, model, run, totals));
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu_time(), watch.wall_time()});
   run.cpu += watch.cpu_time();
   run.wall += watch.wall_time();
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
-  keep(listing_name,
-       report::listing(sources, model, run, totals) + report::script_section(scripts));
+  add_file(listing_name,
+           report::listing(sources, model, run, totals) + report::script_section(scripts));
 }
 
-std::uintmax_t RunFolder::written() const {
+std::uintmax_t RunFolder::written_bytes() const {
   std::uintmax_t bytes = 0;
   for (const std::string& name : names_) {
     std::error_code none; // a table without rows
@@ -286,7 +286,7 @@ std::uintmax_t RunFolder::written() const {
   return bytes;
 }
 
-void RunFolder::keep(const std::string& name, const std::string& text) {
+void RunFolder::add_file(const std::string& name, const std::string& text) {
   put(name, [&](const fs::path& file) { base::write_atomically(file, text); });
 }
 
@@ -350,7 +350,7 @@ std::optional<fs::path> RunFolder::abandon(bool leaves_k) {
   const bool quiet = writing_.try_lock_for(10s); // not given back
   if (quiet && !done_) {
     if (leaves_k) {
-      return leave_k();
+      return retain_interim_k();
     }
     archive::remove_own_files(part_);
   }

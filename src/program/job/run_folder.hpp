@@ -41,7 +41,7 @@ public:
   RunFolder& operator=(const RunFolder&) = delete;
 
   /// Whether results of an earlier run stand in the folder's place.
-  [[nodiscard]] bool replaces() const { return replaces_; }
+  [[nodiscard]] bool replaces_earlier_run() const { return replaces_; }
 
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
@@ -49,14 +49,14 @@ public:
              const std::vector<results::ReportedScriptConstant>& scripts);
   /// Writes k.csv of what is found so far into FOLDER.part, where it can be read while the run goes
   /// on; write() replaces it. From one thread.
-  void show_k(const model::Model& model, const results::RunResult& so_far);
+  void write_interim_k(const model::Model& model, const results::RunResult& so_far);
   /// Leaves FOLDER.part with that table alone, for a run that ends without results; the next run
   /// removes it. The file; empty: no K was found, and nothing stays.
-  std::optional<std::filesystem::path> leave_k();
+  std::optional<std::filesystem::path> retain_interim_k();
   /// What has been written so far [bytes].
-  [[nodiscard]] std::uintmax_t written() const;
+  [[nodiscard]] std::uintmax_t written_bytes() const;
   /// Adds a file of that name.
-  void keep(const std::string& name, const std::string& text);
+  void add_file(const std::string& name, const std::string& text);
   /// Puts the folder in place; without it nothing stays.
   void commit();
   /// Removes what is written so far, from any thread: the program ends now. Whoever writes is let

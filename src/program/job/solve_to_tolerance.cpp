@@ -160,9 +160,9 @@ bool wants_tolerance(const model::Model& model) {
                      [](const model::TipMeshSettings& tip) { return tip.tolerance.has_value(); });
 }
 
-ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer,
-                                const SolveOnce& solve) {
-  ToleratedRun out;
+RefinedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer,
+                              const SolveOnce& solve) {
+  RefinedRun out;
   analysis::RefinementPlan plan(*deck.model);
   std::vector<results::ToleranceRound> rounds;
   std::optional<ReadyDeck> finer;

@@ -17,7 +17,7 @@ bool wants_tolerance(const model::Model& model);
 using ReadFiner = std::function<ReadyDeck(const std::map<std::string, deck::NetRefinement>&)>;
 
 /// A run that was refined until every K with a tolerance has it, or why it ended before.
-struct ToleratedRun {
+struct RefinedRun {
   std::optional<results::RunResult> run; ///< of the last round, its `rounds` filled; empty: refused
   std::optional<ReadyDeck> deck;         ///< what was solved; empty: the deck as it was given
   std::string why_not;                   ///< why K is not within its tolerance; empty: it is
@@ -30,7 +30,7 @@ using SolveOnce =
 /// Solves, finds by the error bars of K what is too coarse, meshes that finer and solves again
 /// (manual, tolerance.1 to 4). Where a finer mesh cannot be read or solved, the round before
 /// stands.
-ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer,
-                                const SolveOnce& solve);
+RefinedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer,
+                              const SolveOnce& solve);
 
 } // namespace spricka::program

@@ -19,13 +19,13 @@ std::string_view environment(const char* name) {
 
 } // namespace
 
-base::MessageColour colour_of_messages() {
+base::MessageColour message_colour() {
   const bool plain = isatty(STDERR_FILENO) == 0 || !environment("NO_COLOR").empty() ||
                      environment("TERM") == "dumb";
   return plain ? base::MessageColour::none : base::MessageColour::terminal;
 }
 
-std::size_t columns_of_text() {
+std::size_t text_columns() {
   constexpr std::size_t usual = 100;
   constexpr std::size_t widest = 110; // longer lines are hard to read
   constexpr std::size_t narrowest = 40;

@@ -8,9 +8,9 @@ namespace spricka::program {
 
 /// Whether messages may be coloured: stderr is a terminal that is not dumb, and NO_COLOR (see
 /// no-color.org) is unset or empty.
-base::MessageColour colour_of_messages();
+base::MessageColour message_colour();
 
 /// Columns of text on stdout: those of the terminal, at most 110; 100 where it is none.
-std::size_t columns_of_text();
+std::size_t text_columns();
 
 } // namespace spricka::program

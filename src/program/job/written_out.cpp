@@ -13,7 +13,7 @@
 
 namespace spricka::program {
 
-bool written_out(LogFormat format) {
+bool check_streams_written(LogFormat format) {
   errno = 0;
   std::cout.flush();
   const bool lost =

@@ -5,6 +5,6 @@
 namespace spricka::program {
 
 /// Whether all that was written to stdout and stderr has got there; what stdout lacks is told.
-bool written_out(LogFormat format);
+bool check_streams_written(LogFormat format);
 
 } // namespace spricka::program

@@ -57,17 +57,17 @@ public:
   }
 
 private:
-  enum class Block { other, displacement, stress };
+  enum class FrdBlock { other, displacement, stress };
 
   void take(std::string_view line) {
     if (line.starts_with(" -4")) {
       const std::string_view name = line.substr(std::min<std::size_t>(5, line.size()));
-      block_ = name.starts_with("DISP ")     ? Block::displacement
-               : name.starts_with("STRESS ") ? Block::stress
-                                             : Block::other;
+      block_ = name.starts_with("DISP ")     ? FrdBlock::displacement
+               : name.starts_with("STRESS ") ? FrdBlock::stress
+                                             : FrdBlock::other;
     } else if (line.starts_with(" -3")) {
-      block_ = Block::other;
-    } else if (block_ != Block::other && line.starts_with(" -1")) {
+      block_ = FrdBlock::other;
+    } else if (block_ != FrdBlock::other && line.starts_with(" -1")) {
       take_values(line);
     }
   }
@@ -78,7 +78,7 @@ private:
     if (!node) {
       return;
     }
-    if (block_ == Block::displacement) {
+    if (block_ == FrdBlock::displacement) {
       moved_ = true;
       for (int c = 0; c < dim_; ++c) {
         fields_.u[static_cast<Eigen::Index>(*node) * dim_ + c] =
@@ -95,7 +95,7 @@ private:
 
   mesh::LabelIndex index_;
   int dim_;
-  Block block_ = Block::other;
+  FrdBlock block_ = FrdBlock::other;
   bool moved_ = false;
   bool stressed_ = false;
   NodalFields fields_;
@@ -129,7 +129,7 @@ ChildRun calculix_run(const fs::path& program, const fs::path& inp) {
   return run;
 }
 
-std::string for_calculix(std::string inp, int dim) {
+std::string adapt_input_for_calculix(std::string inp, int dim) {
   for (const char* const keyword : {"*NODE FILE", "*EL FILE"}) {
     const std::size_t at = inp.rfind(keyword);
     if (dim == 2 && at != std::string::npos) {

@@ -23,7 +23,7 @@ ChildRun calculix_run(const std::filesystem::path& program, const std::filesyste
 
 /// The input as CalculiX answers it by the nodes of the deck: plane elements are not shown as the
 /// layer of solids that it makes of them.
-std::string for_calculix(std::string inp, int dim);
+std::string adapt_input_for_calculix(std::string inp, int dim);
 
 /// Displacements and stresses as a program gives them at nodes.
 struct NodalFields {

@@ -150,7 +150,7 @@ private:
 
 } // namespace
 
-std::string inp_of_deck(const model::Model& model, base::Diagnostics& refusals) {
+std::string abaqus_input_text(const model::Model& model, base::Diagnostics& refusals) {
   return ToInp(model, refusals).text();
 }
 

@@ -11,6 +11,6 @@ namespace spricka::program {
 /// nodal forces, temperatures at nodes. Without a step the model alone. What such an input cannot
 /// say (contact, cracks, ties) goes to `refusals` (E540), each with its place, and the text is
 /// empty.
-std::string inp_of_deck(const model::Model& model, base::Diagnostics& refusals);
+std::string abaqus_input_text(const model::Model& model, base::Diagnostics& refusals);
 
 } // namespace spricka::program

@@ -69,7 +69,7 @@ double results_bytes(const model::Mesh& mesh, std::size_t steps) {
 } // namespace
 
 /// What one length asks for.
-struct Forecast::Needs {
+struct CostForecast::Needs {
   double flops = 0.0;
   double row_flops = 0.0; ///< compliances of rows on bodies that stay whole
   double entries = 0.0;
@@ -82,8 +82,8 @@ struct Forecast::Needs {
   std::size_t unknowns = 0;
 };
 
-const solve::FactorReport& Forecast::report_of(const analysis::CondensationRequest& request,
-                                               const Piece& piece, Needs& needs) {
+const solve::FactorReport& CostForecast::report_of(const analysis::CondensationRequest& request,
+                                                   const FactorisedNet& piece, Needs& needs) {
   const auto& [net, key, body, first_part] = piece;
   const auto at = known_.find(key);
   if (at != known_.end()) {
@@ -137,8 +137,8 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondensationReque
 
 // Dense algebra of the condensed bodies: Cholesky of S, compliances of the rows, and a few
 // factorisations of the closed rows for each step.
-double Forecast::contact_flops(const std::vector<analysis::SubstructuredBody>& bodies,
-                               const analysis::Discretisation& scene) const {
+double CostForecast::contact_flops(const std::vector<analysis::SubstructuredBody>& bodies,
+                                   const analysis::Discretisation& scene) const {
   const auto rows = static_cast<double>(scene.table.size());
   double flops = 0.0;
   for (const analysis::SubstructuredBody& body : bodies) {
@@ -150,10 +150,10 @@ double Forecast::contact_flops(const std::vector<analysis::SubstructuredBody>& b
          factorisations * static_cast<double>(model_.steps.size()) * rows * rows * rows / 3.0;
 }
 
-void Forecast::add(const analysis::CondensationRequest& request,
-                   const std::vector<analysis::SubstructuredBody>& bodies,
-                   const analysis::Discretisation& scene, double scene_cpu,
-                   results::CrackLengthPreview& length) {
+void CostForecast::add_length(const analysis::CondensationRequest& request,
+                              const std::vector<analysis::SubstructuredBody>& bodies,
+                              const analysis::Discretisation& scene, double scene_cpu,
+                              results::CrackLengthPreview& length) {
   if (resident_ == 0.0) {
     resident_ = static_cast<double>(base::resident_memory());
   }

@@ -15,28 +15,28 @@ namespace spricka::program {
 /// and its largest passing need on top of what this process holds now. Time: flops at the rate that
 /// dense products reach in blocks of the factor's size, analysis as long as it took here, the
 /// stiffness of a sample of elements, and everything else as multiples of that.
-class Forecast {
+class CostForecast {
 public:
-  Forecast(const model::Model& model, int threads, const solve::FlopRate& rate)
+  CostForecast(const model::Model& model, int threads, const solve::FlopRate& rate)
       : model_(model), threads_(threads), rate_(rate) {}
 
   /// Fills unknowns, fill, flops, memory and seconds of a length. `scene_cpu` [s] is what its mesh
   /// and contact rows took. Lengths in the order of the run.
-  void add(const analysis::CondensationRequest& request,
-           const std::vector<analysis::SubstructuredBody>& bodies,
-           const analysis::Discretisation& scene, double scene_cpu,
-           results::CrackLengthPreview& length);
+  void add_length(const analysis::CondensationRequest& request,
+                  const std::vector<analysis::SubstructuredBody>& bodies,
+                  const analysis::Discretisation& scene, double scene_cpu,
+                  results::CrackLengthPreview& length);
 
 private:
   struct Needs; ///< of one length
-  struct Piece {
+  struct FactorisedNet {
     const analysis::Substructure& net;
     const analysis::HashKey& key;
     const analysis::SubstructuredBody* body; ///< that whose region the net is; null for a part
     const analysis::HashKey* first_part;     ///< its key, if there is one
   };
   const solve::FactorReport& report_of(const analysis::CondensationRequest& request,
-                                       const Piece& piece, Needs& needs);
+                                       const FactorisedNet& piece, Needs& needs);
   [[nodiscard]] double contact_flops(const std::vector<analysis::SubstructuredBody>& bodies,
                                      const analysis::Discretisation& scene) const;
 

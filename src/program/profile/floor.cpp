@@ -43,7 +43,7 @@ std::string trouble_of(const solve::FactorReport& report) {
              : "its matrix is singular";
 }
 
-void once(const model::Model& model, const analysis::Discretisation& scene, Floor& floor) {
+void once(const model::Model& model, const analysis::Discretisation& scene, CostFloor& floor) {
   const base::Stopwatch assembling;
   base::SymmetricCsc K = analysis::global_stiffness(model, scene);
   const double assembly = assembling.cpu_time();
@@ -72,8 +72,8 @@ void once(const model::Model& model, const analysis::Discretisation& scene, Floo
 
 } // namespace
 
-Floor find_floor(const model::Model& model) {
-  Floor floor;
+CostFloor find_cost_floor(const model::Model& model) {
+  CostFloor floor;
   try {
     const std::optional<analysis::Discretisation> scene = first_scene(model);
     if (!scene) {

@@ -10,7 +10,7 @@ namespace spricka::program {
 /// The least that any direct finite-element code has to do for a deck: one plain sparse
 /// factorisation of the stiffness of all bodies at the first crack length, as the deck ties them
 /// and without contact, and one solution with it.
-struct Floor {
+struct CostFloor {
   std::string why_not;        ///< why there is none; empty: there is
   std::int64_t equations = 0; ///< rows of the matrix
   double entries = 0.0;       ///< nonzeros of the factor
@@ -20,10 +20,10 @@ struct Floor {
   int times = 0;
 
   /// Without the assembly [s].
-  [[nodiscard]] double plain() const { return analysis + numeric + solution; }
+  [[nodiscard]] double seconds_without_assembly() const { return analysis + numeric + solution; }
 };
 
 /// Cuts the cracks of the first length anew and factorises; what is quick several times.
-Floor find_floor(const model::Model& model);
+CostFloor find_cost_floor(const model::Model& model);
 
 } // namespace spricka::program

@@ -37,13 +37,13 @@ std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::
   return recorder;
 }
 
-double floors(const ProfileRecord& record) {
+double cost_over_floor(const ProfileRecord& record) {
   double cpu = record.profile.cpu;
   for (const results::MesherCost& work : record.profile.mesher) {
     cpu += work.cpu.value_or(0.0);
   }
-  return record.floor.why_not.empty() && record.floor.plain() > 0.0
-             ? cpu / record.floor.plain()
+  return record.floor.why_not.empty() && record.floor.seconds_without_assembly() > 0.0
+             ? cpu / record.floor.seconds_without_assembly()
              : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -54,7 +54,7 @@ ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::Source
   record.profile = recorder.finish();
   record.bytes_read = archive::deck_byte_count(sources, model);
   record.bytes_written = written;
-  record.floor = find_floor(model);
+  record.floor = find_cost_floor(model);
   return {.table = profile_text(record),
           .csv = profile_csv(record),
           .trace = trace_json(record.profile)};

@@ -26,23 +26,23 @@ constexpr std::array<std::string_view, 26> columns{
     "bytes_written", "why"};
 
 /// One row, its cells by the names of their columns.
-class Row {
+class ProfileCsvRow {
 public:
-  Row(const char* kind, const std::string& name) {
+  ProfileCsvRow(const char* kind, const std::string& name) {
     cells_["kind"] = kind;
     cells_["name"] = quoted(name);
   }
-  template <typename T> Row& set(std::string_view column, const T& value) {
+  template <typename T> ProfileCsvRow& set(std::string_view column, const T& value) {
     cells_[column] = fmt::format("{}", value);
     return *this;
   }
-  template <typename T> Row& set(std::string_view column, const std::optional<T>& value) {
+  template <typename T> ProfileCsvRow& set(std::string_view column, const std::optional<T>& value) {
     if (value) {
       set(column, *value);
     }
     return *this;
   }
-  Row& words(std::string_view column, const std::string& text) {
+  ProfileCsvRow& words(std::string_view column, const std::string& text) {
     cells_[column] = quoted(text);
     return *this;
   }
@@ -70,14 +70,14 @@ private:
 };
 
 std::string processor_rows(const ProfileRecord& record) {
-  const ProcessorSums sums = by_processor(record.profile);
-  const double all = sums.cpu();
+  const ProcessorCostTable sums = processor_costs(record.profile);
+  const double all = sums.total_cpu();
   const auto share = [all](std::optional<double> cpu) {
     return cpu && all > 0.0 ? std::optional(*cpu / all) : std::nullopt;
   };
   std::string text;
-  for (const ProcessorSum& row : sums.rows) {
-    Row line("processor", row.processor);
+  for (const ProcessorCostSum& row : sums.rows) {
+    ProfileCsvRow line("processor", row.processor);
     line.set("calls", row.calls).set("cpu", row.cpu).set("wall", row.wall);
     line.set("share", share(row.cpu)).set("flops", row.flops);
     if (row.flops) {
@@ -86,15 +86,15 @@ std::string processor_rows(const ProfileRecord& record) {
     line.set("resident", row.resident).set("peak", row.peak).set("raised", row.raised);
     text += line.text();
   }
-  text += Row("processor", "not accounted for")
+  text += ProfileCsvRow("processor", "not accounted for")
               .set("cpu", sums.cpu_rest)
               .set("wall", sums.wall_rest)
               .set("share", share(sums.cpu_rest))
               .text();
-  Row whole("all", "run");
+  ProfileCsvRow whole("all", "run");
   whole.set("cpu", sums.mesher_cpu ? std::optional(all) : std::nullopt);
   whole.set("wall", sums.wall).set("peak", sums.peak);
-  if (const double times = floors(record); !std::isnan(times)) {
+  if (const double times = cost_over_floor(record); !std::isnan(times)) {
     whole.set("floors", times);
   }
   whole.set("bytes_read", record.bytes_read).set("bytes_written", record.bytes_written);
@@ -109,7 +109,7 @@ std::optional<std::size_t> counted(const std::optional<std::size_t>& length) {
 std::string net_rows(const results::RunProfile& profile) {
   std::string text;
   for (const results::NetCost& net : profile.nets) {
-    Row row("net", net.name);
+    ProfileCsvRow row("net", net.name);
     row.set("length", counted(net.length));
     if (net.length && *net.length < profile.lengths.size()) {
       row.set("a", profile.lengths[*net.length].a);
@@ -131,8 +131,8 @@ std::string net_rows(const results::RunProfile& profile) {
 std::string length_rows(const results::RunProfile& profile) {
   std::string text;
   std::size_t number = 0;
-  for (const LengthSum& sum : by_length(profile)) {
-    Row row("length", sum.label);
+  for (const CrackLengthCostSum& sum : length_costs(profile)) {
+    ProfileCsvRow row("length", sum.label);
     row.set("length", ++number).set("a", sum.work->a).set("cpu", sum.work->cpu);
     row.set("wall", sum.work->end - sum.work->begin).set("flops", sum.flops);
     row.set("condensed", sum.condensed.size()).set("reused", sum.reused.size());
@@ -141,12 +141,14 @@ std::string length_rows(const results::RunProfile& profile) {
   return text;
 }
 
-std::string floor_row(const Floor& floor) {
-  Row row("floor", "plain factorisation");
+std::string floor_row(const CostFloor& floor) {
+  ProfileCsvRow row("floor", "plain factorisation");
   if (!floor.why_not.empty()) {
     return row.words("why", floor.why_not).text();
   }
-  row.set("calls", floor.times).set("cpu", floor.plain()).set("flops", floor.flops);
+  row.set("calls", floor.times)
+      .set("cpu", floor.seconds_without_assembly())
+      .set("flops", floor.flops);
   row.set("freedoms", floor.equations).set("externals", 0).set("nonzeros", floor.entries);
   row.set("stiffness_cpu", floor.assembly).set("analysis_cpu", floor.analysis);
   return row.set("numeric_cpu", floor.numeric).set("solution_cpu", floor.solution).text();

@@ -10,12 +10,12 @@ namespace spricka::program {
 /// A profile and what stands beside it.
 struct ProfileRecord {
   results::RunProfile profile;
-  Floor floor;
+  CostFloor floor;
   std::uintmax_t bytes_read = 0;    ///< deck, what it includes and what it imports
   std::uintmax_t bytes_written = 0; ///< files of the run folder, without those of the profile
 };
 
 /// How many plain factorisations the run took; not a number where there is no floor.
-double floors(const ProfileRecord& record);
+double cost_over_floor(const ProfileRecord& record);
 
 } // namespace spricka::program

@@ -31,18 +31,18 @@ class Sums {
 public:
   explicit Sums(const RunProfile& profile) : profile_(profile) {}
 
-  ProcessorSums make() {
+  ProcessorCostTable make() {
     for (const ProcessorInterval& stretch : profile_.stretches) {
       add_stretch(stretch);
     }
     add_mesher();
-    ProcessorSums out;
+    ProcessorCostTable out;
     out.program_cpu = profile_.cpu;
     out.wall = profile_.end - profile_.begin;
     out.peak = profile_.peak;
     out.cpu_rest = out.program_cpu;
     out.wall_rest = out.wall;
-    for (const ProcessorSum& row : rows_) {
+    for (const ProcessorCostSum& row : rows_) {
       out.wall_rest -= row.wall;
       if (row.processor == "MESHER") {
         out.mesher_cpu = row.cpu;
@@ -50,7 +50,7 @@ public:
         out.cpu_rest -= row.cpu.value_or(0.0);
       }
     }
-    std::ranges::stable_sort(rows_, {}, [](const ProcessorSum& row) {
+    std::ranges::stable_sort(rows_, {}, [](const ProcessorCostSum& row) {
       return std::ranges::find(order, row.processor) - order.begin();
     });
     out.rows = std::move(rows_);
@@ -58,8 +58,8 @@ public:
   }
 
 private:
-  ProcessorSum& row_of(std::string_view processor) {
-    const auto known = std::ranges::find(rows_, processor, &ProcessorSum::processor);
+  ProcessorCostSum& row_of(std::string_view processor) {
+    const auto known = std::ranges::find(rows_, processor, &ProcessorCostSum::processor);
     if (known != rows_.end()) {
       return *known;
     }
@@ -82,7 +82,7 @@ private:
     if (stretch.processor == "CONDENSE") {
       take_stiffness(stretch, cpu, wall);
     }
-    ProcessorSum& row = row_of(stretch.processor);
+    ProcessorCostSum& row = row_of(stretch.processor);
     ++row.calls;
     row.cpu = row.cpu.value_or(0.0) + cpu;
     row.wall += wall;
@@ -120,7 +120,7 @@ private:
       return;
     }
     const double share = both > 0.0 ? stiffness / both * busy : 0.0;
-    ProcessorSum& row = row_of("STIFFNESS");
+    ProcessorCostSum& row = row_of("STIFFNESS");
     row.calls += calls;
     row.cpu = row.cpu.value_or(0.0) + stiffness_cpu;
     row.wall += share;
@@ -143,7 +143,7 @@ private:
 
   void add_mesher() {
     for (const MesherCost& work : profile_.mesher) {
-      ProcessorSum& row = row_of("MESHER");
+      ProcessorCostSum& row = row_of("MESHER");
       ++row.calls;
       add(row.cpu, work.cpu);
       row.wall += work.end - work.begin;
@@ -153,20 +153,20 @@ private:
   }
 
   const RunProfile& profile_;
-  std::vector<ProcessorSum> rows_;
+  std::vector<ProcessorCostSum> rows_;
   std::size_t highest_ = 0; ///< [bytes] the peak so far
 };
 
 } // namespace
 
-ProcessorSums by_processor(const RunProfile& profile) {
+ProcessorCostTable processor_costs(const RunProfile& profile) {
   return Sums(profile).make();
 }
 
-std::vector<NetSum> by_net(const RunProfile& profile) {
-  std::vector<NetSum> sums;
+std::vector<NetCostSum> net_costs(const RunProfile& profile) {
+  std::vector<NetCostSum> sums;
   for (const NetCost& net : profile.nets) {
-    auto sum = std::ranges::find(sums, net.name, &NetSum::name);
+    auto sum = std::ranges::find(sums, net.name, &NetCostSum::name);
     if (sum == sums.end()) {
       sums.push_back({.name = net.name, .entries = {}, .flops = 0.0});
       sum = sums.end() - 1;
@@ -187,8 +187,8 @@ std::vector<NetSum> by_net(const RunProfile& profile) {
   return sums;
 }
 
-std::vector<LengthSum> by_length(const RunProfile& profile) {
-  std::vector<LengthSum> sums(profile.lengths.size());
+std::vector<CrackLengthCostSum> length_costs(const RunProfile& profile) {
+  std::vector<CrackLengthCostSum> sums(profile.lengths.size());
   const bool rounds = !sums.empty() && profile.lengths.back().round > 1;
   int round = 0;
   int increment = 0;
@@ -209,7 +209,7 @@ std::vector<LengthSum> by_length(const RunProfile& profile) {
     if (!net.length || *net.length >= sums.size()) {
       continue;
     }
-    LengthSum& sum = sums[*net.length];
+    CrackLengthCostSum& sum = sums[*net.length];
     (net.reused ? sum.reused : sum.condensed).push_back(net.name);
     if (!net.reused) {
       add(sum.flops, net.flops);

@@ -13,7 +13,7 @@ namespace spricka::program {
 
 /// All stretches of a processor. STIFFNESS is what nets took of CONDENSE; MESHER is a process of
 /// its own, and the time that the program waits for it is not that of who asked.
-struct ProcessorSum {
+struct ProcessorCostSum {
   std::string processor;
   std::size_t calls = 0;
   std::optional<double> cpu = 0.0;     ///< [s]
@@ -26,9 +26,9 @@ struct ProcessorSum {
   std::optional<std::size_t> raised;   ///< [bytes] by which its calls have raised that peak
 };
 
-struct ProcessorSums {
-  std::vector<ProcessorSum> rows; ///< in the order of the listing
-  double program_cpu = 0.0;       ///< [s] of the program in all
+struct ProcessorCostTable {
+  std::vector<ProcessorCostSum> rows; ///< in the order of the listing
+  double program_cpu = 0.0;           ///< [s] of the program in all
   std::optional<double> mesher_cpu = 0.0;
   double wall = 0.0;     ///< [s] from begin to end
   double cpu_rest = 0.0; ///< [s] of the program that no row accounts for
@@ -36,12 +36,12 @@ struct ProcessorSums {
   std::optional<std::size_t> peak;
 
   /// Program and mesher, as far as it is known [s].
-  [[nodiscard]] double cpu() const { return program_cpu + mesher_cpu.value_or(0.0); }
+  [[nodiscard]] double total_cpu() const { return program_cpu + mesher_cpu.value_or(0.0); }
 };
-ProcessorSums by_processor(const results::RunProfile& profile);
+ProcessorCostTable processor_costs(const results::RunProfile& profile);
 
 /// All that was done for the net of one name.
-struct NetSum {
+struct NetCostSum {
   std::string name;
   std::int64_t freedoms = 0, externals = 0; ///< the most
   std::optional<double> entries;            ///< the most
@@ -50,16 +50,16 @@ struct NetSum {
   double stiffness_cpu = 0.0, analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s]
 };
 /// In the order in which they came first.
-std::vector<NetSum> by_net(const results::RunProfile& profile);
+std::vector<NetCostSum> net_costs(const results::RunProfile& profile);
 
 /// What was done for one crack length.
-struct LengthSum {
+struct CrackLengthCostSum {
   std::string label; ///< "increment 2", "tried"; with a tolerance of K "round 2: increment 1"
   const results::CrackLengthCost* work = nullptr;
   std::optional<double> mesher_cpu = 0.0;     ///< [s]
   std::optional<double> flops = 0.0;          ///< of its nets
   std::vector<std::string> condensed, reused; ///< nets
 };
-std::vector<LengthSum> by_length(const results::RunProfile& profile);
+std::vector<CrackLengthCostSum> length_costs(const results::RunProfile& profile);
 
 } // namespace spricka::program

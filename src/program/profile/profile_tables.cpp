@@ -41,7 +41,7 @@ std::string rate(const std::optional<double>& flops, double cpu) {
   return flops && *flops > 0.0 && cpu > 1e-6 ? fmt::format("{:.2f}", 1e-9 * *flops / cpu) : unknown;
 }
 
-ReportTable processor_table(const ProcessorSums& sums) {
+ReportTable processor_table(const ProcessorCostTable& sums) {
   ReportTable table{"Profile by processor",
                     {{"", "", true},
                      {"calls", "", false},
@@ -54,8 +54,8 @@ ReportTable processor_table(const ProcessorSums& sums) {
                      {"peak", "MiB", false},
                      {"raised", "MiB", false}},
                     {}};
-  const double all = sums.cpu();
-  for (const ProcessorSum& row : sums.rows) {
+  const double all = sums.total_cpu();
+  for (const ProcessorCostSum& row : sums.rows) {
     const std::string at_least = row.flops && !row.all_counted ? ">" : "";
     table.rows.push_back({row.processor, fmt::format("{}", row.calls), seconds(row.cpu),
                           seconds(row.wall), percent(row.cpu, all), at_least + number(row.flops),
@@ -69,7 +69,7 @@ ReportTable processor_table(const ProcessorSums& sums) {
   return table;
 }
 
-ReportTable net_table(const std::vector<NetSum>& nets) {
+ReportTable net_table(const std::vector<NetCostSum>& nets) {
   ReportTable table{"Nets",
                     {{"", "", true},
                      {"freedoms", "", false},
@@ -83,7 +83,7 @@ ReportTable net_table(const std::vector<NetSum>& nets) {
                      {"numeric", "s", false},
                      {"rate", "Gflop/s", false}},
                     {}};
-  for (const NetSum& net : nets) {
+  for (const NetCostSum& net : nets) {
     table.rows.push_back({net.name, fmt::format("{}", net.freedoms),
                           fmt::format("{}", net.externals), number(net.entries),
                           fmt::format("{}", net.condensed), fmt::format("{}", net.reused),
@@ -105,7 +105,7 @@ std::string names(std::vector<std::string> list) {
   return list.size() > most ? fmt::format("{}, {} more", text, list.size() - most) : text;
 }
 
-ReportTable length_table(const std::vector<LengthSum>& lengths) {
+ReportTable length_table(const std::vector<CrackLengthCostSum>& lengths) {
   ReportTable table{"Crack lengths",
                     {{"", "", true},
                      {"a", "", false},
@@ -116,7 +116,7 @@ ReportTable length_table(const std::vector<LengthSum>& lengths) {
                      {"condensed", "", true},
                      {"reused", "", true}},
                     {}};
-  for (const LengthSum& sum : lengths) {
+  for (const CrackLengthCostSum& sum : lengths) {
     const results::CrackLengthCost& work = *sum.work;
     table.rows.push_back({sum.label, work.a ? report::six_digits(*work.a) : unknown,
                           seconds(work.cpu), seconds(work.end - work.begin),
@@ -133,7 +133,7 @@ std::string bytes(std::uintmax_t count) {
 }
 
 std::string floor_text(const ProfileRecord& record) {
-  const Floor& floor = record.floor;
+  const CostFloor& floor = record.floor;
   std::string text =
       "The floor: one plain factorisation of the stiffness of all bodies at the first length, "
       "without contact\n";
@@ -145,11 +145,12 @@ std::string floor_text(const ProfileRecord& record) {
         "  analysis {:.4f} s, numeric {:.4f} s, one solution {:.4f} s: {:.4f} s CPU; its assembly "
         "{:.4f} s\n",
         floor.equations, floor.entries, floor.flops, rate(floor.flops, floor.numeric),
-        floor.analysis, floor.numeric, floor.solution, floor.plain(), floor.assembly);
+        floor.analysis, floor.numeric, floor.solution, floor.seconds_without_assembly(),
+        floor.assembly);
   }
   text += fmt::format("  read {} of deck and meshes, written {} into the run folder\n",
                       bytes(record.bytes_read), bytes(record.bytes_written));
-  const double times = floors(record);
+  const double times = cost_over_floor(record);
   if (std::isnan(times)) {
     return text + "How many plain factorisations the run took is unknown.\n";
   }
@@ -163,11 +164,12 @@ std::string floor_text(const ProfileRecord& record) {
 } // namespace
 
 std::string profile_text(const ProfileRecord& record) {
-  std::string text = "\n" + report::to_text(processor_table(by_processor(record.profile)));
-  if (const std::vector<NetSum> nets = by_net(record.profile); !nets.empty()) {
+  std::string text = "\n" + report::to_text(processor_table(processor_costs(record.profile)));
+  if (const std::vector<NetCostSum> nets = net_costs(record.profile); !nets.empty()) {
     text += "\n" + report::to_text(net_table(nets));
   }
-  if (const std::vector<LengthSum> lengths = by_length(record.profile); !lengths.empty()) {
+  if (const std::vector<CrackLengthCostSum> lengths = length_costs(record.profile);
+      !lengths.empty()) {
     text += "\n" + report::to_text(length_table(lengths));
   }
   return text + "\n" + floor_text(record);

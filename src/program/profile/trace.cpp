@@ -98,7 +98,7 @@ private:
   }
 
   void add_lengths() {
-    for (const LengthSum& sum : by_length(profile_)) {
+    for (const CrackLengthCostSum& sum : length_costs(profile_)) {
       const results::CrackLengthCost& work = *sum.work;
       Json args = Json::object();
       args["cpu_s"] = work.cpu;

@@ -20,15 +20,15 @@ namespace spricka::program {
 
 using grammar::Quantity;
 
-base::OperationFailure wrong(const ShellCall& call) {
-  return misuse(fmt::format("write {}", call.usage));
+base::OperationFailure wrong_usage(const ShellCall& call) {
+  return invalid_input(fmt::format("write {}", call.usage));
 }
 
-std::string name_at(const ShellCall& call, std::size_t i) {
+std::string name_argument(const ShellCall& call, std::size_t i) {
   return grammar::to_upper(call.words[i].text);
 }
 
-std::string rest_from(const ShellCall& call, std::size_t i) {
+std::string remaining_text(const ShellCall& call, std::size_t i) {
   if (i < call.words.size() && call.words[i].text == "=") {
     ++i;
   }
@@ -37,19 +37,21 @@ std::string rest_from(const ShellCall& call, std::size_t i) {
              : std::string();
 }
 
-base::Trouble number_from(const ShellCall& call, std::size_t i, Quantity quantity, double& value) {
-  const std::string text = rest_from(call, i);
-  return text.empty() ? wrong(call) : read_number(text, call.session.model(), quantity, value);
+base::Trouble number_argument(const ShellCall& call, std::size_t i, Quantity quantity,
+                              double& value) {
+  const std::string text = remaining_text(call, i);
+  return text.empty() ? wrong_usage(call)
+                      : read_number(text, call.session.model(), quantity, value);
 }
 
-base::Trouble settle(ShellSession& session, ShellReply& reply) {
-  if (!session.pending()) {
+base::Trouble solve_pending_changes(ShellSession& session, ShellReply& reply) {
+  if (!session.has_pending_changes()) {
     return {};
   }
   base::Trouble trouble = session.solve();
   if (!trouble) {
     reply.messages +=
-        session.rubs()
+        session.has_friction()
             ? fmt::format("note: solved from the last state on, in {} substeps\n", default_substeps)
             : std::string();
     reply.messages += state_notes(session);
@@ -66,15 +68,15 @@ void tell_state(const ShellCall& call) {
 }
 
 base::Trouble do_show(const ShellCall& call) {
-  call.reply.out = show_reply(call.session);
+  call.reply.out = settings_reply(call.session);
   return {};
 }
 
 base::Trouble do_step(const ShellCall& call) {
   if (call.words.size() != 2) {
-    return wrong(call);
+    return wrong_usage(call);
   }
-  base::Trouble trouble = call.session.step(name_at(call, 1));
+  base::Trouble trouble = call.session.go_to_step(name_argument(call, 1));
   if (!trouble) {
     tell_state(call);
   }
@@ -84,29 +86,29 @@ base::Trouble do_step(const ShellCall& call) {
 base::Trouble do_load(const ShellCall& call) {
   double factor = 0.0;
   if (call.words.size() < 3) {
-    return wrong(call);
+    return wrong_usage(call);
   }
-  if (base::Trouble trouble = number_from(call, 2, Quantity::number, factor)) {
+  if (base::Trouble trouble = number_argument(call, 2, Quantity::number, factor)) {
     return trouble;
   }
-  return call.session.load(name_at(call, 1), factor);
+  return call.session.set_load_factor(name_argument(call, 1), factor);
 }
 
 base::Trouble do_fit(const ShellCall& call) {
   if (call.words.size() < 3) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   const bool declares = call.words[2].text == "=";
   double value = 0.0;
   if (base::Trouble trouble =
-          number_from(call, 2, declares ? Quantity::length : Quantity::number, value)) {
+          number_argument(call, 2, declares ? Quantity::length : Quantity::number, value)) {
     return trouble;
   }
   if (!declares) {
-    return call.session.fit(name_at(call, 1), value);
+    return call.session.set_fit_factor(name_argument(call, 1), value);
   }
-  base::Trouble trouble = settle(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.interference(name_at(call, 1), value);
+  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.set_interference(name_argument(call, 1), value);
   if (!trouble) {
     call.reply.messages +=
         fmt::format("note: {} {:.6g} along the normal, on a radius; {:.6g} on a diameter\n",
@@ -117,18 +119,20 @@ base::Trouble do_fit(const ShellCall& call) {
 }
 
 base::Trouble do_mount(const ShellCall& call) {
-  return call.words.size() == 2 ? call.session.mount(name_at(call, 1), true) : wrong(call);
+  return call.words.size() == 2 ? call.session.set_mounted(name_argument(call, 1), true)
+                                : wrong_usage(call);
 }
 
 base::Trouble do_dismount(const ShellCall& call) {
-  return call.words.size() == 2 ? call.session.mount(name_at(call, 1), false) : wrong(call);
+  return call.words.size() == 2 ? call.session.set_mounted(name_argument(call, 1), false)
+                                : wrong_usage(call);
 }
 
 base::Trouble do_length(const ShellCall& call) {
   double a = 0.0;
   std::optional<double> c;
   if (call.words.size() < 3) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   const model::Model& model = call.session.model();
   base::Trouble trouble;
@@ -138,12 +142,12 @@ base::Trouble do_length(const ShellCall& call) {
     trouble =
         trouble ? trouble : read_number(call.words[3].text, model, Quantity::length, c.emplace());
   } else {
-    trouble = number_from(call, 2, Quantity::length, a);
+    trouble = number_argument(call, 2, Quantity::length, a);
   }
-  trouble = trouble ? trouble : settle(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.length(name_at(call, 1), a, c);
+  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.set_crack_length(name_argument(call, 1), a, c);
   if (!trouble) {
-    const analysis::CondensationFigures& log = call.session.condensed();
+    const analysis::CondensationFigures& log = call.session.condensation_log();
     call.reply.messages +=
         fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
     tell_state(call);
@@ -153,20 +157,21 @@ base::Trouble do_length(const ShellCall& call) {
 
 base::Trouble do_set(const ShellCall& call) {
   if (call.words.size() < 4 || call.words[2].text != "=") {
-    return wrong(call);
+    return wrong_usage(call);
   }
-  base::Trouble trouble = settle(call.session, call.reply);
+  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
   const std::string before = state_reply(call.session);
-  trouble = trouble ? trouble : call.session.define(call.words[1].text, rest_from(call, 2));
+  trouble = trouble ? trouble
+                    : call.session.define_parameter(call.words[1].text, remaining_text(call, 2));
   if (trouble) {
     return trouble;
   }
-  for (const std::string& text : call.session.covered()) {
+  for (const std::string& text : call.session.overridden_settings()) {
     call.reply.messages += fmt::format("note: {}\n", text);
   }
   tell_state(call);
   const bool same = !before.empty() && state_reply(call.session) == before;
-  if (call.session.covered().empty() && same) {
+  if (call.session.overridden_settings().empty() && same) {
     call.reply.messages += "note: K and the contacts are as they were before\n";
   }
   return {};
@@ -176,15 +181,15 @@ base::Trouble do_solve(const ShellCall& call) {
   int substeps = default_substeps;
   if (call.words.size() > 1) {
     double given = 0.0;
-    if (base::Trouble trouble = number_from(call, 1, Quantity::number, given)) {
+    if (base::Trouble trouble = number_argument(call, 1, Quantity::number, given)) {
       return trouble;
     }
     if (!(given >= 1.0 && given <= 1e5) || given != static_cast<int>(given)) {
-      return misuse("the number of substeps is whole, from 1");
+      return invalid_input("the number of substeps is whole, from 1");
     }
     substeps = static_cast<int>(given);
   }
-  if (call.session.rubs() && call.session.pending()) {
+  if (call.session.has_friction() && call.session.has_pending_changes()) {
     call.reply.messages += fmt::format("note: from the last state on, in {} substeps\n", substeps);
   }
   base::Trouble trouble = call.session.solve(substeps);
@@ -199,18 +204,18 @@ base::Trouble do_solve(const ShellCall& call) {
 base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesystem::path& file) {
   namespace fs = std::filesystem;
   if (call.words.size() < word + 1 || call.words.size() > word + 2) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   const bool forced = call.words.size() == word + 2;
   const std::string& name = call.words[word].text;
   if (forced && grammar::to_upper(call.words[word + 1].text) != "REPLACE") {
-    return wrong(call);
+    return wrong_usage(call);
   }
   file = name;
   std::error_code ignored;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(call.session.sources().count()); ++f) {
     if (fs::equivalent(file, call.session.sources().file_name(f), ignored)) {
-      return misuse("the deck itself is not overwritten", "take another name");
+      return invalid_input("the deck itself is not overwritten", "take another name");
     }
   }
   const fs::file_status status = fs::symlink_status(file, ignored);
@@ -230,7 +235,7 @@ base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesy
 
 base::Trouble do_plot(const ShellCall& call) {
   if (call.words.size() < 3) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   std::string kind = call.words[1].text;
   std::ranges::transform(kind, kind.begin(), [](char c) {
@@ -239,8 +244,8 @@ base::Trouble do_plot(const ShellCall& call) {
   std::string svg;
   std::filesystem::path file;
   base::Trouble trouble = file_to_write(call, 2, file);
-  trouble = trouble ? trouble : settle(call.session, call.reply);
-  trouble = trouble ? trouble : picture(call.session, kind, svg);
+  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
+  trouble = trouble ? trouble : draw_picture(call.session, kind, svg);
   if (!trouble) {
     report::write_file(file, svg);
     call.reply.messages += fmt::format("note: {} written\n", file.string());
@@ -253,7 +258,7 @@ base::Trouble do_save(const ShellCall& call) {
   fs::path file;
   std::string text;
   base::Trouble trouble = file_to_write(call, 1, file);
-  trouble = trouble ? trouble : settle(call.session, call.reply);
+  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
   trouble = trouble ? trouble : saved_deck(call.session, fs::absolute(file).parent_path(), text);
   if (!trouble) {
     report::write_file(file, text);
@@ -272,7 +277,7 @@ base::Trouble do_reset(const ShellCall& call) {
 
 } // namespace
 
-base::Trouble carry_out(std::string_view command, const ShellCall& call) {
+base::Trouble run_shell_command(std::string_view command, const ShellCall& call) {
   using Act = base::Trouble (*)(const ShellCall&);
   static const std::map<std::string_view, Act> acts{
       {"show", do_show},

@@ -21,21 +21,21 @@ struct ShellCall {
 };
 
 /// A command of the table but help, history and quit.
-base::Trouble carry_out(std::string_view command, const ShellCall& call);
+base::Trouble run_shell_command(std::string_view command, const ShellCall& call);
 
 /// A quantity of $CHECK, its value and unit.
 base::Trouble answer_quantity(ShellSession& session, const std::string& text, ShellReply& reply);
 
 // What commands share.
-base::OperationFailure wrong(const ShellCall& call);
-std::string name_at(const ShellCall& call, std::size_t i); ///< upper case
+base::OperationFailure wrong_usage(const ShellCall& call);
+std::string name_argument(const ShellCall& call, std::size_t i); ///< upper case
 /// The rest of the line from a word on, an = at its beginning left out.
-std::string rest_from(const ShellCall& call, std::size_t i);
+std::string remaining_text(const ShellCall& call, std::size_t i);
 /// The same as a number.
-base::Trouble number_from(const ShellCall& call, std::size_t i, grammar::Quantity quantity,
-                          double& value);
+base::Trouble number_argument(const ShellCall& call, std::size_t i, grammar::Quantity quantity,
+                              double& value);
 /// Solves what is pending before a question; its notes are told.
-base::Trouble settle(ShellSession& session, ShellReply& reply);
+base::Trouble solve_pending_changes(ShellSession& session, ShellReply& reply);
 
 // Questions, in a file of their own.
 base::Trouble do_k(const ShellCall& call);

@@ -16,12 +16,13 @@
 namespace spricka::program {
 
 base::Trouble ShellSession::mappable() const {
-  if (!rubs()) {
+  if (!has_friction()) {
     return {};
   }
-  return misuse("with friction K depends on the way, not only on where it leads: there is no "
-                "map of it",
-                "load, solve and K go that way step by step");
+  return invalid_input(
+      "with friction K depends on the way, not only on where it leads: there is no "
+      "map of it",
+      "load, solve and K go that way step by step");
 }
 
 base::Trouble ShellSession::map_path(const std::string& name) {
@@ -33,7 +34,7 @@ base::Trouble ShellSession::map_path(const std::string& name) {
     return trouble;
   }
   const model::LoadPathDefinition card = model_->load_paths[index];
-  trouble = bench_->follow(card, way_to(card.from.index()), way_to(card.to.index()));
+  trouble = bench_->follow_load_path(card, way_to(card.from.index()), way_to(card.to.index()));
   if (!trouble) {
     mapped_ = name;
     range_ = {};
@@ -43,14 +44,14 @@ base::Trouble ShellSession::map_path(const std::string& name) {
 
 base::Trouble ShellSession::map_case(const std::string& load_case, double from, double to) {
   std::size_t index = 0;
-  base::Trouble trouble = find_name(case_names(*model_), "load case", load_case, index);
+  base::Trouble trouble = find_name(load_case_names(*model_), "load case", load_case, index);
   trouble = trouble ? trouble : mappable();
   trouble = trouble ? trouble : solve();
   if (trouble) {
     return trouble;
   }
   if (from == to) {
-    return misuse("both ends of the map are the same");
+    return invalid_input("both ends of the map are the same");
   }
   const auto end = [&](double factor) {
     std::vector<model::Step> steps = way();
@@ -61,7 +62,7 @@ base::Trouble ShellSession::map_case(const std::string& load_case, double from, 
   };
   model::LoadPathDefinition card;
   card.name = load_case;
-  trouble = bench_->follow(card, end(from), end(to));
+  trouble = bench_->follow_load_path(card, end(from), end(to));
   if (!trouble) {
     mapped_ = load_case;
     range_ = {"factor", from, to};
@@ -69,10 +70,10 @@ base::Trouble ShellSession::map_case(const std::string& load_case, double from, 
   return trouble;
 }
 
-const results::LoadPathResult* ShellSession::mapped() const {
+const results::LoadPathResult* ShellSession::last_mapped_path() const {
   return mapped_.empty() || !bench_->ready()
              ? nullptr
-             : results::find_path(bench_->run().increments.front(), mapped_);
+             : results::find_path(bench_->run_results().increments.front(), mapped_);
 }
 
 base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& value) {
@@ -98,15 +99,15 @@ base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& va
   const std::string& q = check.quantity;
   const auto speaks_of = [&](const char* word) { return q.find(word) != std::string::npos; };
   if (speaks_of(".BAR") || speaks_of(".BEST") || q.starts_with("DK")) {
-    if (base::Trouble trouble = bench_->estimate()) {
+    if (base::Trouble trouble = bench_->estimate_accuracy()) {
       return trouble;
     }
   } else if (q == "ERROR") {
-    bench_->estimate_nets();
+    bench_->estimate_net_errors();
   }
   std::vector<model::ResultCheck> asked{check};
   std::swap(model_->checks, asked);
-  const results::CheckResult found = evaluate_checks(*model_, bench_->run()).front();
+  const results::CheckResult found = evaluate_checks(*model_, bench_->run_results()).front();
   std::swap(model_->checks, asked);
   if (!found.trouble.empty()) {
     return base::OperationFailure{.kind = base::Outcome::check_failed, .why = found.trouble};
@@ -118,10 +119,10 @@ base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& va
 std::vector<std::string> ShellSession::new_notes() {
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
-  for (const results::Note& note : now().notes) {
+  for (const results::Note& note : current_result().notes) {
     if (results::is_warning(note)) {
       warnings.push_back(results::text_with_code(note));
-    } else if (told_.insert(note.text).second) {
+    } else if (reported_.insert(note.text).second) {
       notes.push_back("note: " + note.text);
     }
   }
@@ -147,18 +148,18 @@ std::string ShellSession::setting() const {
 }
 
 void ShellSession::remember() {
-  const results::StepResult& at = now();
+  const results::StepResult& at = current_result();
   if (at.tips.empty() && at.fronts.empty()) {
     return;
   }
-  Known known{setting(), run().increments.front().a, at.tips, {}};
+  TriedLengthResult known{setting(), run_results().increments.front().a, at.tips, {}};
   if (!at.fronts.empty()) {
-    known.space = {size_of(0), at.fronts};
+    known.space = {crack_size(0), at.fronts};
   }
   const auto same_size = [](const auto& one, const auto& other) {
     return one.a == other.a && one.length == other.length;
   };
-  std::erase_if(known_, [&](const Known& k) {
+  std::erase_if(known_, [&](const TriedLengthResult& k) {
     return k.setting == known.setting &&
            std::ranges::equal(k.tips, known.tips,
                               [](const auto& a, const auto& b) { return a.a == b.a; }) &&
@@ -167,10 +168,10 @@ void ShellSession::remember() {
   known_.push_back(std::move(known));
 }
 
-results::RunResult ShellSession::lengths() const {
+results::RunResult ShellSession::results_by_length() const {
   results::RunResult out;
   const std::string present = setting();
-  for (const Known& known : known_) {
+  for (const TriedLengthResult& known : known_) {
     if (known.setting == present) {
       results::Increment& increment = out.increments.emplace_back();
       increment.a = known.a;
@@ -185,16 +186,16 @@ results::RunResult ShellSession::lengths() const {
   return out;
 }
 
-std::vector<ShellSession::TriedFronts> ShellSession::fronts_tried() const {
-  std::vector<TriedFronts> out;
+std::vector<ShellSession::FrontsAtSize> ShellSession::fronts_by_size() const {
+  std::vector<FrontsAtSize> out;
   const std::string present = setting();
-  for (const Known& known : known_) {
+  for (const TriedLengthResult& known : known_) {
     if (known.setting == present && !known.space.fronts.empty()) {
       out.push_back(known.space);
     }
   }
   std::ranges::stable_sort(out, {},
-                           [](const TriedFronts& t) { return std::pair(t.size.a, t.size.c); });
+                           [](const FrontsAtSize& t) { return std::pair(t.size.a, t.size.c); });
   return out;
 }
 

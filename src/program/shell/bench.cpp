@@ -69,14 +69,14 @@ bool is_one_further(const std::vector<model::Step>& way, const std::vector<model
 
 } // namespace
 
-ShellBench::ShellBench(const BenchParts& parts)
+InteractiveSolver::InteractiveSolver(const InteractiveSolverInputs& parts)
     : parts_(parts), shown_(model_to_show(parts.model)) {}
 
-std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
-                                             const analysis::RegionPlan& plan,
-                                             base::Diagnostics& diagnostics,
-                                             base::Trouble& trouble) {
-  std::unique_ptr<ShellBench> bench(new ShellBench(parts));
+std::unique_ptr<InteractiveSolver> InteractiveSolver::make(const InteractiveSolverInputs& parts,
+                                                           const analysis::RegionPlan& plan,
+                                                           base::Diagnostics& diagnostics,
+                                                           base::Trouble& trouble) {
+  std::unique_ptr<InteractiveSolver> bench(new InteractiveSolver(parts));
   bench->length_ = analysis::CrackLengthAnalysis::create({.model = parts.model,
                                                           .cache = parts.cache,
                                                           .threads = parts.threads,
@@ -95,7 +95,7 @@ std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
   return trouble ? nullptr : std::move(bench);
 }
 
-void ShellBench::begin_run() {
+void InteractiveSolver::begin_run() {
   const analysis::Discretisation& scene = length_->discretisation();
   const mesh::CrackedMesh& cracked = scene.cracked;
   results::Increment& increment = run_.increments.emplace_back();
@@ -109,7 +109,7 @@ void ShellBench::begin_run() {
       std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
 
-base::Trouble ShellBench::prepare() {
+base::Trouble InteractiveSolver::prepare() {
   condensed_ = {};
   if (!length_->condense(condensed_)) {
     return condensed_.trouble;
@@ -123,7 +123,7 @@ base::Trouble ShellBench::prepare() {
   return {};
 }
 
-base::Trouble ShellBench::close(const std::vector<std::size_t>& lines) {
+base::Trouble InteractiveSolver::close(const std::vector<std::size_t>& lines) {
   solver_.reset(); // it looks at the rows of the scene
   fresh_.reset();
   ++closings_;
@@ -134,7 +134,8 @@ base::Trouble ShellBench::close(const std::vector<std::size_t>& lines) {
   return prepare();
 }
 
-base::Trouble ShellBench::advance(const std::vector<model::Step>& steps, Reached& reached) const {
+base::Trouble InteractiveSolver::advance(const std::vector<model::Step>& steps,
+                                         ReachedShellState& reached) const {
   for (const model::Step& step : steps) {
     if (stopped()) {
       return interrupted();
@@ -161,7 +162,8 @@ base::Trouble ShellBench::advance(const std::vector<model::Step>& steps, Reached
   return {};
 }
 
-base::Trouble ShellBench::reach(const std::vector<model::Step>& way, Reached& reached) {
+base::Trouble InteractiveSolver::reach(const std::vector<model::Step>& way,
+                                       ReachedShellState& reached) {
   while (true) {
     if (parts_.memory != nullptr) {
       parts_.memory->restart();
@@ -180,7 +182,8 @@ base::Trouble ShellBench::reach(const std::vector<model::Step>& way, Reached& re
   }
 }
 
-results::StepResult ShellBench::gather(const Reached& reached, const std::string& name) const {
+results::StepResult InteractiveSolver::gather(const ReachedShellState& reached,
+                                              const std::string& name) const {
   model::Step step;
   step.name = name;
   results::StepResult out = length_->recover_step(step, *reached.state);
@@ -189,7 +192,7 @@ results::StepResult ShellBench::gather(const Reached& reached, const std::string
   return out;
 }
 
-void ShellBench::take(Reached reached, const std::vector<model::Step>& way) {
+void InteractiveSolver::take(ReachedShellState reached, const std::vector<model::Step>& way) {
   std::vector<results::StepResult>& steps = run_.increments.front().steps;
   results::StepResult now = gather(reached, "NOW");
   // The present state is the first of the steps; those that add_step() adds stand behind it.
@@ -204,9 +207,9 @@ void ShellBench::take(Reached reached, const std::vector<model::Step>& way) {
   way_ = way;
 }
 
-base::Trouble ShellBench::walk(const std::vector<model::Step>& way) {
+base::Trouble InteractiveSolver::solve_from_unloaded(const std::vector<model::Step>& way) {
   const std::vector<model::Step> before = way_;
-  Reached reached;
+  ReachedShellState reached;
   if (base::Trouble trouble = reach(way, reached)) {
     if (!solver_ && !before.empty() && !reach(before, reached)) { // faces were closed meanwhile
       take(std::move(reached), before);
@@ -217,25 +220,26 @@ base::Trouble ShellBench::walk(const std::vector<model::Step>& way) {
   return {};
 }
 
-base::Trouble ShellBench::go_on(const model::Step& step, const std::vector<model::Step>& way) {
+base::Trouble InteractiveSolver::solve_further_step(const model::Step& step,
+                                                    const std::vector<model::Step>& way) {
   // A copy: the present state stays if the step has no answer.
-  Reached reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
+  ReachedShellState reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
   if (base::Trouble trouble = advance({step}, reached)) {
     return trouble;
   }
   if (!reached.touching.empty()) { // solved anew with contact between them, from the beginning
-    return walk(way);
+    return solve_from_unloaded(way);
   }
   take(std::move(reached), way);
   return {};
 }
 
-base::Trouble ShellBench::estimate() {
+base::Trouble InteractiveSolver::estimate_accuracy() {
   const analysis::Discretisation& scene = length_->discretisation();
   if (estimated_ || (scene.cracked.fronts.empty() && scene.fronts.empty())) {
     return {};
   }
-  results::StepResult found = now();
+  results::StepResult found = current_result();
   if (!scene.cracked.fronts.empty()) {
     length_->solve_adjoints(*solver_);
     if (stopped()) {
@@ -257,25 +261,25 @@ base::Trouble ShellBench::estimate() {
   return {};
 }
 
-void ShellBench::estimate_nets() {
+void InteractiveSolver::estimate_net_errors() {
   results::StepResult& step = run_.increments.front().steps.front();
   if (step.errors.empty()) {
     length_->add_net_errors(*state_, step);
   }
 }
 
-base::Trouble ShellBench::add_step(std::size_t step) {
+base::Trouble InteractiveSolver::add_step(std::size_t step) {
   const std::vector<model::Step>& steps = parts_.model.steps;
   if (results::find_step(run_.increments.front(), steps[step].name) != nullptr) {
     return {};
   }
   const std::vector<model::Step> now = way_;
-  Reached reached;
+  ReachedShellState reached;
   const std::vector<model::Step> way(steps.begin(),
                                      steps.begin() + static_cast<std::ptrdiff_t>(step) + 1);
   base::Trouble trouble = reach(way, reached);
   if (!solver_) { // its faces met, so that the present state is to be found again
-    Reached present;
+    ReachedShellState present;
     if (base::Trouble lost = reach(now, present)) {
       return lost;
     }
@@ -287,16 +291,16 @@ base::Trouble ShellBench::add_step(std::size_t step) {
   return trouble;
 }
 
-base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
-                                 const std::vector<model::Step>& from,
-                                 const std::vector<model::Step>& to) {
+base::Trouble InteractiveSolver::follow_load_path(const model::LoadPathDefinition& card,
+                                                  const std::vector<model::Step>& from,
+                                                  const std::vector<model::Step>& to) {
   const std::vector<model::Step> now = way_;
   model::LoadPathDefinition own = card;
   own.from = base::StepId(path_from);
   own.to = base::StepId(path_to);
   std::vector<results::LoadPathResult> found;
   base::Trouble trouble;
-  const auto to_end = [&](const std::vector<model::Step>& way, Reached& reached) {
+  const auto to_end = [&](const std::vector<model::Step>& way, ReachedShellState& reached) {
     // The present state is the beginning of this way: its last step is all that is missing.
     if (solver_ && is_one_further(way, now)) {
       reached = {std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
@@ -310,8 +314,8 @@ base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
   };
   while (!trouble) {
     shown_.load_paths = {own};
-    Reached at_from;
-    Reached at_to;
+    ReachedShellState at_from;
+    ReachedShellState at_to;
     trouble = to_end(from, at_from);
     const int before = closings_;
     trouble = trouble ? trouble : to_end(to, at_to);
@@ -330,7 +334,7 @@ base::Trouble ShellBench::follow(const model::LoadPathDefinition& card,
   }
   shown_.load_paths.clear();
   if (!solver_) {
-    Reached present;
+    ReachedShellState present;
     if (base::Trouble lost = reach(now, present)) {
       return lost;
     }

@@ -12,7 +12,7 @@
 namespace spricka::program {
 
 /// What a bench is made of; all must outlive it.
-struct BenchParts {
+struct InteractiveSolverInputs {
   const model::Model& model; ///< its cracks have the lengths wanted
   analysis::CondensationCache& cache;
   analysis::ContactMemory& contact; ///< compliances that lengths share
@@ -26,62 +26,68 @@ struct BenchParts {
 /// One set of crack lengths of a deck, condensed and ready to be asked: loads and fits change the
 /// contact solution only. Nothing in it prints or reads. An operation that fails leaves the state
 /// as it was, or the bench not ready().
-class ShellBench {
+class InteractiveSolver {
 public:
   /// Cuts the cracks and condenses the nets. Mistakes that only show here go to `diagnostics`.
-  static std::unique_ptr<ShellBench> make(const BenchParts& parts, const analysis::RegionPlan& plan,
-                                          base::Diagnostics& diagnostics, base::Trouble& trouble);
-  ShellBench(const ShellBench&) = delete;
-  ShellBench& operator=(const ShellBench&) = delete;
+  static std::unique_ptr<InteractiveSolver> make(const InteractiveSolverInputs& parts,
+                                                 const analysis::RegionPlan& plan,
+                                                 base::Diagnostics& diagnostics,
+                                                 base::Trouble& trouble);
+  InteractiveSolver(const InteractiveSolver&) = delete;
+  InteractiveSolver& operator=(const InteractiveSolver&) = delete;
 
   /// From the unloaded state through all these steps; their end is the present state.
-  base::Trouble walk(const std::vector<model::Step>& way);
+  base::Trouble solve_from_unloaded(const std::vector<model::Step>& way);
   /// On from the present state by one more step; `way` leads to the same end.
-  base::Trouble go_on(const model::Step& step, const std::vector<model::Step>& way);
+  base::Trouble solve_further_step(const model::Step& step, const std::vector<model::Step>& way);
 
   /// One increment with the mesh and the present state as its step NOW; then what was asked of the
   /// deck's own steps, and the load paths that were followed.
-  [[nodiscard]] const results::RunResult& run() const { return run_; }
-  [[nodiscard]] const results::StepResult& now() const { return run_.increments.front().steps[0]; }
+  [[nodiscard]] const results::RunResult& run_results() const { return run_; }
+  [[nodiscard]] const results::StepResult& current_result() const {
+    return run_.increments.front().steps[0];
+  }
   /// The model as it is shown: its only step with results is NOW.
-  [[nodiscard]] const model::Model& shown() const { return shown_; }
+  [[nodiscard]] const model::Model& displayed_model() const { return shown_; }
   [[nodiscard]] const analysis::StepFactors& factors() const { return solver_->factors(); }
   /// False when an operation failed so late that nothing is left to ask: make a new bench.
   [[nodiscard]] bool ready() const { return solver_ != nullptr; }
   /// Figures of the last condensation.
-  [[nodiscard]] const analysis::CondensationFigures& condensed() const { return condensed_; }
+  [[nodiscard]] const analysis::CondensationFigures& condensation_log() const { return condensed_; }
 
   /// Error bars and sensitivities of the present state, once.
-  base::Trouble estimate();
+  base::Trouble estimate_accuracy();
   /// Estimated errors of the nets in the energy norm, once.
-  void estimate_nets();
+  void estimate_net_errors();
   /// The end of a step of the deck becomes a further step of run().
   base::Trouble add_step(std::size_t step);
   /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
   /// of that name in run(). Without friction only.
-  base::Trouble follow(const model::LoadPathDefinition& card, const std::vector<model::Step>& from,
-                       const std::vector<model::Step>& to);
+  base::Trouble follow_load_path(const model::LoadPathDefinition& card,
+                                 const std::vector<model::Step>& from,
+                                 const std::vector<model::Step>& to);
 
 private:
-  explicit ShellBench(const BenchParts& parts);
+  explicit InteractiveSolver(const InteractiveSolverInputs& parts);
   void begin_run();
   base::Trouble prepare();
   /// Lines whose faces would overlap become pairs, and everything that stood on it is made anew.
   base::Trouble close(const std::vector<std::size_t>& lines);
-  struct Reached {
+  struct ReachedShellState {
     std::unique_ptr<analysis::StepSolver> solver;
     std::optional<analysis::StepState> state;
     std::vector<std::size_t> touching; ///< lines to close before this is an answer
   };
   /// Solves the steps one by one; stops where faces touch.
-  base::Trouble advance(const std::vector<model::Step>& steps, Reached& reached) const;
+  base::Trouble advance(const std::vector<model::Step>& steps, ReachedShellState& reached) const;
   /// advance() from the unloaded state, faces closed where they meet.
-  base::Trouble reach(const std::vector<model::Step>& way, Reached& reached);
-  void take(Reached reached, const std::vector<model::Step>& way);
-  [[nodiscard]] results::StepResult gather(const Reached& reached, const std::string& name) const;
+  base::Trouble reach(const std::vector<model::Step>& way, ReachedShellState& reached);
+  void take(ReachedShellState reached, const std::vector<model::Step>& way);
+  [[nodiscard]] results::StepResult gather(const ReachedShellState& reached,
+                                           const std::string& name) const;
   [[nodiscard]] bool stopped() const { return parts_.stopped && parts_.stopped(); }
 
-  BenchParts parts_;
+  InteractiveSolverInputs parts_;
   model::Model shown_;
   std::unique_ptr<analysis::CrackLengthAnalysis> length_;
   int closings_ = 0; ///< times that faces were closed

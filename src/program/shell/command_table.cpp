@@ -43,8 +43,8 @@ std::string usage_of(const ShellCommand& command) {
 base::OperationFailure unknown(const std::string& word) {
   const std::vector<std::string> words = command_words();
   std::string hint = base::suggest_spelling(word, words);
-  return misuse(fmt::format("there is no command '{}'", word),
-                hint.empty() ? "help lists them" : std::move(hint));
+  return invalid_input(fmt::format("there is no command '{}'", word),
+                       hint.empty() ? "help lists them" : std::move(hint));
 }
 
 } // namespace
@@ -145,7 +145,7 @@ base::Trouble help(const std::string& word, std::string& out) {
 // Half a sentence may be meant for something else.
 base::Trouble leave(const std::vector<ShellWord>& words, ShellReply& reply) {
   if (words.size() > 1) {
-    return misuse(fmt::format("use: {}", words.front().text));
+    return invalid_input(fmt::format("use: {}", words.front().text));
   }
   reply.quit = true;
   return {};
@@ -153,7 +153,7 @@ base::Trouble leave(const std::vector<ShellWord>& words, ShellReply& reply) {
 
 base::Trouble act(ShellSession& session, const ShellHistory& history, const std::string& line,
                   ShellReply& reply) {
-  if (base::Trouble trouble = session.restore()) {
+  if (base::Trouble trouble = session.restore_after_failure()) {
     return trouble;
   }
   if (asks_quantity(line)) {
@@ -182,7 +182,7 @@ base::Trouble act(ShellSession& session, const ShellHistory& history, const std:
     return leave(words, reply);
   }
   const ShellCall call{session, words, line, usage_of(*command), reply};
-  return carry_out(command->word, call);
+  return run_shell_command(command->word, call);
 }
 
 } // namespace
@@ -228,12 +228,12 @@ std::vector<std::string> candidates(const ShellSession& session, char letter) {
     return step_names(model);
   case 'M': {
     std::vector<std::string> names = path_names(model);
-    const std::vector<std::string> cases = case_names(model);
+    const std::vector<std::string> cases = load_case_names(model);
     names.insert(names.end(), cases.begin(), cases.end());
     return names;
   }
   default:
-    return names_for(letter, model);
+    return argument_names(letter, model);
   }
 }
 
@@ -269,7 +269,7 @@ std::vector<std::string> complete_shell_line(const ShellSession& session, std::s
     const std::string letters =
         is == nullptr ? "" : argument_letters(*is, session.model().mesh.dim);
     return at < letters.size()
-               ? beginning_with(names_for(letters[at], session.model()), typed, false)
+               ? beginning_with(argument_names(letters[at], session.model()), typed, false)
                : std::vector<std::string>();
   }
   const std::vector<ShellWord> words = shell_words(before);
@@ -309,8 +309,9 @@ std::string shell_commands_markdown() {
 }
 
 std::string shell_prompt(const ShellSession& session) {
-  return fmt::format("{}{}{}{}> ", session.base_step(), session.changes().empty() ? "" : "+",
-                     session.pending() ? "*" : "", session.rubs() ? " (path)" : "");
+  return fmt::format(
+      "{}{}{}{}> ", session.base_step(), session.applied_changes().empty() ? "" : "+",
+      session.has_pending_changes() ? "*" : "", session.has_friction() ? " (path)" : "");
 }
 
 } // namespace spricka::program

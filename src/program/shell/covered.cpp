@@ -8,7 +8,7 @@
 
 namespace spricka::program {
 
-analysis::StepFactors ShellSession::factors_at_base(const OwnCards& cards) const {
+analysis::StepFactors ShellSession::factors_at_base(const OriginalCards& cards) const {
   analysis::StepFactors now = analysis::initial_factors(
       *model_, static_cast<Eigen::Index>(model_->cases.size()), model_->contacts.size());
   for (std::size_t s = 0; s <= base_ && s < cards.steps.size(); ++s) {
@@ -18,7 +18,7 @@ analysis::StepFactors ShellSession::factors_at_base(const OwnCards& cards) const
 }
 
 // What the deck says otherwise than before and names set here, or $GROW, do not let through.
-std::vector<std::string> ShellSession::covered_by(const OwnCards& before) const {
+std::vector<std::string> ShellSession::covered_by(const OriginalCards& before) const {
   std::vector<std::string> out;
   if (before.cracks.size() != own_.cracks.size() ||
       before.contacts.size() != own_.contacts.size()) {
@@ -40,7 +40,7 @@ std::vector<std::string> ShellSession::covered_by(const OwnCards& before) const 
                   : fmt::format("crack {} keeps the length set here, {:.6g}", name, set->second.a));
     } else if (!is_sized(model_->cracks[c], own_.cracks[c])) {
       out.push_back(fmt::format("crack {} has the first length of $GROW, {:.6g}, not {}", name,
-                                size_of(c).a, ellipse ? "A and C" : "A0"));
+                                crack_size(c).a, ellipse ? "A and C" : "A0"));
     }
   }
   for (std::size_t c = 0; c < own_.contacts.size(); ++c) {

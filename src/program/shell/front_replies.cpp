@@ -45,7 +45,7 @@ results::Increment fronts_alone(const ShellSession& session, const std::string& 
   results::Increment alone;
   results::StepResult& step = alone.steps.emplace_back();
   step.step = "NOW";
-  for (const FrontResult& front : session.now().fronts) {
+  for (const FrontResult& front : session.current_result().fronts) {
     if (is_of_crack(front.name, only)) {
       step.fronts.push_back(front);
     }
@@ -68,7 +68,7 @@ std::string summary(const ShellSession& session) {
     table.columns.push_back({name, K, false});
     table.columns.push_back({"+-", K, false});
   }
-  for (const FrontResult& front : session.now().fronts) {
+  for (const FrontResult& front : session.current_result().fronts) {
     const auto [least, most] = extremes(front);
     for (const auto& [what, place] : {std::pair("smallest", least), std::pair("largest", most)}) {
       if (place == nullptr) {
@@ -98,16 +98,16 @@ std::string front_reply(const ShellSession& session, const std::string& only) {
   }
   std::string text;
   const std::vector<report::ReportTable> tables =
-      report::front_tables(session.shown(), fronts_alone(session, only));
+      report::front_tables(session.displayed_model(), fronts_alone(session, only));
   for (const report::ReportTable& table : tables) {
     text += report::to_text(tables.size() == 1 ? report::untitled(table) : table);
   }
   return text;
 }
 
-std::string front_doubts(const ShellSession& session) {
+std::string front_k_concerns(const ShellSession& session) {
   std::string text;
-  for (const FrontResult& front : session.now().fronts) {
+  for (const FrontResult& front : session.current_result().fronts) {
     if (!front.invalid_reason.empty()) {
       text += fmt::format("warning: {}: {}\n", front.name, front.invalid_reason);
     }
@@ -117,7 +117,7 @@ std::string front_doubts(const ShellSession& session) {
 
 std::string front_notes(const ShellSession& session, const std::string& only) {
   std::string text;
-  for (const FrontResult& front : session.now().fronts) {
+  for (const FrontResult& front : session.current_result().fronts) {
     if (!is_of_crack(front.name, only)) {
       continue;
     }
@@ -139,7 +139,7 @@ std::string front_notes(const ShellSession& session, const std::string& only) {
 std::string fronts_state(const ShellSession& session) {
   const std::string K = session.model().units.stress_intensity_name();
   std::string text;
-  for (const FrontResult& front : session.now().fronts) {
+  for (const FrontResult& front : session.current_result().fronts) {
     const auto [least, most] = extremes(front);
     if (least != nullptr) {
       text += fmt::format("{:<12} a = {:<10.6g} K1 = {:.7g} .. {:.7g} {}\n", front.name, front.a,
@@ -149,8 +149,8 @@ std::string fronts_state(const ShellSession& session) {
   return text;
 }
 
-std::vector<MappedPoint> mapped_points(const results::LoadPathResult& path) {
-  std::vector<MappedPoint> out;
+std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path) {
+  std::vector<MappedFrontPoint> out;
   if (path.t.empty()) {
     return out;
   }

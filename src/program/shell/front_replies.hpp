@@ -17,14 +17,14 @@ std::string front_notes(const ShellSession& session, const std::string& only);
 /// A line for each front: size and range of K1.
 std::string fronts_state(const ShellSession& session);
 /// What puts K of a front in doubt.
-std::string front_doubts(const ShellSession& session);
+std::string front_k_concerns(const ShellSession& session);
 
 /// A point of a front whose K1 is shown along a map.
-struct MappedPoint {
+struct MappedFrontPoint {
   std::string name; ///< front and number of the point
   const base::PiecewiseLinear* K1 = nullptr;
 };
 /// Of each front the points inside with the largest and the smallest K1 at the end of the path.
-std::vector<MappedPoint> mapped_points(const results::LoadPathResult& path);
+std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path);
 
 } // namespace spricka::program

@@ -29,7 +29,7 @@ template <class Entities> std::vector<std::string> names_of(const Entities& enti
 std::vector<std::string> step_names(const model::Model& model) {
   return names_of(model.steps);
 }
-std::vector<std::string> case_names(const model::Model& model) {
+std::vector<std::string> load_case_names(const model::Model& model) {
   return names_of(model.cases);
 }
 std::vector<std::string> contact_names(const model::Model& model) {
@@ -50,7 +50,7 @@ std::vector<std::string> crack_names(const model::Model& model) {
 std::vector<std::string> path_names(const model::Model& model) {
   return names_of(model.load_paths);
 }
-std::vector<std::string> set_names(const model::Model& model) {
+std::vector<std::string> mesh_set_names(const model::Model& model) {
   std::vector<std::string> names = names_of(model.mesh.node_sets);
   for (const std::vector<std::string>& more :
        {names_of(model.mesh.face_sets), names_of(model.mesh.element_sets)}) {
@@ -89,9 +89,9 @@ base::Trouble find_name(const std::vector<std::string>& names, const char* what,
                         const std::string& name, std::size_t& index) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
-    return misuse(names.empty() ? fmt::format("the deck has no {}", what)
-                                : fmt::format("there is no {} '{}'", what, name),
-                  base::suggest_spelling(name, names));
+    return invalid_input(names.empty() ? fmt::format("the deck has no {}", what)
+                                       : fmt::format("there is no {} '{}'", what, name),
+                         base::suggest_spelling(name, names));
   }
   index = static_cast<std::size_t>(found - names.begin());
   return {};

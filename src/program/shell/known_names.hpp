@@ -12,14 +12,14 @@
 namespace spricka::program {
 
 std::vector<std::string> step_names(const model::Model& model);
-std::vector<std::string> case_names(const model::Model& model);
+std::vector<std::string> load_case_names(const model::Model& model);
 std::vector<std::string> contact_names(const model::Model& model);
 /// Contacts, and the faces of cracks that may touch.
 std::vector<std::string> pair_names(const model::Model& model);
 std::vector<std::string> crack_names(const model::Model& model);
 std::vector<std::string> path_names(const model::Model& model);
-std::vector<std::string> set_names(const model::Model& model); ///< of nodes, faces, elements
-std::vector<std::string> net_names(const model::Model& model); ///< and *
+std::vector<std::string> mesh_set_names(const model::Model& model); ///< of nodes, faces, elements
+std::vector<std::string> net_names(const model::Model& model);      ///< and *
 std::vector<std::string> material_names(const model::Model& model);
 std::vector<std::string> parameter_names(const model::Model& model); ///< as the deck writes them
 std::vector<std::string> quantity_names();

@@ -68,11 +68,11 @@ std::string path_picture(const ShellSession& session, const results::LoadPathRes
                                   : fmt::format("factor of {}", path.name);
   plot.y_name =
       fmt::format("K₁  [{}]", report::typeset_unit(session.model().units.stress_intensity_name()));
-  std::vector<MappedPoint> curves = mapped_points(path);
+  std::vector<MappedFrontPoint> curves = mapped_points(path);
   for (const results::LoadPathTip& tip : path.tips) {
     curves.push_back({tip.name, &tip.K1});
   }
-  for (const MappedPoint& curve : curves) {
+  for (const MappedFrontPoint& curve : curves) {
     report::PlotSeries series;
     series.name = curve.name;
     series.colour = report::palette_colour(plot.series.size());
@@ -90,8 +90,8 @@ std::string path_picture(const ShellSession& session, const results::LoadPathRes
 std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   results::Increment sizes;
   std::vector<std::string> names;
-  std::vector<ShellSession::TriedFronts> all = session.fronts_tried();
-  for (ShellSession::TriedFronts& tried : all) {
+  std::vector<ShellSession::FrontsAtSize> all = session.fronts_by_size();
+  for (ShellSession::FrontsAtSize& tried : all) {
     results::StepResult& step = sizes.steps.emplace_back();
     step.step = fmt::format("a = {:.5g}", tried.size.a);
     step.step += tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", tried.size.c) : "";
@@ -105,7 +105,7 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   std::vector<report::Figure> figures;
   figures.reserve(names.size());
   for (const std::string& name : names) {
-    figures.push_back(report::front_figure(session.shown(), sizes, name));
+    figures.push_back(report::front_figure(session.displayed_model(), sizes, name));
   }
   return figures;
 }
@@ -116,35 +116,35 @@ std::vector<std::string> picture_kinds() {
   return {"k", "pressure", "mesh", "path"};
 }
 
-base::Trouble picture(const ShellSession& session, const std::string& kind, std::string& svg) {
-  if (kind == "k" && !session.now().fronts.empty()) {
+base::Trouble draw_picture(const ShellSession& session, const std::string& kind, std::string& svg) {
+  if (kind == "k" && !session.current_result().fronts.empty()) {
     svg = stacked(k_along_fronts(session));
   } else if (kind == "k") {
     const std::optional<report::Figure> figure =
-        report::k_figure(session.shown(), session.lengths());
+        report::k_figure(session.displayed_model(), session.results_by_length());
     if (!figure) {
-      return misuse("K over the crack length needs two lengths with these loads and fits",
-                    "length CRACK a tries another one");
+      return invalid_input("K over the crack length needs two lengths with these loads and fits",
+                           "length CRACK a tries another one");
     }
     svg = stacked({*figure});
   } else if (kind == "pressure") {
     const std::vector<report::Figure> figures =
-        report::pressure_figures(session.shown(), session.run());
+        report::pressure_figures(session.displayed_model(), session.run_results());
     if (figures.empty()) {
-      return misuse("no contact is mounted");
+      return invalid_input("no contact is mounted");
     }
     svg = stacked(figures);
   } else if (kind == "mesh") {
-    svg = stacked(report::mesh_figures(session.shown(), session.run()));
+    svg = stacked(report::mesh_figures(session.displayed_model(), session.run_results()));
   } else if (kind == "path") {
-    const results::LoadPathResult* path = session.mapped();
+    const results::LoadPathResult* path = session.last_mapped_path();
     if (path == nullptr || (path->tips.empty() && path->fronts.empty())) {
-      return misuse("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
+      return invalid_input("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }
     svg = stacked({{{path_picture(session, *path)}, {}, {}}});
   } else {
-    return misuse(fmt::format("there is no picture of '{}'", kind),
-                  base::suggest_spelling(kind, picture_kinds()));
+    return invalid_input(fmt::format("there is no picture of '{}'", kind),
+                         base::suggest_spelling(kind, picture_kinds()));
   }
   return {};
 }

@@ -30,10 +30,10 @@ std::vector<std::string> names_with_k(const results::StepResult& step) {
 } // namespace
 
 base::Trouble do_k(const ShellCall& call) {
-  const std::string only = call.words.size() > 1 ? name_at(call, 1) : std::string();
-  std::vector<std::string> names = names_with_k(call.session.now());
+  const std::string only = call.words.size() > 1 ? name_argument(call, 1) : std::string();
+  std::vector<std::string> names = names_with_k(call.session.current_result());
   if (names.empty()) {
-    return misuse("the deck has no crack");
+    return invalid_input("the deck has no crack");
   }
   for (const std::string& crack : crack_names(call.session.model())) {
     if (std::ranges::find(names, crack) == names.end()) { // of two tips
@@ -42,8 +42,8 @@ base::Trouble do_k(const ShellCall& call) {
   }
   std::size_t index = 0;
   base::Trouble trouble = only.empty() ? base::Trouble() : find_name(names, "crack", only, index);
-  trouble = trouble ? trouble : settle(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.estimate();
+  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.estimate_accuracy();
   if (!trouble) {
     call.reply.out = k_reply(call.session, only);
     call.reply.messages += k_notes(call.session, only);
@@ -55,14 +55,14 @@ namespace {
 
 // The contact of that name at the present state.
 base::Trouble contact_now(const ShellCall& call, const results::ContactResult** contact) {
-  const std::string name = name_at(call, 1);
+  const std::string name = name_argument(call, 1);
   std::size_t index = 0;
   base::Trouble trouble = find_name(pair_names(call.session.model()), "contact", name, index);
-  trouble = trouble ? trouble : settle(call.session, call.reply);
+  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
   if (trouble) {
     return trouble;
   }
-  *contact = results::find_contact(call.session.now(), name);
+  *contact = results::find_contact(call.session.current_result(), name);
   if (*contact == nullptr) {
     return base::OperationFailure{.kind = base::Outcome::check_failed,
                                   .why = fmt::format("the faces of {} touch nowhere", name)};
@@ -89,20 +89,21 @@ std::string point_of(const ShellCall& call, std::size_t first) {
 
 base::Trouble do_pressure(const ShellCall& call) {
   if (call.words.size() < 2) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   if (call.words.size() == 3) {
     return answer_quantity(
-        call.session, fmt::format("CPRESS.AT({},NOW,{})", name_at(call, 1), call.words[2].text),
+        call.session,
+        fmt::format("CPRESS.AT({},NOW,{})", name_argument(call, 1), call.words[2].text),
         call.reply);
   }
   if (call.words.size() > 3) {
     const std::string point = point_of(call, 2);
-    return point.empty()
-               ? wrong(call)
-               : answer_quantity(call.session,
-                                 fmt::format("CPRESS.NEAR({},{}NOW)", name_at(call, 1), point),
-                                 call.reply);
+    return point.empty() ? wrong_usage(call)
+                         : answer_quantity(
+                               call.session,
+                               fmt::format("CPRESS.NEAR({},{}NOW)", name_argument(call, 1), point),
+                               call.reply);
   }
   const results::ContactResult* contact = nullptr;
   if (base::Trouble trouble = contact_now(call, &contact)) {
@@ -117,7 +118,7 @@ base::Trouble do_pressure(const ShellCall& call) {
 
 base::Trouble do_arc(const ShellCall& call) {
   if (call.words.size() != 2) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   const results::ContactResult* contact = nullptr;
   base::Trouble trouble = contact_now(call, &contact);
@@ -142,7 +143,7 @@ base::Trouble answer_all(const ShellCall& call, const std::vector<std::string>& 
 
 base::Trouble do_reaction(const ShellCall& call) {
   if (call.words.size() != 2) {
-    return wrong(call);
+    return wrong_usage(call);
   }
   std::vector<std::string> quantities;
   quantities.reserve(3);
@@ -159,7 +160,7 @@ base::Trouble do_displacement(const ShellCall& call) {
   for (int axis = 0; axis < call.session.model().mesh.dim; ++axis) {
     quantities.push_back(fmt::format("U.{}.AT({}NOW)", "XYZ"[axis], point));
   }
-  return point.empty() ? wrong(call) : answer_all(call, quantities);
+  return point.empty() ? wrong_usage(call) : answer_all(call, quantities);
 }
 
 base::Trouble do_stress(const ShellCall& call) {
@@ -171,19 +172,19 @@ base::Trouble do_stress(const ShellCall& call) {
       quantities.push_back(fmt::format("S.{}.AT({}NOW)", component, point));
     }
   }
-  return point.empty() ? wrong(call) : answer_all(call, quantities);
+  return point.empty() ? wrong_usage(call) : answer_all(call, quantities);
 }
 
 base::Trouble do_map(const ShellCall& call) {
   if (call.words.size() != 2 && call.words.size() != 4) {
-    return wrong(call);
+    return wrong_usage(call);
   }
-  base::Trouble trouble = settle(call.session, call.reply);
+  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
   if (trouble) {
     return trouble;
   }
   if (call.words.size() == 2) {
-    trouble = call.session.map_path(name_at(call, 1));
+    trouble = call.session.map_path(name_argument(call, 1));
   } else {
     double from = 0.0;
     double to = 1.0;
@@ -191,12 +192,12 @@ base::Trouble do_map(const ShellCall& call) {
     trouble = read_number(call.words[2].text, model, base::Quantity::number, from);
     trouble =
         trouble ? trouble : read_number(call.words[3].text, model, base::Quantity::number, to);
-    trouble = trouble ? trouble : call.session.map_case(name_at(call, 1), from, to);
+    trouble = trouble ? trouble : call.session.map_case(name_argument(call, 1), from, to);
   }
   if (trouble) {
     return trouble;
   }
-  const results::LoadPathResult& path = *call.session.mapped();
+  const results::LoadPathResult& path = *call.session.last_mapped_path();
   call.reply.out = map_reply(call.session);
   for (const results::Note& note : path.notes) {
     call.reply.messages += fmt::format(
@@ -206,21 +207,21 @@ base::Trouble do_map(const ShellCall& call) {
 }
 
 base::Trouble do_sensitivity(const ShellCall& call) {
-  base::Trouble trouble = settle(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.estimate();
+  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.estimate_accuracy();
   if (trouble) {
     return trouble;
   }
-  if (names_with_k(call.session.now()).empty()) {
-    return misuse("the deck has no crack");
+  if (names_with_k(call.session.current_result()).empty()) {
+    return invalid_input("the deck has no crack");
   }
   call.reply.out = sensitivity_reply(call.session);
-  for (const results::FrontResult& front : call.session.now().fronts) {
+  for (const results::FrontResult& front : call.session.current_result().fronts) {
     for (const std::string& note : front.sensitivities.notes) {
       call.reply.messages += fmt::format("note: {}: {}\n", front.name, note);
     }
   }
-  for (const results::TipResult& tip : call.session.now().tips) {
+  for (const results::TipResult& tip : call.session.current_result().tips) {
     for (const std::string& note : tip.sensitivities.notes) {
       call.reply.messages += fmt::format("note: {}: {}\n", tip.name, note);
     }
@@ -232,7 +233,7 @@ base::Trouble answer_quantity(ShellSession& session, const std::string& text, Sh
   model::ResultCheck check;
   double value = 0.0;
   base::Trouble trouble = read_quantity(text, session.model(), check);
-  trouble = trouble ? trouble : settle(session, reply);
+  trouble = trouble ? trouble : solve_pending_changes(session, reply);
   trouble = trouble ? trouble : session.evaluate(check, value);
   if (trouble) {
     return trouble;

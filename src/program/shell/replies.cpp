@@ -83,7 +83,7 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
 } // namespace
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
-  if (!session.now().fronts.empty()) {
+  if (!session.current_result().fronts.empty()) {
     return front_reply(session, only);
   }
   const base::UnitSystem& units = session.model().units;
@@ -96,7 +96,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
       table.columns.push_back({"+-", base::unit_name(units, q.kind), false});
     }
   }
-  for (const results::TipResult& tip : session.now().tips) {
+  for (const results::TipResult& tip : session.current_result().tips) {
     if (is_of_crack(tip.name, only)) {
       table.rows.push_back(k_row(tip));
     }
@@ -106,7 +106,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
 
 std::string k_notes(const ShellSession& session, const std::string& only) {
   std::string text;
-  for (const results::TipResult& tip : session.now().tips) {
+  for (const results::TipResult& tip : session.current_result().tips) {
     if (!is_of_crack(tip.name, only)) {
       continue;
     }
@@ -126,14 +126,14 @@ std::string k_notes(const ShellSession& session, const std::string& only) {
 std::string state_reply(const ShellSession& session) {
   const base::UnitSystem& units = session.model().units;
   std::string text;
-  for (const results::TipResult& tip : session.now().tips) {
+  for (const results::TipResult& tip : session.current_result().tips) {
     text += tip.two_materials
                 ? fmt::format("{:<12} a = {:<10.6g} G = {:.7g}\n", tip.name, tip.a, tip.G)
                 : fmt::format("{:<12} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", tip.name,
                               tip.a, tip.K1, tip.K2, units.stress_intensity_name());
   }
   text += fronts_state(session);
-  for (const results::ContactResult& contact : session.now().contacts) {
+  for (const results::ContactResult& contact : session.current_result().contacts) {
     text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, units));
   }
   return text;
@@ -144,12 +144,12 @@ std::string state_notes(ShellSession& session) {
   for (const std::string& note : session.new_notes()) {
     text += note + "\n";
   }
-  for (const results::TipResult& tip : session.now().tips) {
+  for (const results::TipResult& tip : session.current_result().tips) {
     if (!tip.invalid_reason.empty()) {
       text += fmt::format("warning: {}: {}\n", tip.name, tip.invalid_reason);
     }
   }
-  return text + front_doubts(session);
+  return text + front_k_concerns(session);
 }
 
 std::string pressure_reply(const ShellSession& session, const results::ContactResult& contact) {
@@ -207,7 +207,7 @@ std::string arc_reply(const ShellSession& session, const results::ContactResult&
 }
 
 std::string map_reply(const ShellSession& session) {
-  const results::LoadPathResult& path = *session.mapped();
+  const results::LoadPathResult& path = *session.last_mapped_path();
   const MapRange& range = session.map_range();
   const std::string K = session.model().units.stress_intensity_name();
   ReportTable table{"", {{range.what, "", false}}, {}};
@@ -217,8 +217,8 @@ std::string map_reply(const ShellSession& session) {
     table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
     table.columns.push_back({"K2" + of, K, false});
   }
-  const std::vector<MappedPoint> points = mapped_points(path);
-  for (const MappedPoint& point : points) {
+  const std::vector<MappedFrontPoint> points = mapped_points(path);
+  for (const MappedFrontPoint& point : points) {
     table.columns.push_back({"K1 " + point.name, K, false});
     table.columns.push_back({fmt::format("dK1/d{} {}", range.what, point.name), K, false});
   }
@@ -233,7 +233,7 @@ std::string map_reply(const ShellSession& session) {
       row.push_back(number(tip.K1.slope_after(k) / width));
       row.push_back(number(tip.K2.at_knot(k)));
     }
-    for (const MappedPoint& point : points) {
+    for (const MappedFrontPoint& point : points) {
       row.push_back(number(point.K1->at_knot(k)));
       row.push_back(number(point.K1->slope_after(k) / width));
     }
@@ -246,8 +246,8 @@ std::string map_reply(const ShellSession& session) {
 }
 
 std::string sensitivity_reply(const ShellSession& session) {
-  return report::to_text(report::untitled(
-      report::sensitivity_table(session.shown(), session.run().increments.front())));
+  return report::to_text(report::untitled(report::sensitivity_table(
+      session.displayed_model(), session.run_results().increments.front())));
 }
 
 namespace {
@@ -280,14 +280,14 @@ std::string gap_text(const ShellSession& session, std::size_t contact) {
   if (!card.gap) {
     return "gap measured";
   }
-  const bool own = session.set_interferences().contains(card.name);
+  const bool own = session.user_interferences().contains(card.name);
   return fmt::format("{} {:.6g} {}{}", *card.gap < 0.0 ? "interference" : "gap",
                      std::abs(*card.gap), unit, own ? ", set here" : "");
 }
 
 } // namespace
 
-std::string show_reply(const ShellSession& session) {
+std::string settings_reply(const ShellSession& session) {
   const model::Model& model = session.model();
   std::string text;
   const auto line = [&](const std::string& what, const std::string& name,
@@ -298,10 +298,10 @@ std::string show_reply(const ShellSession& session) {
     line("deck", "", model.title);
   }
   line("state", session.base_step(), "the end of this step");
-  for (const model::Step& step : session.changes()) {
+  for (const model::Step& step : session.applied_changes()) {
     line("then", "", actions_text(model, step));
   }
-  if (session.pending()) {
+  if (session.has_pending_changes()) {
     line("pending", "", actions_text(model, session.pending_changes()));
   }
   const analysis::StepFactors& factors = session.factors();
@@ -316,8 +316,8 @@ std::string show_reply(const ShellSession& session) {
     line("fit", model.contacts[c].name, value);
   }
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
-    const bool own = session.set_lengths().contains(model.cracks[c].name);
-    const CrackSize size = session.size_of(c);
+    const bool own = session.user_crack_sizes().contains(model.cracks[c].name);
+    const CrackSize size = session.crack_size(c);
     line("length", model.cracks[c].name,
          fmt::format("{:.10g} {}{}{}", size.a, model.units.length_name,
                      size.c > 0.0 ? fmt::format(", C = {:.10g} {}", size.c, model.units.length_name)

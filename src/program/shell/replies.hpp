@@ -22,7 +22,7 @@ std::string arc_reply(const ShellSession& session, const results::ContactResult&
 std::string map_reply(const ShellSession& session);
 std::string sensitivity_reply(const ShellSession& session);
 /// Loads, fits, lengths, parameters, steps.
-std::string show_reply(const ShellSession& session);
+std::string settings_reply(const ShellSession& session);
 /// What the last solution has to say: warnings, and notes that were not given before.
 std::string state_notes(ShellSession& session);
 

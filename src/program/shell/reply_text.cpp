@@ -21,13 +21,13 @@ namespace spricka::program {
 namespace {
 
 /// One line as a source of its own, with what its names stand for.
-struct Line {
+struct ShellInputLine {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   grammar::ExpressionScope scope;
   base::SourceSpan whole;
 
-  Line(const std::string& text, const model::Model& model) {
+  ShellInputLine(const std::string& text, const model::Model& model) {
     const std::int32_t file = sources.add_text("shell", text);
     whole = {file, 0, static_cast<std::uint32_t>(text.size())};
     scope.sources = &sources;
@@ -37,14 +37,14 @@ struct Line {
     }
   }
   [[nodiscard]] base::Trouble trouble() const {
-    return told_at_places(base::Outcome::usage, base::format_messages(sources, diagnostics));
+    return located_failure(base::Outcome::usage, base::format_messages(sources, diagnostics));
   }
 };
 
 base::Trouble no_such(const std::string& what, const std::string& name,
                       const std::vector<std::string>& names) {
-  return misuse(fmt::format("there is no {} '{}'", what, name),
-                base::suggest_spelling(name, names));
+  return invalid_input(fmt::format("there is no {} '{}'", what, name),
+                       base::suggest_spelling(name, names));
 }
 
 // Tips of cracks with two: NAME.1, NAME.2.
@@ -56,7 +56,8 @@ bool is_name(char letter, const std::string& name, const std::vector<std::string
 }
 
 base::Trouble read_argument(char letter, const grammar::ParsedExpression& expression,
-                            const model::Model& model, Line& line, model::ResultCheck& check) {
+                            const model::Model& model, ShellInputLine& line,
+                            model::ResultCheck& check) {
   if (letter == 'a' || letter == 'z') {
     const std::optional<double> value = grammar::evaluate(expression, line.scope, line.diagnostics);
     check.arguments.emplace_back(value.value_or(0.0));
@@ -65,11 +66,11 @@ base::Trouble read_argument(char letter, const grammar::ParsedExpression& expres
   const std::string written(line.sources.text(expression.span));
   if (expression.terms.size() != 1 ||
       expression.terms[0].kind != grammar::ExpressionTerm::ExpressionTermKind::name) {
-    return misuse(
+    return invalid_input(
         fmt::format("a {} is expected, not '{}'", grammar::argument_word(letter), written));
   }
   const std::string name = grammar::to_upper(written);
-  const std::vector<std::string> names = names_for(letter, model);
+  const std::vector<std::string> names = argument_names(letter, model);
   if (!is_name(letter, name, names)) {
     return no_such(grammar::argument_word(letter), name, names);
   }
@@ -154,7 +155,7 @@ std::vector<ShellWord> shell_words(std::string_view line) {
 
 base::Trouble read_number(const std::string& text, const model::Model& model,
                           grammar::Quantity quantity, double& value) {
-  Line line(text, model);
+  ShellInputLine line(text, model);
   const std::optional<grammar::ParsedExpression> expression =
       grammar::parse_expression(line.sources, line.whole, line.diagnostics);
   if (!expression) {
@@ -183,7 +184,7 @@ bool asks_quantity(std::string_view line) {
   return end != line.data() && end != line.data() + line.size() && *end == '(';
 }
 
-std::vector<std::string> names_for(char letter, const model::Model& model) {
+std::vector<std::string> argument_names(char letter, const model::Model& model) {
   switch (letter) {
   case 'c':
     return crack_names(model);
@@ -195,13 +196,13 @@ std::vector<std::string> names_for(char letter, const model::Model& model) {
     return names;
   }
   case 'o':
-    return case_names(model);
+    return load_case_names(model);
   case 'm':
     return material_names(model);
   case 'l':
     return path_names(model);
   case 'n':
-    return set_names(model);
+    return mesh_set_names(model);
   case 'd':
     return {"X", "Y", "Z"};
   case 'e':
@@ -213,7 +214,7 @@ std::vector<std::string> names_for(char letter, const model::Model& model) {
 
 base::Trouble read_quantity(const std::string& text, const model::Model& model,
                             model::ResultCheck& check) {
-  Line line(text, model);
+  ShellInputLine line(text, model);
   const std::vector<grammar::DataRow> rows =
       grammar::parse_rows(line.sources, line.whole, line.diagnostics);
   if (line.diagnostics.has_errors()) {
@@ -221,7 +222,7 @@ base::Trouble read_quantity(const std::string& text, const model::Model& model,
   }
   if (rows.size() != 1 || rows[0].fields.size() != 1 ||
       rows[0].fields[0].kind != grammar::CardField::CardFieldKind::quantity) {
-    return misuse("one result with its arguments is expected", "K1(CRACK, NOW)");
+    return invalid_input("one result with its arguments is expected", "K1(CRACK, NOW)");
   }
   const grammar::CardField& field = rows[0].fields[0];
   const grammar::ResultQuantity* is = grammar::find_quantity(field.text);
@@ -229,13 +230,13 @@ base::Trouble read_quantity(const std::string& text, const model::Model& model,
     return no_such("result", field.text, quantity_names());
   }
   if (is->name == "N" || is->name == "LIFE" || is->name.starts_with("TEST.")) {
-    return misuse(fmt::format("{} needs a growth run; the shell looks at states", is->name));
+    return invalid_input(fmt::format("{} needs a growth run; the shell looks at states", is->name));
   }
   const int dim = model.mesh.dim;
   const std::string letters = argument_letters(*is, dim);
   const std::size_t count = field.arguments.size();
   if (count < least(*is, dim) || count > letters.size()) {
-    return misuse(fmt::format("write {}", form_of(*is, dim)));
+    return invalid_input(fmt::format("write {}", form_of(*is, dim)));
   }
   check = {};
   check.quantity = field.text;

@@ -37,6 +37,6 @@ base::Trouble read_quantity(const std::string& text, const model::Model& model,
                             model::ResultCheck& check);
 
 /// Names that an argument of this letter (grammar/catalogue.hpp) can be; empty for numbers.
-std::vector<std::string> names_for(char letter, const model::Model& model);
+std::vector<std::string> argument_names(char letter, const model::Model& model);
 
 } // namespace spricka::program

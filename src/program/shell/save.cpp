@@ -122,7 +122,7 @@ void comment_out(Edits& edits, const Card& card) {
 }
 
 void quiet_cards(const ShellSession& session, Edits& edits) {
-  const bool other = !session.set_lengths().empty() || !session.set_interferences().empty() ||
+  const bool other = !session.user_crack_sizes().empty() || !session.user_interferences().empty() ||
                      !session.defines().empty();
   for (const Card& card : edits.cards()) {
     const bool gone = card.name == "GROW" || card.name == "SWEEP" || card.name == "RESTART" ||
@@ -134,21 +134,22 @@ void quiet_cards(const ShellSession& session, Edits& edits) {
 }
 
 base::Trouble set_lengths(const ShellSession& session, Edits& edits) {
-  std::map<std::string, CrackSize> lengths = session.set_lengths();
+  std::map<std::string, CrackSize> lengths = session.user_crack_sizes();
   if (session.model().growth) { // its lengths are gone with its card
     for (std::size_t c = 0; c < session.model().cracks.size(); ++c) {
       const model::CrackDefinition& crack = session.model().cracks[c];
       if (crack.a0 || crack.kind == model::CrackDefinitionKind::ellipse) {
-        lengths.emplace(crack.name, crack.a0 ? CrackSize{*crack.a0, 0.0} : session.size_of(c));
+        lengths.emplace(crack.name, crack.a0 ? CrackSize{*crack.a0, 0.0} : session.crack_size(c));
       }
     }
   }
   for (const auto& [name, size] : lengths) {
     const Card* card = edits.find("CRACK", name);
     if (card == nullptr) {
-      return misuse(fmt::format("crack {} is described in an included file, which save does not "
-                                "change",
-                                name));
+      return invalid_input(
+          fmt::format("crack {} is described in an included file, which save does not "
+                      "change",
+                      name));
     }
     if (size.c > 0.0) {
       edits.set_key(*card, "A", exactly(size.a));
@@ -161,12 +162,13 @@ base::Trouble set_lengths(const ShellSession& session, Edits& edits) {
 }
 
 base::Trouble set_interferences(const ShellSession& session, Edits& edits) {
-  for (const auto& [name, value] : session.set_interferences()) {
+  for (const auto& [name, value] : session.user_interferences()) {
     const Card* card = edits.find("CONTACT", name);
     if (card == nullptr) {
-      return misuse(fmt::format("contact {} is described in an included file, which save does not "
-                                "change",
-                                name));
+      return invalid_input(
+          fmt::format("contact {} is described in an included file, which save does not "
+                      "change",
+                      name));
     }
     edits.set_key(*card, value < 0.0 ? "GAP" : "INTERFERENCE", exactly(std::abs(value)),
                   {"GAP", "INTERFERENCE", "DIAMETRAL"});
@@ -204,10 +206,11 @@ bool set_parameter(Edits& edits, const std::string& name, const std::string& exp
 base::Trouble set_parameters(const ShellSession& session, Edits& edits) {
   for (const auto& [name, expression] : session.defines()) {
     if (!set_parameter(edits, name, expression)) {
-      return misuse(fmt::format("parameter {} is defined in an included file, which save does not "
-                                "change",
-                                name),
-                    fmt::format("save without it and run with -D '{}={}'", name, expression));
+      return invalid_input(
+          fmt::format("parameter {} is defined in an included file, which save does not "
+                      "change",
+                      name),
+          fmt::format("save without it and run with -D '{}={}'", name, expression));
     }
   }
   return {};
@@ -316,7 +319,7 @@ base::Trouble keep_beginning(const ShellSession& session, const std::vector<mode
   }
   const Card* first = edits.find("STEP", model.steps.front().name);
   if (first == nullptr) {
-    return misuse("the first step is in an included file, which save does not change");
+    return invalid_input("the first step is in an included file, which save does not change");
   }
   edits.replace(edits.below(*first), edits.below(*first), rows);
   return {};
@@ -325,18 +328,20 @@ base::Trouble keep_beginning(const ShellSession& session, const std::vector<mode
 base::Trouble add_steps(const ShellSession& session, Edits& edits) {
   const model::Model& model = session.model();
   const bool last = session.base_step() == model.steps.back().name;
-  const bool ordered = session.rubs() || mounts(session.changes()) || mounts(model.steps);
-  std::vector<model::Step> steps = session.changes();
+  const bool ordered =
+      session.has_friction() || mounts(session.applied_changes()) || mounts(model.steps);
+  std::vector<model::Step> steps = session.applied_changes();
   if (steps.empty() && last) {
     return {}; // the deck's last step is the state
   }
   if (!ordered) {
     steps = {all_factors(session)};
   } else if (!last) {
-    return misuse(fmt::format("the state goes on from step {}, but the deck has steps behind it, "
-                              "and with friction or mounted contacts the order counts",
-                              session.base_step()),
-                  fmt::format("step {} and the changes again", model.steps.back().name));
+    return invalid_input(
+        fmt::format("the state goes on from step {}, but the deck has steps behind it, "
+                    "and with friction or mounted contacts the order counts",
+                    session.base_step()),
+        fmt::format("step {} and the changes again", model.steps.back().name));
   }
   if (base::Trouble trouble = keep_beginning(session, steps, edits)) {
     return trouble;

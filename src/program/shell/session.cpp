@@ -90,11 +90,12 @@ base::Trouble ShellSession::reset() {
   return read_again(given_, false);
 }
 
-base::Trouble ShellSession::define(const std::string& name, const std::string& expression) {
+base::Trouble ShellSession::define_parameter(const std::string& name,
+                                             const std::string& expression) {
   Defines defines = options_.defines;
   std::erase_if(defines, [&](const auto& d) { return same_word(d.first, name); });
   defines.emplace_back(name, expression);
-  const OwnCards before = own_;
+  const OriginalCards before = own_;
   if (base::Trouble trouble = read_again(defines, true)) {
     return trouble;
   }
@@ -106,7 +107,7 @@ base::Trouble ShellSession::define(const std::string& name, const std::string& e
 base::Trouble ShellSession::read_again(const Defines& defines, bool keep) {
   auto deck = std::make_unique<ReadyDeck>(options_.read(defines));
   if (!deck->model) {
-    return told_at_places(deck->refusal.kind, {});
+    return located_failure(deck->refusal.kind, {});
   }
   ShellSession next(options_);
   next.options_.defines = defines;
@@ -130,7 +131,7 @@ base::Trouble ShellSession::read_again(const Defines& defines, bool keep) {
   }
   if (keep) { // after a reset the deck may be another one
     next.known_ = known_;
-    next.told_ = told_;
+    next.reported_ = reported_;
   }
   if (base::Trouble trouble = next.open_model()) {
     return trouble;
@@ -148,14 +149,14 @@ base::Trouble ShellSession::open_model() {
   base::Diagnostics diagnostics;
   plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
   if (diagnostics.has_errors()) {
-    return told_at_places(base::Outcome::deck_error,
-                          base::format_messages(deck_->sources, diagnostics));
+    return located_failure(base::Outcome::deck_error,
+                           base::format_messages(deck_->sources, diagnostics));
   }
   if (keeps_mounts(*model_)) { // what is mounted at the first length, by all steps
     memory_ = std::make_unique<analysis::MountOffsetMemory>();
-    std::unique_ptr<ShellBench> first;
+    std::unique_ptr<InteractiveSolver> first;
     base::Trouble trouble = make_bench(true, first);
-    trouble = trouble ? trouble : first->walk(model_->steps);
+    trouble = trouble ? trouble : first->solve_from_unloaded(model_->steps);
     if (trouble) {
       return trouble;
     }
@@ -167,30 +168,30 @@ base::Trouble ShellSession::open_model() {
   return rebuild();
 }
 
-base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
+base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<InteractiveSolver>& bench) {
   base::Diagnostics diagnostics;
   base::Trouble trouble;
-  bench = ShellBench::make({.model = *model_,
-                            .cache = *cache_,
-                            .contact = *contact_,
-                            .memory = memory_.get(),
-                            .fills_memory = first,
-                            .threads = options_.threads ? options_.threads(*model_) : 1,
-                            .stopped = options_.stopped},
-                           plan_, diagnostics, trouble);
+  bench = InteractiveSolver::make({.model = *model_,
+                                   .cache = *cache_,
+                                   .contact = *contact_,
+                                   .memory = memory_.get(),
+                                   .fills_memory = first,
+                                   .threads = options_.threads ? options_.threads(*model_) : 1,
+                                   .stopped = options_.stopped},
+                                  plan_, diagnostics, trouble);
   if (diagnostics.has_errors()) {
-    return told_at_places(base::Outcome::deck_error,
-                          base::format_messages(deck_->sources, diagnostics));
+    return located_failure(base::Outcome::deck_error,
+                           base::format_messages(deck_->sources, diagnostics));
   }
   return trouble;
 }
 
 base::Trouble ShellSession::rebuild() {
-  std::unique_ptr<ShellBench> bench;
+  std::unique_ptr<InteractiveSolver> bench;
   if (base::Trouble trouble = make_bench(false, bench)) {
     return trouble;
   }
-  if (base::Trouble trouble = bench->walk(way())) {
+  if (base::Trouble trouble = bench->solve_from_unloaded(way())) {
     return trouble;
   }
   bench_ = std::move(bench);
@@ -203,7 +204,7 @@ base::Trouble ShellSession::rebuild() {
   return {};
 }
 
-base::Trouble ShellSession::restore() {
+base::Trouble ShellSession::restore_after_failure() {
   return bench_->ready() ? base::Trouble() : rebuild();
 }
 
@@ -217,12 +218,12 @@ std::vector<model::Step> ShellSession::way() const {
   return steps;
 }
 
-base::Trouble ShellSession::step(const std::string& name) {
+base::Trouble ShellSession::go_to_step(const std::string& name) {
   std::size_t index = 0;
   if (base::Trouble trouble = find_name(step_names(*model_), "step", name, index)) {
     return trouble;
   }
-  if (base::Trouble trouble = bench_->walk(way_to(index))) {
+  if (base::Trouble trouble = bench_->solve_from_unloaded(way_to(index))) {
     return trouble;
   }
   base_ = index;
@@ -237,36 +238,38 @@ void ShellSession::change(const model::Action& action) {
   put(changes_.actions, action);
 }
 
-base::Trouble ShellSession::load(const std::string& load_case, double factor) {
+base::Trouble ShellSession::set_load_factor(const std::string& load_case, double factor) {
   std::size_t index = 0;
-  if (base::Trouble trouble = find_name(case_names(*model_), "load case", load_case, index)) {
+  if (base::Trouble trouble = find_name(load_case_names(*model_), "load case", load_case, index)) {
     return trouble;
   }
   change(model::ApplyLoad{base::CaseId(index), factor});
   return {};
 }
 
-base::Trouble ShellSession::fit(const std::string& contact, double factor) {
+base::Trouble ShellSession::set_fit_factor(const std::string& contact, double factor) {
   std::size_t index = 0;
   if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
     return trouble;
   }
   if (!model_->contacts[index].gap) {
-    return misuse(fmt::format("contact {} has no declared fit that a factor could scale", contact),
-                  fmt::format("fit {} = 0.05 declares an interference", contact));
+    return invalid_input(
+        fmt::format("contact {} has no declared fit that a factor could scale", contact),
+        fmt::format("fit {} = 0.05 declares an interference", contact));
   }
   change(model::ApplyFit{base::ContactId(index), factor});
   return {};
 }
 
-base::Trouble ShellSession::mount(const std::string& contact, bool on) {
+base::Trouble ShellSession::set_mounted(const std::string& contact, bool on) {
   std::size_t index = 0;
   if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
     return trouble;
   }
   if (keeps_mounts(*model_)) {
-    return misuse("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
-                  "nothing is mounted or dismounted here");
+    return invalid_input(
+        "with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
+        "nothing is mounted or dismounted here");
   }
   const base::ContactId id(index);
   const model::Action action =
@@ -278,7 +281,7 @@ base::Trouble ShellSession::mount(const std::string& contact, bool on) {
   // What is in force would count its fit a second time, from bodies that have it already.
   if (std::erase_if(changes_.actions,
                     [&](const model::Action& a) { return subject(a) == subject(action); }) == 0) {
-    return misuse(
+    return invalid_input(
         fmt::format("contact {} is {} already", contact, on ? "mounted" : "absent"),
         on ? "dismount it first: mounted anew, its fit counts from the bodies as they are "
              "then"
@@ -287,17 +290,19 @@ base::Trouble ShellSession::mount(const std::string& contact, bool on) {
   return {}; // a change that was pending is taken back
 }
 
-base::Trouble ShellSession::interference(const std::string& contact, double value) {
+base::Trouble ShellSession::set_interference(const std::string& contact, double value) {
   std::size_t index = 0;
   if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
     return trouble;
   }
   if (keeps_mounts(*model_)) {
-    return misuse("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length",
-                  "make the interference a parameter of the deck and use set");
+    return invalid_input(
+        "with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length",
+        "make the interference a parameter of the deck and use set");
   }
   if (model_->contacts[index].rigid.valid() && !model_->contacts[index].gap) {
-    return misuse(fmt::format("contact {} meets a rigid target and has no declared gap", contact));
+    return invalid_input(
+        fmt::format("contact {} meets a rigid target and has no declared gap", contact));
   }
   const std::optional<double> before = model_->contacts[index].gap;
   const std::vector<model::Step> after = after_;
@@ -305,7 +310,7 @@ base::Trouble ShellSession::interference(const std::string& contact, double valu
   if (factors().fit[index] != 1.0) { // the value itself is meant, not a part of it
     model::Step& whole = after_.emplace_back();
     whole.name = "NOW";
-    whole.substeps = rubs() ? default_substeps : 1;
+    whole.substeps = has_friction() ? default_substeps : 1;
     whole.actions.emplace_back(model::ApplyFit{base::ContactId(index), 1.0});
   }
   if (base::Trouble trouble = rebuild()) {
@@ -318,20 +323,20 @@ base::Trouble ShellSession::interference(const std::string& contact, double valu
 }
 
 base::Trouble ShellSession::solve(int substeps) {
-  if (!pending()) {
+  if (!has_pending_changes()) {
     return {};
   }
   model::Step next = changes_;
-  next.substeps = rubs() ? substeps : 1;
+  next.substeps = has_friction() ? substeps : 1;
   const std::vector<model::Step> before = after_;
-  if (!after_.empty() && !rubs() && !mounts(next) && !mounts(after_.back())) {
+  if (!after_.empty() && !has_friction() && !mounts(next) && !mounts(after_.back())) {
     for (const model::Action& action : next.actions) {
       put(after_.back().actions, action);
     }
   } else {
     after_.push_back(next);
   }
-  if (base::Trouble trouble = bench_->go_on(next, way())) {
+  if (base::Trouble trouble = bench_->solve_further_step(next, way())) {
     after_ = before;
     return trouble;
   }
@@ -341,14 +346,14 @@ base::Trouble ShellSession::solve(int substeps) {
   return {};
 }
 
-base::Trouble ShellSession::estimate() {
+base::Trouble ShellSession::estimate_accuracy() {
   if (base::Trouble trouble = solve()) {
     return trouble;
   }
-  return bench_->estimate();
+  return bench_->estimate_accuracy();
 }
 
-bool ShellSession::rubs() const {
+bool ShellSession::has_friction() const {
   return std::ranges::any_of(model_->contacts, [](const auto& c) { return c.mu > 0.0; }) ||
          std::ranges::any_of(model_->cracks,
                              [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });

@@ -55,33 +55,35 @@ public:
   base::Trouble open();
 
   // What is set. Factors and lengths take effect at the next solve().
-  base::Trouble step(const std::string& name); ///< the state at the end of a step of the deck
-  base::Trouble load(const std::string& load_case, double factor);
-  base::Trouble fit(const std::string& contact, double factor);
+  base::Trouble go_to_step(const std::string& name); ///< the state at the end of a step of the deck
+  base::Trouble set_load_factor(const std::string& load_case, double factor);
+  base::Trouble set_fit_factor(const std::string& contact, double factor);
   /// The interference itself [length], negative: clearance: its factor becomes 1. Solves from the
   /// first step on.
-  base::Trouble interference(const std::string& contact, double value);
-  base::Trouble mount(const std::string& contact, bool on);
+  base::Trouble set_interference(const std::string& contact, double value);
+  base::Trouble set_mounted(const std::string& contact, bool on);
   /// Cuts the crack anew, condenses what it touches and solves the same way again. In space the
   /// semi-axes of an ellipse; without C the present ratio of both is kept.
-  base::Trouble length(const std::string& crack, double a, std::optional<double> c = {});
+  base::Trouble set_crack_length(const std::string& crack, double a, std::optional<double> c = {});
   /// A parameter: the deck is read again; what was set by name is kept.
-  base::Trouble define(const std::string& name, const std::string& expression);
+  base::Trouble define_parameter(const std::string& name, const std::string& expression);
   /// What the last define() would have changed, had it not been set by name (or by $GROW) before.
-  [[nodiscard]] const std::vector<std::string>& covered() const { return covered_; }
+  [[nodiscard]] const std::vector<std::string>& overridden_settings() const { return covered_; }
   base::Trouble reset(); ///< as after open(); the deck is read again
 
   /// Makes the changes that are pending; where something rubs in so many substeps from the last
   /// state on, else path-free.
   base::Trouble solve(int substeps = default_substeps);
   /// After an operation that failed late makes what it left unusable anew. Call it before others.
-  base::Trouble restore();
-  [[nodiscard]] bool pending() const { return !changes_.actions.empty(); }
+  base::Trouble restore_after_failure();
+  [[nodiscard]] bool has_pending_changes() const { return !changes_.actions.empty(); }
 
   // Answers about the present state; what is pending is solved before.
-  base::Trouble estimate(); ///< error bars and sensitivities of K, once for a state
-  [[nodiscard]] const results::RunResult& run() const { return bench_->run(); }
-  [[nodiscard]] const results::StepResult& now() const { return bench_->now(); }
+  base::Trouble estimate_accuracy(); ///< error bars and sensitivities of K, once for a state
+  [[nodiscard]] const results::RunResult& run_results() const { return bench_->run_results(); }
+  [[nodiscard]] const results::StepResult& current_result() const {
+    return bench_->current_result();
+  }
   /// Notes of the present state that were not given before, and its warnings, first.
   std::vector<std::string> new_notes();
   [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
@@ -94,37 +96,39 @@ public:
   /// has the name of the case.
   base::Trouble map_case(const std::string& load_case, double from, double to);
   /// The path that was followed last; null: none at this state.
-  [[nodiscard]] const results::LoadPathResult* mapped() const;
+  [[nodiscard]] const results::LoadPathResult* last_mapped_path() const;
   [[nodiscard]] const MapRange& map_range() const { return range_; }
 
   /// States with the present loads and fits at different lengths, ascending: each an increment
   /// whose only step is NOW, tips only.
-  [[nodiscard]] results::RunResult lengths() const;
+  [[nodiscard]] results::RunResult results_by_length() const;
   /// The same in space: the size of the first crack and all fronts.
-  struct TriedFronts {
+  struct FrontsAtSize {
     CrackSize size;
     std::vector<results::FrontResult> fronts;
   };
-  [[nodiscard]] std::vector<TriedFronts> fronts_tried() const;
+  [[nodiscard]] std::vector<FrontsAtSize> fronts_by_size() const;
 
   [[nodiscard]] const model::Model& model() const { return *model_; } ///< as it is now
-  [[nodiscard]] const model::Model& shown() const { return bench_->shown(); }
+  [[nodiscard]] const model::Model& displayed_model() const { return bench_->displayed_model(); }
   [[nodiscard]] const base::SourceTexts& sources() const { return deck_->sources; }
   /// Name of the deck's step that the state began with, and what came after it: one step where the
   /// order does not count.
   [[nodiscard]] const std::string& base_step() const { return model_->steps[base_].name; }
-  [[nodiscard]] const std::vector<model::Step>& changes() const { return after_; }
+  [[nodiscard]] const std::vector<model::Step>& applied_changes() const { return after_; }
   [[nodiscard]] const model::Step& pending_changes() const { return changes_; }
   /// Values given by the user here.
-  [[nodiscard]] const std::map<std::string, CrackSize>& set_lengths() const { return lengths_; }
-  [[nodiscard]] const std::map<std::string, double>& set_interferences() const { return gaps_; }
-  [[nodiscard]] const Defines& defines() const { return options_.defines; }
-  [[nodiscard]] bool rubs() const; ///< a contact or crack with friction: the order counts
-  /// Nets condensed and reused when the lengths changed last.
-  [[nodiscard]] const analysis::CondensationFigures& condensed() const {
-    return bench_->condensed();
+  [[nodiscard]] const std::map<std::string, CrackSize>& user_crack_sizes() const {
+    return lengths_;
   }
-  [[nodiscard]] CrackSize size_of(std::size_t crack) const;
+  [[nodiscard]] const std::map<std::string, double>& user_interferences() const { return gaps_; }
+  [[nodiscard]] const Defines& defines() const { return options_.defines; }
+  [[nodiscard]] bool has_friction() const; ///< a contact or crack with friction: the order counts
+  /// Nets condensed and reused when the lengths changed last.
+  [[nodiscard]] const analysis::CondensationFigures& condensation_log() const {
+    return bench_->condensation_log();
+  }
+  [[nodiscard]] CrackSize crack_size(std::size_t crack) const;
   /// Contacts, and the faces of cracks that may touch.
   [[nodiscard]] std::vector<std::string> pair_names() const;
 
@@ -133,16 +137,16 @@ private:
   base::Trouble open_model();
   base::Trouble read_again(const Defines& defines, bool keep);
   /// Cards that parameters reach and that names set here may cover, as the deck has them.
-  struct OwnCards {
+  struct OriginalCards {
     std::vector<model::CrackDefinition> cracks;
     std::vector<model::Contact> contacts;
     std::vector<model::Step> steps;
   };
-  [[nodiscard]] std::vector<std::string> covered_by(const OwnCards& before) const;
-  [[nodiscard]] analysis::StepFactors factors_at_base(const OwnCards& cards) const;
+  [[nodiscard]] std::vector<std::string> covered_by(const OriginalCards& before) const;
+  [[nodiscard]] analysis::StepFactors factors_at_base(const OriginalCards& cards) const;
   /// A new bench for the model as it is, at the end of the way so far.
   base::Trouble rebuild();
-  base::Trouble make_bench(bool first, std::unique_ptr<ShellBench>& bench);
+  base::Trouble make_bench(bool first, std::unique_ptr<InteractiveSolver>& bench);
   [[nodiscard]] std::vector<model::Step> way_to(std::size_t step) const;
   [[nodiscard]] std::vector<model::Step> way() const; ///< to the base step and what came after it
   /// The region that cracks of these lengths touch, and some more, to be condensed apart.
@@ -161,25 +165,25 @@ private:
       std::make_shared<analysis::CondensationCache>();
   std::unique_ptr<analysis::ContactMemory> contact_ = std::make_unique<analysis::ContactMemory>();
   std::unique_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
-  std::unique_ptr<ShellBench> bench_;
+  std::unique_ptr<InteractiveSolver> bench_;
   std::size_t base_ = 0;
   std::vector<model::Step> after_;
   model::Step changes_;
   std::map<std::string, CrackSize> lengths_; ///< by crack
   std::map<std::string, double> gaps_;       ///< by contact, interference
-  OwnCards own_;
+  OriginalCards own_;
   std::vector<std::string> covered_;
   std::string mapped_;
   MapRange range_;
-  struct Known {
+  struct TriedLengthResult {
     std::string setting; ///< of all but lengths
     double a = 0.0;
     std::vector<results::TipResult> tips;
-    TriedFronts space;
+    FrontsAtSize space;
   };
-  std::vector<Known> known_;
+  std::vector<TriedLengthResult> known_;
   Defines given_; ///< by the command line
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
 };
 
 } // namespace spricka::program

@@ -73,7 +73,7 @@ private:
     options.defines = options_.deck.defines;
     options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
     options.read = [this](const Defines& defines) {
-      return read_ready(options_.deck.deck, {.defines = defines}, log_);
+      return read_and_check_deck(options_.deck.deck, {.defines = defines}, log_);
     };
     options.threads = [this](const model::Model& model) {
       return solve::reserve_blas_workspace(thread_count(options_.deck, model));
@@ -144,7 +144,7 @@ private:
 
 } // namespace
 
-base::Outcome shell(const ShellOptions& options) {
+base::Outcome run_shell(const ShellOptions& options) {
   try {
     return Shell(options).run();
   } catch (const std::system_error& trouble) {

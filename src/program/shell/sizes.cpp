@@ -33,16 +33,17 @@ void set_size(model::CrackDefinition& crack, const CrackSize& size) {
 // What another size needs to know of a crack; or why there is none.
 base::Trouble sizeable(const model::CrackDefinition& crack, bool with_c) {
   if (crack.kind == model::CrackDefinitionKind::drawn) {
-    return misuse(
+    return invalid_input(
         fmt::format("the front of crack {} is drawn by its points, it has no length", crack.name),
         "make its points expressions of a parameter and use set");
   }
   if (crack.kind == model::CrackDefinitionKind::front) {
-    return misuse(
+    return invalid_input(
         fmt::format("crack {} is one of the mesh: it has a front, no length", crack.name));
   }
   if (with_c && crack.kind != model::CrackDefinitionKind::ellipse) {
-    return misuse(fmt::format("crack {} has one length: there is no second axis", crack.name));
+    return invalid_input(
+        fmt::format("crack {} has one length: there is no second axis", crack.name));
   }
   return {};
 }
@@ -55,7 +56,7 @@ void ShellSession::set_lengths_on(model::Model& model) const {
   }
 }
 
-CrackSize ShellSession::size_of(std::size_t crack) const {
+CrackSize ShellSession::crack_size(std::size_t crack) const {
   const model::CrackDefinition& card = model_->cracks[crack];
   if (card.kind == model::CrackDefinitionKind::ellipse) {
     return {card.plane.a, card.plane.c};
@@ -63,12 +64,12 @@ CrackSize ShellSession::size_of(std::size_t crack) const {
   const auto is_its_own = [&](const std::string& tip) {
     return tip == card.name || tip == card.name + ".1";
   };
-  for (const results::TipResult& tip : now().tips) {
+  for (const results::TipResult& tip : current_result().tips) {
     if (is_its_own(tip.name)) {
       return {tip.a, 0.0};
     }
   }
-  for (const results::FrontResult& front : now().fronts) {
+  for (const results::FrontResult& front : current_result().fronts) {
     if (is_its_own(front.name)) {
       return {front.a, 0.0};
     }
@@ -103,14 +104,15 @@ analysis::RegionPlan ShellSession::plan_lengths() const {
   return needed;
 }
 
-base::Trouble ShellSession::length(const std::string& crack, double a, std::optional<double> c) {
+base::Trouble ShellSession::set_crack_length(const std::string& crack, double a,
+                                             std::optional<double> c) {
   std::size_t index = 0;
   if (base::Trouble trouble = find_name(crack_names(*model_), "crack", crack, index)) {
     return trouble;
   }
   for (const double size : {a, c.value_or(a)}) {
     if (!(size > 0.0) || !std::isfinite(size)) {
-      return misuse(fmt::format("a crack length is positive, not {:.6g}", size));
+      return invalid_input(fmt::format("a crack length is positive, not {:.6g}", size));
     }
   }
   if (base::Trouble trouble = sizeable(model_->cracks[index], c.has_value())) {

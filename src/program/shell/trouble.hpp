@@ -9,12 +9,12 @@
 namespace spricka::program {
 
 /// What was typed cannot be done so.
-inline base::OperationFailure misuse(std::string why, std::string hint = {}) {
+inline base::OperationFailure invalid_input(std::string why, std::string hint = {}) {
   return {.kind = base::Outcome::usage, .why = std::move(why), .hint = std::move(hint)};
 }
 
 /// Mistakes as base::format() gives them, with their places.
-inline base::OperationFailure told_at_places(base::Outcome kind, std::string messages) {
+inline base::OperationFailure located_failure(base::Outcome kind, std::string messages) {
   return {.kind = kind, .why = std::move(messages), .complete = true};
 }
 

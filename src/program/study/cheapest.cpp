@@ -12,15 +12,15 @@ namespace spricka::program {
 namespace {
 
 /// A setting that could be chosen.
-struct Candidate {
+struct CheapestCandidate {
   std::size_t trial = 0;
   bool corrected = false;
   double error = 0.0;
 };
 
 // The deck as it is stands in the series of all sizes.
-Family series_family(Family family) {
-  return family == Family::given ? Family::whole : family;
+SettingFamily series_family(SettingFamily family) {
+  return family == SettingFamily::given ? SettingFamily::whole : family;
 }
 
 double lasting_error(const GroupVerdict& group, const std::vector<Trial>& trials, std::size_t t,
@@ -40,10 +40,11 @@ double lasting_error(const GroupVerdict& group, const std::vector<Trial>& trials
   return largest;
 }
 
-std::vector<Candidate> candidates_of(const GroupVerdict& group, const std::vector<Trial>& trials) {
-  std::vector<Candidate> all;
+std::vector<CheapestCandidate> candidates_of(const GroupVerdict& group,
+                                             const std::vector<Trial>& trials) {
+  std::vector<CheapestCandidate> all;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (trials[t].readings.empty() || trials[t].setting.family == Family::peer) {
+    if (trials[t].readings.empty() || trials[t].setting.family == SettingFamily::peer) {
       continue;
     }
     for (const bool corrected : {false, true}) {
@@ -53,7 +54,7 @@ std::vector<Candidate> candidates_of(const GroupVerdict& group, const std::vecto
       }
     }
   }
-  std::ranges::stable_sort(all, [&](const Candidate& a, const Candidate& b) {
+  std::ranges::stable_sort(all, [&](const CheapestCandidate& a, const CheapestCandidate& b) {
     return trials[a.trial].end.cpu < trials[b.trial].end.cpu;
   });
   return all;
@@ -61,12 +62,12 @@ std::vector<Candidate> candidates_of(const GroupVerdict& group, const std::vecto
 
 // By CPU; what differs by less than a clock can tell is chosen by freedoms, and plain values before
 // corrected ones.
-const Candidate* choose(const std::vector<Candidate>& all, double floor, double tolerance,
-                        const std::vector<Trial>& trials) {
+const CheapestCandidate* choose(const std::vector<CheapestCandidate>& all, double floor,
+                                double tolerance, const std::vector<Trial>& trials) {
   constexpr double alike = 1.15; // CPU of one and the same run differs so much
-  const Candidate* best = nullptr;
+  const CheapestCandidate* best = nullptr;
   double least = 0.0;
-  for (const Candidate& candidate : all) {
+  for (const CheapestCandidate& candidate : all) {
     if (!(candidate.error + floor <= tolerance)) {
       continue;
     }
@@ -81,8 +82,8 @@ const Candidate* choose(const std::vector<Candidate>& all, double floor, double 
 }
 
 std::string cheapest_sentence(const GroupVerdict& group, const std::vector<Trial>& trials,
-                              const Cheapest& found) {
-  const char* const what = name_of(group.group);
+                              const CheapestSetting& found) {
+  const char* const what = display_name(group.group);
   if (found.trial) {
     const Trial& trial = trials[*found.trial];
     return fmt::format("{} within {:g} %: {} gives {} for {:.2f} s{}", what,
@@ -104,13 +105,13 @@ std::string percent(double part) {
   return std::isfinite(part) ? fmt::format("{:.2g} %", 100.0 * part) : "-";
 }
 
-std::vector<Cheapest> cheapest_settings(const GroupVerdict& group,
-                                        const std::vector<Trial>& trials) {
-  const std::vector<Candidate> all = candidates_of(group, trials);
-  std::vector<Cheapest> found;
+std::vector<CheapestSetting> cheapest_settings(const GroupVerdict& group,
+                                               const std::vector<Trial>& trials) {
+  const std::vector<CheapestCandidate> all = candidates_of(group, trials);
+  std::vector<CheapestSetting> found;
   for (const double tolerance : std::array{1e-2, 1e-3, 1e-4}) {
-    Cheapest cheapest{tolerance, std::nullopt, false, 0.0, {}};
-    if (const Candidate* best = choose(all, group.floor, tolerance, trials)) {
+    CheapestSetting cheapest{tolerance, std::nullopt, false, 0.0, {}};
+    if (const CheapestCandidate* best = choose(all, group.floor, tolerance, trials)) {
       cheapest.trial = best->trial;
       cheapest.corrected = best->corrected;
       cheapest.error = best->error;

@@ -9,8 +9,8 @@ namespace spricka::program {
 /// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
 /// whose error, and that of all finer ones of its family, is below it together with what the
 /// references are uncertain by. CalculiX is not among them.
-std::vector<Cheapest> cheapest_settings(const GroupVerdict& group,
-                                        const std::vector<Trial>& trials);
+std::vector<CheapestSetting> cheapest_settings(const GroupVerdict& group,
+                                               const std::vector<Trial>& trials);
 
 /// "0.023 %"
 std::string percent(double part);

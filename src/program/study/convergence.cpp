@@ -10,7 +10,7 @@ namespace spricka::program {
 namespace {
 
 /// Mean and scatter of log(error / law(size)) for one power.
-struct Fit {
+struct ConvergenceFit {
   double mean = 0.0;
   double scatter = std::numeric_limits<double>::infinity();
 };
@@ -20,10 +20,10 @@ double law(double size, double reference, double power) {
   return std::abs(std::pow(size, power) - beyond);
 }
 
-Fit fit_of(const std::vector<SeriesPoint>& points, double reference, double power) {
-  Fit fit;
+ConvergenceFit fit_of(const std::vector<ConvergencePoint>& points, double reference, double power) {
+  ConvergenceFit fit;
   std::vector<double> logs;
-  for (const SeriesPoint& point : points) {
+  for (const ConvergencePoint& point : points) {
     logs.push_back(std::log(point.error / law(point.size, reference, power)));
     fit.mean += logs.back() / static_cast<double>(points.size());
   }
@@ -35,7 +35,7 @@ Fit fit_of(const std::vector<SeriesPoint>& points, double reference, double powe
 }
 
 // The scatter has one minimum: first a walk, then sections.
-double best_power(const std::vector<SeriesPoint>& points, double reference) {
+double best_power(const std::vector<ConvergencePoint>& points, double reference) {
   constexpr double least = 0.05;
   constexpr double most = 16.0;
   constexpr double pace = 0.25;
@@ -60,24 +60,24 @@ double best_power(const std::vector<SeriesPoint>& points, double reference) {
 
 } // namespace
 
-std::optional<Slope> fit_slope(std::span<const SeriesPoint> points, double floor,
-                               double reference) {
-  std::vector<SeriesPoint> used;
-  std::ranges::copy_if(points, std::back_inserter(used), [&](const SeriesPoint& point) {
+std::optional<ConvergenceRate> fit_slope(std::span<const ConvergencePoint> points, double floor,
+                                         double reference) {
+  std::vector<ConvergencePoint> used;
+  std::ranges::copy_if(points, std::back_inserter(used), [&](const ConvergencePoint& point) {
     return std::isfinite(point.error) && point.error > floor && point.size > 1.01 * reference;
   });
   if (used.size() < 3) {
     return std::nullopt;
   }
   const double power = best_power(used, reference);
-  return Slope{power, std::exp(fit_of(used, reference, power).mean), used.size()};
+  return ConvergenceRate{power, std::exp(fit_of(used, reference, power).mean), used.size()};
 }
 
-std::vector<double> lasting_errors(std::span<const SeriesPoint> points) {
+std::vector<double> error_envelope(std::span<const ConvergencePoint> points) {
   std::vector<double> lasting;
-  for (const SeriesPoint& point : points) {
+  for (const ConvergencePoint& point : points) {
     double largest = 0.0;
-    for (const SeriesPoint& other : points) {
+    for (const ConvergencePoint& other : points) {
       largest = other.size <= point.size ? std::max(largest, other.error) : largest;
     }
     lasting.push_back(largest);
@@ -85,9 +85,9 @@ std::vector<double> lasting_errors(std::span<const SeriesPoint> points) {
   return lasting;
 }
 
-std::optional<Plateau> find_plateau(std::span<const SeriesPoint> points, double nothing) {
+std::optional<ErrorPlateau> find_plateau(std::span<const ConvergencePoint> points, double nothing) {
   constexpr double falling = 0.5; // the least power of an error that goes on
-  const std::vector<double> lasting = lasting_errors(points);
+  const std::vector<double> lasting = error_envelope(points);
   std::size_t first = points.size();
   for (std::size_t i = points.size(); i-- > 1;) {
     const double finer = std::log(points[i - 1].size / points[i].size);
@@ -100,7 +100,7 @@ std::optional<Plateau> find_plateau(std::span<const SeriesPoint> points, double 
   if (first + 1 >= points.size()) {
     return std::nullopt;
   }
-  return Plateau{first, lasting[first]};
+  return ErrorPlateau{first, lasting[first]};
 }
 
 } // namespace spricka::program

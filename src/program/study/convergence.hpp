@@ -10,13 +10,13 @@
 namespace spricka::program {
 
 /// One mesh of a series. Errors are without sign, as parts of the answer.
-struct SeriesPoint {
+struct ConvergencePoint {
   double size = 1.0; ///< of its elements, as a part of the deck's: 0.5 is twice as fine
   double error = 0.0;
 };
 
 /// error = factor size^power.
-struct Slope {
+struct ConvergenceRate {
   double power = 0.0;
   double factor = 0.0;
   std::size_t points = 0; ///< that it was fitted to
@@ -25,15 +25,15 @@ struct Slope {
 /// The power by least squares of the logarithms, of points above `floor`; needs three of them. With
 /// `reference` > 0 the errors are differences to a mesh of that size, which has an error of the
 /// same law: |size^power - reference^power|. Points at or below that size are left out.
-std::optional<Slope> fit_slope(std::span<const SeriesPoint> points, double floor,
-                               double reference = 0.0);
+std::optional<ConvergenceRate> fit_slope(std::span<const ConvergencePoint> points, double floor,
+                                         double reference = 0.0);
 
 /// The largest error of each point and all finer ones, in the order given: what a user can rely on,
 /// as an error that passes through zero is small by luck. [point]
-std::vector<double> lasting_errors(std::span<const SeriesPoint> points);
+std::vector<double> error_envelope(std::span<const ConvergencePoint> points);
 
 /// Where errors have stopped falling: from point `first` of the series, coarse to fine, on.
-struct Plateau {
+struct ErrorPlateau {
   std::size_t first = 0;
   double level = 0.0; ///< the largest error on it
 };
@@ -41,6 +41,7 @@ struct Plateau {
 /// The fine end of a series if errors there, lasting ones, fall with less than half the power of
 /// the size. Points coarse to fine; needs two of them on the plateau. Errors below `nothing` are
 /// round-off.
-std::optional<Plateau> find_plateau(std::span<const SeriesPoint> points, double nothing = 1e-12);
+std::optional<ErrorPlateau> find_plateau(std::span<const ConvergencePoint> points,
+                                         double nothing = 1e-12);
 
 } // namespace spricka::program

@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  using Arguments = std::vector<std::variant<std::string, double>>;
+  using CheckArguments = std::vector<std::variant<std::string, double>>;
 
   // Of a long growth the first, the middle and the last length.
   [[nodiscard]] std::vector<const results::Increment*> shown_increments() const {
@@ -113,7 +113,7 @@ private:
     constexpr double least = 1e-3; // of K, that a mode is asked for
     for (const auto& [word, value] : {std::pair{"K1", tip.K1}, std::pair{"K2", tip.K2}}) {
       if (std::abs(value) > least * K) {
-        Arguments arguments{tip.name, step};
+        CheckArguments arguments{tip.name, step};
         if (run_.increments.size() > 1) {
           arguments.emplace_back(tip.a);
         }
@@ -133,7 +133,7 @@ private:
     const std::size_t count = std::min(wanted, places.size());
     for (std::size_t i = 0; i < count; ++i) {
       const results::FrontPointResult& place = *places[(2 * i + 1) * places.size() / (2 * count)];
-      Arguments arguments{front.name, place.x.x(), place.x.y(), place.x.z(), step};
+      CheckArguments arguments{front.name, place.x.x(), place.x.y(), place.x.z(), step};
       if (run_.increments.size() > 1) {
         arguments.emplace_back(front.a);
       }
@@ -141,7 +141,7 @@ private:
     }
   }
 
-  void add(std::string word, Arguments arguments, bool relative) {
+  void add(std::string word, CheckArguments arguments, bool relative) {
     model::ResultCheck check;
     check.quantity = std::move(word);
     check.arguments = std::move(arguments);
@@ -185,13 +185,13 @@ std::string subject_of(const Answer& answer) {
 
 } // namespace
 
-const char* name_of(AnswerGroup group) {
+const char* display_name(AnswerGroup group) {
   constexpr std::array names{"K",      "T",           "pressure", "stress", "displacement",
                              "energy", "contact arc", "life",     "other"};
   return names.at(static_cast<std::size_t>(group));
 }
 
-std::vector<Answer> answers_of(const model::Model& model, const results::RunResult& run) {
+std::vector<Answer> collect_answers(const model::Model& model, const results::RunResult& run) {
   std::vector<Answer> answers;
   const auto add = [&](const model::ResultCheck& check, bool own) {
     const std::optional<AnswerGroup> group = group_of(check.quantity);
@@ -229,8 +229,9 @@ std::vector<Answer> answers_of(const model::Model& model, const results::RunResu
   return kept;
 }
 
-std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
-                                  const results::RunResult& run) {
+std::vector<AnswerReading> read_answers(const model::Model& model,
+                                        const std::vector<Answer>& answers,
+                                        const results::RunResult& run) {
   model::Model asked = model;
   std::vector<model::ResultCheck> value;
   std::vector<model::ResultCheck> bar;
@@ -245,15 +246,15 @@ std::vector<Reading> read_answers(const model::Model& model, const std::vector<A
   const std::vector<double> values = values_of(asked, value, run);
   const std::vector<double> bars = values_of(asked, bar, run);
   const std::vector<double> bests = values_of(asked, best, run);
-  std::vector<Reading> readings;
+  std::vector<AnswerReading> readings;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     readings.push_back({values[i], bars[i], bests[i]});
   }
   return readings;
 }
 
-std::vector<double> scales_of(const std::vector<Answer>& answers,
-                              const std::vector<double>& found) {
+std::vector<double> answer_scales(const std::vector<Answer>& answers,
+                                  const std::vector<double>& found) {
   std::vector<double> scales;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     double scale = 0.0;

@@ -17,7 +17,7 @@ namespace spricka::program {
 enum class AnswerGroup { K, T, pressure, stress, displacement, energy, arc, life, other };
 
 /// "K", "pressure": for headings.
-const char* name_of(AnswerGroup group);
+const char* display_name(AnswerGroup group);
 
 struct Answer {
   model::ResultCheck check;
@@ -27,7 +27,7 @@ struct Answer {
 };
 
 /// One answer of one run; what there is not, is no number.
-struct Reading {
+struct AnswerReading {
   double value = std::numeric_limits<double>::quiet_NaN();
   double bar = std::numeric_limits<double>::quiet_NaN();  ///< half width of the error bar of K
   double best = std::numeric_limits<double>::quiet_NaN(); ///< K with its estimated error taken out
@@ -37,15 +37,17 @@ struct Reading {
 /// Of a deck that checks no K of its cracks K1 and K2 of each tip at the end of each step and
 /// length, along fronts at eight points; without cracks and checks mean pressures of its contacts,
 /// and the energy.
-std::vector<Answer> answers_of(const model::Model& model, const results::RunResult& run);
+std::vector<Answer> collect_answers(const model::Model& model, const results::RunResult& run);
 
 /// [answer]
-std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
-                                  const results::RunResult& run);
+std::vector<AnswerReading> read_answers(const model::Model& model,
+                                        const std::vector<Answer>& answers,
+                                        const results::RunResult& run);
 
 /// What errors of each answer are parts of: the amount of `found`, or where an answer may be zero
 /// (an absolute tolerance, none at all) the largest amount in the answers of its group about the
 /// same crack, contact or set. 0: there is no such thing. [answer]
-std::vector<double> scales_of(const std::vector<Answer>& answers, const std::vector<double>& found);
+std::vector<double> answer_scales(const std::vector<Answer>& answers,
+                                  const std::vector<double>& found);
 
 } // namespace spricka::program

@@ -46,7 +46,7 @@ bool names_net(const std::vector<std::string>& fields, const std::set<std::strin
   return std::ranges::any_of(fields, [&](const std::string& field) {
     const std::string_view name =
         field.starts_with('-') ? std::string_view(field).substr(1) : field;
-    return nets.contains(net_of_name(name));
+    return nets.contains(net_prefix(name));
   });
 }
 
@@ -55,7 +55,7 @@ bool stands_on(const DeckCard& card, const std::set<std::string>& nets) {
   constexpr std::array keys{"ESET", "SLAVE", "MASTER", "FROM", "PATH", "FRONT"};
   return std::ranges::any_of(keys, [&](const char* key) {
     const std::string* value = card.find(key);
-    return value != nullptr && nets.contains(net_of_name(*value));
+    return value != nullptr && nets.contains(net_prefix(*value));
   });
 }
 
@@ -71,7 +71,7 @@ void keep_items(DeckCard& card, const std::set<std::string>& nets) {
   while (at < card.data.size()) {
     const std::size_t end = end_of_line(card.data, at);
     const std::string_view line = std::string_view(card.data).substr(at, end - at);
-    const std::vector<std::string> fields = fields_of(line);
+    const std::vector<std::string> fields = data_fields(line);
     if (!names_net(fields, nets)) {
       kept += line;
     } else {
@@ -90,7 +90,7 @@ bool has_lines(const DeckCard& card) {
   std::size_t at = 0;
   while (at < card.data.size()) {
     const std::size_t end = std::min(card.data.find('\n', at), card.data.size());
-    if (!fields_of(std::string_view(card.data).substr(at, end - at)).empty()) {
+    if (!data_fields(std::string_view(card.data).substr(at, end - at)).empty()) {
       return true;
     }
     at = end + 1;
@@ -118,12 +118,12 @@ void erase_nets(DeckText& text, const std::set<std::string>& nets) {
 
 } // namespace
 
-std::string net_of_name(std::string_view name) {
+std::string net_prefix(std::string_view name) {
   const std::size_t point = name.find('.');
   return point == std::string_view::npos ? std::string() : grammar::to_upper(name.substr(0, point));
 }
 
-std::vector<std::string> fields_of(std::string_view line) {
+std::vector<std::string> data_fields(std::string_view line) {
   std::string code;
   for (std::size_t at = 0; at < line.size();) {
     const std::size_t end = std::min(line.find('\n', at), line.size() - 1) + 1;
@@ -151,13 +151,14 @@ std::vector<std::string> fields_of(std::string_view line) {
   return fields;
 }
 
-void keep_lines(DeckCard& card, const std::function<bool(const std::vector<std::string>&)>& keep) {
+void filter_lines(DeckCard& card,
+                  const std::function<bool(const std::vector<std::string>&)>& keep) {
   std::string kept;
   std::size_t at = 0;
   while (at < card.data.size()) {
     const std::size_t end = end_of_line(card.data, at);
     const std::vector<std::string> fields =
-        fields_of(std::string_view(card.data).substr(at, end - at));
+        data_fields(std::string_view(card.data).substr(at, end - at));
     if (fields.empty() || keep(fields)) {
       kept += card.data.substr(at, end - at);
     }
@@ -169,7 +170,7 @@ void keep_lines(DeckCard& card, const std::function<bool(const std::vector<std::
 void drop_mounts(DeckText& text) {
   for (DeckCard& card : text) {
     if (card.name == "STEP") {
-      keep_lines(card, [](const std::vector<std::string>& fields) {
+      filter_lines(card, [](const std::vector<std::string>& fields) {
         const std::string word = grammar::to_upper(fields.front());
         return word != "MOUNT" && word != "DISMOUNT";
       });
@@ -182,7 +183,7 @@ void drop_mounts(DeckText& text) {
 void drop_fits(DeckText& text, const std::set<std::string>& contacts) {
   for (DeckCard& card : text) {
     if (card.name == "STEP") {
-      keep_lines(card, [&](const std::vector<std::string>& fields) {
+      filter_lines(card, [&](const std::vector<std::string>& fields) {
         return grammar::to_upper(fields.front()) != "FIT" || fields.size() < 2 ||
                !contacts.contains(grammar::to_upper(fields[1]));
       });
@@ -204,13 +205,13 @@ std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& n
     if (load || lists_sets(card.name)) {
       const bool had = has_lines(card);
       if (load) {
-        keep_lines(card, [&](const auto& fields) { return !names_net({fields.front()}, nets); });
+        filter_lines(card, [&](const auto& fields) { return !names_net({fields.front()}, nets); });
       } else {
         keep_items(card, nets);
       }
       card.name = had && !has_lines(card) ? "" : card.name; // nothing is left of it
     } else if (card.name == "STEP") {
-      keep_lines(card, [&](const std::vector<std::string>& fields) {
+      filter_lines(card, [&](const std::vector<std::string>& fields) {
         return fields.size() < 2 || grammar::to_upper(fields.front()) == "LOAD" ||
                !contacts.contains(grammar::to_upper(fields[1]));
       });
@@ -220,7 +221,7 @@ std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& n
   return contacts;
 }
 
-void drop_lost_loads(DeckText& text) {
+void drop_undefined_loads(DeckText& text) {
   std::set<std::string> cases;
   for (const DeckCard& card : text) {
     if (card.name == "LOAD") {
@@ -229,7 +230,7 @@ void drop_lost_loads(DeckText& text) {
   }
   for (DeckCard& card : text) {
     if (card.name == "STEP") {
-      keep_lines(card, [&](const std::vector<std::string>& fields) {
+      filter_lines(card, [&](const std::vector<std::string>& fields) {
         return fields.size() < 2 || grammar::to_upper(fields.front()) != "LOAD" ||
                cases.contains(grammar::to_upper(fields[1]));
       });
@@ -237,7 +238,8 @@ void drop_lost_loads(DeckText& text) {
   }
 }
 
-void put_defines(DeckText& text, const std::vector<std::pair<std::string, std::string>>& defines) {
+void apply_defines(DeckText& text,
+                   const std::vector<std::pair<std::string, std::string>>& defines) {
   for (DeckCard& card : text) {
     if (card.name != "PARAMETER") {
       continue;
@@ -249,7 +251,7 @@ void put_defines(DeckText& text, const std::vector<std::pair<std::string, std::s
       const std::string line = card.data.substr(at, end - at);
       const std::size_t equal = code_of(line).find('=');
       const std::vector<std::string> left =
-          fields_of(line.substr(0, equal == std::string::npos ? 0 : equal));
+          data_fields(line.substr(0, equal == std::string::npos ? 0 : equal));
       const auto own = std::ranges::find_if(defines, [&](const auto& define) {
         return left.size() == 1 && grammar::to_upper(define.first) == grammar::to_upper(left[0]);
       });

@@ -13,11 +13,11 @@
 namespace spricka::program {
 
 /// Fields of one data line, as the deck writes them, comments left out.
-std::vector<std::string> fields_of(std::string_view line);
+std::vector<std::string> data_fields(std::string_view line);
 
 /// Data lines for which `keep` holds; comment and blank lines stay. `keep` gets the fields.
-void keep_lines(deck::DeckCard& card,
-                const std::function<bool(const std::vector<std::string>&)>& keep);
+void filter_lines(deck::DeckCard& card,
+                  const std::function<bool(const std::vector<std::string>&)>& keep);
 
 /// Contacts stand from the beginning: MOUNT and DISMOUNT go.
 void drop_mounts(deck::DeckText& text);
@@ -30,16 +30,16 @@ void drop_fits(deck::DeckText& text, const std::set<std::string>& contacts);
 std::set<std::string> remove_nets(deck::DeckText& text, const std::set<std::string>& nets);
 
 /// Steps no longer apply load cases that no card makes.
-void drop_lost_loads(deck::DeckText& text);
+void drop_undefined_loads(deck::DeckText& text);
 
 /// Parameters get the values that the command line gives them (-D).
-void put_defines(deck::DeckText& text,
-                 const std::vector<std::pair<std::string, std::string>>& defines);
+void apply_defines(deck::DeckText& text,
+                   const std::vector<std::pair<std::string, std::string>>& defines);
 
 /// Checks, requests, tests and states of runs go: a rung is asked anew.
 void drop_requests(deck::DeckText& text);
 
 /// "LUG" of "LUG.BORE", upper case; empty without a point.
-std::string net_of_name(std::string_view name);
+std::string net_prefix(std::string_view name);
 
 } // namespace spricka::program

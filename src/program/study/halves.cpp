@@ -31,8 +31,8 @@ bool is_odd_extreme(const Answer& answer, const std::string& mirrored) {
 
 } // namespace
 
-PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text) {
-  PartOfModel part;
+SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckText& text) {
+  SymmetricPart part;
   deck::DeckText changed = text;
   for (const results::SymmetryPlanePreview& mirror : sense::find_symmetry_planes(model)) {
     const bool there = std::ranges::any_of(
@@ -68,13 +68,13 @@ PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text)
   return part;
 }
 
-void tell_of_whole(std::vector<Reading>& readings, const std::vector<Answer>& answers,
-                   const std::string& mirrored) {
+void convert_to_whole_model(std::vector<AnswerReading>& readings,
+                            const std::vector<Answer>& answers, const std::string& mirrored) {
   for (std::size_t i = 0; i < readings.size() && !mirrored.empty(); ++i) {
     if (answers[i].group == AnswerGroup::energy) {
-      readings[i].value *= parts_of(mirrored);
+      readings[i].value *= mirror_image_count(mirrored);
     } else if (answers[i].group == AnswerGroup::arc || is_odd_extreme(answers[i], mirrored)) {
-      readings[i] = Reading();
+      readings[i] = AnswerReading();
     }
   }
 }

@@ -11,7 +11,7 @@
 /// A deck whose model is one of two, four or eight mirror images.
 namespace spricka::program {
 
-struct PartOfModel {
+struct SymmetricPart {
   std::optional<deck::DeckText> text; ///< empty: the model has no plane of symmetry
   std::string mirrored;               ///< across which axes, "XY"
   std::string name;                   ///< "half by symmetry"
@@ -20,16 +20,16 @@ struct PartOfModel {
 };
 
 /// Puts a $SYMMETRY card for each plane that all of the model respects.
-PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text);
+SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckText& text);
 
 /// Of how many mirror images a model is one that is `mirrored` across these axes.
-inline int parts_of(const std::string& mirrored) {
+inline int mirror_image_count(const std::string& mirrored) {
   return 1 << mirrored.size();
 }
 
 /// Answers of the whole from those of a part: energies are as many times as large; of contact arcs,
 /// which may lie across, and of extremes that change their sign across a plane, nothing is told.
-void tell_of_whole(std::vector<Reading>& readings, const std::vector<Answer>& answers,
-                   const std::string& mirrored);
+void convert_to_whole_model(std::vector<AnswerReading>& readings,
+                            const std::vector<Answer>& answers, const std::string& mirrored);
 
 } // namespace spricka::program

@@ -74,13 +74,13 @@ bool is_mounted(const model::Model& model, std::size_t contact) {
 }
 
 // Nodes of a surface, and the middle of the elements behind it.
-struct SurfaceNodes {
+struct JointSurfaceNodes {
   std::vector<base::Vec3> x;
   base::Vec3 behind = base::Vec3::Zero();
 };
 
-SurfaceNodes nodes_of(const model::Mesh& mesh, const model::FaceSet& set) {
-  SurfaceNodes nodes;
+JointSurfaceNodes nodes_of(const model::Mesh& mesh, const model::FaceSet& set) {
+  JointSurfaceNodes nodes;
   std::set<base::NodeId> seen;
   double count = 0.0;
   for (const model::Face& face : set.faces) {
@@ -106,8 +106,8 @@ double cross(const base::Vec3& a, const base::Vec3& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-std::optional<PlainSurface> straight(const SurfaceNodes& nodes) {
-  PlainSurface line;
+std::optional<AnalyticalSurface> straight(const JointSurfaceNodes& nodes) {
+  AnalyticalSurface line;
   line.first = nodes.x.front();
   const auto far = std::ranges::max_element(
       nodes.x, {}, [&](const base::Vec3& x) { return (x - line.first).squaredNorm(); });
@@ -125,7 +125,7 @@ std::optional<PlainSurface> straight(const SurfaceNodes& nodes) {
   return line;
 }
 
-std::optional<PlainSurface> round(const SurfaceNodes& nodes) {
+std::optional<AnalyticalSurface> round(const JointSurfaceNodes& nodes) {
   const std::size_t n = nodes.x.size();
   const base::Vec3& a = nodes.x[0];
   const base::Vec3& b = nodes.x[n / 3];
@@ -136,7 +136,7 @@ std::optional<PlainSurface> round(const SurfaceNodes& nodes) {
   }
   const double bb = (b - a).squaredNorm();
   const double cc = (c - a).squaredNorm();
-  PlainSurface circle;
+  AnalyticalSurface circle;
   circle.round = true;
   circle.first = a + base::Vec3(((c - a).y() * bb - (b - a).y() * cc) / area,
                                 ((b - a).x() * cc - (c - a).x() * bb) / area, 0.0);
@@ -152,7 +152,8 @@ std::optional<PlainSurface> round(const SurfaceNodes& nodes) {
 }
 
 // Whether the body of a round surface lies outside it: its elements do, one by one.
-bool lies_outside(const model::Mesh& mesh, const model::FaceSet& set, const PlainSurface& circle) {
+bool lies_outside(const model::Mesh& mesh, const model::FaceSet& set,
+                  const AnalyticalSurface& circle) {
   const base::ElementId e = set.faces.front().element;
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   double farthest = 0.0;
@@ -164,7 +165,7 @@ bool lies_outside(const model::Mesh& mesh, const model::FaceSet& set, const Plai
 
 } // namespace
 
-Joint joint_of(const model::Model& model) {
+Joint analyse_joint(const model::Model& model) {
   Joint joint;
   note_cracks(model, joint);
   for (const model::LoadCase& load_case : model.cases) {
@@ -210,8 +211,8 @@ std::set<std::string> pressing_nets(const Joint& joint) {
   return reached;
 }
 
-std::optional<PlainSurface> plain_surface(const model::Model& model, const std::string& contact,
-                                          bool slave) {
+std::optional<AnalyticalSurface> fit_analytical_surface(const model::Model& model,
+                                                        const std::string& contact, bool slave) {
   const auto found = std::ranges::find_if(model.contacts, [&](const model::Contact& c) {
     return grammar::to_upper(c.name) == contact;
   });
@@ -223,11 +224,11 @@ std::optional<PlainSurface> plain_surface(const model::Model& model, const std::
     return std::nullopt;
   }
   const model::FaceSet& set = model.mesh.set_with_id(id);
-  const SurfaceNodes nodes = nodes_of(model.mesh, set);
-  if (std::optional<PlainSurface> line = straight(nodes)) {
+  const JointSurfaceNodes nodes = nodes_of(model.mesh, set);
+  if (std::optional<AnalyticalSurface> line = straight(nodes)) {
     return line;
   }
-  std::optional<PlainSurface> circle = round(nodes);
+  std::optional<AnalyticalSurface> circle = round(nodes);
   if (circle) {
     circle->body_outside = lies_outside(model.mesh, set, *circle);
   }

@@ -37,14 +37,14 @@ struct Joint {
   bool friction = false;         ///< also between faces of a crack
 };
 
-Joint joint_of(const model::Model& model);
+Joint analyse_joint(const model::Model& model);
 
 /// Nets that are there only to press on those with cracks: they meet them by contacts, one behind
 /// the other, and nothing else is known of them. Empty without cracks.
 std::set<std::string> pressing_nets(const Joint& joint);
 
 /// A surface of the plane that is straight or round.
-struct PlainSurface {
+struct AnalyticalSurface {
   bool round = false;
   base::Vec3 first = base::Vec3::Zero();  ///< end of a straight one, centre of a round one
   base::Vec3 second = base::Vec3::Zero(); ///< other end
@@ -54,7 +54,7 @@ struct PlainSurface {
 };
 
 /// Empty for other surfaces, and in space.
-std::optional<PlainSurface> plain_surface(const model::Model& model, const std::string& contact,
-                                          bool slave);
+std::optional<AnalyticalSurface> fit_analytical_surface(const model::Model& model,
+                                                        const std::string& contact, bool slave);
 
 } // namespace spricka::program

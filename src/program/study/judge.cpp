@@ -28,11 +28,11 @@ bool has_results(const Trial& trial) {
 
 // Trials of the series that the reference comes from, coarse to fine.
 std::vector<std::size_t> reference_series(const std::vector<Trial>& trials) {
-  const auto rows = [&](Family family) {
+  const auto rows = [&](SettingFamily family) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      const Family own = trials[i].setting.family;
-      if (has_results(trials[i]) && (own == family || own == Family::given)) {
+      const SettingFamily own = trials[i].setting.family;
+      if (has_results(trials[i]) && (own == family || own == SettingFamily::given)) {
         found.push_back(i);
       }
     }
@@ -41,8 +41,8 @@ std::vector<std::size_t> reference_series(const std::vector<Trial>& trials) {
     });
     return found;
   };
-  const std::vector<std::size_t> whole = rows(Family::whole);
-  return whole.size() > 1 ? whole : rows(Family::asked);
+  const std::vector<std::size_t> whole = rows(SettingFamily::whole);
+  return whole.size() > 1 ? whole : rows(SettingFamily::asked);
 }
 
 // How far the answer still moves at the fine end.
@@ -60,7 +60,7 @@ double movement(const std::vector<Trial>& trials, const std::vector<std::size_t>
 AnswerReference reference_of(const Answer& answer, std::size_t a, const std::vector<Trial>& trials,
                              const std::vector<std::size_t>& series) {
   AnswerReference reference;
-  const Reading& finest = trials[series.back()].readings[a];
+  const AnswerReading& finest = trials[series.back()].readings[a];
   const bool barred = std::isfinite(finest.bar) && std::isfinite(finest.best);
   const double moved = movement(trials, series, a);
   reference.uncertainty = barred ? finest.bar : moved;
@@ -95,7 +95,7 @@ GroupErrors errors_of(AnswerGroup group, const std::vector<Answer>& answers,
     if (answers[a].group != group || !(reference.scale > 0.0)) {
       continue;
     }
-    const Reading& reading = trial.readings[a];
+    const AnswerReading& reading = trial.readings[a];
     const bool itself = is_finest && !reference.of_deck;
     const bool barred = std::isfinite(reading.bar) && std::isfinite(reading.best);
     if (!itself || barred) { // against its own corrected value
@@ -110,13 +110,14 @@ GroupErrors errors_of(AnswerGroup group, const std::vector<Answer>& answers,
 }
 
 /// Series of one family, coarse to fine; the deck as it is belongs to all series of sizes.
-std::vector<std::size_t> series_of(Family family, const std::vector<Trial>& trials) {
-  constexpr std::array with_given{Family::whole, Family::host, Family::tip, Family::asked};
+std::vector<std::size_t> series_of(SettingFamily family, const std::vector<Trial>& trials) {
+  constexpr std::array with_given{SettingFamily::whole, SettingFamily::host, SettingFamily::tip,
+                                  SettingFamily::asked};
   const bool given = std::ranges::find(with_given, family) != with_given.end();
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const Family own = trials[i].setting.family;
-    if (has_results(trials[i]) && (own == family || (given && own == Family::given))) {
+    const SettingFamily own = trials[i].setting.family;
+    if (has_results(trials[i]) && (own == family || (given && own == SettingFamily::given))) {
       rows.push_back(i);
     }
   }
@@ -131,18 +132,18 @@ std::vector<std::size_t> series_of(Family family, const std::vector<Trial>& tria
 // tip: they have sqrt(r) and r of the displacement by quarter points, and lack r^(3/2), of an
 // energy proportional to h^3; without quarter points they lack sqrt(r), of an energy proportional
 // to h.
-std::optional<double> theory_of(AnswerGroup group, Family family, bool cracked) {
-  const bool all_sizes = family == Family::whole || family == Family::tip;
-  if (group == AnswerGroup::K && family == Family::quarter) {
+std::optional<double> theory_of(AnswerGroup group, SettingFamily family, bool cracked) {
+  const bool all_sizes = family == SettingFamily::whole || family == SettingFamily::tip;
+  if (group == AnswerGroup::K && family == SettingFamily::quarter) {
     return 1.0;
   }
   if (group == AnswerGroup::K && all_sizes) {
     return 3.0;
   }
-  if (group == AnswerGroup::energy && !cracked && family == Family::whole) {
+  if (group == AnswerGroup::energy && !cracked && family == SettingFamily::whole) {
     return 4.0;
   }
-  if (group == AnswerGroup::energy && !cracked && family == Family::linear) {
+  if (group == AnswerGroup::energy && !cracked && family == SettingFamily::linear) {
     return 2.0;
   }
   return std::nullopt;
@@ -154,10 +155,10 @@ bool asks_of_cracks(const std::vector<Answer>& answers) {
                              [](const Answer& answer) { return answer.group == AnswerGroup::K; });
 }
 
-std::vector<SeriesPoint> points_of(const std::vector<std::size_t>& rows,
-                                   const std::vector<Trial>& trials,
-                                   const std::vector<double>& errors) {
-  std::vector<SeriesPoint> points;
+std::vector<ConvergencePoint> points_of(const std::vector<std::size_t>& rows,
+                                        const std::vector<Trial>& trials,
+                                        const std::vector<double>& errors) {
+  std::vector<ConvergencePoint> points;
   for (const std::size_t row : rows) {
     if (std::isfinite(errors[row])) {
       points.push_back({1.0 / trials[row].setting.fineness, errors[row]});
@@ -185,10 +186,11 @@ public:
       return std::nullopt;
     }
     floor();
-    for (const Family family : {Family::whole, Family::host, Family::tip, Family::quarter,
-                                Family::linear, Family::asked, Family::peer}) {
+    for (const SettingFamily family :
+         {SettingFamily::whole, SettingFamily::host, SettingFamily::tip, SettingFamily::quarter,
+          SettingFamily::linear, SettingFamily::asked, SettingFamily::peer}) {
       judge_series(family, false);
-      if (family == Family::whole || family == Family::asked) {
+      if (family == SettingFamily::whole || family == SettingFamily::asked) {
         judge_series(family, true);
       }
     }
@@ -208,13 +210,13 @@ private:
     }
   }
 
-  void judge_series(Family family, bool corrected) {
+  void judge_series(SettingFamily family, bool corrected) {
     const std::vector<std::size_t> rows = series_of(family, trials_);
     std::vector<double> errors;
     for (const GroupErrors& all : found_.errors) {
       errors.push_back(corrected ? all.best : all.plain);
     }
-    const std::vector<SeriesPoint> points = points_of(rows, trials_, errors);
+    const std::vector<ConvergencePoint> points = points_of(rows, trials_, errors);
     if (rows.size() < 2 || points.size() < 2 ||
         trials_[rows.front()].setting.fineness == trials_[rows.back()].setting.fineness) {
       return;
@@ -226,7 +228,7 @@ private:
     series.theory =
         corrected ? std::nullopt : theory_of(found_.group, family, asks_of_cracks(answers_));
     // Differences to values of the finest mesh, which has an error of the same law.
-    const bool alike = family == Family::whole || family == Family::asked;
+    const bool alike = family == SettingFamily::whole || family == SettingFamily::asked;
     const bool to_finest = alike && own_ && !has_bars() && verdict_.finest;
     const double reference = to_finest ? 1.0 / trials_[*verdict_.finest].setting.fineness : 0.0;
     const std::size_t falling = series.plateau ? series.plateau->first + 1 : points.size();
@@ -244,7 +246,8 @@ private:
   [[nodiscard]] std::optional<std::size_t> finest_peer() const {
     std::optional<std::size_t> finest;
     for (std::size_t t = 0; t < trials_.size(); ++t) {
-      if (trials_[t].setting.family == Family::peer && std::isfinite(found_.errors[t].plain) &&
+      if (trials_[t].setting.family == SettingFamily::peer &&
+          std::isfinite(found_.errors[t].plain) &&
           (!finest || trials_[t].setting.fineness > trials_[*finest].setting.fineness)) {
         finest = t;
       }
@@ -259,13 +262,13 @@ private:
       return {};
     }
     const auto same_mesh = std::ranges::find_if(trials_, [&](const Trial& trial) {
-      return trial.setting.family != Family::peer &&
+      return trial.setting.family != SettingFamily::peer &&
              trial.setting.deck == trials_[*peer].setting.deck;
     });
     Trial own = *same_mesh;
     for (std::size_t a = 0; a < answers_.size(); ++a) {
       if (!std::isfinite(trials_[*peer].readings[a].value)) {
-        own.readings[a] = Reading();
+        own.readings[a] = AnswerReading();
       }
     }
     const bool is_finest = same_mesh - trials_.begin() ==
@@ -274,8 +277,8 @@ private:
         errors_of(found_.group, answers_, verdict_.references, own, is_finest).plain;
     return fmt::format("{} by CalculiX: {} gives {} for {:.2f} s, the program on the same mesh {} "
                        "for {:.2f} s",
-                       name_of(found_.group), own.setting.name, percent(found_.errors[*peer].plain),
-                       trials_[*peer].end.cpu,
+                       display_name(found_.group), own.setting.name,
+                       percent(found_.errors[*peer].plain), trials_[*peer].end.cpu,
                        std::isfinite(error) ? percent(error) : "what errors are counted from",
                        own.end.cpu);
   }
@@ -293,7 +296,7 @@ private:
 
 } // namespace
 
-StudyVerdict judge(const std::vector<Answer>& answers, const std::vector<Trial>& trials) {
+StudyVerdict assess_trials(const std::vector<Answer>& answers, const std::vector<Trial>& trials) {
   StudyVerdict verdict;
   const std::vector<std::size_t> series = reference_series(trials);
   if (series.empty()) {
@@ -305,7 +308,7 @@ StudyVerdict judge(const std::vector<Answer>& answers, const std::vector<Trial>&
     verdict.references.push_back(reference_of(answers[a], a, trials, series));
     values.push_back(verdict.references.back().value);
   }
-  const std::vector<double> scales = scales_of(answers, values);
+  const std::vector<double> scales = answer_scales(answers, values);
   for (std::size_t a = 0; a < answers.size(); ++a) {
     verdict.references[a].scale = scales[a];
   }

@@ -9,6 +9,6 @@ namespace spricka::program {
 /// Errors of all trials. A deck's reference counts where the finest setting agrees with it within
 /// its own bar, or without one within its change from the next coarser setting; else the finest
 /// setting's value does, corrected where it has a bar.
-StudyVerdict judge(const std::vector<Answer>& answers, const std::vector<Trial>& trials);
+StudyVerdict assess_trials(const std::vector<Answer>& answers, const std::vector<Trial>& trials);
 
 } // namespace spricka::program

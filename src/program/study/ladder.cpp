@@ -28,7 +28,7 @@ bool is_of_step(const Answer& answer, const std::string& step) {
 // The step with the largest amount among these answers.
 std::string largest_step(const std::vector<Answer>& answers, const model::Model& model,
                          const results::RunResult& run) {
-  const std::vector<Reading> readings = read_answers(model, answers, run);
+  const std::vector<AnswerReading> readings = read_answers(model, answers, run);
   double most = -1.0;
   std::string largest = report::leading_step(model);
   for (std::size_t a = 0; a < answers.size(); ++a) {
@@ -50,16 +50,16 @@ struct Difference {
   bool any_outside = false;
 };
 
-Difference difference_of(const Ladder& ladder, const RungResult& rung) {
+Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult& rung) {
   Difference found;
-  const RungResult& richest = ladder.rungs[*ladder.richest];
+  const ModelVariantResult& richest = ladder.rungs[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-    const Reading& own = rung.readings[a];
-    const Reading& rich = richest.readings[a];
+    const AnswerReading& own = rung.readings[a];
+    const AnswerReading& rich = richest.readings[a];
     if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value)) {
       continue;
     }
-    if (lacks(rung, a)) {
+    if (lacks_answer(rung, a)) {
       continue;
     }
     const double part = (own.value - rich.value) / ladder.scales[a];
@@ -80,22 +80,22 @@ Difference difference_of(const Ladder& ladder, const RungResult& rung) {
 }
 
 // It was ended before it had an answer, or fell: what it would have said is not known.
-bool was_stopped(const RungResult& rung) {
+bool was_stopped(const ModelVariantResult& rung) {
   const bool ended = rung.end.signal != 0 || rung.end.late || rung.end.exit_code > 128 ||
                      rung.end.exit_code == base::exit_code(base::Outcome::stopped);
-  return rung.rung.text && rung.readings.empty() && ended;
+  return rung.variant.text && rung.readings.empty() && ended;
 }
 
-bool is_enough(const RungResult& rung) {
-  return rung.verdict == RungVerdict::richest ||
-         (rung.verdict == RungVerdict::within && rung.rung.simpler);
+bool is_enough(const ModelVariantResult& rung) {
+  return rung.verdict == ModelVariantVerdict::richest ||
+         (rung.verdict == ModelVariantVerdict::within && rung.variant.simpler);
 }
 
 // Rungs stand in the order of their richness.
-std::optional<std::size_t> cheapest_of(const std::vector<RungResult>& rungs) {
+std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& rungs) {
   constexpr double alike = 1.15; // CPU of one and the same run differs so much
   double least = std::numeric_limits<double>::infinity();
-  for (const RungResult& rung : rungs) {
+  for (const ModelVariantResult& rung : rungs) {
     least = is_enough(rung) ? std::min(least, rung.end.cpu) : least;
   }
   std::optional<std::size_t> found;
@@ -109,13 +109,13 @@ std::optional<std::size_t> cheapest_of(const std::vector<RungResult>& rungs) {
 
 } // namespace
 
-const char* name_of(RungVerdict verdict) {
+const char* display_name(ModelVariantVerdict verdict) {
   constexpr std::array names{"the richest", "within", "not to be told", "not within", "-"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-std::vector<Answer> ladder_answers(const model::Model& model, const results::RunResult& run) {
-  std::vector<Answer> all = answers_of(model, run);
+std::vector<Answer> hierarchy_answers(const model::Model& model, const results::RunResult& run) {
+  std::vector<Answer> all = collect_answers(model, run);
   if (all.empty()) {
     return all;
   }
@@ -135,27 +135,27 @@ std::vector<Answer> ladder_answers(const model::Model& model, const results::Run
   return all;
 }
 
-bool lacks(const RungResult& rung, std::size_t answer) {
+bool lacks_answer(const ModelVariantResult& rung, std::size_t answer) {
   if (!rung.asked.empty()) {
     return !rung.asked[answer].check;
   }
-  return !rung.rung.mirrored.empty() && !std::isfinite(rung.readings[answer].value);
+  return !rung.variant.mirrored.empty() && !std::isfinite(rung.readings[answer].value);
 }
 
-void compare(Ladder& ladder) {
+void compare(ModelHierarchy& ladder) {
   const auto first = std::ranges::find_if(
-      ladder.rungs, [](const RungResult& rung) { return !rung.readings.empty(); });
+      ladder.rungs, [](const ModelVariantResult& rung) { return !rung.readings.empty(); });
   if (first == ladder.rungs.end()) {
     return;
   }
   ladder.richest = static_cast<std::size_t>(first - ladder.rungs.begin());
   std::vector<double> values;
-  for (const Reading& reading : first->readings) {
+  for (const AnswerReading& reading : first->readings) {
     values.push_back(reading.value);
   }
-  ladder.scales = scales_of(ladder.answers, values);
+  ladder.scales = answer_scales(ladder.answers, values);
   for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-    RungResult& rung = ladder.rungs[r];
+    ModelVariantResult& rung = ladder.rungs[r];
     if (rung.readings.empty()) {
       continue;
     }
@@ -165,16 +165,16 @@ void compare(Ladder& ladder) {
       const double bar = rung.readings[a].bar / ladder.scales[a];
       rung.bar = std::isfinite(bar) ? std::max(rung.bar, bar) : rung.bar;
     }
-    rung.verdict = r == *ladder.richest         ? RungVerdict::richest
-                   : found.any_outside          ? RungVerdict::outside
-                   : found.all_within           ? RungVerdict::within
-                   : std::isfinite(found.value) ? RungVerdict::undecided
-                                                : RungVerdict::missing;
+    rung.verdict = r == *ladder.richest         ? ModelVariantVerdict::richest
+                   : found.any_outside          ? ModelVariantVerdict::outside
+                   : found.all_within           ? ModelVariantVerdict::within
+                   : std::isfinite(found.value) ? ModelVariantVerdict::undecided
+                                                : ModelVariantVerdict::missing;
   }
   ladder.stopped.clear();
-  for (const RungResult& rung : ladder.rungs) {
+  for (const ModelVariantResult& rung : ladder.rungs) {
     if (was_stopped(rung)) {
-      ladder.stopped.push_back(rung.rung.name);
+      ladder.stopped.push_back(rung.variant.name);
     }
   }
   if (ladder.stopped.empty()) {
@@ -182,23 +182,24 @@ void compare(Ladder& ladder) {
   }
 }
 
-deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung) {
+deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& rung) {
   deck::DeckCard checks;
   checks.name = "CHECK";
-  const RungResult& richest = ladder.rungs[*ladder.richest];
+  const ModelVariantResult& richest = ladder.rungs[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const bool part = ladder.answers[a].group == AnswerGroup::energy;
-    const double factor =
-        rung.asked.empty() ? 1.0 / (part ? parts_of(rung.rung.mirrored) : 1) : rung.asked[a].factor;
+    const double factor = rung.asked.empty()
+                              ? 1.0 / (part ? mirror_image_count(rung.variant.mirrored) : 1)
+                              : rung.asked[a].factor;
     const double value = richest.readings[a].value * factor;
-    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks(rung, a)) {
+    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks_answer(rung, a)) {
       checks.data += fmt::format(
           "  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
           rung.asked.empty() ? ladder.answers[a].text : check_text(*rung.asked[a].check), value,
-          ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.rung.name);
+          ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.variant.name);
     }
   }
-  deck::DeckText whole = *rung.rung.text;
+  deck::DeckText whole = *rung.variant.text;
   append_card(whole, std::move(checks));
   return whole;
 }

@@ -23,12 +23,12 @@ namespace {
 
 class LadderRun {
 public:
-  LadderRun(const LadderOptions& options, const Log& log) : options_(options), log_(log) {
+  LadderRun(const HierarchyOptions& options, const Log& log) : options_(options), log_(log) {
     ladder_.tolerance = options.tolerance;
   }
 
   base::Outcome run() {
-    ready_ = read_ready(options_.deck.deck, {.defines = options_.deck.defines}, log_);
+    ready_ = read_and_check_deck(options_.deck.deck, {.defines = options_.deck.defines}, log_);
     if (!ready_.model) {
       return ready_.refusal.kind;
     }
@@ -37,16 +37,16 @@ public:
     const StudiedDeck deck{options_.deck.deck, options_.deck.defines, text.value(), &ready_};
     RunFolder folder(options_.deck.out);
     scratch_.emplace(options_.deck.out);
-    const Interrupt interrupt([&](int signal) {
+    const InterruptHandler interrupt([&](int signal) {
       children_.stop();
       scratch_->remove();
       folder.abandon();
       return 128 + signal;
     });
-    for (Rung& rung : make_rungs(deck, joint_of(*ready_.model))) {
-      RungResult result;
+    for (ModelVariant& rung : make_variants(deck, analyse_joint(*ready_.model))) {
+      ModelVariantResult result;
       result.trouble = rung.reason;
-      result.rung = std::move(rung);
+      result.variant = std::move(rung);
       ladder_.rungs.push_back(std::move(result));
     }
     const base::Outcome outcome = climb(scratch_->path());
@@ -59,24 +59,24 @@ public:
     compare(ladder_);
     keep(folder);
     folder.commit();
-    to_stdout(ladder_text(*ready_.model, ladder_));
+    to_stdout(hierarchy_text(*ready_.model, ladder_));
     to_stdout(fmt::format("decks of all rungs, cheapest.deck, ladder.csv and ladder.html in {}\n",
                           options_.deck.out.string()));
     return base::Outcome::done;
   }
 
 private:
-  ChildRun child_of(const RungResult& result, const std::filesystem::path& scratch) const {
+  ChildRun child_of(const ModelVariantResult& result, const std::filesystem::path& scratch) const {
     ChildRun child;
-    child.deck = scratch / result.rung.file;
-    child.out = scratch / (result.rung.file + ".run");
-    report::write_file(child.deck, write_deck(*result.rung.text, scratch));
+    child.deck = scratch / result.variant.file;
+    child.out = scratch / (result.variant.file + ".run");
+    report::write_file(child.deck, write_deck(*result.variant.text, scratch));
     return child;
   }
 
   // The deck itself first: it decides what is compared.
   base::Outcome climb(const std::filesystem::path& scratch) {
-    const VariantEnd given = run_variant(children_, child_of(ladder_.rungs.front(), scratch));
+    const VariantOutcome given = run_variant(children_, child_of(ladder_.rungs.front(), scratch));
     if (children_.stopped()) {
       return base::Outcome::stopped;
     }
@@ -87,7 +87,7 @@ private:
           fmt::format("the deck itself has no results to compare with: {}", given.trouble));
       return base::exit_outcome(given.end.exit_code).value_or(base::Outcome::not_solvable);
     }
-    ladder_.answers = ladder_answers(*ready_.model, *given.run);
+    ladder_.answers = hierarchy_answers(*ready_.model, *given.run);
     if (ladder_.answers.empty()) {
       log_.message(base::Severity::error, "E555", "the deck has no answer to compare");
       return base::Outcome::not_solvable;
@@ -96,18 +96,18 @@ private:
     std::vector<std::size_t> chosen;
     std::vector<ChildRun> children;
     for (std::size_t r = 1; r < ladder_.rungs.size(); ++r) {
-      if (ladder_.rungs[r].rung.text) {
+      if (ladder_.rungs[r].variant.text) {
         chosen.push_back(r);
         children.push_back(child_of(ladder_.rungs[r], scratch));
       }
     }
     run_variants(children_, children, options_.jobs,
-                 [&](std::size_t i, const VariantEnd& end) { take(chosen[i], end); });
+                 [&](std::size_t i, const VariantOutcome& end) { take(chosen[i], end); });
     return base::Outcome::done;
   }
 
-  void take(std::size_t r, const VariantEnd& end) {
-    RungResult& result = ladder_.rungs[r];
+  void take(std::size_t r, const VariantOutcome& end) {
+    ModelVariantResult& result = ladder_.rungs[r];
     result.end = end.end;
     result.unknowns = end.unknowns;
     result.trouble = end.trouble;
@@ -115,50 +115,51 @@ private:
       read(result, *end.run);
     }
     if (!options_.deck.quiet) {
-      to_stderr(fmt::format("{}: {:.2f} s\n", result.rung.name, end.end.cpu));
+      to_stderr(fmt::format("{}: {:.2f} s\n", result.variant.name, end.end.cpu));
     }
   }
 
-  void read(RungResult& result, const results::RunResult& run) const {
-    if (!result.rung.section) {
+  void read(ModelVariantResult& result, const results::RunResult& run) const {
+    if (!result.variant.section) {
       result.readings = read_answers(*ready_.model, ladder_.answers, run);
-      tell_of_whole(result.readings, ladder_.answers, result.rung.mirrored);
+      convert_to_whole_model(result.readings, ladder_.answers, result.variant.mirrored);
       return;
     }
-    const ReadyDeck own = read_silently(scratch_->path() / result.rung.file, {});
-    result.asked = as_in_section(*result.rung.section, ladder_.answers);
+    const ReadyDeck own = read_silently(scratch_->path() / result.variant.file, {});
+    result.asked = section_counterparts(*result.variant.section, ladder_.answers);
     result.readings = read_counterparts(own.model.value(), result.asked, run);
   }
 
   void keep(RunFolder& folder) const {
     const std::filesystem::path place = resolved_folder(options_.deck.out);
-    for (const RungResult& result : ladder_.rungs) {
-      if (result.rung.text) {
-        folder.keep(result.rung.file, write_deck(*result.rung.text, place, {result.rung.words}));
+    for (const ModelVariantResult& result : ladder_.rungs) {
+      if (result.variant.text) {
+        folder.add_file(result.variant.file,
+                        write_deck(*result.variant.text, place, {result.variant.words}));
       }
     }
     if (ladder_.cheapest) {
-      const RungResult& cheapest = ladder_.rungs[*ladder_.cheapest];
-      folder.keep("cheapest.deck",
-                  write_deck(with_checks(ladder_, cheapest), place,
-                             {fmt::format("{}: {}", cheapest.rung.name, cheapest.rung.words)}));
+      const ModelVariantResult& cheapest = ladder_.rungs[*ladder_.cheapest];
+      folder.add_file("cheapest.deck", write_deck(deck_with_checks(ladder_, cheapest), place,
+                                                  {fmt::format("{}: {}", cheapest.variant.name,
+                                                               cheapest.variant.words)}));
     }
-    folder.keep("ladder.csv", ladder_csv(ladder_));
-    folder.keep("ladder.html", ladder_page(ready_.sources, *ready_.model, ladder_));
+    folder.add_file("ladder.csv", hierarchy_csv(ladder_));
+    folder.add_file("ladder.html", hierarchy_page(ready_.sources, *ready_.model, ladder_));
   }
 
-  const LadderOptions& options_;
+  const HierarchyOptions& options_;
   const Log& log_;
   ReadyDeck ready_;
   std::optional<ScratchFolder> scratch_;
-  ChildRuns children_;
-  Ladder ladder_;
+  ChildRunner children_;
+  ModelHierarchy ladder_;
 };
 
 } // namespace
 
-base::Outcome ladder_deck(const LadderOptions& given) {
-  LadderOptions options = given;
+base::Outcome run_hierarchy(const HierarchyOptions& given) {
+  HierarchyOptions options = given;
   const Log log(options.deck.log_format);
   if (options.deck.out.empty()) {
     options.deck.out = options.deck.deck.filename().replace_extension(".ladder");

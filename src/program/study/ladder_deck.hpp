@@ -6,7 +6,7 @@
 namespace spricka::program {
 
 /// What the command line asks of a ladder.
-struct LadderOptions {
+struct HierarchyOptions {
   RunOptions deck;         ///< out empty: the deck's name with .ladder
   double tolerance = 0.02; ///< of the answers, as a part
   int jobs = 1;            ///< runs at once
@@ -16,6 +16,6 @@ struct LadderOptions {
 /// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
 /// all rungs, and that of the cheapest with the deck's answers as checks, into a folder. The
 /// outcome is that of the deck itself where it cannot be solved.
-base::Outcome ladder_deck(const LadderOptions& given);
+base::Outcome run_hierarchy(const HierarchyOptions& given);
 
 } // namespace spricka::program

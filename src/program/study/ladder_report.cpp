@@ -33,7 +33,7 @@ std::string number_or_none(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
 }
 
-report::ReportTable rungs_table(const model::Model& model, const Ladder& ladder) {
+report::ReportTable rungs_table(const model::Model& model, const ModelHierarchy& ladder) {
   report::ReportTable table{"Rungs", {{"rung", "", true}}, {}};
   const std::string unit = unit_of(model, ladder.answers.front().group);
   table.columns.push_back({ladder.answers.front().text, unit, false});
@@ -47,39 +47,39 @@ report::ReportTable rungs_table(const model::Model& model, const Ladder& ladder)
                         {"memory", "MiB", false},
                         {"freedoms", "", false},
                         {fmt::format("{:g} %", 100.0 * ladder.tolerance), "", true}});
-  for (const RungResult& rung : ladder.rungs) {
+  for (const ModelVariantResult& rung : ladder.rungs) {
     if (rung.readings.empty()) {
       continue;
     }
-    std::vector<std::string> row{rung.rung.name, number_or_none(rung.readings.front().value)};
+    std::vector<std::string> row{rung.variant.name, number_or_none(rung.readings.front().value)};
     if (ladder.answers.size() > 1) {
       row.push_back(number_or_none(rung.readings.back().value));
     }
     row.insert(row.end(),
-               {rung.verdict == RungVerdict::richest
+               {rung.verdict == ModelVariantVerdict::richest
                     ? "-"
                     : fmt::format("{:+.2g}", 100.0 * rung.difference),
                 rung.bar > 0.0 ? fmt::format("{:.2g}", 100.0 * rung.bar) : "-",
                 fmt::format("{:.2f}", rung.end.cpu),
                 fmt::format("{:.0f}", static_cast<double>(rung.end.peak_memory) / 1048576.0),
-                fmt::format("{}", rung.unknowns), name_of(rung.verdict)});
+                fmt::format("{}", rung.unknowns), display_name(rung.verdict)});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-report::ReportTable left_out_table(const Ladder& ladder) {
+report::ReportTable left_out_table(const ModelHierarchy& ladder) {
   report::ReportTable table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
-  for (const RungResult& rung : ladder.rungs) {
+  for (const ModelVariantResult& rung : ladder.rungs) {
     if (rung.readings.empty()) {
-      table.rows.push_back({rung.rung.name, rung.trouble});
+      table.rows.push_back({rung.variant.name, rung.trouble});
     }
   }
   return table;
 }
 
-std::string ladder_sentence(const Ladder& ladder) {
-  const char* const what = name_of(ladder.answers.front().group);
+std::string ladder_sentence(const ModelHierarchy& ladder) {
+  const char* const what = display_name(ladder.answers.front().group);
   if (!ladder.stopped.empty()) {
     return fmt::format("nothing is concluded: '{}' {} stopped before an answer was there",
                        fmt::join(ladder.stopped, "', '"),
@@ -88,40 +88,41 @@ std::string ladder_sentence(const Ladder& ladder) {
   if (!ladder.cheapest) {
     return "no rung has an answer";
   }
-  const RungResult& cheapest = ladder.rungs[*ladder.cheapest];
-  if (cheapest.verdict == RungVerdict::richest) {
+  const ModelVariantResult& cheapest = ladder.rungs[*ladder.cheapest];
+  if (cheapest.verdict == ModelVariantVerdict::richest) {
     return fmt::format("{} within {:g} %: no simpler and cheaper model will do; the deck as given "
                        "takes {:.2f} s",
                        what, 100.0 * ladder.tolerance, cheapest.end.cpu);
   }
   return fmt::format("{} within {:g} %: '{}' is enough ({}), {:+.2g} % at most from '{}', for "
                      "{:.2f} s in place of {:.2f} s",
-                     what, 100.0 * ladder.tolerance, cheapest.rung.name, cheapest.rung.words,
-                     100.0 * cheapest.difference, ladder.rungs[*ladder.richest].rung.name,
+                     what, 100.0 * ladder.tolerance, cheapest.variant.name, cheapest.variant.words,
+                     100.0 * cheapest.difference, ladder.rungs[*ladder.richest].variant.name,
                      cheapest.end.cpu, ladder.rungs[*ladder.richest].end.cpu);
 }
 
-report::Plot ladder_plot(const Ladder& ladder) {
+report::Plot ladder_plot(const ModelHierarchy& ladder) {
   report::Plot plot;
   plot.label = "difference of each rung from the richest against CPU time";
   plot.x_name = "CPU  [s]";
-  plot.y_name = fmt::format("largest difference of {}  [%]", name_of(ladder.answers.front().group));
+  plot.y_name =
+      fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group));
   plot.log_x = true;
   plot.log_y = true;
   double low = 1e300;
   double high = 0.0;
   for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-    const RungResult& rung = ladder.rungs[r];
+    const ModelVariantResult& rung = ladder.rungs[r];
     if (rung.readings.empty()) {
       continue;
     }
     low = std::min(low, rung.end.cpu);
     high = std::max(high, rung.end.cpu);
-    if (rung.verdict == RungVerdict::richest || !(std::abs(rung.difference) > 0.0)) {
+    if (rung.verdict == ModelVariantVerdict::richest || !(std::abs(rung.difference) > 0.0)) {
       continue;
     }
     report::PlotSeries series;
-    series.name = rung.rung.name;
+    series.name = rung.variant.name;
     series.points = {{rung.end.cpu, 100.0 * std::abs(rung.difference)}};
     series.colour = report::palette_colour(plot.series.size());
     series.marker = report::closed_marker(plot.series.size());
@@ -140,24 +141,24 @@ report::Plot ladder_plot(const Ladder& ladder) {
 
 } // namespace
 
-std::string ladder_text(const model::Model& model, const Ladder& ladder) {
+std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder) {
   std::string out = report::to_text(rungs_table(model, ladder)) + "\n";
   const report::ReportTable left = left_out_table(ladder);
   out += left.rows.empty() ? "" : report::to_text(left) + "\n";
   return out + ladder_sentence(ladder) + "\n";
 }
 
-std::string ladder_csv(const Ladder& ladder) {
+std::string hierarchy_csv(const ModelHierarchy& ladder) {
   std::string out = "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference\n";
-  for (const RungResult& rung : ladder.rungs) {
-    const std::string head = fmt::format("\"{}\",{},{},{},{},{},{}", rung.rung.name,
-                                         name_of(rung.verdict), rung.unknowns, rung.end.cpu,
+  for (const ModelVariantResult& rung : ladder.rungs) {
+    const std::string head = fmt::format("\"{}\",{},{},{},{},{},{}", rung.variant.name,
+                                         display_name(rung.verdict), rung.unknowns, rung.end.cpu,
                                          rung.end.wall, rung.end.peak_memory, rung.end.exit_code);
     if (rung.readings.empty()) {
       out += head + ",,,,\n";
     }
     for (std::size_t a = 0; a < rung.readings.size(); ++a) {
-      const Reading& reading = rung.readings[a];
+      const AnswerReading& reading = rung.readings[a];
       const double rich = ladder.rungs[*ladder.richest].readings[a].value;
       const double part = (reading.value - rich) / ladder.scales[a];
       out += fmt::format("{},\"{}\",{},{},{}\n", head, ladder.answers[a].text,
@@ -169,8 +170,8 @@ std::string ladder_csv(const Ladder& ladder) {
   return out;
 }
 
-std::string ladder_page(const base::SourceTexts& sources, const model::Model& model,
-                        const Ladder& ladder) {
+std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
+                           const ModelHierarchy& ladder) {
   report::HtmlPage page;
   const std::string title = model.title.empty() ? "spricka ladder" : model.title;
   page.add_html(fmt::format("<h1>{}</h1>\n", report::escape_xml(title)));

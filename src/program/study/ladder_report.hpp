@@ -9,12 +9,12 @@
 /// What a ladder shows: a table at the terminal, ladder.csv, ladder.html with a chart.
 namespace spricka::program {
 
-std::string ladder_text(const model::Model& model, const Ladder& ladder);
+std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder);
 
 /// A row for each rung and answer.
-std::string ladder_csv(const Ladder& ladder);
+std::string hierarchy_csv(const ModelHierarchy& ladder);
 
-std::string ladder_page(const base::SourceTexts& sources, const model::Model& model,
-                        const Ladder& ladder);
+std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
+                           const ModelHierarchy& ladder);
 
 } // namespace spricka::program

@@ -46,7 +46,7 @@ std::optional<MeshParameter> probe(const StudiedDeck& deck, const std::string& n
   if (!twice.model || value <= 0.0) {
     return std::nullopt;
   }
-  const auto ratio = ratio_of_elements(deck.ready->model->mesh, twice.model->mesh);
+  const auto ratio = element_count_ratio(deck.ready->model->mesh, twice.model->mesh);
   return ratio ? std::optional(parameter_of(name, value, *ratio)) : std::nullopt;
 }
 
@@ -57,7 +57,7 @@ std::optional<double> probe_text(const StudiedDeck& deck, const deck::DeckText& 
   report::write_file(file, write_deck(text, folder));
   const ReadyDeck changed = read_silently(file, {.defines = deck.defines});
   fs::remove(file);
-  return changed.model ? ratio_of_elements(deck.ready->model->mesh, changed.model->mesh)
+  return changed.model ? element_count_ratio(deck.ready->model->mesh, changed.model->mesh)
                        : std::nullopt;
 }
 
@@ -71,10 +71,10 @@ void set_constant(deck::DeckText& text, const std::string& name, double value) {
 
 // Cards whose elements one of the parameters decides.
 std::set<std::size_t> reached_cards(const std::vector<MeshParameter>& parameters,
-                                    const std::map<std::string, NameUse>& uses) {
+                                    const std::map<std::string, ParameterUse>& uses) {
   std::set<std::size_t> reached;
   for (const MeshParameter& parameter : parameters) {
-    const NameUse& use = uses.at(grammar::to_upper(parameter.name));
+    const ParameterUse& use = uses.at(grammar::to_upper(parameter.name));
     reached.insert(use.counts.begin(), use.counts.end());
   }
   return reached;
@@ -91,7 +91,7 @@ std::string name_of_file(const std::string& file) {
 }
 
 // Scripts that take one of the parameters, or have one of the constants, by file.
-std::set<std::string> reached_scripts(const MeshKnob& knob, const ReadyDeck& ready) {
+std::set<std::string> reached_scripts(const MeshParameterSet& knob, const ReadyDeck& ready) {
   std::set<std::string> reached;
   for (const deck::ImportedScript& script : ready.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
@@ -115,9 +115,9 @@ bool is_script(const deck::DeckCard& card) {
 }
 
 std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
-                                           const std::map<std::string, NameUse>& uses) {
+                                           const std::map<std::string, ParameterUse>& uses) {
   const std::set<std::string> taken = names_of_scripts(*deck.ready, true);
-  const auto made_of = ingredients_of(deck.text, deck.ready->sources);
+  const auto made_of = parameter_dependencies(deck.text, deck.ready->sources);
   std::vector<MeshParameter> found;
   std::set<std::string> names;
   for (const auto& [written, value] : deck.ready->model->parameters) {
@@ -143,7 +143,7 @@ std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
 }
 
 // Of scripts that no parameter of the deck reaches.
-std::vector<MeshParameter> find_constants(const StudiedDeck& deck, const MeshKnob& knob,
+std::vector<MeshParameter> find_constants(const StudiedDeck& deck, const MeshParameterSet& knob,
                                           const fs::path& folder) {
   const std::set<std::string> reached = reached_scripts(knob, *deck.ready);
   std::vector<MeshParameter> found;
@@ -220,9 +220,9 @@ bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& f
 
 } // namespace
 
-MeshKnob find_mesh_knob(const StudiedDeck& deck, const fs::path& folder) {
-  MeshKnob knob;
-  const std::map<std::string, NameUse> uses = uses_of_parameters(deck.text, deck.ready->sources);
+MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& folder) {
+  MeshParameterSet knob;
+  const std::map<std::string, ParameterUse> uses = parameter_uses(deck.text, deck.ready->sources);
   knob.parameters = find_parameters(deck, uses);
   knob.constants = find_constants(deck, knob, folder);
   const std::set<std::size_t> reached = reached_cards(knob.parameters, uses);
@@ -246,10 +246,10 @@ MeshKnob find_mesh_knob(const StudiedDeck& deck, const fs::path& folder) {
   return knob;
 }
 
-FinerMesh finer_mesh(const StudiedDeck& deck, const MeshKnob& knob, double fineness,
+FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& knob, double fineness,
                      deck::DeckText& text, const fs::path& folder) {
   FinerMesh finer;
-  const std::map<std::string, NameUse> uses = uses_of_parameters(text, deck.ready->sources);
+  const std::map<std::string, ParameterUse> uses = parameter_uses(text, deck.ready->sources);
   const std::set<std::size_t> reached = reached_cards(knob.parameters, uses);
   const CardValues values(deck);
   for (std::size_t i = 0; i < text.size() && fineness != 1.0; ++i) {

@@ -23,7 +23,7 @@ struct MeshParameter {
 };
 
 /// How the meshes of bodies are made finer; there may be nothing.
-struct MeshKnob {
+struct MeshParameterSet {
   std::vector<MeshParameter> parameters;
   std::vector<MeshParameter> constants; ///< of geometry scripts that no such parameter reaches
   bool counts = false; ///< numbers of elements of $MESH cards that no such parameter reaches
@@ -48,7 +48,7 @@ struct StudiedDeck {
 /// deck with twice its value: there must be more or fewer elements in the same sets of the same
 /// extent. Constants of scripts (DefineConstant) that the deck leaves alone are tried in the same
 /// way, then the factor of all sizes. Decks to try are written into `folder`.
-MeshKnob find_mesh_knob(const StudiedDeck& deck, const std::filesystem::path& folder);
+MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesystem::path& folder);
 
 /// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
 /// in `text`. Scripts are copied into `folder`.
@@ -56,7 +56,7 @@ struct FinerMesh {
   Defines defines;
   std::string words; ///< "fine=0.5", "elements*0.5"
 };
-FinerMesh finer_mesh(const StudiedDeck& deck, const MeshKnob& knob, double fineness,
+FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& knob, double fineness,
                      deck::DeckText& text, const std::filesystem::path& folder);
 
 } // namespace spricka::program

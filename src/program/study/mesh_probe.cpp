@@ -13,7 +13,7 @@ namespace spricka::program {
 namespace {
 
 /// How much a mesh has of everything: to see whether only its sizes have changed.
-struct Extent {
+struct ProbedMeshExtent {
   std::size_t elements = 0;
   std::vector<std::pair<std::string, std::pair<base::Vec3, base::Vec3>>> sets; ///< low, high
 };
@@ -23,8 +23,8 @@ void widen(std::pair<base::Vec3, base::Vec3>& box, const base::Vec3& x) {
   box.second = box.second.cwiseMax(x);
 }
 
-Extent extent_of(const model::Mesh& mesh) {
-  Extent extent;
+ProbedMeshExtent extent_of(const model::Mesh& mesh) {
+  ProbedMeshExtent extent;
   extent.elements = mesh.element_count();
   const base::Vec3 far = base::Vec3::Constant(1e300);
   for (const model::ElementSet& set : mesh.element_sets) {
@@ -49,7 +49,7 @@ Extent extent_of(const model::Mesh& mesh) {
 }
 
 // Of faces whole elements are measured, whose depth changes with their size.
-bool is_same_shape(const Extent& a, const Extent& b) {
+bool is_same_shape(const ProbedMeshExtent& a, const ProbedMeshExtent& b) {
   constexpr double moved = 0.15; // of the set's size
   if (a.sets.size() != b.sets.size()) {
     return false;
@@ -68,10 +68,10 @@ bool is_same_shape(const Extent& a, const Extent& b) {
 
 } // namespace
 
-std::optional<double> ratio_of_elements(const model::Mesh& before, const model::Mesh& after) {
+std::optional<double> element_count_ratio(const model::Mesh& before, const model::Mesh& after) {
   constexpr double more = 1.15; // elements, or as many fewer
-  const Extent a = extent_of(before);
-  const Extent b = extent_of(after);
+  const ProbedMeshExtent a = extent_of(before);
+  const ProbedMeshExtent b = extent_of(after);
   const double ratio =
       static_cast<double>(b.elements) / static_cast<double>(std::max<std::size_t>(a.elements, 1));
   const bool changed = ratio > more || ratio < 1.0 / more;

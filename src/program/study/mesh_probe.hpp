@@ -8,6 +8,6 @@ namespace spricka::program {
 
 /// How many times as many elements `after` has as `before`, where sizes alone have changed: by more
 /// than 15 %, in sets of the same names and extents. Else empty.
-std::optional<double> ratio_of_elements(const model::Mesh& before, const model::Mesh& after);
+std::optional<double> element_count_ratio(const model::Mesh& before, const model::Mesh& after);
 
 } // namespace spricka::program

@@ -47,8 +47,8 @@ bool is_count_key(std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-std::map<std::string, std::set<std::string>> ingredients_of(const deck::DeckText& text,
-                                                            const base::SourceTexts& sources) {
+std::map<std::string, std::set<std::string>>
+parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sources) {
   std::map<std::string, std::set<std::string>> made_of;
   base::Diagnostics ignored;
   for (const deck::DeckCard& card : text) {
@@ -70,10 +70,11 @@ std::map<std::string, std::set<std::string>> ingredients_of(const deck::DeckText
   return made_of;
 }
 
-std::map<std::string, NameUse> uses_of_parameters(const deck::DeckText& text,
-                                                  const base::SourceTexts& sources) {
-  const std::map<std::string, std::set<std::string>> made_of = ingredients_of(text, sources);
-  std::map<std::string, NameUse> uses;
+std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
+                                                   const base::SourceTexts& sources) {
+  const std::map<std::string, std::set<std::string>> made_of =
+      parameter_dependencies(text, sources);
+  std::map<std::string, ParameterUse> uses;
   for (const auto& entry : made_of) {
     uses[entry.first];
   }
@@ -98,12 +99,12 @@ std::map<std::string, NameUse> uses_of_parameters(const deck::DeckText& text,
       const bool count = card.name == "MESH" && is_count_key(key);
       const bool expression = value.find('(') != std::string::npos; // else a name of something
       if (expression) {
-        note(words_of(value), [&](NameUse& use) {
+        note(words_of(value), [&](ParameterUse& use) {
           count ? void(use.counts.insert(i)) : void(use.elsewhere = true);
         });
       }
     }
-    note(words_of(card.data), [](NameUse& use) { use.elsewhere = true; });
+    note(words_of(card.data), [](ParameterUse& use) { use.elsewhere = true; });
   }
   return uses;
 }

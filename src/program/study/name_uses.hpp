@@ -10,18 +10,18 @@
 /// Where the parameters of a deck are used.
 namespace spricka::program {
 
-struct NameUse {
+struct ParameterUse {
   std::set<std::size_t> counts; ///< $MESH cards whose numbers of elements it goes into [card]
   bool elsewhere = false;       ///< any other use
 };
 
 /// By name in upper case; a parameter has the uses of those that are made of it.
-std::map<std::string, NameUse> uses_of_parameters(const deck::DeckText& text,
-                                                  const base::SourceTexts& sources);
+std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
+                                                   const base::SourceTexts& sources);
 
 /// Parameters that go into another one's value, by its name, directly or through others.
-std::map<std::string, std::set<std::string>> ingredients_of(const deck::DeckText& text,
-                                                            const base::SourceTexts& sources);
+std::map<std::string, std::set<std::string>>
+parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sources);
 
 /// Whether a key of $MESH is a number of elements, or how their sizes are spread.
 bool is_count_key(std::string_view key);

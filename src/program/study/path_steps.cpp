@@ -14,13 +14,13 @@ namespace spricka::program {
 namespace {
 
 /// Factors of load cases and fits at the end of a step.
-struct Factors {
+struct StepEndFactors {
   std::map<std::string, double> loads;
   std::map<std::string, double> fits;
 };
 
-Factors factors_after(const model::Model& model, std::size_t step) {
-  Factors factors;
+StepEndFactors factors_after(const model::Model& model, std::size_t step) {
+  StepEndFactors factors;
   for (std::size_t s = 0; s <= step; ++s) {
     for (const model::Action& action : model.steps[s].actions) {
       if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
@@ -96,8 +96,8 @@ bool put_steps_for_paths(deck::DeckText& text, const model::Model& model) {
   drop_path_checks(text);
   constexpr int steps = 10;
   for (const model::LoadPathDefinition& path : model.load_paths) {
-    const Factors from = factors_after(model, path.from.index());
-    const Factors to = factors_after(model, path.to.index());
+    const StepEndFactors from = factors_after(model, path.from.index());
+    const StepEndFactors to = factors_after(model, path.to.index());
     for (int i = 1; i <= steps; ++i) {
       const double t = path.beyond * i / steps;
       deck::DeckCard step;

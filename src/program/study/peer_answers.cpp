@@ -37,7 +37,7 @@ public:
   double value(const model::ResultCheck& check) {
     model_.checks = {check};
     const results::CheckResult found = evaluate_checks(model_, run_).front();
-    return found.trouble.empty() ? found.found : Reading().value;
+    return found.trouble.empty() ? found.found : AnswerReading().value;
   }
 
 private:
@@ -50,16 +50,17 @@ base::Vector as_displacement(const NodalFields& fields, const std::string& compo
   base::Vector u = base::Vector::Zero(fields.u.size());
   for (std::size_t n = 0; n < fields.stress.size(); ++n) {
     u[static_cast<Eigen::Index>(n) * dim] =
-        results::stress_component(fields.stress[n], component).value_or(Reading().value);
+        results::stress_component(fields.stress[n], component).value_or(AnswerReading().value);
   }
   return u;
 }
 
 } // namespace
 
-std::vector<Reading> peer_answers(const model::Model& model, const std::vector<Answer>& answers,
-                                  const NodalFields& fields) {
-  std::vector<Reading> readings(answers.size());
+std::vector<AnswerReading> peer_answers(const model::Model& model,
+                                        const std::vector<Answer>& answers,
+                                        const NodalFields& fields) {
+  std::vector<AnswerReading> readings(answers.size());
   std::map<std::string, std::vector<std::size_t>> stresses; // by component
   NodalRun run(model);
   run.set(fields.u);

@@ -10,7 +10,8 @@ namespace spricka::program {
 /// What another program's displacements and stresses at the nodes of a deck's first step say of its
 /// answers; between nodes by the shape functions. What is of another step, or neither, is no
 /// number. [answer]
-std::vector<Reading> peer_answers(const model::Model& model, const std::vector<Answer>& answers,
-                                  const NodalFields& fields);
+std::vector<AnswerReading> peer_answers(const model::Model& model,
+                                        const std::vector<Answer>& answers,
+                                        const NodalFields& fields);
 
 } // namespace spricka::program

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 // Meshes of the deck as it is, coarse to fine: other ways at the tips or in elements are our own.
 std::vector<const Trial*> meshes_of(const std::vector<Trial>& own) {
-  constexpr std::array plain{Family::given, Family::whole, Family::asked};
+  constexpr std::array plain{SettingFamily::given, SettingFamily::whole, SettingFamily::asked};
   std::vector<const Trial*> found;
   for (const Trial& trial : own) {
     if (!trial.readings.empty() && std::ranges::find(plain, trial.setting.family) != plain.end()) {
@@ -39,19 +39,19 @@ std::vector<const Trial*> meshes_of(const std::vector<Trial>& own) {
 // The first thing of a deck that an input cannot say; empty: it can say all.
 std::string refusal_of(const model::Model& model) {
   base::Diagnostics refusals;
-  inp_of_deck(model, refusals);
+  abaqus_input_text(model, refusals);
   return refusals.has_errors() ? refusals.messages().front().text : "";
 }
 
 class PeerRuns {
 public:
-  PeerRuns(ChildRuns& children, const PeerTask& task) : children_(children), task_(task) {}
+  PeerRuns(ChildRunner& children, const PeerTask& task) : children_(children), task_(task) {}
 
   Trial run(const Trial& own) {
     Trial trial;
     trial.setting = own.setting;
     trial.setting.name += ", CalculiX";
-    trial.setting.family = Family::peer;
+    trial.setting.family = SettingFamily::peer;
     trial.unknowns = own.unknowns;
     const ReadyDeck ready = read_silently(own.setting.deck, {.defines = own.setting.defines});
     if (!ready.model) { // the mesher may run out of time in the same deck
@@ -60,11 +60,11 @@ public:
     }
     base::Diagnostics refusals;
     const fs::path inp = fs::path(own.setting.deck).replace_extension(".inp");
-    report::write_file(inp,
-                       for_calculix(inp_of_deck(*ready.model, refusals), ready.model->mesh.dim));
+    report::write_file(inp, adapt_input_for_calculix(abaqus_input_text(*ready.model, refusals),
+                                                     ready.model->mesh.dim));
     ChildRun child = calculix_run(task_.program, inp);
     child.cpu_seconds = std::max(task_.seconds - spent_, 1.0);
-    children_.run({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) { trial.end = end; });
+    children_.run_all({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) { trial.end = end; });
     spent_ += trial.end.cpu;
     const std::optional<NodalFields> fields = fields_of(inp, *ready.model);
     if (trial.end.late) {
@@ -89,14 +89,14 @@ private:
                     mesh::inp_node_numbers(model.mesh), model.mesh.dim);
   }
 
-  ChildRuns& children_;
+  ChildRunner& children_;
   const PeerTask& task_;
   double spent_ = 0.0;
 };
 
 } // namespace
 
-std::vector<Trial> run_peer(ChildRuns& children, const PeerTask& task,
+std::vector<Trial> run_peer(ChildRunner& children, const PeerTask& task,
                             const std::vector<Trial>& own, std::vector<std::string>& notes) {
   if (const std::string refusal = refusal_of(*task.ready->model); !refusal.empty()) {
     notes.push_back(fmt::format("without CalculiX: {}", refusal));

@@ -21,7 +21,7 @@ struct PeerTask {
 /// The trials that CalculiX makes of those of `own` that are meshes of the deck as it is, coarse to
 /// fine, as long as there is time; inputs and results are left beside their decks. What it cannot
 /// be asked, or has no time for, goes to `notes`.
-std::vector<Trial> run_peer(ChildRuns& children, const PeerTask& task,
+std::vector<Trial> run_peer(ChildRunner& children, const PeerTask& task,
                             const std::vector<Trial>& own, std::vector<std::string>& notes);
 
 } // namespace spricka::program

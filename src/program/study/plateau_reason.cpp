@@ -15,12 +15,12 @@ namespace spricka::program {
 namespace {
 
 // The smallest lasting error of the series of all sizes.
-double least_of_whole(const PlateauView& view) {
+double least_of_whole(const PlateauContext& view) {
   double finest = 0.0;
   double error = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < view.trials.size(); ++t) {
     const double value = view.group.errors[t].plain;
-    if (view.trials[t].setting.family == Family::whole && std::isfinite(value) &&
+    if (view.trials[t].setting.family == SettingFamily::whole && std::isfinite(value) &&
         view.trials[t].setting.fineness > finest) {
       finest = view.trials[t].setting.fineness;
       error = value;
@@ -29,20 +29,20 @@ double least_of_whole(const PlateauView& view) {
   return error;
 }
 
-bool is_own(const PlateauView& view, std::size_t answer) {
+bool is_own(const PlateauContext& view, std::size_t answer) {
   return view.answers[answer].group == view.group.group &&
          view.verdict.references[answer].scale > 0.0;
 }
 
 // How far the deck's references lie from what the finest setting has, its error taken out where it
 // can be: their own uncertainty, if the plateau is as high.
-double reference_distance(const PlateauView& view) {
+double reference_distance(const PlateauContext& view) {
   double largest = 0.0;
   const Trial& finest = view.trials[*view.verdict.finest];
   for (std::size_t a = 0; a < view.answers.size(); ++a) {
     const AnswerReference& reference = view.verdict.references[a];
     if (is_own(view, a) && reference.of_deck) {
-      const Reading& reading = finest.readings[a];
+      const AnswerReading& reading = finest.readings[a];
       const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
       largest = std::max(largest, std::abs(limit - reference.value) / reference.scale);
     }
@@ -51,11 +51,12 @@ double reference_distance(const PlateauView& view) {
 }
 
 // How far all answers still move between the last two points of the plateau.
-double movement_of(const PlateauView& view) {
+double movement_of(const PlateauContext& view) {
   std::vector<std::size_t> rows;
   for (std::size_t t = 0; t < view.trials.size(); ++t) {
-    if (!view.trials[t].readings.empty() && (view.trials[t].setting.family == view.series.family ||
-                                             view.trials[t].setting.family == Family::given)) {
+    if (!view.trials[t].readings.empty() &&
+        (view.trials[t].setting.family == view.series.family ||
+         view.trials[t].setting.family == SettingFamily::given)) {
       rows.push_back(t);
     }
   }
@@ -65,8 +66,8 @@ double movement_of(const PlateauView& view) {
   double largest = 0.0;
   for (std::size_t a = 0; a < view.answers.size() && rows.size() > 1; ++a) {
     if (is_own(view, a)) {
-      const Reading& last = view.trials[rows.back()].readings[a];
-      const Reading& before = view.trials[rows[rows.size() - 2]].readings[a];
+      const AnswerReading& last = view.trials[rows.back()].readings[a];
+      const AnswerReading& before = view.trials[rows[rows.size() - 2]].readings[a];
       const bool best = view.series.corrected && std::isfinite(last.best);
       const double moved = best ? last.best - before.best : last.value - before.value;
       largest = std::max(largest, std::abs(moved) / view.verdict.references[a].scale);
@@ -76,7 +77,7 @@ double movement_of(const PlateauView& view) {
 }
 
 // The answer with the largest error on the finest setting of the series.
-std::optional<std::size_t> worst_answer(const PlateauView& view) {
+std::optional<std::size_t> worst_answer(const PlateauContext& view) {
   std::optional<std::size_t> worst;
   double largest = 0.0;
   double finest = 0.0;
@@ -107,22 +108,22 @@ bool is_at_node(const std::string& quantity) {
 
 } // namespace
 
-std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint> points) {
+std::string plateau_reason(const PlateauContext& view, std::span<const ConvergencePoint> points) {
   const double level = view.series.plateau->level;
-  if (view.series.family == Family::quarter) {
+  if (view.series.family == SettingFamily::quarter) {
     return "quarter points are missing";
   }
   constexpr double six_digits = 3e-6;
-  if (view.series.family == Family::peer && level < six_digits) {
+  if (view.series.family == SettingFamily::peer && level < six_digits) {
     return "CalculiX writes six digits";
   }
-  if (view.series.family == Family::peer && least_of_whole(view) < 0.6 * level) {
+  if (view.series.family == SettingFamily::peer && least_of_whole(view) < 0.6 * level) {
     return "CalculiX; the program goes below it on the same meshes";
   }
-  if (view.series.family == Family::host && least_of_whole(view) < 0.6 * level) {
+  if (view.series.family == SettingFamily::host && least_of_whole(view) < 0.6 * level) {
     return "the nets of the tips stay as they are";
   }
-  if (view.series.family == Family::tip && least_of_whole(view) < 0.6 * level) {
+  if (view.series.family == SettingFamily::tip && least_of_whole(view) < 0.6 * level) {
     return "the meshes of the bodies stay as they are";
   }
   if (level <= 2.0 * view.group.floor) {
@@ -139,7 +140,7 @@ std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint>
   }
   // What stops all sizes together stops each of them.
   const auto whole = std::ranges::find_if(view.group.series, [](const SeriesVerdict& series) {
-    return series.family == Family::whole && !series.corrected && series.plateau;
+    return series.family == SettingFamily::whole && !series.corrected && series.plateau;
   });
   if (whole != view.group.series.end() && whole->plateau->level > 0.7 * level) {
     return "as of all sizes";

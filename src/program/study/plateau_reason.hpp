@@ -8,7 +8,7 @@
 namespace spricka::program {
 
 /// What a plateau is judged by.
-struct PlateauView {
+struct PlateauContext {
   const GroupVerdict& group; ///< its errors and floor
   const SeriesVerdict& series;
   const std::vector<Trial>& trials;
@@ -18,6 +18,6 @@ struct PlateauView {
 
 /// Why errors of a series stop falling, in words: how well the reference is known, what is not made
 /// finer with the rest, quarter points that are missing, values at single nodes.
-std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint> points);
+std::string plateau_reason(const PlateauContext& view, std::span<const ConvergencePoint> points);
 
 } // namespace spricka::program

@@ -24,7 +24,7 @@ public:
       : model_(model), joint_(joint), given_(steps) {}
 
   // Bodies that are loaded stay, with a modulus that makes them rigid; others become targets.
-  RigidBodies run(DeckText text) const {
+  RigidBodyDeck run(DeckText text) const {
     std::string reason = "no body is there only to press";
     bool changed = stiffen(text);
     for (const JointContact& contact : joint_.contacts) {
@@ -33,7 +33,7 @@ public:
     if (!changed) {
       return {std::nullopt, reason};
     }
-    drop_lost_loads(text);
+    drop_undefined_loads(text);
     return {std::move(text), {}};
   }
 
@@ -73,7 +73,7 @@ private:
     std::set<std::string> made;
     const std::set<std::string> stiff = pins();
     for (DeckCard& card : text) {
-      if (card.name == "PROPERTY" && stiff.contains(net_of_name(*card.find("ESET")))) {
+      if (card.name == "PROPERTY" && stiff.contains(net_prefix(*card.find("ESET")))) {
         made.insert(card.word_value("MATERIAL"));
         card.set("MATERIAL", card.word_value("MATERIAL") + "_RIGID");
       }
@@ -109,7 +109,8 @@ private:
     if (contact.rigid || contact.bonded || (!slave && !master)) {
       return false;
     }
-    const std::optional<PlainSurface> surface = plain_surface(model_, contact.name, slave);
+    const std::optional<AnalyticalSurface> surface =
+        fit_analytical_surface(model_, contact.name, slave);
     if (!surface) {
       reason = fmt::format("the surface of {} is neither straight nor round",
                            slave ? contact.slave.net : contact.master.net);
@@ -143,7 +144,7 @@ private:
         return c.name == "STEP" && c.word_value("NAME") == card.word_value("NAME");
       });
       DeckCard lines = *own;
-      keep_lines(lines, [&](const std::vector<std::string>& fields) {
+      filter_lines(lines, [&](const std::vector<std::string>& fields) {
         return grammar::to_upper(fields.front()) == "FIT" && fields.size() > 1 &&
                grammar::to_upper(fields[1]) == contact;
       });
@@ -152,7 +153,7 @@ private:
   }
 
   // A body on the left of a LINE, outside or inside an ARC: the one that stays.
-  [[nodiscard]] static DeckCard target(const std::string& name, const PlainSurface& surface) {
+  [[nodiscard]] static DeckCard target(const std::string& name, const AnalyticalSurface& surface) {
     DeckCard card;
     card.name = "RIGID";
     card.set("NAME", name);
@@ -181,8 +182,8 @@ private:
 
 } // namespace
 
-RigidBodies make_rigid(const model::Model& model, const Joint& joint, DeckText text,
-                       const DeckText& steps) {
+RigidBodyDeck make_rigid(const model::Model& model, const Joint& joint, DeckText text,
+                         const DeckText& steps) {
   return RigidMaker(model, joint, steps).run(std::move(text));
 }
 

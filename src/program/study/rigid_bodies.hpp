@@ -10,7 +10,7 @@
 namespace spricka::program {
 
 /// A deck whose pressing bodies are rigid, or why there is none.
-struct RigidBodies {
+struct RigidBodyDeck {
   std::optional<deck::DeckText> text;
   std::string reason;
 };
@@ -19,7 +19,7 @@ struct RigidBodies {
 /// as rigid targets do not move; one that stands in one contact and carries nothing by a rigid
 /// target in the place of its surface, where that is straight or round. Fits of such contacts are
 /// taken from `steps`, the deck as it was given.
-RigidBodies make_rigid(const model::Model& model, const Joint& joint, deck::DeckText text,
-                       const deck::DeckText& steps);
+RigidBodyDeck make_rigid(const model::Model& model, const Joint& joint, deck::DeckText text,
+                         const deck::DeckText& steps);
 
 } // namespace spricka::program

@@ -23,7 +23,7 @@ using deck::DeckText;
 struct Made {
   std::optional<DeckText> text;
   std::string reason;
-  std::optional<SectionView> section = {};
+  std::optional<SectionMapping> section = {};
 };
 
 Made no_place(std::string reason) {
@@ -93,14 +93,14 @@ public:
   RungMaker(const StudiedDeck& deck, const Joint& joint)
       : model_(*deck.ready->model), joint_(joint), given_(deck.text) {
     drop_requests(given_);
-    put_defines(given_, deck.defines);
+    apply_defines(given_, deck.defines);
     smooth_ = given_;
     drop_friction(smooth_);
     at_once_ = smooth_;
     drop_mounts(at_once_);
   }
 
-  std::vector<Rung> run() {
+  std::vector<ModelVariant> run() {
     add("as given", "the deck itself", {given_, {}});
     add_part();
     add("without friction", "all surfaces are smooth", friction());
@@ -124,7 +124,7 @@ public:
 
 private:
   void add(const std::string& name, const std::string& words, Made made) {
-    Rung& rung = rungs_.emplace_back();
+    ModelVariant& rung = rungs_.emplace_back();
     rung.name = name;
     rung.file = file_name(name);
     rung.words = words;
@@ -135,7 +135,7 @@ private:
   }
 
   void add_part() {
-    PartOfModel part = part_of_model(model_, given_);
+    SymmetricPart part = reduce_by_symmetry(model_, given_);
     add(part.name, part.words, {std::move(part.text), std::move(part.reason)});
     rungs_.back().mirrored = part.mirrored;
   }
@@ -193,7 +193,7 @@ private:
   }
 
   [[nodiscard]] Made rigid() const {
-    RigidBodies made = make_rigid(model_, joint_, at_once_, given_);
+    RigidBodyDeck made = make_rigid(model_, joint_, at_once_, given_);
     return {std::move(made.text), std::move(made.reason)};
   }
 
@@ -207,8 +207,8 @@ private:
     DeckText text = at_once_;
     for (const DeckCard& card : text) {
       const bool contact = card.name == "CONTACT";
-      const std::string slave = contact ? net_of_name(*card.find("SLAVE")) : std::string();
-      const std::string master = contact ? net_of_name(*card.find("MASTER")) : std::string();
+      const std::string slave = contact ? net_prefix(*card.find("SLAVE")) : std::string();
+      const std::string master = contact ? net_prefix(*card.find("MASTER")) : std::string();
       if (contact && nets.contains(slave) != nets.contains(master)) {
         if (!surface.empty()) {
           return no_place("bodies press on more than one surface");
@@ -227,7 +227,7 @@ private:
     for (DeckCard& load : loads) {
       append_card(text, std::move(load));
     }
-    drop_lost_loads(text);
+    drop_undefined_loads(text);
     return {std::move(text), {}};
   }
 
@@ -240,8 +240,8 @@ private:
         continue;
       }
       std::vector<std::vector<std::string>> lines;
-      keep_lines(card, [&](const std::vector<std::string>& fields) {
-        if (nets.contains(net_of_name(fields.front()))) {
+      filter_lines(card, [&](const std::vector<std::string>& fields) {
+        if (nets.contains(net_prefix(fields.front()))) {
           lines.push_back(fields);
         }
         return true;
@@ -294,12 +294,12 @@ private:
   DeckText given_;
   DeckText smooth_;
   DeckText at_once_;
-  std::vector<Rung> rungs_;
+  std::vector<ModelVariant> rungs_;
 };
 
 } // namespace
 
-std::vector<Rung> make_rungs(const StudiedDeck& deck, const Joint& joint) {
+std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint) {
   return RungMaker(deck, joint).run();
 }
 

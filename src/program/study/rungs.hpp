@@ -12,13 +12,13 @@
 namespace spricka::program {
 
 /// One model of the joint.
-struct Rung {
+struct ModelVariant {
   std::string name;  ///< "without friction": for tables
   std::string file;  ///< "without_friction.deck"
   std::string words; ///< what is simplified, a sentence
   std::optional<deck::DeckText> text;
-  std::string mirrored;               ///< across which axes its model is a part, "XY"
-  std::optional<SectionView> section; ///< it is a plane model of a solid
+  std::string mirrored;                  ///< across which axes its model is a part, "XY"
+  std::optional<SectionMapping> section; ///< it is a plane model of a solid
   bool simpler = true; ///< false: another model, no simpler one; never the one that is enough
   std::string reason;  ///< why the scene has no place for it, where there is no text
 };
@@ -27,6 +27,6 @@ struct Rung {
 /// symmetry, without friction, all mounted at once, fits but bonded, without interference, bonded,
 /// stiff or rigid pressing bodies, pressures in their place, the other plane state; of solids their
 /// sections.
-std::vector<Rung> make_rungs(const StudiedDeck& deck, const Joint& joint);
+std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint);
 
 } // namespace spricka::program

@@ -16,7 +16,7 @@ namespace spricka::program {
 
 namespace {
 
-using Arguments = std::vector<std::variant<std::string, double>>;
+using CheckArguments = std::vector<std::variant<std::string, double>>;
 
 /// A word between points: "K1", "AT" of "K1.AT".
 std::vector<std::string> parts_of(const std::string& word) {
@@ -41,9 +41,9 @@ std::string joined(const std::vector<std::string>& parts) {
 
 class InSection {
 public:
-  explicit InSection(const SectionView& view) : view_(view) {}
+  explicit InSection(const SectionMapping& view) : view_(view) {}
 
-  [[nodiscard]] Counterpart of(const Answer& answer) const {
+  [[nodiscard]] SectionCounterpart of(const Answer& answer) const {
     model::ResultCheck check = answer.check;
     std::vector<std::string> parts = parts_of(check.quantity);
     switch (answer.group) {
@@ -64,8 +64,8 @@ public:
 
 private:
   // All places of a front are one tip.
-  [[nodiscard]] Counterpart of_front(model::ResultCheck check,
-                                     std::vector<std::string> parts) const {
+  [[nodiscard]] SectionCounterpart of_front(model::ResultCheck check,
+                                            std::vector<std::string> parts) const {
     const std::string place = parts.back();
     const std::string mode = parts.front() == "PATH" ? parts[1] : parts.front();
     const bool known = mode == "K1" || mode == "K2" || mode == "G";
@@ -85,8 +85,8 @@ private:
     return {std::move(check), mode == "K2" ? sign->second : 1.0};
   }
 
-  [[nodiscard]] Counterpart of_contact(model::ResultCheck check,
-                                       const std::vector<std::string>& parts) const {
+  [[nodiscard]] SectionCounterpart of_contact(model::ResultCheck check,
+                                              const std::vector<std::string>& parts) const {
     const std::string& place = parts.back();
     if (place == "MIN" || place == "MAX" || place == "MEAN") {
       return {std::move(check), 1.0};
@@ -98,8 +98,8 @@ private:
     return {std::move(check), 1.0};
   }
 
-  [[nodiscard]] Counterpart of_field(model::ResultCheck check,
-                                     std::vector<std::string> parts) const {
+  [[nodiscard]] SectionCounterpart of_field(model::ResultCheck check,
+                                            std::vector<std::string> parts) const {
     if (parts.size() != 3) {
       return {};
     }
@@ -119,7 +119,7 @@ private:
   }
 
   // About an axis, radial ones are those of places in a plane of coordinates.
-  [[nodiscard]] std::optional<char> component(char c, const Arguments* place) const {
+  [[nodiscard]] std::optional<char> component(char c, const CheckArguments* place) const {
     const sense::SectionPlane& plane = view_.plane;
     if (c != 'X' && c != 'Y' && c != 'Z') {
       return std::nullopt;
@@ -138,7 +138,7 @@ private:
     return radial ? std::optional('X') : std::nullopt;
   }
 
-  static base::Vec3 place_of(const Arguments& arguments, std::size_t first) {
+  static base::Vec3 place_of(const CheckArguments& arguments, std::size_t first) {
     base::Vec3 x = base::Vec3::Zero();
     for (std::size_t d = 0; d < 3 && first + d < arguments.size(); ++d) {
       const auto* const value = std::get_if<double>(&arguments[first + d]);
@@ -148,36 +148,36 @@ private:
   }
 
   // x, y, z from `first` on become the two of the section.
-  void put_place(Arguments& arguments, std::size_t first) const {
+  void put_place(CheckArguments& arguments, std::size_t first) const {
     const base::Vec3 x = view_.plane.section_coordinates(place_of(arguments, first));
     arguments[first] = x.x();
     arguments[first + 1] = x.y();
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(first) + 2);
   }
 
-  const SectionView& view_;
+  const SectionMapping& view_;
 };
 
 } // namespace
 
-std::vector<Counterpart> as_in_section(const SectionView& view,
-                                       const std::vector<Answer>& answers) {
+std::vector<SectionCounterpart> section_counterparts(const SectionMapping& view,
+                                                     const std::vector<Answer>& answers) {
   const InSection section(view);
-  std::vector<Counterpart> found;
+  std::vector<SectionCounterpart> found;
   for (const Answer& answer : answers) {
     found.push_back(section.of(answer));
   }
   return found;
 }
 
-std::vector<Reading> read_counterparts(const model::Model& model,
-                                       const std::vector<Counterpart>& asked,
-                                       const results::RunResult& run) {
+std::vector<AnswerReading> read_counterparts(const model::Model& model,
+                                             const std::vector<SectionCounterpart>& asked,
+                                             const results::RunResult& run) {
   std::vector<Answer> own;
-  for (const Counterpart& counterpart : asked) {
+  for (const SectionCounterpart& counterpart : asked) {
     own.emplace_back().check = counterpart.check.value_or(model::ResultCheck{});
   }
-  std::vector<Reading> readings = read_answers(model, own, run);
+  std::vector<AnswerReading> readings = read_answers(model, own, run);
   for (std::size_t a = 0; a < readings.size(); ++a) {
     readings[a].value /= asked[a].factor;
     readings[a].bar /= std::abs(asked[a].factor);

@@ -45,7 +45,7 @@ public:
   }
 
   SectionDeck run() {
-    made_.reason = loads_against_section(model_, section_);
+    made_.reason = find_varying_load(model_, section_);
     refuse_ties();
     refuse_parts();
     DeckText after;
@@ -120,7 +120,7 @@ private:
     if (card.net.empty()) {
       after.push_back(card);
     } else {
-      mesh_.add(card);
+      mesh_.add_card(card);
     }
   }
 
@@ -245,7 +245,7 @@ private:
       constexpr std::array classes{"LOCAL", "EXTERNAL", "SUPPRESSED", "PRESCRIBED", "LOCAL"};
       card.set("CLASS", classes.at(static_cast<std::size_t>(freedom.cls)));
       card.set("DOF", std::string(held[0] ? "X" : "") + (held[1] ? "Y" : ""));
-      for (const std::string& name : mesh_.node_set(fmt::format("HELD_{}", ++supports_), own)) {
+      for (const std::string& name : mesh_.add_node_set(fmt::format("HELD_{}", ++supports_), own)) {
         card.data += "  " + name + "\n";
       }
       append_card(after, std::move(card));

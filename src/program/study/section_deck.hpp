@@ -15,7 +15,7 @@
 namespace spricka::program {
 
 /// How answers of the solid are asked of its section.
-struct SectionView {
+struct SectionMapping {
   sense::SectionPlane plane;
   /// [crack, upper case] K2 of the section has the sign of K2 in space, or the other one.
   std::map<std::string, double> sign_of_K2;
@@ -24,7 +24,7 @@ struct SectionView {
 /// A plane deck, or why there is none.
 struct SectionDeck {
   std::optional<deck::DeckText> text;
-  SectionView view;
+  SectionMapping view;
   std::string reason;
 };
 
@@ -35,17 +35,18 @@ SectionDeck section_deck(const model::Model& model, const deck::DeckText& text,
                          const std::string& state);
 
 /// How the deck of a simpler model asks for an answer.
-struct Counterpart {
+struct SectionCounterpart {
   std::optional<model::ResultCheck> check; ///< empty: that model does not have it
   double factor = 1.0;                     ///< its value over that of the solid
 };
 
 /// [answer]
-std::vector<Counterpart> as_in_section(const SectionView& view, const std::vector<Answer>& answers);
+std::vector<SectionCounterpart> section_counterparts(const SectionMapping& view,
+                                                     const std::vector<Answer>& answers);
 
 /// What a run of the section's `model` says of them, as the solid's. [answer]
-std::vector<Reading> read_counterparts(const model::Model& model,
-                                       const std::vector<Counterpart>& asked,
-                                       const results::RunResult& run);
+std::vector<AnswerReading> read_counterparts(const model::Model& model,
+                                             const std::vector<SectionCounterpart>& asked,
+                                             const results::RunResult& run);
 
 } // namespace spricka::program

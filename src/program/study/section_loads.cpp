@@ -143,7 +143,7 @@ bool is_crack_face(const std::string& set) {
 
 } // namespace
 
-std::string loads_against_section(const model::Model& model, const sense::PlaneSection& section) {
+std::string find_varying_load(const model::Model& model, const sense::PlaneSection& section) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (const std::string reason = against(load, section); !reason.empty()) {
@@ -162,7 +162,7 @@ deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionP
   const Renamed renamed(plane);
   deck::DeckCard flat = card;
   std::string lines;
-  keep_lines(flat, [&](const std::vector<std::string>& fields) {
+  filter_lines(flat, [&](const std::vector<std::string>& fields) {
     const auto value = [&](std::size_t k) {
       const std::optional<std::string> made = renamed.field(k < fields.size() ? fields[k] : "0");
       if (!made && reason.empty()) {

@@ -11,7 +11,7 @@ namespace spricka::program {
 
 /// What of the loads differs along the axis, or round it, or acts across the section; empty:
 /// nothing.
-std::string loads_against_section(const model::Model& model, const sense::PlaneSection& section);
+std::string find_varying_load(const model::Model& model, const sense::PlaneSection& section);
 
 /// A $LOAD card with the values of the section; what it cannot say goes to an empty `reason`.
 deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionPlane& plane,

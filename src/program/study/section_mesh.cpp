@@ -62,7 +62,7 @@ MeshCards::MeshCards(const model::Model& model, const model::Mesh& mesh)
   add_sets();
 }
 
-void MeshCards::add(const DeckCard& card) {
+void MeshCards::add_card(const DeckCard& card) {
   put(card.net, card);
 }
 
@@ -131,10 +131,10 @@ std::vector<std::string> MeshCards::parts(const char* kind, const std::string& n
 
 void MeshCards::named_set(const char* kind, const std::string& name, const LabelsByNet& labels) {
   const std::string local = local_name(name);
-  if (labels.size() == 1 && labels.begin()->first == net_of_name(name)) {
-    put(net_of_name(name), set_card(kind, local, labels.begin()->second));
+  if (labels.size() == 1 && labels.begin()->first == net_prefix(name)) {
+    put(net_prefix(name), set_card(kind, local, labels.begin()->second));
   } else {
-    put(net_of_name(name), set_card(kind, local, parts(kind, new_name(local + "_PART"), labels)));
+    put(net_prefix(name), set_card(kind, local, parts(kind, new_name(local + "_PART"), labels)));
   }
 }
 
@@ -151,8 +151,8 @@ MeshCards::LabelsByNet MeshCards::labels_of(const std::vector<base::NodeId>& nod
   return labels;
 }
 
-std::vector<std::string> MeshCards::node_set(const std::string& name,
-                                             const std::vector<base::NodeId>& nodes) {
+std::vector<std::string> MeshCards::add_node_set(const std::string& name,
+                                                 const std::vector<base::NodeId>& nodes) {
   return parts("NSET", new_name(name), labels_of(nodes));
 }
 
@@ -182,13 +182,13 @@ void MeshCards::add_sets() {
 
 void MeshCards::add_face_set(const model::FaceSet& set) {
   const std::string local = local_name(set.name);
-  const bool inside = !net_of_name(set.name).empty();
+  const bool inside = !net_prefix(set.name).empty();
   std::vector<std::string> items;
   for (const std::string& part :
-       node_set(local + "_NODES", mesh::nodes_of_faces(mesh_, set.faces))) {
+       add_node_set(local + "_NODES", mesh::nodes_of_faces(mesh_, set.faces))) {
     items.push_back(inside ? local_name(part) : part);
   }
-  put(net_of_name(set.name), set_card("FSET", local, items));
+  put(net_prefix(set.name), set_card("FSET", local, items));
 }
 
 DeckText MeshCards::text() const {

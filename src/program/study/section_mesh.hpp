@@ -18,11 +18,11 @@ public:
   MeshCards(const model::Model& model, const model::Mesh& mesh);
 
   /// A card that stands in a net.
-  void add(const deck::DeckCard& card);
+  void add_card(const deck::DeckCard& card);
 
   /// A node set of these nodes, by nets; the names that it has outside. `name`: new in every net.
-  std::vector<std::string> node_set(const std::string& name,
-                                    const std::vector<base::NodeId>& nodes);
+  std::vector<std::string> add_node_set(const std::string& name,
+                                        const std::vector<base::NodeId>& nodes);
 
   /// Nets first, then what stands outside.
   [[nodiscard]] deck::DeckText text() const;

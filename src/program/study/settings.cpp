@@ -24,12 +24,12 @@ using deck::DeckCard;
 using deck::DeckText;
 
 /// A fineness that is wanted, and what may stand for it.
-struct Nominal {
+struct FinenessCandidates {
   std::vector<double> values;
 };
 
-std::vector<Nominal> nominals(int dim) {
-  std::vector<Nominal> wanted{{{0.5, 0.6, 0.625}}, {{0.7, 0.75, 2.0 / 3.0, 0.8}}};
+std::vector<FinenessCandidates> nominals(int dim) {
+  std::vector<FinenessCandidates> wanted{{{0.5, 0.6, 0.625}}, {{0.7, 0.75, 2.0 / 3.0, 0.8}}};
   wanted.push_back({{1.4, 1.5, 1.25, 4.0 / 3.0}});
   if (dim == 2) {
     wanted.push_back({{2.0, 1.75}});
@@ -146,11 +146,11 @@ public:
     dim_ = deck.ready->model->mesh.dim;
   }
 
-  Plan run(const std::vector<Wish>& wishes) {
-    plan_.knob = find_mesh_knob(deck_, folder_);
-    plan_.notes = plan_.knob.fixed;
-    add("as given", Family::given, 1.0, base_, {});
-    for (const Wish& wish : wishes) {
+  StudyPlan run(const std::vector<ParameterRequest>& wishes) {
+    plan_.mesh_parameter = find_mesh_parameters(deck_, folder_);
+    plan_.notes = plan_.mesh_parameter.fixed;
+    add("as given", SettingFamily::given, 1.0, base_, {});
+    for (const ParameterRequest& wish : wishes) {
       add_wish(wish);
     }
     if (wishes.empty()) {
@@ -161,7 +161,7 @@ public:
   }
 
 private:
-  void add(const std::string& name, Family family, double fineness, const DeckText& text,
+  void add(const std::string& name, SettingFamily family, double fineness, const DeckText& text,
            const Defines& defines) {
     Setting setting{name, family, fineness, deck_.defines, {}, {}};
     for (const auto& define : defines) { // the study's own go before those of the command line
@@ -175,23 +175,25 @@ private:
     plan_.settings.push_back(std::move(setting));
   }
 
-  void add_wish(const Wish& wish) {
+  void add_wish(const ParameterRequest& wish) {
     const auto& parameters = deck_.ready->model->parameters;
     const auto known = std::ranges::find_if(parameters, [&](const auto& parameter) {
       return grammar::to_upper(parameter.first) == grammar::to_upper(wish.parameter);
     });
-    const auto finer = std::ranges::find_if(plan_.knob.parameters, [&](const auto& parameter) {
-      return grammar::to_upper(parameter.name) == grammar::to_upper(wish.parameter);
-    });
+    const auto finer =
+        std::ranges::find_if(plan_.mesh_parameter.parameters, [&](const auto& parameter) {
+          return grammar::to_upper(parameter.name) == grammar::to_upper(wish.parameter);
+        });
     for (const std::string& value : wish.values) {
       double fineness = 1.0;
       double number = 0.0;
       const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
       if (read.ec == std::errc() && known != parameters.end() && known->second > 0.0) {
-        const bool larger = finer == plan_.knob.parameters.end() || finer->larger_is_finer;
+        const bool larger =
+            finer == plan_.mesh_parameter.parameters.end() || finer->larger_is_finer;
         fineness = larger ? number / known->second : known->second / number;
       }
-      add(fmt::format("{}={}", wish.parameter, value), Family::asked, fineness, sizes_,
+      add(fmt::format("{}={}", wish.parameter, value), SettingFamily::asked, fineness, sizes_,
           {{wish.parameter, value}});
     }
   }
@@ -204,7 +206,7 @@ private:
   };
   Finer bodies(double fineness) {
     Finer finer{sizes_, {}, {}};
-    const FinerMesh mesh = finer_mesh(deck_, plan_.knob, fineness, finer.text, folder_);
+    const FinerMesh mesh = finer_mesh(deck_, plan_.mesh_parameter, fineness, finer.text, folder_);
     finer.defines = mesh.defines;
     finer.words = mesh.words;
     return finer;
@@ -224,9 +226,9 @@ private:
   // Coarse to fine, without the deck's own.
   std::vector<double> finenesses() {
     std::vector<double> found;
-    for (const Nominal& nominal : nominals(dim_)) {
+    for (const FinenessCandidates& nominal : nominals(dim_)) {
       const auto sound =
-          plan_.knob.parameters.empty() && plan_.knob.constants.empty()
+          plan_.mesh_parameter.parameters.empty() && plan_.mesh_parameter.constants.empty()
               ? nominal.values.begin()
               : std::ranges::find_if(nominal.values, [&](double f) { return is_readable(f); });
       if (sound != nominal.values.end()) {
@@ -236,7 +238,7 @@ private:
     return found;
   }
 
-  void add_whole(double fineness, const char* word, Family family, const Finer& finer) {
+  void add_whole(double fineness, const char* word, SettingFamily family, const Finer& finer) {
     DeckText text = finer.text;
     make_tips_finer(text, fineness);
     std::string name = joined(
@@ -246,41 +248,42 @@ private:
   }
 
   void add_series() {
-    if (plan_.knob.empty()) {
+    if (plan_.mesh_parameter.empty()) {
       plan_.notes.emplace_back("no mesh of a body can be varied: the nets round tips alone");
     }
-    sizes_of_bodies_ = plan_.knob.empty() ? std::vector<double>{0.5, 0.7, 1.4, 2.0} : finenesses();
-    if (plan_.knob.empty() && !cracks_) {
+    sizes_of_bodies_ =
+        plan_.mesh_parameter.empty() ? std::vector<double>{0.5, 0.7, 1.4, 2.0} : finenesses();
+    if (plan_.mesh_parameter.empty() && !cracks_) {
       plan_.notes.emplace_back("without cracks nothing is left to vary; name a parameter: --vary");
       return;
     }
     for (const double f : sizes_of_bodies_) {
-      add_whole(f, "", Family::whole, bodies(f));
+      add_whole(f, "", SettingFamily::whole, bodies(f));
     }
-    if (!cracks_ || plan_.knob.empty()) {
+    if (!cracks_ || plan_.mesh_parameter.empty()) {
       return;
     }
     for (const double f : sizes_of_bodies_) {
       const Finer finer = bodies(f);
-      add(finer.words, Family::host, f, finer.text, finer.defines);
+      add(finer.words, SettingFamily::host, f, finer.text, finer.defines);
     }
     for (const double f : {0.5, 2.0}) {
       DeckText text = sizes_;
       make_tips_finer(text, f);
-      add(fmt::format("FINER={:g}", f), Family::tip, f, text, {});
+      add(fmt::format("FINER={:g}", f), SettingFamily::tip, f, text, {});
     }
   }
 
   void add_parts(const std::vector<double>& sizes) {
     for (const double f : sizes) {
       Finer finer = bodies(f);
-      PartOfModel part = part_of_model(*deck_.ready->model, finer.text);
+      SymmetricPart part = reduce_by_symmetry(*deck_.ready->model, finer.text);
       if (!part.text) {
         plan_.notes.push_back("no part by symmetry: " + part.reason);
         return;
       }
       finer.text = std::move(*part.text);
-      add_whole(f, part.name.c_str(), Family::part, finer);
+      add_whole(f, part.name.c_str(), SettingFamily::part, finer);
       plan_.settings.back().mirrored = part.mirrored;
     }
   }
@@ -302,14 +305,14 @@ private:
       for (const double f : some) {
         Finer finer = bodies(f);
         make_linear(finer.text, folder_);
-        add_whole(f, "linear", Family::linear, finer);
+        add_whole(f, "linear", SettingFamily::linear, finer);
       }
     } else {
       plan_.notes.emplace_back("the deck's elements have no linear partners");
     }
     DeckText steps = sizes_;
     if (put_steps_for_paths(steps, *deck_.ready->model)) {
-      add("steps for paths", Family::path, 1.0, steps, {});
+      add("steps for paths", SettingFamily::path, 1.0, steps, {});
     }
   }
 
@@ -318,18 +321,19 @@ private:
       Finer finer = bodies(some.front());
       set_tip_nets(finer.text,
                    [&](DeckCard& card) { card.set("TOL", fmt::format("{:g}", tolerance)); });
-      add(joined(finer.words, fmt::format("TOL={:g}", tolerance)), Family::tolerance, 1.0,
+      add(joined(finer.words, fmt::format("TOL={:g}", tolerance)), SettingFamily::tolerance, 1.0,
           finer.text, finer.defines);
     }
     for (const double f : some) {
       Finer finer = bodies(f);
       set_tip_nets(finer.text, [](DeckCard& card) { card.set("QUARTER", "NO"); });
-      add_whole(f, "QUARTER=NO", Family::quarter, finer);
+      add_whole(f, "QUARTER=NO", SettingFamily::quarter, finer);
     }
     for (const double f : {some.front(), 1.0}) {
       Finer finer = bodies(f);
       set_tip_nets(finer.text, [](DeckCard& card) { card.set("JOIN", "TRANSITION"); });
-      add(joined(finer.words, "JOIN=TRANSITION"), Family::transition, f, finer.text, finer.defines);
+      add(joined(finer.words, "JOIN=TRANSITION"), SettingFamily::transition, f, finer.text,
+          finer.defines);
     }
     if (dim_ == 3) {
       DeckText text = sizes_;
@@ -338,7 +342,7 @@ private:
         card.erase("JOIN");
         card.set("TUBE", "NO");
       });
-      add("TUBE=NO", Family::tube, 1.0, text, {});
+      add("TUBE=NO", SettingFamily::tube, 1.0, text, {});
     }
   }
 
@@ -349,12 +353,12 @@ private:
   bool cracks_ = false;
   int dim_ = 2;
   std::vector<double> sizes_of_bodies_;
-  Plan plan_;
+  StudyPlan plan_;
 };
 
 } // namespace
 
-const char* name_of(Family family) {
+const char* display_name(SettingFamily family) {
   constexpr std::array names{"as given",
                              "all sizes",
                              "meshes of bodies alone",
@@ -371,8 +375,8 @@ const char* name_of(Family family) {
   return names.at(static_cast<std::size_t>(family));
 }
 
-Plan plan_settings(const StudiedDeck& deck, const std::vector<Wish>& wishes,
-                   const fs::path& folder) {
+StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& wishes,
+                        const fs::path& folder) {
   return Planner(deck, folder).run(wishes);
 }
 

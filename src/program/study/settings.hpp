@@ -10,7 +10,7 @@
 namespace spricka::program {
 
 /// What is varied; settings of one family with several sizes are a series.
-enum class Family {
+enum class SettingFamily {
   given,      ///< the deck as it is
   whole,      ///< meshes of bodies and nets of tips, all sizes alike; a deck without cracks: bodies
   host,       ///< meshes of bodies alone
@@ -27,11 +27,11 @@ enum class Family {
 };
 
 /// For legends: "all sizes", "without quarter points".
-const char* name_of(Family family);
+const char* display_name(SettingFamily family);
 
 struct Setting {
   std::string name; ///< "fine=0.5 FINER=0.5"
-  Family family = Family::given;
+  SettingFamily family = SettingFamily::given;
   double fineness = 1.0; ///< elements have 1/fineness of the deck's sizes, where those vary
   Defines defines;
   std::filesystem::path deck;
@@ -39,20 +39,20 @@ struct Setting {
 };
 
 /// A parameter and the values that the command line wants of it.
-struct Wish {
+struct ParameterRequest {
   std::string parameter;
   std::vector<std::string> values;
 };
 
-struct Plan {
+struct StudyPlan {
   std::vector<Setting> settings;  ///< the deck itself first, then by worth
   std::vector<std::string> notes; ///< what cannot be varied, and why
-  MeshKnob knob;
+  MeshParameterSet mesh_parameter;
 };
 
 /// Writes the decks of all settings into `folder`. Finenesses at which numbers of elements would be
 /// broken are replaced by the next that a deck can be read with.
-Plan plan_settings(const StudiedDeck& deck, const std::vector<Wish>& wishes,
-                   const std::filesystem::path& folder);
+StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& wishes,
+                        const std::filesystem::path& folder);
 
 } // namespace spricka::program

@@ -17,33 +17,34 @@ namespace {
 constexpr double least_error = 1e-12; // of an answer: below it there is round-off
 
 struct CurveKind {
-  Family family;
+  SettingFamily family;
   bool corrected;
 };
 constexpr std::array curves{
-    CurveKind{Family::whole, false},      CurveKind{Family::whole, true},
-    CurveKind{Family::host, false},       CurveKind{Family::tip, false},
-    CurveKind{Family::quarter, false},    CurveKind{Family::linear, false},
-    CurveKind{Family::transition, false}, CurveKind{Family::tolerance, false},
-    CurveKind{Family::tube, false},       CurveKind{Family::path, false},
-    CurveKind{Family::part, false},       CurveKind{Family::asked, false},
-    CurveKind{Family::asked, true},       CurveKind{Family::peer, false}};
+    CurveKind{SettingFamily::whole, false},      CurveKind{SettingFamily::whole, true},
+    CurveKind{SettingFamily::host, false},       CurveKind{SettingFamily::tip, false},
+    CurveKind{SettingFamily::quarter, false},    CurveKind{SettingFamily::linear, false},
+    CurveKind{SettingFamily::transition, false}, CurveKind{SettingFamily::tolerance, false},
+    CurveKind{SettingFamily::tube, false},       CurveKind{SettingFamily::path, false},
+    CurveKind{SettingFamily::part, false},       CurveKind{SettingFamily::asked, false},
+    CurveKind{SettingFamily::asked, true},       CurveKind{SettingFamily::peer, false}};
 
-bool takes_given(Family family) {
-  return family == Family::whole || family == Family::host || family == Family::tip ||
-         family == Family::asked;
+bool takes_given(SettingFamily family) {
+  return family == SettingFamily::whole || family == SettingFamily::host ||
+         family == SettingFamily::tip || family == SettingFamily::asked;
 }
 
-bool is_joined(Family family) {
-  return family != Family::transition && family != Family::tube && family != Family::path;
+bool is_joined(SettingFamily family) {
+  return family != SettingFamily::transition && family != SettingFamily::tube &&
+         family != SettingFamily::path;
 }
 
-std::vector<std::size_t> rows_of(const Study& study, Family family) {
+std::vector<std::size_t> rows_of(const Study& study, SettingFamily family) {
   std::vector<std::size_t> rows;
   std::size_t own = 0;
   for (std::size_t t = 0; t < study.trials.size(); ++t) {
-    const Family found = study.trials[t].setting.family;
-    const bool given = takes_given(family) && found == Family::given;
+    const SettingFamily found = study.trials[t].setting.family;
+    const bool given = takes_given(family) && found == SettingFamily::given;
     if (!study.trials[t].readings.empty() && (found == family || given)) {
       rows.push_back(t);
       own += found == family ? 1 : 0;
@@ -57,10 +58,10 @@ std::vector<std::size_t> rows_of(const Study& study, Family family) {
 
 report::Plot group_plot(const Study& study, const GroupVerdict& group, bool against_cpu) {
   report::Plot plot;
-  plot.label = fmt::format("error of {} against {}", name_of(group.group),
+  plot.label = fmt::format("error of {} against {}", display_name(group.group),
                            against_cpu ? "CPU time" : "freedoms");
   plot.x_name = against_cpu ? "CPU  [s]" : "freedoms";
-  plot.y_name = fmt::format("largest error of {}  [%]", name_of(group.group));
+  plot.y_name = fmt::format("largest error of {}  [%]", display_name(group.group));
   plot.log_x = true;
   plot.log_y = true;
   plot.legend_below = true;
@@ -69,7 +70,7 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const auto [family, corrected] = curves.at(i);
     report::PlotSeries series;
-    series.name = fmt::format("{}{}", name_of(family), corrected ? ", corrected" : "");
+    series.name = fmt::format("{}{}", display_name(family), corrected ? ", corrected" : "");
     series.colour = report::palette_colour(i);
     series.dash = report::dash_pattern(i / 7 + (corrected ? 1 : 0));
     series.marker = report::closed_marker(i);
@@ -109,7 +110,7 @@ std::vector<report::Figure> study_figures(const Study& study, const GroupVerdict
   figure.caption = fmt::format(
       "The largest error of {} of all answers of the group, against the CPU time of the whole run "
       "and against its freedoms.",
-      name_of(group.group));
+      display_name(group.group));
   return {figure};
 }
 

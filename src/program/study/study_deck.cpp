@@ -31,7 +31,7 @@ public:
   StudyRun(const StudyOptions& options, const Log& log) : options_(options), log_(log) {}
 
   base::Outcome run() {
-    ready_ = read_ready(options_.deck.deck, {.defines = options_.deck.defines}, log_);
+    ready_ = read_and_check_deck(options_.deck.deck, {.defines = options_.deck.defines}, log_);
     if (!ready_.model) {
       return ready_.refusal.kind;
     }
@@ -40,13 +40,13 @@ public:
     const StudiedDeck deck{options_.deck.deck, options_.deck.defines, text.value(), &ready_};
     RunFolder folder(options_.deck.out);
     const ScratchFolder scratch(options_.deck.out);
-    const Interrupt interrupt([&](int signal) {
+    const InterruptHandler interrupt([&](int signal) {
       children_.stop();
       scratch.remove();
       folder.abandon();
       return 128 + signal;
     });
-    const Plan plan = plan_settings(deck, options_.wishes, scratch.path());
+    const StudyPlan plan = plan_settings(deck, options_.wishes, scratch.path());
     study_.notes = plan.notes;
     if (const base::Outcome outcome = run_given(plan, scratch.path());
         outcome != base::Outcome::done) {
@@ -54,9 +54,9 @@ public:
     }
     run_others(plan, scratch.path());
     run_calculix();
-    study_.verdict = judge(study_.answers, study_.trials);
-    folder.keep("study.csv", study_csv(study_));
-    folder.keep("study.html", study_page(ready_.sources, *ready_.model, study_));
+    study_.verdict = assess_trials(study_.answers, study_.trials);
+    folder.add_file("study.csv", study_csv(study_));
+    folder.add_file("study.html", study_page(ready_.sources, *ready_.model, study_));
     folder.commit();
     to_stdout(study_text(study_));
     to_stdout(fmt::format("study.csv and study.html in {}\n", options_.deck.out.string()));
@@ -74,8 +74,8 @@ private:
   }
 
   // The deck itself decides what is asked for.
-  base::Outcome run_given(const Plan& plan, const fs::path& scratch) {
-    VariantEnd found = run_variant(children_, child_of(plan.settings.front(), scratch));
+  base::Outcome run_given(const StudyPlan& plan, const fs::path& scratch) {
+    VariantOutcome found = run_variant(children_, child_of(plan.settings.front(), scratch));
     if (!found.run) {
       to_stderr(found.end.messages);
       log_.message(
@@ -83,7 +83,7 @@ private:
           fmt::format("the deck itself has no results to compare with: {}", found.trouble));
       return base::exit_outcome(found.end.exit_code).value_or(base::Outcome::not_solvable);
     }
-    study_.answers = answers_of(*ready_.model, *found.run);
+    study_.answers = collect_answers(*ready_.model, *found.run);
     if (study_.answers.empty()) {
       log_.message(base::Severity::error, "E555", "the deck has no answer to judge a mesh by");
       return base::Outcome::not_solvable;
@@ -92,7 +92,7 @@ private:
     return base::Outcome::done;
   }
 
-  void run_others(const Plan& plan, const fs::path& scratch) {
+  void run_others(const StudyPlan& plan, const fs::path& scratch) {
     const std::vector<std::size_t> chosen = affordable(plan);
     std::vector<ChildRun> children;
     for (const std::size_t i : chosen) {
@@ -100,7 +100,7 @@ private:
       children.back().seconds = std::max(4.0 * options_.budget, 60.0);
       children.back().cpu_seconds = options_.budget; // no forecast knows the rounds of a TOL
     }
-    run_variants(children_, children, options_.jobs, [&](std::size_t i, const VariantEnd& end) {
+    run_variants(children_, children, options_.jobs, [&](std::size_t i, const VariantOutcome& end) {
       if (!options_.deck.quiet) {
         to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++told_, children.size(),
                               plan.settings[chosen[i]].name, end.end.cpu));
@@ -127,7 +127,7 @@ private:
   }
 
   // Cost grows a little faster than the freedoms, beside what the program takes to start.
-  std::vector<std::size_t> affordable(const Plan& plan) {
+  std::vector<std::size_t> affordable(const StudyPlan& plan) {
     constexpr double start = 0.1; // [s]
     const double own = std::max(study_.trials.front().end.cpu - start, 0.01);
     const double power = ready_.model->mesh.dim + 0.3;
@@ -150,23 +150,23 @@ private:
     return chosen;
   }
 
-  [[nodiscard]] Trial trial_of(const Setting& setting, const VariantEnd& end) const {
+  [[nodiscard]] Trial trial_of(const Setting& setting, const VariantOutcome& end) const {
     Trial trial{setting, end.end, end.unknowns, {}, end.trouble};
     if (end.run) {
       trial.readings = read_answers(*ready_.model, study_.answers, *end.run);
-      tell_of_whole(trial.readings, study_.answers, setting.mirrored);
+      convert_to_whole_model(trial.readings, study_.answers, setting.mirrored);
     }
     return trial;
   }
 
-  void add(const Setting& setting, const VariantEnd& end) {
+  void add(const Setting& setting, const VariantOutcome& end) {
     study_.trials.push_back(trial_of(setting, end));
   }
 
   const StudyOptions& options_;
   const Log& log_;
   ReadyDeck ready_;
-  ChildRuns children_;
+  ChildRunner children_;
   Study study_;
   std::vector<std::pair<std::size_t, Trial>> trials_; ///< by setting, as they end
   std::size_t told_ = 0;

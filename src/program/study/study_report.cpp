@@ -32,7 +32,7 @@ std::string quoted(const std::string& text) {
 std::vector<std::string> sentences(const Study& study) {
   std::vector<std::string> all;
   for (const GroupVerdict& group : study.verdict.groups) {
-    for (const Cheapest& cheapest : group.cheapest) {
+    for (const CheapestSetting& cheapest : group.cheapest) {
       all.push_back(cheapest.words);
     }
     if (!group.peer.empty()) {
@@ -87,22 +87,22 @@ std::string study_csv(const Study& study) {
   std::string out = "setting,family,fineness,freedoms,cpu,wall,memory,exit_code,answer,group,value,"
                     "bar,best,reference,of_deck,uncertainty,error,best_error\n";
   for (const Trial& trial : study.trials) {
-    const std::string head =
-        fmt::format("{},{},{},{},{},{},{},{}", quoted(trial.setting.name),
-                    quoted(name_of(trial.setting.family)), trial.setting.fineness, trial.unknowns,
-                    trial.end.cpu, trial.end.wall, trial.end.peak_memory, trial.end.exit_code);
+    const std::string head = fmt::format(
+        "{},{},{},{},{},{},{},{}", quoted(trial.setting.name),
+        quoted(display_name(trial.setting.family)), trial.setting.fineness, trial.unknowns,
+        trial.end.cpu, trial.end.wall, trial.end.peak_memory, trial.end.exit_code);
     if (trial.readings.empty()) {
       out += head + ",,,,,,,,,,\n";
     }
     for (std::size_t a = 0; a < trial.readings.size(); ++a) {
-      const Reading& reading = trial.readings[a];
+      const AnswerReading& reading = trial.readings[a];
       const AnswerReference& reference = study.verdict.references[a];
       const bool counts = reference.scale > 0.0;
       const double error = counts ? (reading.value - reference.value) / reference.scale : NAN;
       const double best = counts ? (reading.best - reference.value) / reference.scale : NAN;
       out +=
           fmt::format("{},{},{},{},{},{},{},{:d},{},{},{}\n", head, quoted(study.answers[a].text),
-                      quoted(name_of(study.answers[a].group)), cell(reading.value),
+                      quoted(display_name(study.answers[a].group)), cell(reading.value),
                       cell(reading.bar), cell(reading.best), cell(reference.value),
                       reference.of_deck, cell(reference.uncertainty), cell(error), cell(best));
     }

@@ -32,7 +32,7 @@ report::ReportTable settings_table(const Study& study) {
                              {"memory", "MiB", false}},
                             {}};
   for (const GroupVerdict& group : study.verdict.groups) {
-    const std::string name = name_of(group.group);
+    const std::string name = display_name(group.group);
     table.columns.push_back({name + " error", "%", false});
     if (group.group == AnswerGroup::K) {
       table.columns.push_back({"corrected", "%", false});
@@ -71,8 +71,8 @@ report::ReportTable series_table(const Study& study) {
   for (const GroupVerdict& group : study.verdict.groups) {
     for (const SeriesVerdict& series : group.series) {
       table.rows.push_back(
-          {name_of(group.group),
-           fmt::format("{}{}", name_of(series.family), series.corrected ? ", corrected" : ""),
+          {display_name(group.group),
+           fmt::format("{}{}", display_name(series.family), series.corrected ? ", corrected" : ""),
            slope_words(series), series.theory ? fmt::format("{:g}", *series.theory) : "",
            series.plateau ? percent(series.plateau->level) : "", series.reason});
     }

@@ -34,8 +34,8 @@ std::string first_trouble(const ChildEnd& end) {
                          : fmt::format("exit code {}", end.exit_code);
 }
 
-VariantEnd read_end(const ChildRun& variant, const ChildEnd& end) {
-  VariantEnd found{end, std::nullopt, 0, {}};
+VariantOutcome read_end(const ChildRun& variant, const ChildEnd& end) {
+  VariantOutcome found{end, std::nullopt, 0, {}};
   const std::optional<base::Outcome> outcome = base::exit_outcome(end.exit_code);
   const bool has_results =
       outcome && (*outcome == base::Outcome::done || *outcome == base::Outcome::check_failed);
@@ -72,17 +72,18 @@ void ScratchFolder::remove() const {
   fs::remove_all(path_, ignored);
 }
 
-VariantEnd run_variant(ChildRuns& children, const ChildRun& variant) {
-  VariantEnd found;
+VariantOutcome run_variant(ChildRunner& children, const ChildRun& variant) {
+  VariantOutcome found;
   run_variants(children, {variant}, 1,
-               [&](std::size_t, VariantEnd end) { found = std::move(end); });
+               [&](std::size_t, VariantOutcome end) { found = std::move(end); });
   return found;
 }
 
-void run_variants(ChildRuns& children, const std::vector<ChildRun>& variants, int at_once,
-                  const std::function<void(std::size_t, VariantEnd)>& ended) {
-  children.run(variants, at_once,
-               [&](std::size_t i, const ChildEnd& end) { ended(i, read_end(variants[i], end)); });
+void run_variants(ChildRunner& children, const std::vector<ChildRun>& variants, int at_once,
+                  const std::function<void(std::size_t, VariantOutcome)>& ended) {
+  children.run_all(variants, at_once, [&](std::size_t i, const ChildEnd& end) {
+    ended(i, read_end(variants[i], end));
+  });
 }
 
 } // namespace spricka::program

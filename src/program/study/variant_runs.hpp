@@ -28,7 +28,7 @@ private:
 };
 
 /// How one variant has ended, and its results if there are some.
-struct VariantEnd {
+struct VariantOutcome {
   ChildEnd end;
   std::optional<results::RunResult> run;
   std::size_t unknowns = 0; ///< of its largest increment
@@ -36,10 +36,10 @@ struct VariantEnd {
 };
 
 /// Runs one deck into `out`, reads what it has found and removes its folder.
-VariantEnd run_variant(ChildRuns& children, const ChildRun& variant);
+VariantOutcome run_variant(ChildRunner& children, const ChildRun& variant);
 
 /// The same for several, at most `at_once` at a time; `ended` as of ChildRuns::run.
-void run_variants(ChildRuns& children, const std::vector<ChildRun>& variants, int at_once,
-                  const std::function<void(std::size_t, VariantEnd)>& ended);
+void run_variants(ChildRunner& children, const std::vector<ChildRun>& variants, int at_once,
+                  const std::function<void(std::size_t, VariantOutcome)>& ended);
 
 } // namespace spricka::program

@@ -17,8 +17,8 @@ struct Trial {
   Setting setting;
   ChildEnd end;
   std::size_t unknowns = 0;
-  std::vector<Reading> readings; ///< [answer]; empty: the run has no results
-  std::string trouble;           ///< why not
+  std::vector<AnswerReading> readings; ///< [answer]; empty: the run has no results
+  std::string trouble;                 ///< why not
 };
 
 /// What answers are compared with.
@@ -40,16 +40,16 @@ struct GroupErrors {
 
 /// One series of a group.
 struct SeriesVerdict {
-  Family family = Family::whole;
+  SettingFamily family = SettingFamily::whole;
   bool corrected = false;
-  std::optional<Slope> slope;
-  std::optional<double> theory;   ///< the power that is expected
-  std::optional<Plateau> plateau; ///< `first` counts the points
-  std::string reason;             ///< of the plateau
+  std::optional<ConvergenceRate> slope;
+  std::optional<double> theory;        ///< the power that is expected
+  std::optional<ErrorPlateau> plateau; ///< `first` counts the points
+  std::string reason;                  ///< of the plateau
 };
 
 /// The cheapest setting for a tolerance.
-struct Cheapest {
+struct CheapestSetting {
   double tolerance = 0.0;
   std::optional<std::size_t> trial;
   bool corrected = false;
@@ -62,7 +62,7 @@ struct GroupVerdict {
   std::vector<GroupErrors> errors; ///< [trial]
   double floor = 0.0; ///< how uncertain the references are: nothing below is told apart
   std::vector<SeriesVerdict> series;
-  std::vector<Cheapest> cheapest;
+  std::vector<CheapestSetting> cheapest;
   std::string peer; ///< CalculiX beside it, a sentence; empty: it was not run
 };
 

@@ -119,9 +119,9 @@ std::filesystem::path own_program() {
   return std::filesystem::read_symlink("/proc/self/exe");
 }
 
-ChildRuns::ChildRuns(std::filesystem::path program) : program_(std::move(program)) {}
+ChildRunner::ChildRunner(std::filesystem::path program) : program_(std::move(program)) {}
 
-bool ChildRuns::start(const ChildRun& run, pid_t& pid, int& words) {
+bool ChildRunner::start(const ChildRun& run, pid_t& pid, int& words) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
@@ -150,7 +150,7 @@ bool ChildRuns::start(const ChildRun& run, pid_t& pid, int& words) {
   return begun;
 }
 
-ChildEnd ChildRuns::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
+ChildEnd ChildRunner::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
   // Its number is not given to another process before it is reaped: until then it may be killed.
   siginfo_t info{};
   while (waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
@@ -170,8 +170,8 @@ ChildEnd ChildRuns::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
   return end;
 }
 
-void ChildRuns::run(std::span<const ChildRun> runs, int at_once,
-                    const std::function<void(std::size_t, const ChildEnd&)>& ended) {
+void ChildRunner::run_all(std::span<const ChildRun> runs, int at_once,
+                          const std::function<void(std::size_t, const ChildEnd&)>& ended) {
   base::parallel_for(runs.size(), at_once, [&](std::size_t i) {
     pid_t pid = -1;
     int words = -1;
@@ -201,7 +201,7 @@ void ChildRuns::run(std::span<const ChildRun> runs, int at_once,
   });
 }
 
-void ChildRuns::stop() {
+void ChildRunner::stop() {
   std::unique_lock lock(guard_);
   stopped_ = true;
   const auto none = [this] { return running_.empty(); };
@@ -215,7 +215,7 @@ void ChildRuns::stop() {
   }
 }
 
-bool ChildRuns::stopped() const {
+bool ChildRunner::stopped() const {
   const std::scoped_lock lock(guard_);
   return stopped_;
 }

@@ -46,15 +46,15 @@ struct ChildEnd {
 std::filesystem::path own_program();
 
 /// Starts such processes, several at once.
-class ChildRuns {
+class ChildRunner {
 public:
-  explicit ChildRuns(std::filesystem::path program = own_program());
+  explicit ChildRunner(std::filesystem::path program = own_program());
 
   /// Runs all, at most `at_once` at a time, begun in their order. `ended` is called with the index
   /// of each when it has ended, from any thread, one call at a time. Throws std::system_error where
   /// a process cannot be started, when those that run have ended.
-  void run(std::span<const ChildRun> runs, int at_once,
-           const std::function<void(std::size_t, const ChildEnd&)>& ended);
+  void run_all(std::span<const ChildRun> runs, int at_once,
+               const std::function<void(std::size_t, const ChildEnd&)>& ended);
 
   /// From any thread: ends those that run, which remove what they have begun to write, begins no
   /// more, and comes back when none is left.

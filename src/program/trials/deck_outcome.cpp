@@ -92,13 +92,13 @@ std::vector<DeckOutcome> read_outcomes(const fs::path& folder) {
   return all;
 }
 
-std::vector<double> numbers(const results::ColumnTable& table, const std::string& column) {
+std::vector<double> number_column(const results::ColumnTable& table, const std::string& column) {
   const std::vector<std::int64_t> whole = column_of<std::int64_t>(table, column);
   return whole.empty() ? column_of<double>(table, column)
                        : std::vector<double>(whole.begin(), whole.end());
 }
 
-std::vector<std::string> words(const results::ColumnTable& table, const std::string& column) {
+std::vector<std::string> text_column(const results::ColumnTable& table, const std::string& column) {
   return column_of<std::string>(table, column);
 }
 

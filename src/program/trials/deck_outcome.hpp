@@ -31,8 +31,8 @@ struct DeckOutcome {
 std::vector<DeckOutcome> read_outcomes(const std::filesystem::path& folder);
 
 /// A column of numbers; empty if there is none of that name.
-std::vector<double> numbers(const results::ColumnTable& table, const std::string& column);
+std::vector<double> number_column(const results::ColumnTable& table, const std::string& column);
 /// A column of words; empty if there is none of that name.
-std::vector<std::string> words(const results::ColumnTable& table, const std::string& column);
+std::vector<std::string> text_column(const results::ColumnTable& table, const std::string& column);
 
 } // namespace spricka::program

@@ -68,7 +68,7 @@ the source. The page [verify](verify.md#what-it-writes) explains the columns.
 }
 
 std::string problem_sections(const Verification& verification,
-                             const std::vector<Problem>& problems) {
+                             const std::vector<BenchmarkProblem>& problems) {
   if (problems.empty()) {
     return {};
   }
@@ -84,7 +84,7 @@ std::string problem_sections(const Verification& verification,
 } // namespace
 
 std::string verification_chapter(const Verification& verification,
-                                 const std::vector<Problem>& problems,
+                                 const std::vector<BenchmarkProblem>& problems,
                                  const std::string& table_name) {
   std::string out = head(verification) + problem_sections(verification, problems) +
                     deck_section(verification, table_name);

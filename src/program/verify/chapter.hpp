@@ -11,7 +11,7 @@ namespace spricka::program {
 /// The chapter of the manual, manual/verification.md: totals, problems, a row for each deck and
 /// run. The single checks are in verification_csv, a file `table_name` beside the chapter.
 std::string verification_chapter(const Verification& verification,
-                                 const std::vector<Problem>& problems,
+                                 const std::vector<BenchmarkProblem>& problems,
                                  const std::string& table_name);
 
 } // namespace spricka::program

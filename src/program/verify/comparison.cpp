@@ -36,7 +36,8 @@ Errors errors_of(const VerifiedDeck& deck) {
   return all;
 }
 
-void compare_errors(const VerifiedDeck& now, const VerifiedDeck& before, Comparison& out) {
+void compare_errors(const VerifiedDeck& now, const VerifiedDeck& before,
+                    VerificationComparison& out) {
   const Errors earlier = errors_of(before);
   for (const auto& [what, check] : errors_of(now)) {
     const auto found = earlier.find(what);
@@ -46,7 +47,7 @@ void compare_errors(const VerifiedDeck& now, const VerifiedDeck& before, Compari
     const double a = std::abs(found->second->error);
     const double b = std::abs(check->error);
     const bool counts = std::abs(b - a) > part_of_allowed * check->tolerance;
-    const Change change{now.name, what, a, b};
+    const VerificationChange change{now.name, what, a, b};
     if (check->passed != found->second->passed) {
       (check->passed ? out.passed : out.failed).push_back(change);
     } else if (counts && b > another_error * a) {
@@ -74,7 +75,7 @@ double median_ratio(const Pairs& pairs) {
   return *middle;
 }
 
-void compare_costs(const Pairs& pairs, Comparison& out) {
+void compare_costs(const Pairs& pairs, VerificationComparison& out) {
   out.pace = median_ratio(pairs);
   double start = pairs.empty() ? 0.0 : pairs.front().first->cpu;
   for (const auto& [now, before] : pairs) {
@@ -82,7 +83,7 @@ void compare_costs(const Pairs& pairs, Comparison& out) {
   }
   for (const auto& [now, before] : pairs) {
     const double expected = out.pace * before->cpu;
-    const Change cpu{now->name, {}, before->cpu, now->cpu};
+    const VerificationChange cpu{now->name, {}, before->cpu, now->cpu};
     if (now->cpu > slower_by * expected && now->cpu - expected > noise_of_starts * start) {
       out.slower.push_back(cpu);
     } else if (expected > slower_by * now->cpu && expected - now->cpu > noise_of_starts * start) {
@@ -97,8 +98,8 @@ void compare_costs(const Pairs& pairs, Comparison& out) {
 
 } // namespace
 
-Comparison compare(const Verification& now, const Verification& before) {
-  Comparison out;
+VerificationComparison compare(const Verification& now, const Verification& before) {
+  VerificationComparison out;
   out.program = before.program;
   out.machine = before.machine;
   out.same_machine = now.machine == before.machine;
@@ -116,7 +117,7 @@ Comparison compare(const Verification& now, const Verification& before) {
   return out;
 }
 
-std::string summary(const Comparison& c) {
+std::string summary(const VerificationComparison& c) {
   std::string text;
   const auto add = [&](const char* what, std::size_t n) {
     if (n > 0) {

@@ -9,7 +9,7 @@ namespace spricka::program {
 
 /// A check that has another error than in the last verification, or a deck that costs something
 /// else.
-struct Change {
+struct VerificationChange {
   std::string deck;
   std::string what; ///< the check with the values of its point; empty: of the deck
   double before = 0.0;
@@ -17,18 +17,18 @@ struct Change {
 };
 
 /// A verification beside the last one, as far as both have the same decks.
-struct Comparison {
-  std::string program, machine; ///< of the last one
-  std::vector<Change> failed;   ///< missed now, passed before (errors)
-  std::vector<Change> passed;   ///< the other way round
-  std::vector<Change> worse;    ///< larger errors, still allowed
-  std::vector<Change> better;
-  std::vector<Change> slower, faster; ///< CPU [s]; empty on another machine
-  std::vector<Change> larger;         ///< memory [bytes]
+struct VerificationComparison {
+  std::string program, machine;           ///< of the last one
+  std::vector<VerificationChange> failed; ///< missed now, passed before (errors)
+  std::vector<VerificationChange> passed; ///< the other way round
+  std::vector<VerificationChange> worse;  ///< larger errors, still allowed
+  std::vector<VerificationChange> better;
+  std::vector<VerificationChange> slower, faster; ///< CPU [s]; empty on another machine
+  std::vector<VerificationChange> larger;         ///< memory [bytes]
   double pace = 1.0; ///< CPU of the decks that both have over that before, in the median
   bool same_machine = false;
 
-  [[nodiscard]] bool same() const {
+  [[nodiscard]] bool is_unchanged() const {
     return failed.empty() && passed.empty() && worse.empty() && better.empty() && slower.empty() &&
            faster.empty() && larger.empty();
   }
@@ -39,9 +39,9 @@ struct Comparison {
 /// more than 1.5 times what the pace of all decks (their median ratio, which is what else the
 /// machine has to do) makes expect, and the difference is more than the noise, four times what the
 /// cheapest deck takes altogether. Memory counts from 1.2 times on.
-Comparison compare(const Verification& now, const Verification& before);
+VerificationComparison compare(const Verification& now, const Verification& before);
 
 /// "larger error: 2, slower: 1"; "nothing has changed".
-std::string summary(const Comparison& comparison);
+std::string summary(const VerificationComparison& comparison);
 
 } // namespace spricka::program

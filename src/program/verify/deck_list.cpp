@@ -25,8 +25,8 @@ double number_of(const std::string& text) {
   return value;
 }
 
-std::map<std::string, Cost> read_costs(const fs::path& file) {
-  std::map<std::string, Cost> costs;
+std::map<std::string, DeckCost> read_costs(const fs::path& file) {
+  std::map<std::string, DeckCost> costs;
   if (!fs::exists(file)) {
     return costs;
   }
@@ -71,7 +71,7 @@ bool about_the_same(double a, double b) {
 } // namespace
 
 std::vector<ListedDeck> list_decks(const fs::path& folder) {
-  const std::map<std::string, Cost> costs = read_costs(folder / costs_name);
+  const std::map<std::string, DeckCost> costs = read_costs(folder / costs_name);
   std::vector<ListedDeck> decks;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".deck") {
@@ -115,12 +115,12 @@ std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
 }
 
 void write_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
-                 const std::vector<std::pair<std::string, Cost>>& found) {
+                 const std::vector<std::pair<std::string, DeckCost>>& found) {
   std::string text = "# What each deck takes on one thread: CPU seconds, MB at most. `spricka "
                      "verify --costs` writes it,\n# the tiers of `spricka verify` come from it.\n"
                      "deck,cpu,memory\n";
   for (const ListedDeck& deck : decks) {
-    std::optional<Cost> cost = deck.cost;
+    std::optional<DeckCost> cost = deck.cost;
     for (const auto& [name, now] : found) {
       if (name == deck.name &&
           !(cost && about_the_same(cost->cpu, now.cpu) &&

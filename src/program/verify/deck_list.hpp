@@ -15,7 +15,7 @@ namespace spricka::program {
 /// and MB). `spricka verify --costs` writes it.
 inline constexpr const char* costs_name = "costs.csv";
 
-struct Cost {
+struct DeckCost {
   double cpu = 0.0;       ///< [s]
   std::size_t memory = 0; ///< [bytes]
 };
@@ -24,8 +24,8 @@ struct Cost {
 struct ListedDeck {
   std::string name; ///< without .deck
   std::filesystem::path file;
-  std::optional<Cost> cost; ///< empty: the table does not have it, so that it is in no tier
-  bool quick = false;       ///< belongs to the tier `quick`
+  std::optional<DeckCost> cost; ///< empty: the table does not have it, so that it is in no tier
+  bool quick = false;           ///< belongs to the tier `quick`
 };
 
 /// Memory stands in tables in MB [bytes].
@@ -49,6 +49,6 @@ std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
 /// The table renewed by what decks were found to cost. Figures that are right within a half stay,
 /// so that the table changes when a deck does; decks that are gone go. Throws std::system_error.
 void write_costs(const std::filesystem::path& folder, const std::vector<ListedDeck>& decks,
-                 const std::vector<std::pair<std::string, Cost>>& found);
+                 const std::vector<std::pair<std::string, DeckCost>>& found);
 
 } // namespace spricka::program

@@ -21,8 +21,8 @@ std::vector<std::string> blank_separated(const std::string& text) {
 
 } // namespace
 
-std::vector<Problem> read_problems(const std::filesystem::path& folder) {
-  std::vector<Problem> problems;
+std::vector<BenchmarkProblem> read_problems(const std::filesystem::path& folder) {
+  std::vector<BenchmarkProblem> problems;
   if (!std::filesystem::exists(folder / problems_name)) {
     return problems;
   }

@@ -11,18 +11,18 @@ namespace spricka::program {
 inline constexpr const char* problems_name = "problems.csv";
 
 /// A problem of the open collections.
-struct Problem {
+struct BenchmarkProblem {
   std::string name; ///< "C03"
   std::string title;
   std::vector<std::string> decks; ///< by name
   std::vector<std::string> tests; ///< other than decks: names of CTest's
   std::string remark;             ///< of one that has neither: why it is not covered
 
-  [[nodiscard]] bool covered() const { return !decks.empty() || !tests.empty(); }
+  [[nodiscard]] bool is_covered() const { return !decks.empty() || !tests.empty(); }
 };
 
 /// The problems of a folder of decks, in the order of the table; none where there is no table.
 /// Throws std::system_error.
-std::vector<Problem> read_problems(const std::filesystem::path& folder);
+std::vector<BenchmarkProblem> read_problems(const std::filesystem::path& folder);
 
 } // namespace spricka::program

@@ -29,7 +29,7 @@ void count_check(const results::CheckResult& check, VerificationCounts& counts) 
   if (std::isfinite(check.bar)) {
     ++counts.bars;
     const double off = std::abs(check.found - check.wanted);
-    const std::optional<double> accuracy = accuracy_of_reference(check);
+    const std::optional<double> accuracy = reference_accuracy(check);
     if (off <= check.bar) {
       ++counts.within_bars;
     } else if (!accuracy) {
@@ -42,7 +42,7 @@ void count_check(const results::CheckResult& check, VerificationCounts& counts) 
 
 } // namespace
 
-std::optional<double> accuracy_of_reference(const results::CheckResult& check) {
+std::optional<double> reference_accuracy(const results::CheckResult& check) {
   const std::size_t sign = check.source.find("+- ");
   if (sign == std::string::npos) {
     return std::nullopt;
@@ -92,7 +92,7 @@ VerificationCounts count(const Verification& verification) {
   return counts;
 }
 
-base::Outcome outcome_of(const Verification& verification) {
+base::Outcome worst_outcome(const Verification& verification) {
   base::Outcome worst = base::Outcome::done;
   for (const VerifiedDeck& deck : verification.decks) {
     const base::Outcome own =

@@ -43,7 +43,7 @@ struct Verification {
 
 /// What a reference is off by, as its source states it: "+- 0.1 %" of its amount; empty: it states
 /// nothing.
-std::optional<double> accuracy_of_reference(const results::CheckResult& check);
+std::optional<double> reference_accuracy(const results::CheckResult& check);
 
 /// Whether a check compares with a value of this program itself.
 bool is_recorded(const results::CheckResult& check);
@@ -68,7 +68,7 @@ struct VerificationCounts {
 VerificationCounts count(const Verification& verification);
 
 /// The worst end of a deck: check_failed if some value has missed its tolerance and that is all.
-base::Outcome outcome_of(const Verification& verification);
+base::Outcome worst_outcome(const Verification& verification);
 
 /// "110 decks, 146 runs, 1312 checks with a reference: 1310 passed, 2 missed", and what counts
 /// apart, a sentence each.

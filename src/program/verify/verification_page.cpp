@@ -75,7 +75,7 @@ std::string machine_words(const Verification& verification) {
       verification.wall, 1e-6 * static_cast<double>(count(verification).memory));
 }
 
-void add_comparison(report::HtmlPage& page, const Comparison& comparison) {
+void add_comparison(report::HtmlPage& page, const VerificationComparison& comparison) {
   page.add_heading("Since the last verification");
   page.add_paragraph(fmt::format("Before: {} on {}. {}.", comparison.program, comparison.machine,
                                  summary(comparison)));
@@ -89,7 +89,7 @@ void add_comparison(report::HtmlPage& page, const Comparison& comparison) {
 }
 
 void add_problems(report::HtmlPage& page, const Verification& verification,
-                  const std::vector<Problem>& problems) {
+                  const std::vector<BenchmarkProblem>& problems) {
   if (problems.empty()) {
     return;
   }
@@ -105,7 +105,7 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
     bool any = false;
     for (const VerifiedPoint& point : deck.points) {
       report::ReportTable table = check_table(point);
-      table.title = fmt::format("{} ({})", heading_of(deck, point), cost_of(deck, point));
+      table.title = fmt::format("{} ({})", deck_heading(deck, point), cost_text(deck, point));
       page.add_table(table);
       any = any || !table.rows.empty();
     }
@@ -121,10 +121,10 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
 } // namespace
 
 std::string verification_page(const Verification& verification,
-                              const std::vector<Problem>& problems,
-                              const std::optional<Comparison>& comparison) {
+                              const std::vector<BenchmarkProblem>& problems,
+                              const std::optional<VerificationComparison>& comparison) {
   report::HtmlPage page;
-  const bool failed = outcome_of(verification) != base::Outcome::done;
+  const bool failed = worst_outcome(verification) != base::Outcome::done;
   page.add_html("<h1>Verification</h1>\n");
   page.add_html(
       fmt::format("<p class=\"about\">{}</p>\n", report::escape_xml(machine_words(verification))));

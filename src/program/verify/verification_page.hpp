@@ -12,7 +12,7 @@ namespace spricka::program {
 
 /// verification.html: one page without script or network, in the style of report.html.
 std::string verification_page(const Verification& verification,
-                              const std::vector<Problem>& problems,
-                              const std::optional<Comparison>& comparison);
+                              const std::vector<BenchmarkProblem>& problems,
+                              const std::optional<VerificationComparison>& comparison);
 
 } // namespace spricka::program

@@ -66,7 +66,7 @@ std::string largest_share(const VerifiedPoint& point) {
 }
 
 // How the decks of a problem have ended, as far as they were run.
-std::string standing(const Verification& verification, const Problem& problem) {
+std::string standing(const Verification& verification, const BenchmarkProblem& problem) {
   std::size_t run = 0;
   std::size_t failed = 0;
   for (const std::string& name : problem.decks) {
@@ -87,15 +87,16 @@ std::string standing(const Verification& verification, const Problem& problem) {
                                      : fmt::format("{} of {} run", run, problem.decks.size());
 }
 
-void add_changes(const std::vector<Change>& changes, const char* how, report::ReportTable& table) {
-  for (const Change& change : changes) {
+void add_changes(const std::vector<VerificationChange>& changes, const char* how,
+                 report::ReportTable& table) {
+  for (const VerificationChange& change : changes) {
     table.rows.push_back({how, change.deck, change.what, fmt::format("{:.3g}", change.before),
                           fmt::format("{:.3g}", change.now)});
   }
 }
 
-std::vector<Change> in_megabytes(std::vector<Change> changes) {
-  for (Change& change : changes) {
+std::vector<VerificationChange> in_megabytes(std::vector<VerificationChange> changes) {
+  for (VerificationChange& change : changes) {
     change.before *= 1e-6;
     change.now *= 1e-6;
   }
@@ -104,11 +105,11 @@ std::vector<Change> in_megabytes(std::vector<Change> changes) {
 
 } // namespace
 
-std::string heading_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point) {
   return fmt::format("{}: {}", deck.name, what_of(deck, point));
 }
 
-std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
   return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
                      1e-6 * static_cast<double>(deck.memory),
                      deck.points.size() > 1 ? " with all points" : "");
@@ -161,7 +162,7 @@ report::ReportTable deck_table(const Verification& verification) {
 }
 
 report::ReportTable problem_table(const Verification& verification,
-                                  const std::vector<Problem>& problems) {
+                                  const std::vector<BenchmarkProblem>& problems) {
   report::ReportTable table{"",
                             {{"problem", "", true},
                              {"what", "", true},
@@ -169,8 +170,8 @@ report::ReportTable problem_table(const Verification& verification,
                              {"", "", true},
                              {"remark", "", true}},
                             {}};
-  for (const Problem& problem : problems) {
-    if (problem.covered()) {
+  for (const BenchmarkProblem& problem : problems) {
+    if (problem.is_covered()) {
       std::vector<std::string> by = problem.decks;
       by.insert(by.end(), problem.tests.begin(), problem.tests.end());
       table.rows.push_back({problem.name, problem.title, fmt::format("{}", fmt::join(by, ", ")),
@@ -180,11 +181,11 @@ report::ReportTable problem_table(const Verification& verification,
   return table;
 }
 
-report::ReportTable uncovered_table(const std::vector<Problem>& problems) {
+report::ReportTable uncovered_table(const std::vector<BenchmarkProblem>& problems) {
   report::ReportTable table{
       "", {{"problem", "", true}, {"what", "", true}, {"not covered, because", "", true}}, {}};
-  for (const Problem& problem : problems) {
-    if (!problem.covered()) {
+  for (const BenchmarkProblem& problem : problems) {
+    if (!problem.is_covered()) {
       table.rows.push_back({problem.name, problem.title, problem.remark});
     }
   }
@@ -212,7 +213,7 @@ report::ReportTable failed_table(const Verification& verification) {
   return table;
 }
 
-report::ReportTable change_table(const Comparison& comparison) {
+report::ReportTable change_table(const VerificationComparison& comparison) {
   report::ReportTable table{"",
                             {{"what", "", true},
                              {"deck", "", true},

@@ -149,7 +149,7 @@ public:
       return base::Outcome::stopped;
     }
     write();
-    return outcome_of(verification_);
+    return worst_outcome(verification_);
   }
 
 private:
@@ -196,14 +196,14 @@ private:
                       .seconds = 0.0,
                       .cpu_seconds = far_longer * most});
     }
-    ChildRuns children;
-    const Interrupt interrupt([&](int signal) {
+    ChildRunner children;
+    const InterruptHandler interrupt([&](int signal) {
       children.stop();
       scratch.remove();
       to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
       return 128 + signal;
     });
-    children.run(runs, verification_.at_once, [&](std::size_t i, const ChildEnd& end) {
+    children.run_all(runs, verification_.at_once, [&](std::size_t i, const ChildEnd& end) {
       verification_.decks.push_back(verified(chosen_[i], end, runs[i].out));
       if (!options_.keep) {
         std::error_code ignored;
@@ -255,8 +255,8 @@ private:
   }
 
   void write() {
-    const std::vector<Problem> problems = read_problems(decks_);
-    std::optional<Comparison> comparison;
+    const std::vector<BenchmarkProblem> problems = read_problems(decks_);
+    std::optional<VerificationComparison> comparison;
     if (before_) {
       comparison = compare(verification_, *before_);
     }
@@ -267,9 +267,9 @@ private:
       write_chapter(problems);
     }
     if (options_.costs) {
-      std::vector<std::pair<std::string, Cost>> found;
+      std::vector<std::pair<std::string, DeckCost>> found;
       for (const VerifiedDeck& deck : verification_.decks) {
-        found.emplace_back(deck.name, Cost{.cpu = deck.cpu, .memory = deck.memory});
+        found.emplace_back(deck.name, DeckCost{.cpu = deck.cpu, .memory = deck.memory});
       }
       write_costs(decks_, all_, found);
     }
@@ -277,7 +277,7 @@ private:
   }
 
   // The chapter, and beside it the table of checks that it names.
-  void write_chapter(const std::vector<Problem>& problems) const {
+  void write_chapter(const std::vector<BenchmarkProblem>& problems) const {
     fs::path table = options_.markdown;
     table.replace_extension(".csv");
     base::write_atomically(table, verification_csv(verification_));
@@ -285,7 +285,7 @@ private:
                                                                    table.filename().string()));
   }
 
-  void print_summary(const std::optional<Comparison>& comparison) const {
+  void print_summary(const std::optional<VerificationComparison>& comparison) const {
     for (const std::string& line : summary(verification_)) {
       to_stdout(line + "\n");
     }

@@ -72,7 +72,8 @@ TEST(ContactMounting, FirstNeedsTheSameRowsAtAllLengths) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << strapped("FIRST", "-90[deg]", "4");
-  program::ReadyDeck ready = program::read_ready(file, {}, program::Log(program::LogFormat::text));
+  program::ReadyDeck ready =
+      program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   ASSERT_TRUE(ready.model);
   base::Diagnostics diagnostics;
   base::Trouble trouble;

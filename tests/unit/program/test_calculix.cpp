@@ -62,8 +62,8 @@ TEST(Calculix, ATornFileIsNoAnswer) {
 
 TEST(Calculix, PlaneElementsAreAskedForAtTheirOwnNodes) {
   const std::string inp = "*NODE FILE\nU, RF\n*EL FILE\nS\n*END STEP\n";
-  EXPECT_EQ(program::for_calculix(inp, 3), inp);
-  EXPECT_EQ(program::for_calculix(inp, 2),
+  EXPECT_EQ(program::adapt_input_for_calculix(inp, 3), inp);
+  EXPECT_EQ(program::adapt_input_for_calculix(inp, 2),
             "*NODE FILE, OUTPUT=2D\nU, RF\n*EL FILE, OUTPUT=2D\nS\n*END STEP\n");
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 TEST(CheckWords, AllOfTheCatalogueAreAvailable) {
   for (const grammar::ResultQuantity& word : grammar::result_quantities()) {
-    EXPECT_TRUE(is_available(word.name)) << word.name;
+    EXPECT_TRUE(is_checkable_quantity(word.name)) << word.name;
   }
-  EXPECT_FALSE(is_available("NONSENSE"));
+  EXPECT_FALSE(is_checkable_quantity("NONSENSE"));
 }
 
 template <class Quantity>

@@ -64,7 +64,7 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
   deck::DeckText text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
   program::drop_requests(text);
   EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
-  program::drop_lost_loads(text);
+  program::drop_undefined_loads(text);
   const auto model = model_of(written(text));
   ASSERT_TRUE(model);
   EXPECT_EQ(model->nets.size(), 5U); // four, and what stands in none
@@ -76,7 +76,7 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
 TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
   base::SourceTexts sources;
   const deck::DeckText text = text_of(fs::path(test::decks_folder()) / "edge_crack.deck", sources);
-  const auto uses = program::uses_of_parameters(text, sources);
+  const auto uses = program::parameter_uses(text, sources);
   EXPECT_FALSE(uses.at("FINE").elsewhere);
   EXPECT_EQ(uses.at("FINE").counts.size(), 1U);
   EXPECT_TRUE(uses.at("W").elsewhere);
@@ -84,9 +84,9 @@ TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
 }
 
 TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
-  EXPECT_EQ(program::fields_of("  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x"),
+  EXPECT_EQ(program::data_fields("  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x"),
             (std::vector<std::string>{"SHAFT.BODY", "(F*(1 - x))", "97.1[kN]", "0"}));
-  EXPECT_TRUE(program::fields_of("   ! nothing").empty());
+  EXPECT_TRUE(program::data_fields("   ! nothing").empty());
 }
 
 } // namespace

@@ -7,48 +7,49 @@
 namespace spricka::program::test_ladder {
 namespace {
 
-RungResult rung(const std::string& name, double K, double cpu, bool simpler) {
-  RungResult result;
-  result.rung.name = name;
-  result.rung.text.emplace();
-  result.rung.simpler = simpler;
+ModelVariantResult rung(const std::string& name, double K, double cpu, bool simpler) {
+  ModelVariantResult result;
+  result.variant.name = name;
+  result.variant.text.emplace();
+  result.variant.simpler = simpler;
   result.readings = {{.value = K, .bar = 0.0, .best = K}};
   result.end.cpu = cpu;
   return result;
 }
 
-Ladder ladder_of(std::vector<RungResult> rungs) {
-  Ladder ladder;
+ModelHierarchy ladder_of(std::vector<ModelVariantResult> rungs) {
+  ModelHierarchy ladder;
   ladder.answers.resize(1);
   ladder.answers[0].check.relative = true;
   ladder.rungs = std::move(rungs);
   return ladder;
 }
 
-TEST(Ladder, TakesTheCheapestThatIsWithin) {
-  Ladder ladder = ladder_of({rung("as given", 100.0, 10.0, false), rung("bonded", 101.0, 2.0, true),
-                             rung("uniform", 120.0, 1.0, true)});
+TEST(ModelHierarchy, TakesTheCheapestThatIsWithin) {
+  ModelHierarchy ladder =
+      ladder_of({rung("as given", 100.0, 10.0, false), rung("bonded", 101.0, 2.0, true),
+                 rung("uniform", 120.0, 1.0, true)});
   compare(ladder);
   EXPECT_EQ(ladder.cheapest, std::optional<std::size_t>(1));
   EXPECT_TRUE(ladder.stopped.empty());
 }
 
 // What was ended before it had an answer may have been the cheapest, or shown that none will do.
-TEST(Ladder, ConcludesNothingWhereARungWasStopped) {
+TEST(ModelHierarchy, ConcludesNothingWhereARungWasStopped) {
   for (const int signal : {0, 15}) {
-    RungResult killed = rung("bonded", 0.0, 2.0, true);
+    ModelVariantResult killed = rung("bonded", 0.0, 2.0, true);
     killed.readings.clear();
     killed.end.signal = signal;
     killed.end.exit_code = signal == 0 ? 6 : 128 + signal;
-    Ladder ladder = ladder_of({rung("as given", 100.0, 10.0, false), killed});
+    ModelHierarchy ladder = ladder_of({rung("as given", 100.0, 10.0, false), killed});
     compare(ladder);
     EXPECT_FALSE(ladder.cheapest);
     EXPECT_EQ(ladder.stopped, std::vector<std::string>{"bonded"});
   }
-  RungResult refused = rung("bonded", 0.0, 2.0, true); // it has no answer of its own accord
+  ModelVariantResult refused = rung("bonded", 0.0, 2.0, true); // it has no answer of its own accord
   refused.readings.clear();
   refused.end.exit_code = 4;
-  Ladder ladder = ladder_of({rung("as given", 100.0, 10.0, false), refused});
+  ModelHierarchy ladder = ladder_of({rung("as given", 100.0, 10.0, false), refused});
   compare(ladder);
   EXPECT_EQ(ladder.cheapest, std::optional<std::size_t>(0));
 }

@@ -23,8 +23,8 @@ namespace spricka::test_profile {
 namespace {
 
 using nlohmann::json;
-using program::ProcessorSum;
-using program::ProcessorSums;
+using program::ProcessorCostSum;
+using program::ProcessorCostTable;
 using results::RunProfile;
 
 // A run of 10 s with two lengths: the mesher is asked while the deck is read and in TOPOLOGY, nets
@@ -119,29 +119,29 @@ RunProfile sample() {
   return p;
 }
 
-const ProcessorSum& row(const ProcessorSums& sums, const std::string& processor) {
-  const auto found = std::ranges::find(sums.rows, processor, &ProcessorSum::processor);
+const ProcessorCostSum& row(const ProcessorCostTable& sums, const std::string& processor) {
+  const auto found = std::ranges::find(sums.rows, processor, &ProcessorCostSum::processor);
   EXPECT_NE(found, sums.rows.end()) << processor;
   return *found;
 }
 
 TEST(RunProfile, ProcessorsAddUpToTheRun) {
-  const ProcessorSums sums = program::by_processor(sample());
+  const ProcessorCostTable sums = program::processor_costs(sample());
   double cpu = sums.cpu_rest + *row(sums, "MESHER").cpu;
   double wall = sums.wall_rest;
-  for (const ProcessorSum& sum : sums.rows) {
+  for (const ProcessorCostSum& sum : sums.rows) {
     cpu += sum.processor == "MESHER" ? 0.0 : *sum.cpu;
     wall += sum.wall;
   }
   EXPECT_NEAR(cpu, 9.0 + 1.25, 1e-12);
-  EXPECT_NEAR(cpu, sums.cpu(), 1e-12);
+  EXPECT_NEAR(cpu, sums.total_cpu(), 1e-12);
   EXPECT_NEAR(wall, 10.0, 1e-12);
   EXPECT_NEAR(sums.cpu_rest, 0.5, 1e-12);  // behind the last stretch and between them
   EXPECT_NEAR(sums.wall_rest, 2.0, 1e-12); // 107.5 .. 108, 108.5 .. 110
 }
 
 TEST(RunProfile, WhatTheProgramWaitsForTheMesherIsTheMeshers) {
-  const ProcessorSums sums = program::by_processor(sample());
+  const ProcessorCostTable sums = program::processor_costs(sample());
   EXPECT_NEAR(row(sums, "DECK").wall, 1.0, 1e-12);
   EXPECT_NEAR(row(sums, "TOPOLOGY").wall, 0.6, 1e-12);
   EXPECT_NEAR(row(sums, "MESHER").wall, 1.4, 1e-12);
@@ -149,7 +149,7 @@ TEST(RunProfile, WhatTheProgramWaitsForTheMesherIsTheMeshers) {
 }
 
 TEST(RunProfile, StiffnessIsTakenOutOfCondense) {
-  const ProcessorSums sums = program::by_processor(sample());
+  const ProcessorCostTable sums = program::processor_costs(sample());
   EXPECT_EQ(row(sums, "STIFFNESS").calls, 2U);
   EXPECT_NEAR(*row(sums, "STIFFNESS").cpu, 1.5, 1e-12);
   EXPECT_NEAR(*row(sums, "CONDENSE").cpu, 5.4 - 1.5, 1e-12);
@@ -159,8 +159,8 @@ TEST(RunProfile, StiffnessIsTakenOutOfCondense) {
 }
 
 TEST(RunProfile, FlopsCountWhereTheyAreKnown) {
-  const ProcessorSums sums = program::by_processor(sample());
-  const ProcessorSum& contact = row(sums, "CONTACT");
+  const ProcessorCostTable sums = program::processor_costs(sample());
+  const ProcessorCostSum& contact = row(sums, "CONTACT");
   EXPECT_EQ(contact.flops, 1e9);
   EXPECT_FALSE(contact.all_counted);
   EXPECT_NEAR(contact.counted_cpu, 1.0, 1e-12); // of 1.5
@@ -171,12 +171,12 @@ TEST(RunProfile, FlopsCountWhereTheyAreKnown) {
 
 TEST(RunProfile, NetsAndLengthsSayWhatWasReused) {
   const RunProfile profile = sample();
-  const auto nets = program::by_net(profile);
+  const auto nets = program::net_costs(profile);
   ASSERT_EQ(nets.size(), 2U);
   EXPECT_EQ(nets[0].condensed, 1U);
   EXPECT_EQ(nets[0].reused, 1U);
   EXPECT_EQ(nets[0].flops, 3e9);
-  const auto lengths = program::by_length(profile);
+  const auto lengths = program::length_costs(profile);
   ASSERT_EQ(lengths.size(), 2U);
   EXPECT_EQ(lengths[0].condensed, (std::vector<std::string>{"LUG", "PIN"}));
   EXPECT_EQ(lengths[1].reused, (std::vector<std::string>{"LUG", "PIN"}));
@@ -242,7 +242,7 @@ TEST(RunProfile, WhatIsNotKnownIsCalledUnknown) {
   const std::string text = program::profile_text(record);
   EXPECT_NE(text.find("unknown: its matrix is singular"), std::string::npos) << text;
   EXPECT_NE(text.find("plain factorisations the run took is unknown"), std::string::npos);
-  EXPECT_TRUE(std::isnan(program::floors(record)));
+  EXPECT_TRUE(std::isnan(program::cost_over_floor(record)));
   const std::string table = program::profile_csv(record);
   EXPECT_NE(table.find("\nfloor,plain factorisation,,,,,"), std::string::npos) << table;
   EXPECT_NE(table.find("\nprocessor,MESHER,,,2,,"), std::string::npos) << table;
@@ -259,7 +259,7 @@ TEST(RunProfile, CountsPlainFactorisations) {
                   .numeric = 0.5,
                   .solution = 0.25,
                   .times = 1};
-  EXPECT_NEAR(program::floors(record), 10.25, 1e-12);
+  EXPECT_NEAR(program::cost_over_floor(record), 10.25, 1e-12);
   EXPECT_NE(program::profile_text(record).find("The run took 10.2 plain factorisations, 5.12 for "
                                                "each of its 2 crack lengths"),
             std::string::npos);
@@ -300,14 +300,14 @@ std::string two_plates(const std::string& between) {
          "$STEP NAME=PUSH\n  LOAD PUSH 1\n$END\n";
 }
 
-program::Floor floor_of(const std::string& text) {
+program::CostFloor floor_of(const std::string& text) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << text;
   const program::ReadyDeck ready =
-      program::read_ready(file, {}, program::Log(program::LogFormat::text));
+      program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   EXPECT_TRUE(ready.model);
-  return ready.model ? program::find_floor(*ready.model) : program::Floor();
+  return ready.model ? program::find_cost_floor(*ready.model) : program::CostFloor();
 }
 
 TEST(RunProfile, TheFloorIsOneFactorisationOfAllBodies) {
@@ -315,14 +315,14 @@ TEST(RunProfile, TheFloorIsOneFactorisationOfAllBodies) {
   const auto nodes = [](int nx, int ny) { return (2 * nx + 1) * (2 * ny + 1) - nx * ny; };
   const std::string contact = "$CONTACT NAME=C MASTER=LOW.YMAX SLAVE=TOP.YMIN\n"
                               "$FREEDOM CLASS=SUPPRESSED DOF=X\n  TOP.XMIN\n";
-  const program::Floor apart = floor_of(two_plates(contact));
+  const program::CostFloor apart = floor_of(two_plates(contact));
   EXPECT_EQ(apart.why_not, "");
   EXPECT_EQ(apart.equations, 2 * (nodes(6, 3) - 13) + 2 * nodes(4, 2) - 5);
   EXPECT_GT(apart.flops, 0.0);
   EXPECT_GE(apart.entries, static_cast<double>(apart.equations));
   EXPECT_GE(apart.times, 1);
   // Tied freedoms follow, and have no row.
-  const program::Floor tied =
+  const program::CostFloor tied =
       floor_of(two_plates("$MPC TYPE=TRANSITION SLAVE=TOP.YMIN MASTER=LOW.YMAX\n"));
   EXPECT_EQ(tied.why_not, "");
   EXPECT_EQ(tied.equations, 2 * (nodes(6, 3) - 13) + 2 * nodes(4, 2) - 2 * 9);
@@ -338,9 +338,9 @@ TEST(RunProfile, ThePeakOfMemoryIsTheProgramsOwn) {
   EXPECT_GT(base::peak_memory(), much.size());
   const program::ChildRun run{
       .deck = file, .out = folder.path() / "out", .defines = {}, .threads = 1};
-  program::ChildRuns(test::program_file())
-      .run({&run, 1}, 1,
-           [](std::size_t, const program::ChildEnd& end) { EXPECT_EQ(end.exit_code, 0); });
+  program::ChildRunner(test::program_file())
+      .run_all({&run, 1}, 1,
+               [](std::size_t, const program::ChildEnd& end) { EXPECT_EQ(end.exit_code, 0); });
   const std::string listing = test::slurp(run.out / "listing.txt");
   const std::string before = "at most ";
   const std::size_t at = listing.find(before);

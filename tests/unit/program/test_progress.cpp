@@ -13,36 +13,36 @@ namespace spricka::program::test_progress {
 namespace {
 
 // Each increment takes 2 s before its steps and 4 s for each of two.
-TEST(TimeLeft, IsThatOfEqualParts) {
-  TimeLeft left;
-  left.take({.increments = 3, .stage = "read"}, 0.0);
+TEST(RemainingTime, IsThatOfEqualParts) {
+  RemainingTime left;
+  left.record_progress({.increments = 3, .stage = "read"}, 0.0);
   EXPECT_FALSE(left.seconds(0.5));
-  left.take({.stage = "condensed"}, 2.0);
+  left.record_progress({.stage = "condensed"}, 2.0);
   EXPECT_FALSE(left.seconds(4.0));
-  left.take({.stage = "step A: K", .step = 0, .steps = 2}, 5.0);
+  left.record_progress({.stage = "step A: K", .step = 0, .steps = 2}, 5.0);
   EXPECT_FALSE(left.seconds(5.0)); // the first step is not over
-  left.take({.stage = "step A", .step = 1, .steps = 2}, 6.0);
+  left.record_progress({.stage = "step A", .step = 1, .steps = 2}, 6.0);
   ASSERT_TRUE(left.seconds(6.0));
   EXPECT_DOUBLE_EQ(*left.seconds(6.0), 4.0 + 2.0 * 10.0);
   EXPECT_DOUBLE_EQ(*left.seconds(7.0), 3.0 + 2.0 * 10.0); // the clock goes on
-  left.take({.stage = "step B", .step = 2, .steps = 2}, 10.0);
-  left.take({.increment = 1, .increments = 3}, 10.0);
+  left.record_progress({.stage = "step B", .step = 2, .steps = 2}, 10.0);
+  left.record_progress({.increment = 1, .increments = 3}, 10.0);
   EXPECT_DOUBLE_EQ(*left.seconds(10.0), 20.0);
-  left.take({.stage = "condensed"}, 12.0);
+  left.record_progress({.stage = "condensed"}, 12.0);
   EXPECT_DOUBLE_EQ(*left.seconds(12.0), 18.0);
-  left.take({.increment = 2, .increments = 3}, 20.0);
-  left.take({.increment = 3, .increments = 3}, 30.0);
+  left.record_progress({.increment = 2, .increments = 3}, 20.0);
+  left.record_progress({.increment = 3, .increments = 3}, 30.0);
   EXPECT_DOUBLE_EQ(*left.seconds(30.0), 0.0);
 }
 
 // Increments that an earlier run had solved take no time and foretell none.
-TEST(TimeLeft, CountsNothingThatWasTakenOver) {
-  TimeLeft left;
-  left.take({.increment = 1, .increments = 4}, 0.1);
-  left.take({.increment = 2, .increments = 4}, 0.2);
+TEST(RemainingTime, CountsNothingThatWasTakenOver) {
+  RemainingTime left;
+  left.record_progress({.increment = 1, .increments = 4}, 0.1);
+  left.record_progress({.increment = 2, .increments = 4}, 0.2);
   EXPECT_FALSE(left.seconds(0.2));
-  left.take({.stage = "meshed"}, 2.2);
-  left.take({.increment = 3, .increments = 4}, 10.2);
+  left.record_progress({.stage = "meshed"}, 2.2);
+  left.record_progress({.increment = 3, .increments = 4}, 10.2);
   ASSERT_TRUE(left.seconds(10.2));
   EXPECT_NEAR(*left.seconds(10.2), 8.0, 1e-9);
 }

@@ -44,7 +44,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
   const program::ReadyDeck ready =
-      program::read_ready(file, {}, program::Log(program::LogFormat::text));
+      program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto text = deck::read_deck_text(file, sources, diagnostics);

@@ -51,13 +51,13 @@ TEST(ShellSession, OpensAtTheLeadingStep) {
 
 TEST(ShellSession, LoadIsThatOfARun) {
   const ShellOnText shell(cracked_hub());
-  good(shell->load("PULL", 3.5));
-  EXPECT_TRUE(shell->pending());
+  good(shell->set_load_factor("PULL", 3.5));
+  EXPECT_TRUE(shell->has_pending_changes());
   good(shell->solve());
-  EXPECT_FALSE(shell->pending());
+  EXPECT_FALSE(shell->has_pending_changes());
   expect_k(shell, k_of_run(replaced(cracked_hub(), "LOAD PULL 1", "LOAD PULL 3.5")), 1e-10);
-  good(shell->load("PULL", 0.2)); // and back on another way
-  good(shell->load("PULL", 0.7));
+  good(shell->set_load_factor("PULL", 0.2)); // and back on another way
+  good(shell->set_load_factor("PULL", 0.7));
   good(shell->solve());
   expect_k(shell, k_of_run(replaced(cracked_hub(), "LOAD PULL 1", "LOAD PULL 0.7")), 1e-10);
 }
@@ -66,8 +66,8 @@ TEST(ShellSession, IsHomogeneous) {
   const ShellOnText shell(cracked_hub());
   const double K1 = shell.K1();
   const double K2 = shell.K2();
-  good(shell->load("PULL", 2.0));
-  good(shell->fit("SEAT", 2.0));
+  good(shell->set_load_factor("PULL", 2.0));
+  good(shell->set_fit_factor("SEAT", 2.0));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), 2.0 * K1, 1e-10 * std::abs(K1));
   EXPECT_NEAR(shell.K2(), 2.0 * K2, 1e-10 * std::abs(K1));
@@ -76,12 +76,12 @@ TEST(ShellSession, IsHomogeneous) {
 TEST(ShellSession, LengthIsThatOfARun) {
   const ShellOnText shell(cracked_hub());
   const double first = shell.K1();
-  good(shell->length("C", 6.0));
+  good(shell->set_crack_length("C", 6.0));
   const base::Vec2 wanted = k_of_run(cracked_hub("A0=6"));
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - first), 0.01 * first);
-  EXPECT_GT(shell->condensed().reused, 0); // the pin at least
-  good(shell->length("C", 4.0));
+  EXPECT_GT(shell->condensation_log().reused, 0); // the pin at least
+  good(shell->set_crack_length("C", 4.0));
   EXPECT_NEAR(shell.K1(), first, 1e-10 * first);
 }
 
@@ -90,10 +90,10 @@ TEST(ShellSession, WhatACrackDoesNotTouchStaysCondensed) {
     return replaced(cracked_hub(crack), "NR=4 NT=36", "NR=10 NT=90");
   };
   const ShellOnText shell(hub("A0=4"));
-  good(shell->length("C", 6.0)); // region and rest are parted here
-  good(shell->length("C", 6.5));
-  EXPECT_EQ(shell->condensed().condensed, 1); // the region
-  EXPECT_EQ(shell->condensed().reused, 2);    // the rest and the pin
+  good(shell->set_crack_length("C", 6.0)); // region and rest are parted here
+  good(shell->set_crack_length("C", 6.5));
+  EXPECT_EQ(shell->condensation_log().condensed, 1); // the region
+  EXPECT_EQ(shell->condensation_log().reused, 2);    // the rest and the pin
   expect_k(shell, k_of_run(hub("A0=6.5")), 1e-9);
 }
 
@@ -107,8 +107,8 @@ TEST(ShellSession, LengthOfAGrowthRunToTheBit) {
   for (const int i : {0, 2, 1, 0}) {
     const results::TipResult& wanted =
         run->run.increments[static_cast<std::size_t>(i)].steps.back().tips.front();
-    good(shell->length("C", wanted.a));
-    good(shell->step("PULLED"));
+    good(shell->set_crack_length("C", wanted.a));
+    good(shell->go_to_step("PULLED"));
     EXPECT_EQ(shell.K1(), wanted.K1) << wanted.a;
     EXPECT_EQ(shell.K2(), wanted.K2) << wanted.a;
   }
@@ -116,11 +116,11 @@ TEST(ShellSession, LengthOfAGrowthRunToTheBit) {
 
 TEST(ShellSession, ChangesStayAcrossLengths) {
   const ShellOnText shell(cracked_hub());
-  good(shell->load("PULL", 2.0));
+  good(shell->set_load_factor("PULL", 2.0));
   good(shell->solve());
-  good(shell->length("C", 6.0));
+  good(shell->set_crack_length("C", 6.0));
   expect_k(shell, k_of_run(replaced(cracked_hub("A0=6"), "LOAD PULL 1", "LOAD PULL 2")), 1e-10);
-  good(shell->step("PRESS"));
+  good(shell->go_to_step("PRESS"));
   const std::optional<Solved> run = solve_text(cracked_hub("A0=6"));
   ASSERT_TRUE(run);
   EXPECT_NEAR(shell.K1(), run->step(0).tips.front().K1, 1e-10 * shell.K1());
@@ -128,9 +128,9 @@ TEST(ShellSession, ChangesStayAcrossLengths) {
 
 TEST(ShellSession, InterferenceAndParameterAreThoseOfARun) {
   const ShellOnText shell(cracked_hub());
-  good(shell->interference("SEAT", 0.02));
+  good(shell->set_interference("SEAT", 0.02));
   expect_k(shell, k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02")), 1e-10);
-  good(shell->define("T", "5"));
+  good(shell->define_parameter("T", "5"));
   const std::string thin = replaced(cracked_hub("A0=4", "INTERFERENCE=0.02"), "T = 10", "T = 5 ");
   expect_k(shell, k_of_run(thin), 1e-10);
   good(shell->reset());
@@ -141,9 +141,9 @@ TEST(ShellSession, InterferenceAndParameterAreThoseOfARun) {
 TEST(ShellSession, InterferenceIsTheValueItself) {
   const ShellOnText shell(cracked_hub());
   const base::Vec2 wanted = k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02"));
-  good(shell->fit("SEAT", 0.4));
+  good(shell->set_fit_factor("SEAT", 0.4));
   good(shell->solve());
-  good(shell->interference("SEAT", 0.02));
+  good(shell->set_interference("SEAT", 0.02));
   expect_k(shell, wanted, 1e-10);
   EXPECT_EQ(shell->factors().fit[0], 1.0);
 }
@@ -151,15 +151,17 @@ TEST(ShellSession, InterferenceIsTheValueItself) {
 TEST(ShellSession, ParameterThatIsCoveredSaysSo) {
   const std::string fit = "INTERFERENCE=(T/1000)";
   const ShellOnText shell(cracked_hub("A0=(T/2)", fit));
-  good(shell->length("C", 6.0));
-  good(shell->interference("SEAT", 0.02));
-  good(shell->define("T", "9"));
-  ASSERT_EQ(shell->covered().size(), 2U);
-  EXPECT_NE(shell->covered()[0].find("crack C keeps the length set here, 6"), std::string::npos);
-  EXPECT_NE(shell->covered()[1].find("contact SEAT keeps the interference"), std::string::npos);
+  good(shell->set_crack_length("C", 6.0));
+  good(shell->set_interference("SEAT", 0.02));
+  good(shell->define_parameter("T", "9"));
+  ASSERT_EQ(shell->overridden_settings().size(), 2U);
+  EXPECT_NE(shell->overridden_settings()[0].find("crack C keeps the length set here, 6"),
+            std::string::npos);
+  EXPECT_NE(shell->overridden_settings()[1].find("contact SEAT keeps the interference"),
+            std::string::npos);
   good(shell->reset());
-  good(shell->define("T", "9"));
-  EXPECT_TRUE(shell->covered().empty());
+  good(shell->define_parameter("T", "9"));
+  EXPECT_TRUE(shell->overridden_settings().empty());
 }
 
 TEST(ShellSession, MapAgreesWithSolutions) {
@@ -167,14 +169,14 @@ TEST(ShellSession, MapAgreesWithSolutions) {
   const double before = shell.K1();
   good(shell->map_case("PULL", 0.0, 6.0));
   EXPECT_EQ(shell.K1(), before);
-  const results::LoadPathResult path = *shell->mapped();
+  const results::LoadPathResult path = *shell->last_mapped_path();
   ASSERT_GT(path.t.size(), 4U); // the contact opens on the way
   for (const double t : {0.0, 0.21, 0.5, 0.83, 1.0}) {
-    good(shell->load("PULL", 6.0 * t));
+    good(shell->set_load_factor("PULL", 6.0 * t));
     good(shell->solve());
     EXPECT_NEAR(path.tips.front().K1(t), shell.K1(), 1e-9 * path.tips.front().K1.highest()) << t;
   }
-  EXPECT_EQ(shell->mapped(), nullptr); // of another state
+  EXPECT_EQ(shell->last_mapped_path(), nullptr); // of another state
 }
 
 TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
@@ -182,7 +184,7 @@ TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
   const std::optional<Solved> run = solve_text(deck);
   ASSERT_TRUE(run);
   const ShellOnText shell(deck);
-  good(shell->load("PULL", 2.0));
+  good(shell->set_load_factor("PULL", 2.0));
   model::ResultCheck check;
   check.relative = false;
   check.quantity = "K1";
@@ -193,7 +195,7 @@ TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
   check.arguments = {std::string("C"), std::string("NOW")};
   good(shell->evaluate(check, value));
   EXPECT_EQ(value, shell.K1()); // what was pending is solved
-  EXPECT_FALSE(shell->pending());
+  EXPECT_FALSE(shell->has_pending_changes());
   check.quantity = "SUM"; // equilibrium of the pin
   check.arguments = {std::string("SEAT"), std::string("NOW"), std::string("X")};
   good(shell->evaluate(check, value));
@@ -205,12 +207,12 @@ TEST(ShellSession, ErrorBarsAreThoseOfARun) {
   const std::optional<Solved> run = solve_text(deck);
   ASSERT_TRUE(run);
   const ShellOnText shell(deck);
-  good(shell->step("PRESS"));
-  good(shell->estimate());
-  good(shell->step("PULLED"));
-  good(shell->estimate());
+  good(shell->go_to_step("PRESS"));
+  good(shell->estimate_accuracy());
+  good(shell->go_to_step("PULLED"));
+  good(shell->estimate_accuracy());
   const results::TipResult& wanted = run->step(1).tips.front();
-  const results::TipResult& found = shell->now().tips.front();
+  const results::TipResult& found = shell->current_result().tips.front();
   ASSERT_EQ(found.no_bar, wanted.no_bar);
   EXPECT_NEAR(found.bar[0].size(), wanted.bar[0].size(), 1e-8 * wanted.K1);
   ASSERT_EQ(found.sensitivities.of.size(), wanted.sensitivities.of.size());
@@ -219,16 +221,16 @@ TEST(ShellSession, ErrorBarsAreThoseOfARun) {
 TEST(ShellSession, FailuresLeaveEverything) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();
-  const base::Trouble unknown = shell->load("PUL", 1.0);
+  const base::Trouble unknown = shell->set_load_factor("PUL", 1.0);
   ASSERT_TRUE(unknown);
   EXPECT_EQ(unknown->kind, base::Outcome::usage);
   EXPECT_NE(unknown->hint.find("PULL"), std::string::npos);
-  const base::Trouble long_one = shell->length("C", 200.0);
+  const base::Trouble long_one = shell->set_crack_length("C", 200.0);
   ASSERT_TRUE(long_one);
   EXPECT_EQ(long_one->kind, base::Outcome::deck_error);
-  EXPECT_TRUE(shell->length("C", -1.0));
+  EXPECT_TRUE(shell->set_crack_length("C", -1.0));
   testing::internal::CaptureStderr();
-  EXPECT_TRUE(shell->define("T", "1/"));
+  EXPECT_TRUE(shell->define_parameter("T", "1/"));
   EXPECT_NE(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(shell.K1(), before);
   good(shell->reset());
@@ -237,32 +239,32 @@ TEST(ShellSession, FailuresLeaveEverything) {
 
 TEST(ShellSession, LooseBodyIsNamedAndTheStateStays) {
   const ShellOnText shell(cracked_hub("A0=4", "GAP=0.01"));
-  const double before = shell->now().energy;
-  good(shell->load("PULL", 1e-3));
+  const double before = shell->current_result().energy;
+  good(shell->set_load_factor("PULL", 1e-3));
   good(shell->solve());
-  const double small = shell->now().energy;
+  const double small = shell->current_result().energy;
   EXPECT_LT(small, before);
-  good(shell->mount("SEAT", false)); // nothing holds the pin
+  good(shell->set_mounted("SEAT", false)); // nothing holds the pin
   const base::Trouble loose = shell->solve();
   ASSERT_TRUE(loose);
   EXPECT_EQ(loose->kind, base::Outcome::not_solvable);
   EXPECT_NE(loose->why.find("PIN"), std::string::npos) << loose->why;
-  EXPECT_EQ(shell->now().energy, small);
+  EXPECT_EQ(shell->current_result().energy, small);
 }
 
 TEST(ShellSession, StopsWhenAsked) {
   ShellOnText shell(cracked_hub());
   const double before = shell.K1();
   shell.stop = true;
-  const base::Trouble stopped = shell->length("C", 6.0);
+  const base::Trouble stopped = shell->set_crack_length("C", 6.0);
   ASSERT_TRUE(stopped);
   EXPECT_EQ(stopped->kind, base::Outcome::stopped);
-  EXPECT_TRUE(shell->step("PRESS"));
+  EXPECT_TRUE(shell->go_to_step("PRESS"));
   EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
   shell.stop = false;
-  good(shell->restore());
+  good(shell->restore_after_failure());
   EXPECT_EQ(shell.K1(), before);
-  EXPECT_EQ(shell->size_of(0).a, 4.0);
+  EXPECT_EQ(shell->crack_size(0).a, 4.0);
 }
 
 // With friction the order counts: the shell follows it as steps of a run do.
@@ -270,11 +272,11 @@ TEST(ShellSession, FollowsFriction) {
   const std::string contact = "INTERFERENCE=0.01 MU=0.2";
   const std::string deck = cracked_hub("A0=4", contact);
   const ShellOnText shell(deck);
-  EXPECT_TRUE(shell->rubs());
+  EXPECT_TRUE(shell->has_friction());
   const double before = shell.K1();
-  good(shell->load("PULL", 3.0));
+  good(shell->set_load_factor("PULL", 3.0));
   good(shell->solve(5));
-  good(shell->load("PULL", 1.0));
+  good(shell->set_load_factor("PULL", 1.0));
   good(shell->solve(5));
   const std::string steps = "  LOAD PULL 1\n$STEP NAME=UP SUBSTEPS=5\n  LOAD PULL 3\n"
                             "$STEP NAME=DOWN SUBSTEPS=5\n  LOAD PULL 1\n";
@@ -282,7 +284,7 @@ TEST(ShellSession, FollowsFriction) {
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - before), 1e-3 * before);
   EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
-  good(shell->length("C", 5.0)); // the whole history again
+  good(shell->set_crack_length("C", 5.0)); // the whole history again
   expect_k(shell, k_of_run(replaced(cracked_hub("A0=5", contact), "  LOAD PULL 1\n", steps)), 1e-9);
 }
 
@@ -293,16 +295,16 @@ TEST(ShellSession, MountsAsARunDoes) {
   const ShellOnText shell(deck);
   expect_k(shell, k_of_run(deck), 1e-12);
   const double mounted = shell.K1();
-  good(shell->mount("SEAT", false));
+  good(shell->set_mounted("SEAT", false));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), 0.0, 1e-12 * mounted); // nothing acts on the hub
-  good(shell->step("PRESS"));
-  good(shell->mount("SEAT", true)); // onto the pin as it is pulled
+  good(shell->go_to_step("PRESS"));
+  good(shell->set_mounted("SEAT", true)); // onto the pin as it is pulled
   good(shell->solve());
-  good(shell->load("PULL", 0.0));
+  good(shell->set_load_factor("PULL", 0.0));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), mounted, 1e-10 * mounted);
-  EXPECT_EQ(shell->changes().size(), 2U); // mounting is not merged into what comes after it
+  EXPECT_EQ(shell->applied_changes().size(), 2U); // mounting is not merged into what comes after it
 }
 
 // Supports hold both parts, so that the seat may come apart.
@@ -314,19 +316,19 @@ std::string held_hub() {
 TEST(ShellSession, MountsNothingTwice) {
   const ShellOnText shell(held_hub());
   const double before = shell.K1();
-  const base::Trouble refused = shell->mount("SEAT", true);
+  const base::Trouble refused = shell->set_mounted("SEAT", true);
   ASSERT_TRUE(refused);
   EXPECT_NE(refused->why.find("SEAT is mounted already"), std::string::npos) << refused->why;
-  EXPECT_FALSE(shell->pending());
-  good(shell->mount("SEAT", false));
-  EXPECT_TRUE(shell->pending());
-  good(shell->mount("SEAT", true)); // it was not dismounted yet
-  EXPECT_FALSE(shell->pending());
+  EXPECT_FALSE(shell->has_pending_changes());
+  good(shell->set_mounted("SEAT", false));
+  EXPECT_TRUE(shell->has_pending_changes());
+  good(shell->set_mounted("SEAT", true)); // it was not dismounted yet
+  EXPECT_FALSE(shell->has_pending_changes());
   good(shell->solve());
   EXPECT_EQ(shell.K1(), before);
-  good(shell->mount("SEAT", false));
+  good(shell->set_mounted("SEAT", false));
   good(shell->solve());
-  EXPECT_TRUE(shell->mount("SEAT", false)); // absent already
+  EXPECT_TRUE(shell->set_mounted("SEAT", false)); // absent already
 }
 
 // Faces that would overlap become a pair, as in a run.
@@ -348,11 +350,11 @@ $END
   const ShellOnText shell(plate);
   const double open = shell.K1();
   EXPECT_GT(open, 0.0);
-  good(shell->load("PULL", -1.0));
+  good(shell->set_load_factor("PULL", -1.0));
   good(shell->solve());
   expect_k(shell, k_of_run(replaced(plate, "LOAD PULL 1", "LOAD PULL -1")), 1e-9);
   EXPECT_EQ(shell.K1(), 0.0);
-  good(shell->load("PULL", 1.0));
+  good(shell->set_load_factor("PULL", 1.0));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), open, 1e-9 * open);
 }
@@ -367,24 +369,24 @@ void expect_saved(const ShellOnText& shell, double tolerance) {
 TEST(ShellSave, RunsToTheSameK) {
   const ShellOnText shell(cracked_hub());
   expect_saved(shell, 1e-10);
-  good(shell->load("PULL", 2.5));
-  good(shell->fit("SEAT", 0.9));
+  good(shell->set_load_factor("PULL", 2.5));
+  good(shell->set_fit_factor("SEAT", 0.9));
   good(shell->solve());
   expect_saved(shell, 1e-10);
-  good(shell->length("C", 5.5));
-  good(shell->interference("SEAT", 0.03));
-  good(shell->define("T", "7[mm]"));
+  good(shell->set_crack_length("C", 5.5));
+  good(shell->set_interference("SEAT", 0.03));
+  good(shell->define_parameter("T", "7[mm]"));
   expect_saved(shell, 1e-10);
 }
 
 TEST(ShellSave, KeepsTheOrderWithFriction) {
   const ShellOnText shell(cracked_hub("A0=4", "INTERFERENCE=0.01 MU=0.2"));
-  good(shell->load("PULL", 3.0));
+  good(shell->set_load_factor("PULL", 3.0));
   good(shell->solve(3));
-  good(shell->load("PULL", 1.0));
+  good(shell->set_load_factor("PULL", 1.0));
   good(shell->solve(4));
   expect_saved(shell, 1e-10);
-  good(shell->step("PRESS"));
+  good(shell->go_to_step("PRESS"));
   std::string text;
   const base::Trouble refused = program::saved_deck(*shell, shell.folder.path(), text);
   ASSERT_TRUE(refused); // the deck's further steps would come in between
@@ -394,9 +396,9 @@ TEST(ShellSave, KeepsTheOrderWithFriction) {
 // A contact that no step mounts is in force from the beginning and stays so in the earlier steps.
 TEST(ShellSave, NamesAMountThatNoStepNamed) {
   const ShellOnText shell(held_hub());
-  good(shell->mount("SEAT", false));
+  good(shell->set_mounted("SEAT", false));
   good(shell->solve());
-  good(shell->mount("SEAT", true));
+  good(shell->set_mounted("SEAT", true));
   good(shell->solve());
   expect_saved(shell, 1e-10);
   std::string text;
@@ -413,7 +415,7 @@ TEST(ShellSave, NamesAMountThatNoStepNamed) {
 TEST(ShellSave, NamesAFitThatNoStepNamed) {
   const std::string deck = replaced(cracked_hub(), "  FIT SEAT 1\n", "  LOAD PULL 0\n");
   const ShellOnText shell(deck);
-  good(shell->fit("SEAT", 2.0));
+  good(shell->set_fit_factor("SEAT", 2.0));
   good(shell->solve());
   expect_saved(shell, 1e-10);
   std::string text;
@@ -429,7 +431,7 @@ TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {
   const ShellOnText shell(
       cracked_hub("A0=4", "INTERFERENCE=0.01",
                   "$GROW LAW=INCREMENT KMAX=PULLED\n  4 6\n$CHECK\n  K(C,PULLED,4) = 1 REL 1\n"));
-  good(shell->length("C", 6.0));
+  good(shell->set_crack_length("C", 6.0));
   expect_saved(shell, 1e-10);
 }
 

@@ -79,27 +79,27 @@ void expect_same(const results::FrontResult& found, const results::FrontResult& 
 
 TEST(ShellSolid, LoadsAndSizesAreThoseOfARun) {
   const ShellOnText shell(buried("A=1 C=1.25 X0=0 Y0=0 Z0=0 NORMAL=Z"));
-  const results::FrontResult first = shell->now().fronts.at(0);
-  good(shell->load("PULL", 2.0));
-  good(shell->load("SHEAR", 2.0));
+  const results::FrontResult first = shell->current_result().fronts.at(0);
+  good(shell->set_load_factor("PULL", 2.0));
+  good(shell->set_load_factor("SHEAR", 2.0));
   good(shell->solve());
   for (std::size_t i = 0; i < first.points.size(); ++i) {
-    EXPECT_NEAR(shell->now().fronts.at(0).points[i].K1, 2.0 * first.points[i].K1,
+    EXPECT_NEAR(shell->current_result().fronts.at(0).points[i].K1, 2.0 * first.points[i].K1,
                 1e-10 * std::abs(first.points[i].K1));
   }
-  good(shell->step("SHEARED"));
-  good(shell->length("C", 1.2)); // the ratio of the axes stays
-  EXPECT_EQ(shell->size_of(0), (program::CrackSize{1.2, 1.5}));
-  good(shell->estimate());
-  expect_same(shell->now().fronts.at(0),
+  good(shell->go_to_step("SHEARED"));
+  good(shell->set_crack_length("C", 1.2)); // the ratio of the axes stays
+  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.5}));
+  good(shell->estimate_accuracy());
+  expect_same(shell->current_result().fronts.at(0),
               front_of_run(buried("A=1.2 C=1.5 X0=0 Y0=0 Z0=0 NORMAL=Z"), 1));
-  good(shell->length("C", 1.2, 1.25));
-  EXPECT_EQ(shell->size_of(0), (program::CrackSize{1.2, 1.25}));
-  EXPECT_EQ(shell->fronts_tried().size(), 3U);
+  good(shell->set_crack_length("C", 1.2, 1.25));
+  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.25}));
+  EXPECT_EQ(shell->fronts_by_size().size(), 3U);
   // A size that fits nowhere leaves all as it is.
-  EXPECT_TRUE(shell->length("C", 80.0));
-  EXPECT_EQ(shell->size_of(0), (program::CrackSize{1.2, 1.25}));
-  EXPECT_NEAR(shell->now().fronts.at(0).a, 1.2, 1e-12);
+  EXPECT_TRUE(shell->set_crack_length("C", 80.0));
+  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.25}));
+  EXPECT_NEAR(shell->current_result().fronts.at(0).a, 1.2, 1e-12);
 }
 
 // What `save` writes is the state: a run of it has the same K.
@@ -129,11 +129,11 @@ TEST(ShellSolid, SavedDeckHasTheSameK) {
   std::ifstream in(file);
   const std::string saved((std::istreambuf_iterator<char>(in)), {});
   EXPECT_NE(saved.find("A=1.1 C=1.4"), std::string::npos) << saved;
-  expect_same(shell->now().fronts.at(0), front_of_run(saved, 2));
+  expect_same(shell->current_result().fronts.at(0), front_of_run(saved, 2));
   // A parameter of the deck does not reach an axis that was set by name.
   type("set r = 2");
-  ASSERT_EQ(shell->covered().size(), 1U);
-  EXPECT_NE(shell->covered()[0].find("A = 1.1 and C = 1.4"), std::string::npos);
+  ASSERT_EQ(shell->overridden_settings().size(), 1U);
+  EXPECT_NE(shell->overridden_settings()[0].find("A = 1.1 and C = 1.4"), std::string::npos);
 }
 
 TEST(ShellSolid, DrawnFrontsHaveNoLength) {
@@ -143,7 +143,7 @@ TEST(ShellSolid, DrawnFrontsHaveNoLength) {
     points += fmt::format("  {} {} 0\n", std::cos(at), std::sin(at));
   }
   const ShellOnText shell(buried("CLOSED=YES\n" + points));
-  const base::Trouble trouble = shell->length("C", 1.5);
+  const base::Trouble trouble = shell->set_crack_length("C", 1.5);
   ASSERT_TRUE(trouble);
   EXPECT_NE(trouble->why.find("drawn by its points"), std::string::npos);
   EXPECT_NE(trouble->hint.find("use set"), std::string::npos);

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using program::ChildEnd;
 using program::ChildRun;
-using program::ChildRuns;
+using program::ChildRunner;
 using program::DeckOutcome;
 using test::Folder;
 
@@ -65,7 +65,7 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   runs[2].defines = {{"s", "2*10"}};
   runs[2].out = folder.path() / "double";
   std::vector<ChildEnd> ends(runs.size());
-  ChildRuns(test::program_file()).run(runs, 2, [&](std::size_t i, const ChildEnd& end) {
+  ChildRunner(test::program_file()).run_all(runs, 2, [&](std::size_t i, const ChildEnd& end) {
     ends[i] = end;
   });
   EXPECT_EQ(ends[0].exit_code, 1) << ends[0].messages; // a check that cannot hold
@@ -93,8 +93,8 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   EXPECT_TRUE(std::isnan(first[0].checks[1].bar)); // G has none
   EXPECT_EQ(first[0].checks[2].bar, K1.bar);       // K is K1
   EXPECT_NEAR(twice[0].checks[0].found, 2.0 * K1.found, 1e-9 * K1.found);
-  EXPECT_EQ(program::numbers(first[0].k, "K1"), test::column(runs[0].out / "k.csv", "K1"));
-  EXPECT_EQ(program::words(first[0].k, "crack"), std::vector<std::string>{"C"});
+  EXPECT_EQ(program::number_column(first[0].k, "K1"), test::column(runs[0].out / "k.csv", "K1"));
+  EXPECT_EQ(program::text_column(first[0].k, "crack"), std::vector<std::string>{"C"});
   // Nodes of 200 eight-noded elements, less the support: and those of the tip.
   EXPECT_GT(first[0].unknowns, 1200U);
   EXPECT_LT(first[0].unknowns, 3000U);
@@ -105,7 +105,7 @@ TEST_F(Trials, ASweepIsAnOutcomeForEachPoint) {
                                                                "$CHECK\n"
                                                                "  K1(C,PULL) = 1 ABS 1e9\n")));
   int code = -1;
-  ChildRuns(test::program_file()).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& end) {
+  ChildRunner(test::program_file()).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& end) {
     code = end.exit_code;
   });
   EXPECT_EQ(code, 0);
@@ -121,7 +121,7 @@ TEST_F(Trials, AProcessThatIsTooSlowIsEndedAndLeavesNoResults) {
   run.defines = {{"n", "400"}};
   run.seconds = 0.2;
   ChildEnd end;
-  ChildRuns(test::program_file()).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
+  ChildRunner(test::program_file()).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
     end = e;
   });
   EXPECT_TRUE(end.late);
@@ -135,7 +135,7 @@ TEST_F(Trials, ALimitOfCpuTimeHoldsToo) {
   run.defines = {{"n", "400"}};
   run.cpu_seconds = 0.2;
   ChildEnd end;
-  ChildRuns(test::program_file()).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
+  ChildRunner(test::program_file()).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
     end = e;
   });
   EXPECT_TRUE(end.late);
@@ -150,7 +150,7 @@ TEST_F(Trials, ASignalEndsOneAndItsMemoryIsItsOwn) {
   const std::vector<char> much(std::size_t{200} << 20U, 'x');
   const ChildRun run = run_of(dies);
   ChildEnd end;
-  ChildRuns(dies).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
+  ChildRunner(dies).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
   EXPECT_EQ(end.signal, SIGSEGV);
   EXPECT_EQ(end.exit_code, 128 + SIGSEGV);
   EXPECT_EQ(end.messages, "last words\n");
@@ -166,14 +166,14 @@ TEST_F(Trials, AreStoppedTogetherAndNoneIsBegunAfterwards) {
     runs.back().out += std::to_string(i);
     runs.back().defines = {{"n", "400"}};
   }
-  ChildRuns children(test::program_file());
+  ChildRunner children(test::program_file());
   std::atomic<int> told{0};
   std::jthread stopper([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     children.stop();
   });
   const auto begin = std::chrono::steady_clock::now();
-  children.run(runs, 2, [&](std::size_t, const ChildEnd&) { ++told; });
+  children.run_all(runs, 2, [&](std::size_t, const ChildEnd&) { ++told; });
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
   EXPECT_TRUE(children.stopped());
   EXPECT_EQ(told, 0);
@@ -184,8 +184,9 @@ TEST_F(Trials, AreStoppedTogetherAndNoneIsBegunAfterwards) {
 
 TEST_F(Trials, AProgramThatIsNotThereIsTold) {
   const ChildRun run = run_of(deck("good.deck", cracked_plate("")));
-  EXPECT_THROW(ChildRuns("/no/such/program").run({&run, 1}, 1, [](std::size_t, const ChildEnd&) {}),
-               std::system_error);
+  EXPECT_THROW(
+      ChildRunner("/no/such/program").run_all({&run, 1}, 1, [](std::size_t, const ChildEnd&) {}),
+      std::system_error);
 }
 
 } // namespace

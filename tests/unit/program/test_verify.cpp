@@ -75,7 +75,7 @@ TEST(Verification, CountsWhatProvesSomethingApartFromWhatDoesNot) {
   EXPECT_EQ(counts.unchecked, 1U);
   EXPECT_EQ(counts.bars, 2U);
   EXPECT_EQ(counts.within_bars, 1U);
-  EXPECT_EQ(outcome_of(sample()), base::Outcome::done);
+  EXPECT_EQ(worst_outcome(sample()), base::Outcome::done);
 }
 
 // A reference is off by something itself, and may say so.
@@ -103,11 +103,11 @@ TEST(Verification, FormulasAreTextsInItsTable) {
 TEST(Verification, EndsAsItsWorstDeckDoes) {
   Verification v = sample();
   v.decks[3] = deck_of("zone", 4.0, {check_of("U.X.AT(0,0,PULL)", 0.02, "exact")});
-  EXPECT_EQ(outcome_of(v), base::Outcome::check_failed);
+  EXPECT_EQ(worst_outcome(v), base::Outcome::check_failed);
   v.decks[1].exit_code = 3;
-  EXPECT_EQ(outcome_of(v), base::Outcome::deck_error);
+  EXPECT_EQ(worst_outcome(v), base::Outcome::deck_error);
   v.decks[2].exit_code = 128 + 11; // a signal
-  EXPECT_EQ(outcome_of(v), base::Outcome::defect);
+  EXPECT_EQ(worst_outcome(v), base::Outcome::defect);
 }
 
 TEST(Verification, TheTableIsReadAsItWasWritten) {
@@ -129,17 +129,17 @@ TEST(Verification, TheTableIsReadAsItWasWritten) {
   ASSERT_EQ(back->decks.size(), v.decks.size());
   EXPECT_EQ(back->decks[0].title, v.decks[0].title);
   EXPECT_EQ(back->decks[0].points[0].checks[1].error, -2e-3);
-  EXPECT_TRUE(compare(v, *back).same());
+  EXPECT_TRUE(compare(v, *back).is_unchanged());
   std::ofstream(file) << "a,b\n1,2\n";
   EXPECT_FALSE(read_verification_csv(file)); // some other table
 }
 
-TEST(Comparison, TellsErrorsThatGrewAndChecksThatAreMissedNow) {
+TEST(VerificationComparison, TellsErrorsThatGrewAndChecksThatAreMissedNow) {
   Verification now = sample();
   now.decks[0].points[0].checks[0].error = 1.05e-3; // within a tenth
   now.decks[0].points[0].checks[1].error = 4e-3;    // twice as large, allowed
   now.decks[3].points[0].checks[0] = check_of("U.X.AT(0,0,PULL)", -0.02, "exact");
-  const Comparison c = compare(now, sample());
+  const VerificationComparison c = compare(now, sample());
   ASSERT_EQ(c.worse.size(), 1U);
   EXPECT_EQ(c.worse[0].what, "K2(C,PULL)");
   EXPECT_EQ(c.worse[0].before, 2e-3);
@@ -147,12 +147,12 @@ TEST(Comparison, TellsErrorsThatGrewAndChecksThatAreMissedNow) {
   ASSERT_EQ(c.failed.size(), 1U);
   EXPECT_EQ(c.failed[0].deck, "zone");
   EXPECT_TRUE(c.slower.empty());
-  const Comparison back = compare(sample(), now);
+  const VerificationComparison back = compare(sample(), now);
   EXPECT_EQ(back.passed.size(), 1U);
   EXPECT_EQ(back.better.size(), 1U);
 }
 
-TEST(Comparison, ABusyMachineIsNoSlowerDeck) {
+TEST(VerificationComparison, ABusyMachineIsNoSlowerDeck) {
   Verification now = sample();
   for (VerifiedDeck& deck : now.decks) {
     deck.cpu *= 2.0; // all alike
@@ -160,7 +160,7 @@ TEST(Comparison, ABusyMachineIsNoSlowerDeck) {
   EXPECT_TRUE(compare(now, sample()).slower.empty());
   EXPECT_NEAR(compare(now, sample()).pace, 2.0, 1e-12);
   now.decks[3].cpu = 2.0 * 8.0; // and one twice as much
-  const Comparison c = compare(now, sample());
+  const VerificationComparison c = compare(now, sample());
   ASSERT_EQ(c.slower.size(), 1U);
   EXPECT_EQ(c.slower[0].deck, "zone");
   // What differs by less than a few starts of the program is noise.
@@ -171,11 +171,11 @@ TEST(Comparison, ABusyMachineIsNoSlowerDeck) {
   EXPECT_TRUE(compare(now, sample()).slower.empty());
 }
 
-TEST(Comparison, MemoryAndSpeedAreTold) {
+TEST(VerificationComparison, MemoryAndSpeedAreTold) {
   Verification now = sample();
   now.decks[3].memory *= 2;
   now.decks[3].cpu = 1.0;
-  const Comparison c = compare(now, sample());
+  const VerificationComparison c = compare(now, sample());
   EXPECT_EQ(c.larger.size(), 1U);
   EXPECT_EQ(c.faster.size(), 1U);
 }
@@ -183,8 +183,8 @@ TEST(Comparison, MemoryAndSpeedAreTold) {
 TEST(VerificationPage, HoldsEveryCheckTheReasonsAndNoScript) {
   Verification v = sample();
   v.decks[3] = deck_of("zone", 4.0, {check_of("U.X.AT(0,0,PULL)", 0.02, "exact <b>")});
-  const std::vector<Problem> problems{{"C01", "Rings", {"arc"}, {}, ""},
-                                      {"G04", "Beam", {}, {}, "its drawing is lost"}};
+  const std::vector<BenchmarkProblem> problems{{"C01", "Rings", {"arc"}, {}, ""},
+                                               {"G04", "Beam", {}, {}, "its drawing is lost"}};
   const std::string page = verification_page(v, problems, compare(v, sample()));
   EXPECT_NE(page.find("K2(C,PULL)"), std::string::npos);
   EXPECT_NE(page.find("its drawing is lost"), std::string::npos);
@@ -200,8 +200,8 @@ TEST(VerificationChapter, HasARowForEachRunAndNamesTheTableOfChecks) {
   v.decks[0].points.push_back(
       {.values = "beta = 2", .unknowns = 9, .checks = {check_of("K1(C,PULL)", 5e-3, "exact")}});
   v.decks[3] = deck_of("zone", 4.0, {check_of("U.X.AT(0,0,PULL)", 0.02, "exact")});
-  const std::vector<Problem> problems{{"C01", "Rings", {"arc"}, {}, ""},
-                                      {"G04", "Beam", {}, {}, "its drawing is lost"}};
+  const std::vector<BenchmarkProblem> problems{{"C01", "Rings", {"arc"}, {}, ""},
+                                               {"G04", "Beam", {}, {}, "its drawing is lost"}};
   const std::string chapter = verification_chapter(v, problems, "checks.csv");
   for (const char* row : {"| `arc` | Title of arc | 2 | 2 | 0.20 | 1.00 | 50 |",
                           "| `arc` | Title of arc, beta = 2 | 1 | 1 | 0.50 |  |  |",
@@ -298,14 +298,14 @@ TEST(ShippedDecks, ProblemsNameDecksThatAreThereOrAReason) {
   for (const ListedDeck& deck : list_decks(test::decks_folder())) {
     names.insert(deck.name);
   }
-  const std::vector<Problem> problems = read_problems(test::decks_folder());
+  const std::vector<BenchmarkProblem> problems = read_problems(test::decks_folder());
   std::set<std::string> ids;
-  for (const Problem& problem : problems) {
+  for (const BenchmarkProblem& problem : problems) {
     EXPECT_TRUE(ids.insert(problem.name).second) << problem.name << " stands there twice";
     for (const std::string& deck : problem.decks) {
       EXPECT_TRUE(names.contains(deck)) << problem.name << ": no deck " << deck;
     }
-    EXPECT_TRUE(problem.covered() || !problem.remark.empty()) << problem.name;
+    EXPECT_TRUE(problem.is_covered() || !problem.remark.empty()) << problem.name;
   }
   EXPECT_EQ(problems.size(), 8U + 15 + 12 + 2 + 5 + 12 + 11);
 }

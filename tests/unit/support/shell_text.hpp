@@ -20,7 +20,8 @@ struct ShellOnText {
     std::ofstream(file) << deck;
     program::SessionOptions options;
     options.read = [this](const program::Defines& d) {
-      return program::read_ready(file, {.defines = d}, program::Log(program::LogFormat::text));
+      return program::read_and_check_deck(file, {.defines = d},
+                                          program::Log(program::LogFormat::text));
     };
     options.defines = defines;
     options.stopped = [this] { return stop; };
@@ -32,8 +33,12 @@ struct ShellOnText {
   }
   program::ShellSession& operator*() const { return *session; }
   program::ShellSession* operator->() const { return session.get(); }
-  [[nodiscard]] double K1(std::size_t tip = 0) const { return session->now().tips.at(tip).K1; }
-  [[nodiscard]] double K2(std::size_t tip = 0) const { return session->now().tips.at(tip).K2; }
+  [[nodiscard]] double K1(std::size_t tip = 0) const {
+    return session->current_result().tips.at(tip).K1;
+  }
+  [[nodiscard]] double K2(std::size_t tip = 0) const {
+    return session->current_result().tips.at(tip).K2;
+  }
 };
 
 /// A pin pressed into a hub with a crack at its outside, and pulled; where `more` stands further

@@ -30,7 +30,7 @@ struct SolvedScene {
     const Folder folder;
     const std::filesystem::path file = folder.path() / "test.deck";
     std::ofstream(file) << text;
-    deck = program::read_ready(file, {}, program::Log(program::LogFormat::text));
+    deck = program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
     base::Diagnostics diagnostics;
     if (!deck.model) {
       throw std::invalid_argument("the deck is refused");
