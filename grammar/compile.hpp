@@ -52,7 +52,7 @@ std::optional<base::CompiledExpression> compile_expression(const ParsedExpressio
                                                            AllowedVariables fields,
                                                            base::Diagnostics& diagnostics);
 
-/// compile() of an expression without fields, as its value.
+/// compile_expression() of an expression without fields, as its value.
 std::optional<double> evaluate(const ParsedExpression& expression, const ExpressionScope& scope,
                                base::Diagnostics& diagnostics);
 

@@ -169,15 +169,15 @@ std::vector<std::string> card_rule_sentences(const CardSpec& card) {
     out.push_back(
         fmt::format("At most one of {} may be given.", enumerate(split_words(card.exclusive))));
   }
-  std::vector<bool> told(card.when.size(), false);
+  std::vector<bool> reported(card.when.size(), false);
   for (std::size_t i = 0; i < card.when.size(); ++i) {
-    if (told[i]) {
+    if (reported[i]) {
       continue;
     }
     std::vector<std::string> words;
     for (std::size_t j = i; j < card.when.size(); ++j) {
       if (same_effect(card.when[i], card.when[j])) {
-        told[j] = true;
+        reported[j] = true;
         if (!card.when[j].word.empty()) {
           words.emplace_back(card.when[j].word);
         }

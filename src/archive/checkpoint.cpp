@@ -73,8 +73,8 @@ std::string increment_bytes(const results::Increment& increment,
   return std::string(store.finish_bytes());
 }
 
-// What an increment names of the deck that the deck does not have; or what flaw_of() finds. Hashes
-// tell files that were changed by chance, not those that were made.
+// What an increment names of the deck that the deck does not have; or what find_increment_flaw()
+// finds. Hashes tell files that were changed by chance, not those that were made.
 std::string flaw_in_deck(const results::Increment& increment, const model::Model& model) {
   if (std::string flaw = results::find_increment_flaw(increment); !flaw.empty()) {
     return flaw;

@@ -54,7 +54,7 @@ struct CheckpointMismatch {
 
 class Checkpoint {
 public:
-  /// Opens both places. Throws FileTrouble for files that cannot be used.
+  /// Opens both places. Throws FileFailure for files that cannot be used.
   Checkpoint(CheckpointOptions place, const std::filesystem::path& deck,
              const base::SourceTexts& sources, const model::Model& model);
   ~Checkpoint();
@@ -77,14 +77,14 @@ public:
   [[nodiscard]] bool has_increment(int number) const;
   /// The crack length that increment was asked for.
   [[nodiscard]] double requested_length(int number) const;
-  /// The increment of this round, which has(number). Throws FileTrouble.
+  /// The increment of this round, which has(number). Throws FileFailure.
   [[nodiscard]] StoredIncrement load_increment(int number) const;
   /// It stands for what a run from the start would have solved: it is listed again.
   void accept_increment(int number);
   /// This increment and all after it will be solved, not taken; says why.
   void solve_from(int number, const std::string& why);
 
-  /// Keeps an increment that was solved, on disk when `every` says so. Throws FileTrouble E563.
+  /// Keeps an increment that was solved, on disk when `every` says so. Throws FileFailure E563.
   void store_increment(double asked, SolvedIncrement done);
   /// Whether the next increment would probably not be finished in time: as long as the longer of
   /// the last two. Never before one was solved, so that every session gets further.

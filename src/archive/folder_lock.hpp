@@ -11,7 +11,7 @@ namespace spricka::archive {
 /// counts, by its process and host.
 class FolderLock {
 public:
-  /// Locks a folder that is there; empty if it has gone meanwhile. Throws FileTrouble E465 when
+  /// Locks a folder that is there; empty if it has gone meanwhile. Throws FileFailure E465 when
   /// another run has it, with the process and host that are named in it or in the folder `work`.
   static std::optional<FolderLock> acquire_lock(const std::filesystem::path& folder,
                                                 const std::filesystem::path& work);

@@ -21,7 +21,7 @@ private:
 };
 
 /// Writes beside the name, syncs, renames and syncs the folder: whatever happens, the name stands
-/// for the old bytes or for all of the new. Throws FileTrouble E563.
+/// for the old bytes or for all of the new. Throws FileFailure E563.
 void write_safely(const std::filesystem::path& file, std::string_view bytes);
 
 /// What a framed file begins with: one line of text, padded to this [bytes], so that `head -1`
@@ -32,7 +32,7 @@ inline constexpr std::size_t frame_size = 512;
 /// of the format and program, how many, and their hash.
 std::string add_frame_line(std::string_view kind, std::string_view bytes);
 
-/// The bytes behind the line. Throws FileTrouble: E560 for a file that cannot be read, is cut off
+/// The bytes behind the line. Throws FileFailure: E560 for a file that cannot be read, is cut off
 /// or changed, E564 for a foreign one, E565 for one of another version of format or program.
 std::string read_framed(const std::filesystem::path& file, std::string_view kind);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/messages.hpp"
 
-#include "base/doubt.hpp"
 #include "base/printable.hpp"
+#include "base/result_concern.hpp"
 
 #include <algorithm>
 #include <tuple>

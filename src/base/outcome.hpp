@@ -9,7 +9,7 @@
 /// How an operation ends, and the one way to say that it has no answer. Mistakes of a deck go to
 /// Diagnostics, of which there may be many. An exception is thrown for what comes from outside the
 /// model and concerns no caller on the way, however deep it happens: files (std::system_error,
-/// archive::FileTrouble) and memory (std::bad_alloc). The command catches it.
+/// archive::FileFailure) and memory (std::bad_alloc). The command catches it.
 namespace spricka::base {
 
 /// How the program ends, from best to worst; what scripts see of it is in exit_codes.hpp.

@@ -49,7 +49,7 @@ public:
   [[nodiscard]] const solve::FactoredExternals* block_factor() const {
     return layered_ ? &*layered_ : nullptr;
   }
-  /// Whether it is a WholeBody; then compliance() stands in the place of half_compliance().
+  /// Whether it is a UncondensedBody; then compliance() stands in the place of compliance_root().
   [[nodiscard]] bool is_uncondensed() const { return whole_.factor != nullptr; }
   /// Y [.., k] with Y^T Y = F^T S+ F.
   [[nodiscard]] base::Matrix compliance_root(const base::Matrix& F) const;

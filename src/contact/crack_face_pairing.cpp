@@ -63,8 +63,8 @@ PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& me
   pair.found = true;
   pair.choice = half ? "the face of a half model, against its line" : "left face: node pairs";
   pair.contact = face_surface(model, mesh, own);
-  // A half model has no other face: rows weigh its own nodes alone, and depth_at() finds their
-  // thickness on both sides.
+  // A half model has no other face: rows weigh its own nodes alone, and out_of_plane_depth() finds
+  // their thickness on both sides.
   if (half) {
     pair.target.thickness = pair.contact.thickness;
   } else {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/marked_arc.hpp"
 
-#include "contact/stretch.hpp"
+#include "contact/contiguous_ranges.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -78,7 +78,7 @@ struct OppositePoint {
   double gap = 0.0;
 };
 
-std::optional<OppositePoint> rigid_partner(const SurfaceNode& node, const PairConstraints& pair) {
+std::optional<OppositePoint> rigid_opposite(const SurfaceNode& node, const PairConstraints& pair) {
   const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, node.x);
   if (!foot || foot->beyond || node.normal.dot(foot->normal) <= 0.0 ||
       std::abs(foot->gap) > farthest_opposite * pair.contact.extent) {
@@ -87,8 +87,8 @@ std::optional<OppositePoint> rigid_partner(const SurfaceNode& node, const PairCo
   return OppositePoint{base::NodeId(), foot->normal, foot->gap};
 }
 
-std::optional<OppositePoint> partner(const SurfaceNode& node, const OrderedSurfaceNodes& targets,
-                                     const ContactSurface& contact) {
+std::optional<OppositePoint> opposite(const SurfaceNode& node, const OrderedSurfaceNodes& targets,
+                                      const ContactSurface& contact) {
   const Vec2 n = node.normal.normalized();
   double best = std::numeric_limits<double>::infinity();
   std::optional<OppositePoint> found;
@@ -115,7 +115,7 @@ void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool t
   for (const base::NodeId id : nodes.order) {
     const SurfaceNode& node = nodes.node.at(id);
     const std::optional<OppositePoint> other =
-        pair.rigid ? rigid_partner(node, pair) : partner(node, targets, pair.contact);
+        pair.rigid ? rigid_opposite(node, pair) : opposite(node, targets, pair.contact);
     if (!other) {
       lonely += pair.rigid ? 0 : 1; // beyond a rigid target there is nothing
       continue;

@@ -76,7 +76,7 @@ struct MetFaces {
 };
 
 MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
-  const SurfaceProjection sighting(surface, target);
+  const SurfaceProjection projection(surface, target);
   std::vector<bool> seen(surface.faces.size(), false);
   for (const SurfaceTriangle& t : surface.triangles) {
     const SolidFace& face = surface.faces[t.face];
@@ -86,7 +86,7 @@ MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
                         3.0;
     const SolidFacePoint at = point_on(face, middle);
     seen[t.face] =
-        seen[t.face] || sighting.project_along_normal(at.x, surface_normal(surface, t.face, at));
+        seen[t.face] || projection.project_along_normal(at.x, surface_normal(surface, t.face, at));
   }
   MetFaces found;
   for (std::size_t f = 0; f < seen.size(); ++f) {

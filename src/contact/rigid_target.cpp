@@ -110,7 +110,7 @@ std::vector<MortarSegment> find_segments(const ContactSurface& contact,
     }
     settle(cuts);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i + 1] - cuts[i] > shortest_stretch &&
+      if (cuts[i + 1] - cuts[i] > shortest_interval &&
           faces(contact, edge, rigid, 0.5 * (cuts[i] + cuts[i + 1]))) {
         all.push_back({number, 0, cuts[i], cuts[i + 1]});
       }

@@ -33,7 +33,7 @@ void add_segments(const ContactSurface& contact, const Edge& edge, const Edge& t
   }
   const double from = std::max(std::min(*a, *b), -1.0);
   const double to = std::min(std::max(*a, *b), 1.0);
-  if (to - from < shortest_stretch) {
+  if (to - from < shortest_interval) {
     return;
   }
   const double middle = 0.5 * (from + to);
@@ -47,7 +47,7 @@ void add_segments(const ContactSurface& contact, const Edge& edge, const Edge& t
     return;
   }
   MortarSegment s = proto;
-  if (edge.count == 3 && from < -shortest_stretch && to > shortest_stretch) {
+  if (edge.count == 3 && from < -shortest_interval && to > shortest_interval) {
     s.from = from;
     s.to = 0.0;
     out.push_back(s);

@@ -10,7 +10,7 @@
 namespace spricka::contact {
 
 /// Stretches shorter than this in xi carry nothing.
-inline constexpr double shortest_stretch = 1e-10;
+inline constexpr double shortest_interval = 1e-10;
 
 struct MortarSegment {
   std::size_t contact_edge = 0; ///< among all edges of the contact surface, chain by chain

@@ -58,7 +58,7 @@ public:
       }
     }
     found_.thrust = thrust_;
-    found_.unsupported_part = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
+    found_.unsupported_part = thrust_ > 0.0 ? unsupported_ / thrust_ : 0.0;
     return found_;
   }
 
@@ -159,7 +159,7 @@ private:
       found_.facet = facet;
     }
     if (!now) {
-      lost_ += thrust;
+      unsupported_ += thrust;
     } else {
       found_.misfit = std::max(found_.misfit, std::abs(*now - counted));
     }
@@ -172,7 +172,7 @@ private:
   std::span<const Edge> edges_, targets_;
   std::vector<Edge> moved_;
   std::map<base::NodeId, std::size_t> row_;
-  double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;
+  double largest_ = 0.0, thrust_ = 0.0, unsupported_ = 0.0;
   SlideMeasures found_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solid_crack_pairing.hpp"
 
-#include "contact/space/twin_sight.hpp"
+#include "contact/space/twin_projection.hpp"
 #include "contact/space_rows.hpp"
 
 #include <set>

@@ -4,7 +4,7 @@
 #include "contact/row_builder.hpp"
 #include "contact/space/frames.hpp"
 #include "contact/space/rigid_round.hpp"
-#include "contact/space/twin_sight.hpp"
+#include "contact/space/twin_projection.hpp"
 #include "contact/space_dual.hpp"
 
 #include <algorithm>
@@ -54,15 +54,15 @@ public:
     number_functions();
     const std::function<ProjectedTriangle(const SurfaceTriangle&)> see = target_projector(pair_);
     for (const SurfaceTriangle& triangle : own_.triangles) {
-      const ProjectedTriangle sight = see(triangle);
-      pair_.unprojected_area += sight.unprojected_area;
-      if (sight.flat_seen > (1.0 + twice) * sight.flat_area) {
+      const ProjectedTriangle projection = see(triangle);
+      pair_.unprojected_area += projection.unprojected_area;
+      if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {
         pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
                         "lie within a fifth of the slave's extent)";
         pair_.found = true;
         return;
       }
-      add(triangle, sight);
+      add(triangle, projection);
     }
     pair_.segments = true;
     join_weak_ones();
@@ -88,7 +88,7 @@ private:
   }
 
   [[nodiscard]] HatIntegrals integrate(const SurfaceTriangle& triangle,
-                                       const ProjectedTriangle& sight) const {
+                                       const ProjectedTriangle& projection) const {
     HatIntegrals sum;
     const SolidFace& face = own_.faces[triangle.face];
     const auto nodes = static_cast<Eigen::Index>(face.nodes.size());
@@ -98,7 +98,7 @@ private:
       }
     }
     const bool rigid = pair_.rigid.has_value();
-    for (const ProjectionPoint& p : sight.points) {
+    for (const ProjectionPoint& p : projection.points) {
       if (!rigid && (sum.targets.empty() || sum.targets.back() != p.target)) {
         sum.targets.push_back(p.target);
         const auto count = static_cast<Eigen::Index>(other_.faces[p.target].nodes.size());
@@ -130,15 +130,15 @@ private:
     return sum;
   }
 
-  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& sight) {
+  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& projection) {
     const std::array<std::size_t, 3> at = functions_of(triangle);
     for (std::size_t a = 0; a < at.size(); ++a) {
-      pair_.functions[at[a]].whole += sight.whole[static_cast<Eigen::Index>(a)];
+      pair_.functions[at[a]].whole += projection.whole[static_cast<Eigen::Index>(a)];
     }
-    if (sight.points.empty()) {
+    if (projection.points.empty()) {
       return;
     }
-    const HatIntegrals sum = integrate(triangle, sight);
+    const HatIntegrals sum = integrate(triangle, projection);
     const Eigen::Matrix3d dual = dual_weights(sum.moment);
     for (std::size_t a = 0; a < at.size(); ++a) {
       const Eigen::RowVector3d weight = dual.row(static_cast<Eigen::Index>(a));
@@ -298,8 +298,8 @@ target_projector(const PairConstraints& pair) {
     };
   }
   // A std::function can be copied, the tree of a Sighting can't.
-  return [sighting = std::make_shared<SurfaceProjection>(own, pair.target.space)](
-             const SurfaceTriangle& triangle) { return sighting->project_triangle(triangle); };
+  return [projection = std::make_shared<SurfaceProjection>(own, pair.target.space)](
+             const SurfaceTriangle& triangle) { return projection->project_triangle(triangle); };
 }
 
 std::vector<std::vector<std::size_t>> functions_by_face(const PairConstraints& pair) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "contact/constraint.hpp"
-#include "contact/space/sight.hpp"
+#include "contact/space/surface_projection.hpp"
 
 #include <cstddef>
 #include <functional>

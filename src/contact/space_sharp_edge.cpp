@@ -2,7 +2,7 @@
 #include "contact/space_sharp_edge.hpp"
 
 #include "base/index.hpp"
-#include "contact/space/sight.hpp"
+#include "contact/space/surface_projection.hpp"
 
 #include <algorithm>
 #include <array>

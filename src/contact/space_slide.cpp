@@ -63,7 +63,7 @@ public:
       : pair_(pair), lambda_(lambda), u_(u), motions_(motions), own_(pair.contact.space),
         other_(pair.target.space), moved_own_(moved(own_, u)), moved_other_(moved(other_, u)),
         // Fits move bodies as far as they are large: what a body is moved off by is still opposite.
-        sighting_(moved_own_, moved_other_, 2.0 * largest_shift(u)),
+        projection_(moved_own_, moved_other_, 2.0 * largest_shift(u)),
         functions_(functions_by_face(pair)) {
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       largest_ = std::max(largest_, lambda[index(i)]);
@@ -91,7 +91,7 @@ public:
       }
     }
     found_.thrust = thrust_;
-    found_.unsupported_part = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
+    found_.unsupported_part = thrust_ > 0.0 ? unsupported_ / thrust_ : 0.0;
     found_.pressed = std::sqrt(found_.pressed);
     return found_;
   }
@@ -161,7 +161,7 @@ private:
       facet = std::max(facet, other_size_[at.target]);
       // Along the normal as it is now: bodies that have turned face one another otherwise.
       if (const auto met =
-              sighting_.project_along_normal(here.x, here.area_vector().normalized())) {
+              projection_.project_along_normal(here.x, here.area_vector().normalized())) {
         now = met->gap;
       }
       place = point_on(moved_other_.faces[at.target], at.s).x;
@@ -189,7 +189,7 @@ private:
       found_.facet = facet;
     }
     if (!now) {
-      lost_ += p * at.weight;
+      unsupported_ += p * at.weight;
     } else {
       found_.misfit = std::max(found_.misfit, std::abs(*now - counted));
     }
@@ -202,10 +202,10 @@ private:
   const SpaceSurface& own_;
   const SpaceSurface& other_;
   SpaceSurface moved_own_, moved_other_;
-  SurfaceProjection sighting_; ///< of the moved target
+  SurfaceProjection projection_; ///< of the moved target
   std::vector<std::vector<std::size_t>> functions_;
   std::vector<double> own_size_, other_size_; ///< [face]
-  double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;
+  double largest_ = 0.0, thrust_ = 0.0, unsupported_ = 0.0;
   SlideMeasures found_;
 };
 

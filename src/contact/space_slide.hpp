@@ -7,8 +7,8 @@
 
 namespace spricka::contact {
 
-/// slide_of() between solids; u [3 * node]. Lengths of the pressed part and of faces are roots of
-/// their areas.
+/// measure_slide() between solids; u [3 * node]. Lengths of the pressed part and of faces are roots
+/// of their areas.
 SlideMeasures measure_space_slide(const PairConstraints& pair, const base::Vector& lambda,
                                   const base::Vector& u,
                                   std::span<const base::Matrix* const> motions);

@@ -61,9 +61,9 @@ public:
 
 private:
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& sight) {
+  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& projection) {
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-    for (const ProjectionPoint& p : sight.points) {
+    for (const ProjectionPoint& p : projection.points) {
       moment += p.weight * p.hat * p.hat.transpose();
     }
     const Eigen::Matrix3d dual = dual_weights(moment);
@@ -73,7 +73,7 @@ private:
       const int row = pair_.functions[at].row;
       rows[a] = row < 0 ? RowsAlong{-1, -1, -1} : rows_[static_cast<std::size_t>(row)];
     }
-    for (const ProjectionPoint& p : sight.points) {
+    for (const ProjectionPoint& p : projection.points) {
       const Eigen::Vector3d weight = dual * (p.weight * p.hat);
       const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.face], p.normal);
       std::vector<UnitTractionPoint::RowForce> forces;

@@ -109,8 +109,8 @@ ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
       }
       surface.mean_length += edge.length;
       const double E = model.element_material(mesh, face.element).E;
-      // The softest, by which the contact side is chosen (contact.6); the thinnest, as depth_at()
-      // takes the smaller.
+      // The softest, by which the contact side is chosen (contact.6); the thinnest, as
+      // out_of_plane_depth() takes the smaller.
       surface.stiffness = count == 0 ? E : std::min(surface.stiffness, E);
       const double t = model.element_property(mesh, face.element).thickness;
       surface.thickness = count == 0 ? t : std::min(surface.thickness, t);

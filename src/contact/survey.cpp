@@ -44,18 +44,18 @@ GapSurvey sample(const ContactSurface& from, const std::vector<MortarSegment>& s
     const Edge& edge = edges[s.contact_edge];
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
-      const std::optional<Glance> sight = look(s, edge, xi);
-      if (!sight) {
+      const std::optional<Glance> projection = look(s, edge, xi);
+      if (!projection) {
         continue;
       }
       faces[s.contact_edge] = true;
-      const double gap = sight->gap;
+      const double gap = projection->gap;
       const double w = 0.5 * (s.to - s.from) * sample_w[i] * tangent_on(edge, xi).norm();
       found.seen += w;
       found.gap_mean += w * gap;
       found.gap_low = first ? gap : std::min(found.gap_low, gap);
       found.gap_high = first ? gap : std::max(found.gap_high, gap);
-      found.angle_high = std::max(found.angle_high, sight->angle);
+      found.angle_high = std::max(found.angle_high, projection->angle);
       first = false;
     }
   }
@@ -71,9 +71,9 @@ template <class See> GapSurvey survey_space(const SpaceSurface& from, See&& see)
   std::vector<bool> faces(from.faces.size(), false);
   bool first = true;
   for (const SurfaceTriangle& t : from.triangles) {
-    const ProjectedTriangle sight = see(t);
-    found.length += sight.whole.sum();
-    for (const ProjectionPoint& p : sight.points) {
+    const ProjectedTriangle projection = see(t);
+    found.length += projection.whole.sum();
+    for (const ProjectionPoint& p : projection.points) {
       faces[t.face] = true;
       found.seen += p.weight;
       found.gap_mean += p.weight * p.gap;
@@ -93,9 +93,9 @@ template <class See> GapSurvey survey_space(const SpaceSurface& from, See&& see)
 
 GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to) {
   if (!from.space.faces.empty()) {
-    const SurfaceProjection sighting(from.space, to.space);
+    const SurfaceProjection projection(from.space, to.space);
     return survey_space(from.space, [&](const SurfaceTriangle& triangle) {
-      return sighting.project_triangle(triangle);
+      return projection.project_triangle(triangle);
     });
   }
   const std::vector<Edge>& targets = to.plane.edges;

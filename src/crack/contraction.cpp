@@ -5,13 +5,13 @@ namespace spricka::crack {
 
 namespace {
 
-// Of one partner at the points of an element:
+// Of one auxiliary field at the points of an element:
 // s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (div q) H_v is e1 . T grad q of
 // the interaction; D is symmetric, so s(u) : A = H_u : s(A). About an axis all have components
-// round it (crack.37), and partners have a divergence (crack.38). The weight of a point goes in, as
-// does `part`.
+// round it (crack.37), and auxiliary fields have a divergence (crack.38). The weight of a point
+// goes in, as does `part`.
 void for_element_points(const TipSetting& set, base::ElementId e,
-                        const std::map<base::NodeId, double>& q, std::size_t partner, double part,
+                        const std::map<base::NodeId, double>& q, std::size_t auxiliary, double part,
                         const ContractionVisit& visit) {
   const PlaneElement& element = plane_element(set.mesh, e);
   const PlaneVectors X = fe::coordinates(element, set.mesh, e);
@@ -28,7 +28,7 @@ void for_element_points(const TipSetting& set, base::ElementId e,
     const double round =
         set.is_axisymmetric() ? here * e1.x() / x.x() : 0.0; // of q, round the axis
     const double div = e1.dot(grad) + round;
-    const AuxiliaryField v = auxiliary_field_at(set, k, x, partner);
+    const AuxiliaryField v = auxiliary_field_at(set, k, x, auxiliary);
     const SectionState A =
         state_from_gradient(k, v.H * e1 * grad.transpose() - div * v.H, (round - div) * v.hoop);
     const Eigen::Matrix2d M = A.sigma + (v.sigma * grad + here * v.divergence) * e1.transpose();
@@ -40,7 +40,7 @@ void for_element_points(const TipSetting& set, base::ElementId e,
 } // namespace
 
 void for_contractions(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                      std::size_t partner, const ContractionVisit& visit) {
+                      std::size_t auxiliary, const ContractionVisit& visit) {
   const double part = 1.0 / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
     const std::map<base::NodeId, double> q = field.extension_by_node();
@@ -49,7 +49,7 @@ void for_contractions(const TipSetting& set, const std::vector<ExtensionField>& 
       elements.insert(elements.end(), field.inside.begin(), field.inside.end());
     }
     for (const base::ElementId e : elements) {
-      for_element_points(set, e, q, partner, part, visit);
+      for_element_points(set, e, q, auxiliary, part, visit);
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/partner.hpp"
+#include "crack/auxiliary_field.hpp"
 
 #include <functional>
 #include <map>
@@ -20,8 +20,8 @@ using ContractionVisit =
     std::function<void(base::ElementId e, const shape::Point<2>& r,
                        const fe::Jacobian<PlaneElement>& at, const ContractionTensor& contracted)>;
 
-/// Visits the points of all elements of all domains, averaged over these, with one partner.
+/// Visits the points of all elements of all domains, averaged over these, with one auxiliary field.
 void for_contractions(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                      std::size_t partner, const ContractionVisit& visit);
+                      std::size_t auxiliary, const ContractionVisit& visit);
 
 } // namespace spricka::crack

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/domain_integral.hpp"
 
+#include "crack/auxiliary_field.hpp"
 #include "crack/load_fields.hpp"
-#include "crack/partner.hpp"
 #include "fe/thermal_kernel.hpp"
 
 #include <algorithm>
@@ -80,8 +80,8 @@ private:
                              ? (k == 0 ? own_momentum(here) : of_both(here, v))
                              : Momentum();
       // What does not hang on the gradient of q: the temperature's gradient on the volume change
-      // of u (crack.22) or of v (crack.23), about an axis the way outwards (crack.37) and partners
-      // that are not at rest.
+      // of u (crack.22) or of v (crack.23), about an axis the way outwards (crack.37) and auxiliary
+      // fields that are not at rest.
       base::Vec2 c = base::Vec2::Zero();
       if (filled) {
         const double work = k == 0 && carried_ ? 2.0 * here.free_strain : v.dilatation();
@@ -144,7 +144,7 @@ private:
     here.sigma_hoop -= set_.is_axisymmetric() ? beta_T : 0.0;
   }
 
-  // What the partners of K and T meet: the same displacements under the affine temperature.
+  // What the auxiliary fields of K and T meet: the same displacements under the affine temperature.
   [[nodiscard]] Here under_affine(const Here& own, const base::Vec2& x) const {
     Here here = own;
     const double beta = fe::thermal_modulus(k_.law);
@@ -170,7 +170,7 @@ private:
     here.beta_grad_T = beta * at.J.transpose().inverse() * slope;
   }
 
-  // The solution in the place of a partner: it is at rest but for loads, which have terms.
+  // The solution in the place of a auxiliary field: it is at rest but for loads, which have terms.
   static AuxiliaryField itself(const Here& here) {
     AuxiliaryField v;
     v.H = here.nodal;

@@ -26,31 +26,31 @@ std::vector<ElementId> all_elements(const ExtensionField& field) {
   return all;
 }
 
-// Derivative along the crack of the volume change in the section of partner 1 to 3: of harmonic
-// functions, from sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
-double section_slope(const TipSetting& set, const Polar& at, std::size_t partner) {
+// Derivative along the crack of the volume change in the section of auxiliary field 1 to 3: of
+// harmonic functions, from sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
+double section_slope(const TipSetting& set, const Polar& at, std::size_t auxiliary) {
   const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
   // Volume change in the plane by sigma_11 + sigma_22.
   const double bulk = (kolosov(set.material.nu, set.state()) - 1.0) / (4.0 * shear);
-  if (partner == 3) {
+  if (auxiliary == 3) {
     return bulk * std::cos(2.0 * at.theta) / (pi * at.r * at.r);
   }
   const double root = -bulk / (at.r * std::sqrt(2.0 * pi * at.r));
-  return partner == 1 ? root * std::cos(1.5 * at.theta) : -root * std::sin(1.5 * at.theta);
+  return auxiliary == 1 ? root * std::cos(1.5 * at.theta) : -root * std::sin(1.5 * at.theta);
 }
 
-/// The volume change of a partner along the crack, and about an axis its strain round it.
+/// The volume change of a auxiliary field along the crack, and about an axis its strain round it.
 struct Swelling {
   double slope = 0.0; ///< of the volume change, along the crack
   double hoop = 0.0;
 };
-Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t partner) {
+Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t auxiliary) {
   const Polar at = polar(set.tip, x);
-  Swelling s{section_slope(set, at, partner), 0.0};
+  Swelling s{section_slope(set, at, auxiliary), 0.0};
   if (set.is_axisymmetric()) {
-    s.hoop = auxiliary_field_displacement(set, at, partner).x() / x.x();
+    s.hoop = auxiliary_field_displacement(set, at, auxiliary).x() / x.x();
     // (v_x / x),1
-    s.slope += (Vec2(auxiliary_field_gradient(set, at, partner) * set.tip.e1).x() -
+    s.slope += (Vec2(auxiliary_field_gradient(set, at, auxiliary) * set.tip.e1).x() -
                 s.hoop * set.tip.e1.x()) /
                x.x();
   }
@@ -106,7 +106,7 @@ public:
     return set_.is_axisymmetric() ? extension(r) * set_.tip.e1.x() / x(r).x() : 0.0;
   }
 
-  // - beta D div(q v,1) of a partner v.
+  // - beta D div(q v,1) of a auxiliary field v.
   void add_to_K(const shape::Point<2>& r, double area, double D,
                 std::array<double, partners>& sum) const {
     const Vec2 at = x(r);
@@ -142,8 +142,8 @@ public:
   }
 
   void add(const mesh::CrackFront& front, bool wants_G, std::array<double, partners>& sum) const {
-    // What the element takes less the affine temperature, times partners that are singular at the
-    // tip: by collapsed charts. What it does not take follows at its own points.
+    // What the element takes less the affine temperature, times auxiliary fields that are singular
+    // at the tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip_point().node};
     for (const fe::ReferenceChart& chart :
          fe::charts(element_, fe::find_tip_corner(set_.mesh, e_, tips))) {
@@ -357,9 +357,10 @@ std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
 
 bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
   return std::ranges::any_of(set.loads.heat, [&](const fe::ScaledTemperature& acting) {
-    const std::vector<bool>& rough = acting.heat->discontinuous;
-    return !rough.empty() &&
-           std::ranges::any_of(all_elements(field), [&](ElementId e) { return rough[e.index()]; });
+    const std::vector<bool>& discontinuous = acting.heat->discontinuous;
+    return !discontinuous.empty() && std::ranges::any_of(all_elements(field), [&](ElementId e) {
+      return discontinuous[e.index()];
+    });
   });
 }
 

@@ -5,8 +5,8 @@
 namespace spricka::crack {
 
 /// Displacement gradient du_i/dx_j in global axes of a unit force per thickness, along the growth
-/// direction, at the tip of a half-infinite crack (the partner of T: Kfouri 1986), at a point off
-/// the tip: s_rr = - cos(theta) / (pi r) is its only stress (manual, crack.24, crack.25).
+/// direction, at the tip of a half-infinite crack (the auxiliary field of T: Kfouri 1986), at a
+/// point off the tip: s_rr = - cos(theta) / (pi r) is its only stress (manual, crack.24, crack.25).
 Eigen::Matrix2d point_force_gradient(const TipFrame& tip, const Polar& at,
                                      const model::ElasticMaterial& material,
                                      model::StressState state);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/stress_intensity.hpp"
 
+#include "crack/auxiliary_field.hpp"
+#include "crack/auxiliary_pressure.hpp"
 #include "crack/contraction.hpp"
 #include "crack/domain_integral.hpp"
 #include "crack/face_term.hpp"
 #include "crack/finite_shift.hpp"
 #include "crack/heat_term.hpp"
+#include "crack/load_jumps.hpp"
 #include "crack/opening.hpp"
-#include "crack/partner.hpp"
-#include "crack/partner_pressure.hpp"
-#include "crack/rough_loads.hpp"
 #include "crack/thermal_term.hpp"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace spricka::crack {
 namespace {
 
 double crack_modulus(const model::ElasticMaterial& material, model::StressState own,
-                     model::TipConstraint wish) {
-  switch (wish) {
+                     model::TipConstraint request) {
+  switch (request) {
   case model::TipConstraint::stress:
     return fe::effective_modulus(material, model::StressState::plane_stress);
   case model::TipConstraint::strain:
@@ -47,10 +47,10 @@ struct IntensityConversion {
 };
 
 IntensityConversion factors_of(const TipSetting& set, const mesh::CrackFront& front,
-                               model::TipConstraint wish) {
+                               model::TipConstraint request) {
   IntensityConversion f;
   f.E_own = fe::effective_modulus(set.material, set.state());
-  f.E_used = crack_modulus(set.material, set.state(), wish);
+  f.E_used = crack_modulus(set.material, set.state(), request);
   f.halves = front.symmetric_half ? 2.0 : 1.0;
   return f;
 }
@@ -109,8 +109,8 @@ void add_hoop(const TipSetting& set, base::ElementId e, const shape::Point<2>& r
   }
 }
 
-base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                         std::size_t partner) {
+base::Vector auxiliary_row(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                           std::size_t auxiliary) {
   base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
   const auto add = [&](base::ElementId e, const shape::Point<2>& r,
                        const fe::Jacobian<PlaneElement>& at, const ContractionTensor& c) {
@@ -123,9 +123,10 @@ base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField
       add_hoop(set, e, r, c.hoop, row);
     }
   };
-  for_contractions(set, fields, partner, add);
+  for_contractions(set, fields, auxiliary, add);
   for (const ExtensionField& field : fields) {
-    add_auxiliary_pressure_row(set, field, partner, 1.0 / static_cast<double>(fields.size()), row);
+    add_auxiliary_pressure_row(set, field, auxiliary, 1.0 / static_cast<double>(fields.size()),
+                               row);
   }
   return row;
 }
@@ -191,9 +192,9 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
       (request.crack_faces != nullptr ? request.crack_faces->at_tip : 0.0) + stress_of_hoop(set, u);
   double shifted = 0.0;
   double analytic = 0.0;
-  double doubt = 0.0; // what is rough in one domain is so for the displacements in all
+  double invalid_reason = 0.0; // what is rough in one domain is so for the displacements in all
   for (const ExtensionField& field : fields) {
-    doubt = std::max(doubt, factors.halves * G_uncertainty(set, field));
+    invalid_reason = std::max(invalid_reason, factors.halves * G_uncertainty(set, field));
   }
   for (const ExtensionField& field : fields) {
     std::array<double, partners> sum = forces.released_energies(field);
@@ -218,7 +219,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
       take_shift(value, G);
     }
     const double known = (value.K1 * value.K1 + value.K2 * value.K2) / factors.E_used;
-    if (jumps || doubt > worst_doubt * known) {
+    if (jumps || invalid_reason > worst_invalid_reason * known) {
       value.G = std::numeric_limits<double>::quiet_NaN();
     }
     if (result.two_materials) {
@@ -253,9 +254,9 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
     return rows;
   }
   const double factor = factors_of(set, front, state).K();
-  rows.col(0) = factor * partner_row(set, fields, 1);
+  rows.col(0) = factor * auxiliary_row(set, fields, 1);
   if (!front.symmetric_half) {
-    rows.col(1) = factor * partner_row(set, fields, 2);
+    rows.col(1) = factor * auxiliary_row(set, fields, 2);
   }
   return rows;
 }
@@ -275,8 +276,8 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
     return points;
   }
   const double factor = factors_of(set, front, state).K();
-  const auto visit = [&](std::size_t partner, auto&& take) {
-    for_contractions(set, fields, partner,
+  const auto visit = [&](std::size_t auxiliary, auto&& take) {
+    for_contractions(set, fields, auxiliary,
                      [&](base::ElementId e, const shape::Point<2>& r,
                          const fe::Jacobian<PlaneElement>& /*at*/, const ContractionTensor& c) {
                        take(e, r, ContractionTensor{factor * c.M, factor * c.hoop});
@@ -331,7 +332,7 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
   const TipLoads none;
   const TipSetting set = tip_setting(model, cracked, front, fields, none);
   base::Vector row =
-      factors_of(set, front, model::TipConstraint::automatic).T() * partner_row(set, fields, 3);
+      factors_of(set, front, model::TipConstraint::automatic).T() * auxiliary_row(set, fields, 3);
   if (set.is_axisymmetric()) {
     row[2 * static_cast<Eigen::Index>(set.tip_node.index())] += stress_of_hoop(set);
   }

@@ -97,8 +97,8 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
                                                        const mesh::CrackFront& front,
                                                        const std::vector<ExtensionField>& fields,
                                                        model::TipConstraint state);
-/// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
-/// [dim * node, 2]
+/// The same for forces between the faces: rows^T f is what those of TipIntensityRequest add to K1
+/// and K2. [dim * node, 2]
 base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,

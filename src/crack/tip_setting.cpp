@@ -81,17 +81,17 @@ ConfigurationalForces::released_energies(const ExtensionField& field) const {
 }
 
 Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
-                                         std::size_t partner) {
-  return partner == 3
-             ? point_force_gradient(set.tip, at, set.material, set.state())
-             : near_tip_gradient(set.tip, at, static_cast<int>(partner), set.material, set.state());
+                                         std::size_t auxiliary) {
+  return auxiliary == 3 ? point_force_gradient(set.tip, at, set.material, set.state())
+                        : near_tip_gradient(set.tip, at, static_cast<int>(auxiliary), set.material,
+                                            set.state());
 }
 
 base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
-                                        std::size_t partner) {
-  return partner == 3
+                                        std::size_t auxiliary) {
+  return auxiliary == 3
              ? point_force_displacement(set.tip, at, set.tip.x.x(), set.material, set.state())
-             : near_tip_displacement(set.tip, at, static_cast<int>(partner), set.material,
+             : near_tip_displacement(set.tip, at, static_cast<int>(auxiliary), set.material,
                                      set.state());
 }
 

@@ -27,7 +27,7 @@ inline const PlaneElement& plane_element(const model::Mesh& mesh, base::ElementI
 }
 
 /// A temperature that is linear all over the domains, T = at_tip + slope . (x - tip). Where the
-/// temperature is another one, partners take this and the rest goes into heat_term.
+/// temperature is another one, auxiliary fields take this and the rest goes into heat_term.
 struct AffineTemperature {
   double at_tip = 0.0;
   base::Vec2 slope = base::Vec2::Zero();
@@ -37,8 +37,8 @@ struct AffineTemperature {
   }
 };
 
-/// Everything the kernels need of one tip. Material and property are those of the partners; of a
-/// tip between two materials, which has none, the ones on one side.
+/// Everything the kernels need of one tip. Material and property are those of the auxiliary fields;
+/// of a tip between two materials, which has none, the ones on one side.
 struct TipSetting {
   const model::Model& model;
   const model::Mesh& mesh;
@@ -72,34 +72,36 @@ bool between_materials(const TipSetting& set, const ExtensionField& field);
 inline constexpr std::size_t partners = 4;
 
 /// Configurational forces: how much energy is released as nodes move, per unit thickness
-/// [force/length], of the solution with each partner. Terms add to them; G, K and T are their
-/// product with a virtual extension.
+/// [force/length], of the solution with each auxiliary field. Terms add to them; G, K and T are
+/// their product with a virtual extension.
 struct ConfigurationalForces {
   std::map<base::NodeId, std::array<base::Vec3, partners>> at;
 
   std::array<base::Vec3, partners>& operator[](base::NodeId n);
-  /// Sum over nodes of their motion times P, of each partner.
+  /// Sum over nodes of their motion times P, of each auxiliary field.
   [[nodiscard]] std::array<double, partners> released_energies(const ExtensionField& field) const;
 };
 
-/// Displacement gradient of partner 1 to 3 at a point off the tip.
+/// Displacement gradient of auxiliary field 1 to 3 at a point off the tip.
 Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
-                                         std::size_t partner);
+                                         std::size_t auxiliary);
 /// Its displacement. About an axis a motion along the radius is none of a rigid body: the tip of
-/// partners 1 and 2 rests, and partner 3 is zero in a distance of the front's radius.
+/// auxiliary fields 1 and 2 rests, and auxiliary field 3 is zero in a distance of the front's
+/// radius.
 base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
-                                        std::size_t partner);
+                                        std::size_t auxiliary);
 
 /// The q of a field at the nodes of an element.
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
                          const std::map<base::NodeId, double>& q);
 
-/// In the elements where q varies the partners behave like r^-1/2 or r^-1 but are smooth; degree 9
-/// leaves 1e-7 of them.
+/// In the elements where q varies the auxiliary fields behave like r^-1/2 or r^-1 but are smooth;
+/// degree 9 leaves 1e-7 of them.
 inline constexpr int domain_degree = 9;
 
 /// Visits the points of an element of a domain with their weights. About an axis the elements at
-/// the tip count as well (crack.37), where partners are singular: by charts collapsed into it.
+/// the tip count as well (crack.37), where auxiliary fields are singular: by charts collapsed into
+/// it.
 void for_domain_points(const TipSetting& set, base::ElementId e,
                        const std::function<void(const shape::Point<2>& r, double weight)>& visit);
 

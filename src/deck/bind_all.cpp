@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
-#include "deck/lost_header.hpp"
+#include "deck/header_without_dollar.hpp"
 #include "deck/overrides.hpp"
 #include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"

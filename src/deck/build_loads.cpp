@@ -248,15 +248,15 @@ void check_displacement(DeckContext& c, const model::Load& load,
 }
 
 /// What the lines for one set give a freedom.
-struct Told {
+struct Reported {
   std::size_t set = 0; ///< of the case, by its first line
   double value = 0.0;
   base::SourceSpan span; ///< of its last line
 };
-using ToldFreedoms = std::map<std::size_t, std::vector<Told>>; // by 3 * node + direction
+using ReportedFreedoms = std::map<std::size_t, std::vector<Reported>>; // by 3 * node + direction
 
-ToldFreedoms told_displacements(const model::Mesh& mesh, const model::LoadCase& load_case) {
-  ToldFreedoms told;
+ReportedFreedoms reported_displacements(const model::Mesh& mesh, const model::LoadCase& load_case) {
+  ReportedFreedoms reported;
   std::vector<const model::NodeSet*> sets;
   for (const model::Load& load : load_case.loads) {
     if (load.type != LoadType::displacement) {
@@ -269,11 +269,11 @@ ToldFreedoms told_displacements(const model::Mesh& mesh, const model::LoadCase& 
     sets.push_back(&set);
     for (const base::NodeId node : std::set(set.nodes.begin(), set.nodes.end())) {
       for (std::size_t d = 0; d < load.value.size(); ++d) {
-        std::vector<Told>& here = told[3 * node.index() + d];
+        std::vector<Reported>& here = reported[3 * node.index() + d];
         const double value = load.value[d](mesh.x[node.index()]);
         if (!here.empty() && here.back().set == number) {
           here.back().value += value;
-        } else if (const auto same = std::ranges::find(here, number, &Told::set);
+        } else if (const auto same = std::ranges::find(here, number, &Reported::set);
                    same != here.end()) {
           same->value += value;
         } else {
@@ -282,16 +282,16 @@ ToldFreedoms told_displacements(const model::Mesh& mesh, const model::LoadCase& 
       }
     }
   }
-  return told;
+  return reported;
 }
 
 // Lines for one set add up. Where different sets meet, at corners, the same value counts once, and
 // a zero gives way; two others say two things.
 void displacements_agree(DeckContext& c, const model::LoadCase& load_case) {
   constexpr double equal = 1e-9;
-  for (const auto& [freedom, here] : told_displacements(c.model.mesh, load_case)) {
-    const Told* first = nullptr;
-    for (const Told& t : here) {
+  for (const auto& [freedom, here] : reported_displacements(c.model.mesh, load_case)) {
+    const Reported* first = nullptr;
+    for (const Reported& t : here) {
       if (t.value == 0.0) {
         continue;
       }

@@ -145,7 +145,7 @@ void loads_in_reach(DeckContext& c) {
 
 // Heat that nothing feels is a forgotten key.
 void heated_materials_expand(DeckContext& c) {
-  std::vector<bool> told(c.model.materials.size(), false);
+  std::vector<bool> reported(c.model.materials.size(), false);
   for (const model::LoadCase& load_case : c.model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (load.type != model::LoadType::temperature) {
@@ -154,8 +154,8 @@ void heated_materials_expand(DeckContext& c) {
       for (const base::ElementId e : c.model.mesh.set_with_id(load.elements).elements) {
         const std::size_t m = c.model.element_property(c.model.mesh, e).material.index();
         const model::ElasticMaterial& material = c.model.materials[m];
-        if (material.alpha == 0.0 && !told[m]) {
-          told[m] = true;
+        if (material.alpha == 0.0 && !reported[m]) {
+          reported[m] = true;
           c.diagnostics.warning(material.span, "W313",
                                 fmt::format("material {} is heated, but has no ALPHA: it does not "
                                             "expand",

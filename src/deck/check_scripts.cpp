@@ -144,10 +144,10 @@ void check_scripts(DeckContext& c) {
     const auto at = words.find(upper);
     const NameOccurrences places = at == words.end() ? NameOccurrences{} : at->second;
     const bool arrives = reaches_a_script(c, upper);
-    bool told = arrives; // where it arrives in one script, another may have a name of its own
+    bool reported = arrives; // where it arrives in one script, another may have a name of its own
     for (const ImportedScript& script : c.scripts) {
       for (const mesh::GeometryScriptConstant& constant : script.constants) {
-        if (!told && !constant.defined && constant.name == written && constant.value &&
+        if (!reported && !constant.defined && constant.name == written && constant.value &&
             *constant.value != value) {
           c.diagnostics.warning(
               places.first, "W481",
@@ -155,11 +155,11 @@ void check_scripts(DeckContext& c) {
                           value, name_of(script), written, *constant.value),
               fmt::format("write DefineConstant[ {} = {:.6g} ]; there, or another name here",
                           written, *constant.value));
-          told = true;
+          reported = true;
         }
       }
     }
-    if (!told && places.count < 2 && !belongs_to_the_report(upper)) {
+    if (!reported && places.count < 2 && !belongs_to_the_report(upper)) {
       unused(c, written, places.first);
     }
   }

@@ -138,13 +138,13 @@ private:
   // have, those whose nearest partner of either pair belongs to both.
   [[nodiscard]] std::size_t doubled(const SurfaceFacePair& a, const SurfaceFacePair& b) const {
     const Faces shared = common(a.one, b.one);
-    const Faces partner = common(a.two, b.two);
-    if (shared.empty() || partner.empty()) {
+    const Faces auxiliary = common(a.two, b.two);
+    if (shared.empty() || auxiliary.empty()) {
       return 0;
     }
     Faces all;
     std::set_union(a.two.begin(), a.two.end(), b.two.begin(), b.two.end(), std::back_inserter(all));
-    if (all.size() == partner.size()) {
+    if (all.size() == auxiliary.size()) {
       return shared.size();
     }
     std::vector<base::Vec3> places;
@@ -154,22 +154,22 @@ private:
       const base::Vec3 x = middle(face);
       const auto nearest = std::ranges::min_element(
           places, {}, [&](const base::Vec3& place) { return (place - x).squaredNorm(); });
-      return std::binary_search(partner.begin(), partner.end(),
+      return std::binary_search(auxiliary.begin(), auxiliary.end(),
                                 all[static_cast<std::size_t>(nearest - places.begin())]);
     }));
   }
 
   // How many of some faces lie opposite a partner, not beyond its ends; all where that is rigid.
-  [[nodiscard]] std::size_t facing(const Faces& faces, const Faces& partner) const {
-    if (partner.empty()) {
+  [[nodiscard]] std::size_t facing(const Faces& faces, const Faces& auxiliary) const {
+    if (auxiliary.empty()) {
       return faces.size();
     }
     if (mesh_.dim == 3) {
       return static_cast<std::size_t>(std::ranges::count_if(
-          faces, [&](const model::Face& face) { return lies_before(face, partner); }));
+          faces, [&](const model::Face& face) { return lies_before(face, auxiliary); }));
     }
     std::map<base::NodeId, int> sides; // of the partner's nodes: one at an end
-    for (const model::Face& face : partner) {
+    for (const model::Face& face : auxiliary) {
       for (const base::NodeId n : nodes_of(face)) {
         ++sides[n];
       }
@@ -178,7 +178,7 @@ private:
       const base::Vec3 x = middle(face);
       double nearest = std::numeric_limits<double>::max();
       bool opposite = false;
-      for (const model::Face& other : partner) {
+      for (const model::Face& other : auxiliary) {
         const std::vector<base::NodeId> ends = nodes_of(other);
         const base::Vec3& from = mesh_.x[ends[0].index()];
         const base::Vec3 along = mesh_.x[ends[1].index()] - from;
@@ -195,10 +195,10 @@ private:
 
   // In space: whether the middle of a face, moved along the normal of the nearest of the partner's,
   // is no farther from the middle of that one than its corners are.
-  [[nodiscard]] bool lies_before(const model::Face& face, const Faces& partner) const {
+  [[nodiscard]] bool lies_before(const model::Face& face, const Faces& auxiliary) const {
     const base::Vec3 x = middle(face);
     const model::Face& other = *std::ranges::min_element(
-        partner, {}, [&](const model::Face& f) { return (middle(f) - x).squaredNorm(); });
+        auxiliary, {}, [&](const model::Face& f) { return (middle(f) - x).squaredNorm(); });
     const std::vector<base::NodeId> corners = nodes_of(other);
     const base::Vec3 at = middle(other);
     const auto from_middle = [&](std::size_t i) {

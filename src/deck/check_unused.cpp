@@ -68,8 +68,9 @@ void doubled_loads(DeckContext& c) {
       const auto first = std::find_if(loads.begin(), last, [&](const model::Load& load) {
         return same_load(load, loads[i]) && words_of(c, load.span) == words_of(c, loads[i].span);
       });
-      const bool told = i > 1 && loads[i].span.begin == loads[i - 1].span.begin; // other crack face
-      if (first != last && !none && !told && first->span.begin != loads[i].span.begin) {
+      const bool reported =
+          i > 1 && loads[i].span.begin == loads[i - 1].span.begin; // other crack face
+      if (first != last && !none && !reported && first->span.begin != loads[i].span.begin) {
         c.diagnostics.warning(
             loads[i].span, "W358",
             fmt::format("case {} has this load twice, first in line {}: it acts twice",

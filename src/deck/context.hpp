@@ -44,8 +44,8 @@ struct DeckContext {
   std::vector<LabelMap> node_labels{};                          ///< [net]
   std::vector<LabelMap> element_labels{};                       ///< [net]
   std::vector<ElementOrigin> origins{};                         ///< ascending
-  std::size_t largest_mesh = 0;                                 ///< see ReadOptions
-  const std::map<std::string, NetRefinement>* refine = nullptr; ///< see ReadOptions
+  std::size_t largest_mesh = 0;                                 ///< see DeckReadOptions
+  const std::map<std::string, NetRefinement>* refine = nullptr; ///< see DeckReadOptions
   std::set<std::string> remeshed{};          ///< nets whose cards took their refinement themselves
   std::set<std::size_t> default_thickness{}; ///< plane properties whose card has no THICK
   bool mesh_sound = true;                    ///< no mistake while nodes and elements were made

@@ -19,8 +19,8 @@ void divide_elements(DeckContext& context) {
     std::vector<bool> nets(model.nets.size(), false);
     for (std::size_t n = 0; n < nets.size(); ++n) {
       const std::string& name = model.nets[n].name;
-      const NetRefinement* wish = context.refinement(name);
-      nets[n] = wish != nullptr && wish->splits > round && !context.remeshed.contains(name);
+      const NetRefinement* request = context.refinement(name);
+      nets[n] = request != nullptr && request->splits > round && !context.remeshed.contains(name);
     }
     if (std::none_of(nets.begin(), nets.end(), [](bool divided) { return divided; })) {
       return;

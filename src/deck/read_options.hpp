@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/size_wish.hpp"
+#include "mesh/script_size_request.hpp"
 
 #include <cstddef>
 #include <map>

@@ -8,10 +8,10 @@ namespace spricka::estimate {
 
 namespace {
 
-// Parts of flips. What a sharp edge presses on its last half element is the less known the larger
-// that is.
+// Parts of changes of the active set. What a sharp edge presses on its last half element is the
+// less known the larger that is.
 struct Shares {
-  double end = share_of_flip;
+  double end = share_of_set_change;
   double sharp = 0.1;
 };
 constexpr Shares when_coarse{0.25, 0.6};
@@ -45,7 +45,7 @@ ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error) {
 
 std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
                                    const std::array<const GoalError*, 2>& errors,
-                                   const std::array<ActiveSetChange, 2>& flip, bool coarse) {
+                                   const std::array<ActiveSetChange, 2>& set_change, bool coarse) {
   std::array<ErrorBar, 2> bars;
   const double size = std::hypot(K[0], K[1]);
   const Shares share = coarse ? when_coarse : Shares{};
@@ -55,7 +55,7 @@ std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<dou
     ErrorBar& bar = bars[k];
     bar.floor = floor_share * size;
     bar.mesh = constants.bar * std::abs(error.eta);
-    bar.edge = share.end * flip[k].end + share.sharp * flip[k].sharp;
+    bar.edge = share.end * set_change[k].end + share.sharp * set_change[k].sharp;
     bar.best = K[k] + constants.best * error.eta;
     // Parts below the floor are noise and may cancel as they like (estimate.12).
     const bool counts = share_of_sum * error.sum > bar.floor;

@@ -25,18 +25,19 @@ struct ErrorBarFactors {
 /// The constants of a mesh: those of its element types, by their share of sum |eta_e|.
 ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error);
 
-/// Part of the largest flip that a bar takes, read off cracks that a residual field closes along a
-/// part (manual, error_bar.md); the rest of its edge is that of sharp edges.
-constexpr double share_of_flip = 0.15;
+/// Part of the largest change of the active set that a bar takes, read off cracks that a residual
+/// field closes along a part (manual, error_bar.md); the rest of its edge is that of sharp edges.
+constexpr double share_of_set_change = 0.15;
 
 /// Changes of one K when a contact pair changes its state.
 struct ActiveSetChange {
   double end = 0.0;   ///< the largest, of pairs beside the end of a contact
   double sharp = 0.0; ///< sum over those at sharp edges, where pressure has no bound
 };
-/// K, errors and flip by mode. `coarse`: a contact is too coarse for eta to be trusted.
+/// K, errors and changes of the active set by mode. `coarse`: a contact is too coarse for eta to be
+/// trusted.
 std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
                                    const std::array<const GoalError*, 2>& errors,
-                                   const std::array<ActiveSetChange, 2>& flip, bool coarse);
+                                   const std::array<ActiveSetChange, 2>& set_change, bool coarse);
 
 } // namespace spricka::estimate

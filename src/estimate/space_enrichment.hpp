@@ -32,7 +32,7 @@ public:
 
   /// Three directions of each mode. [freedoms]
   [[nodiscard]] Eigen::Index freedoms() const { return free_mask().size(); }
-  /// Modes of an element in the order of SpaceModes.
+  /// Modes of an element in the order of SolidModes.
   [[nodiscard]] std::span<const std::int32_t> element_modes(base::ElementId e) const {
     const SolidModeNumbers& of = operator_.mode_numbers();
     return {of.mode.data() + of.first[e.index()], of.mode.data() + of.first[e.index() + 1]};

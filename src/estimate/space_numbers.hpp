@@ -13,7 +13,7 @@ namespace spricka::estimate {
 /// Numbers of the modes of a mesh of solids: those of an edge or a face are shared.
 struct SolidModeNumbers {
   std::vector<std::size_t> first; ///< [element + 1] into mode and sign
-  std::vector<std::int32_t> mode; ///< of all elements, in the order of SpaceModes
+  std::vector<std::int32_t> mode; ///< of all elements, in the order of SolidModes
   std::vector<double> sign;
   base::Vector free; ///< [3 * mode] 0 where held, else 1
 };

@@ -164,16 +164,16 @@ double unresolved_part(const model::Model& model, const model::Mesh& mesh,
 Vector prescribed_displacement(const model::Model& /*model*/, const model::Mesh& mesh,
                                const model::LoadCase& load_case) {
   Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
-  std::vector<const model::NodeSet*> told; // sets, each with all its lines
+  std::vector<const model::NodeSet*> reported; // sets, each with all its lines
   for (const model::Load& load : load_case.loads) {
     if (load.type != model::LoadType::displacement ||
-        std::ranges::any_of(told, [&](const model::NodeSet* set) {
+        std::ranges::any_of(reported, [&](const model::NodeSet* set) {
           return set->nodes == mesh.set_with_id(load.nodes).nodes;
         })) {
       continue;
     }
-    told.push_back(&mesh.set_with_id(load.nodes));
-    const Vector own = displacement_of_set(mesh, load_case, *told.back());
+    reported.push_back(&mesh.set_with_id(load.nodes));
+    const Vector own = displacement_of_set(mesh, load_case, *reported.back());
     for (Eigen::Index i = 0; i < u.size(); ++i) {
       if (!same_displacement(u[i], own[i])) {
         u[i] += own[i];

@@ -104,7 +104,7 @@ private:
 
 /// A temperature field(x) as an element takes it: constant in linear elements, linear in the
 /// reference coordinates of quadratic ones, and in x where plane ones do not hold quadratic
-/// functions, in solids by HeatFunctions; the nearest to the field at the points of a rule.
+/// functions, in solids by TemperatureFunctions; the nearest to the field at the points of a rule.
 template <int dim>
 using Temperature = std::function<double(const Eigen::Matrix<double, dim, 1>& x)>;
 template <int dim>

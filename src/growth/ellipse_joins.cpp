@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/ellipse_ways.hpp"
+#include "growth/elliptical_front.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/free_ways.hpp"
+#include "growth/free_front_shape.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -33,10 +33,10 @@ std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>&
   std::size_t next = 0;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::size_t after = fewest_points * (runs.size() - r - 1);
-    const std::size_t wish = (tips.size() * runs[r].size() + points / 2) / points;
+    const std::size_t request = (tips.size() * runs[r].size() + points / 2) / points;
     const std::size_t count = r + 1 == runs.size()
                                   ? tips.size() - next
-                                  : std::clamp(wish, fewest_points, tips.size() - next - after);
+                                  : std::clamp(request, fewest_points, tips.size() - next - after);
     const auto from = tips.begin() + static_cast<std::ptrdiff_t>(next);
     shared.emplace_back(from, from + static_cast<std::ptrdiff_t>(count));
     next += count;
@@ -131,7 +131,7 @@ FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) co
   const double gap = through ? left_out * gone_through * advance.breakthrough : -1.0;
   std::vector<PointRun> runs = staying(growing, gap, through ? advance.by : std::vector<double>());
   if ((can_kink() && runs.size() > 1) || runs.size() * fewest_points > of.tips.size()) {
-    return {}; // heights of a wake are those behind one; and all have points
+    return {}; // heights of a front history are those behind one; and all have points
   }
   std::vector<std::size_t> tips = of.tips;
   if (runs.size() > 1 && of.arc.is_closed()) { // from the first of them on

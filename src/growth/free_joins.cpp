@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/free_ways.hpp"
+#include "growth/free_front_shape.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

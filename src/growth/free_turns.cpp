@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/free_ways.hpp"
+#include "growth/free_front_shape.hpp"
 
 #include "growth/turned_front.hpp"
 #include "model/model.hpp"
@@ -37,7 +37,7 @@ void FreeFrontShape::find_turning(const GrowthState& state) {
     const TipStation& here = state.stations.back().tips[tip];
     turning_[tip] = {.heading = here.heading, .turn = here.turn, .curvature = 0.0};
     // Over two advances, as headings scatter from mesh to mesh; the kink at the first front is no
-    // curvature, and a leap has nothing in common with what was before.
+    // curvature, and a breakthrough has nothing in common with what was before.
     if (count > 3 && state.stations[count - 1].breakthroughs == 0 &&
         state.stations[count - 2].breakthroughs == 0) {
       const TipStation& last = state.stations[count - 3].tips[tip];

@@ -27,7 +27,7 @@ constexpr int points_closed = 32;
 /// front does, by up to so many times: a decay that is taken as too steep only slows the steps'
 /// corrections, one that is too flat lets ends swing from step to step.
 constexpr double of_ends = 2.5;
-/// What rates of before, and what is owed, may add to an advance or take away: parts of it.
+/// What rates of before, and the deferred advance, may add to an advance or take away: parts of it.
 constexpr double least_part = 0.5;
 constexpr double largest_part = 2.0;
 

@@ -31,9 +31,9 @@ struct FrontRates {
   /// Its advances [point] by `mean` on the whole, of the second order in it, each wave on its way
   /// to the shape that it tends to (growth.13) [length].
   [[nodiscard]] std::vector<double> point_advances(double mean) const;
-  /// What is still owed [point] after an advance by `mean`, whose waves die away [length].
+  /// The advance still deferred [point] after an advance by `mean`, whose waves die away [length].
   [[nodiscard]] std::vector<double> remaining_deferred(double mean) const;
-  /// Part by which rates [point] are wrong where the front is not where it is owed to be; of a
+  /// Part by which rates [point] are wrong where the front is not where it should be; of a
   /// straight front that of their sum, on which cycles are counted: its ends swing about where they
   /// should be.
   [[nodiscard]] std::vector<double> uncertain_fraction() const;

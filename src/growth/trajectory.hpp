@@ -22,7 +22,7 @@ struct TipStation {
   double x = 0.0, y = 0.0, z = 0.0;
   double deferred_advance =
       0.0; ///< what the rates found since would have made of the arm more [length]
-  double uncertain_fraction = 0.0; ///< part of its rate that may be wrong for what is owed
+  double uncertain_fraction = 0.0; ///< part of its rate that may be wrong for its deferred advance
   double plastic = 0.0;            ///< force and moment over the ligament, over their plastic limit
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
   /// itself, and what still changed in the last one over the largest K.
@@ -62,7 +62,8 @@ public:
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
-  /// Stations about an interval with no leap between them: from the first to before the second.
+  /// Stations about an interval with no breakthrough between them: from the first to before the
+  /// second.
   [[nodiscard]] std::pair<std::size_t, std::size_t> smooth_about(std::size_t interval) const;
   template <class Value>
   double interpolate(std::size_t interval, double s, Value value, std::size_t low,

@@ -58,23 +58,23 @@ std::vector<Vec3> crack_normals(const model::CrackDefinition& crack,
 
 model::FrontHistory extend_history(const model::CrackDefinition& before,
                                    const mesh::FrontCurve& front, const mesh::FrontCurve& made) {
-  model::FrontHistory wake = before.front_history;
-  if (wake.fronts.empty()) {
-    wake.fronts.push_back(line_of(front));
+  model::FrontHistory front_history = before.front_history;
+  if (front_history.fronts.empty()) {
+    front_history.fronts.push_back(line_of(front));
   }
-  const std::vector<Vec3> old = wake.fronts.back();
+  const std::vector<Vec3> old = front_history.fronts.back();
   const std::vector<Vec3> line = line_of(made);
   const std::vector<Vec3> old_normals = crack_normals(before, line);
-  std::vector<Vec3> ways;
+  std::vector<Vec3> kinematics;
   double most = 0.0;
   for (const Vec3& x : line) {
-    ways.emplace_back(x - mesh::nearest_on(old, x).interpolate(old));
-    most = std::max(most, ways.back().norm());
+    kinematics.emplace_back(x - mesh::nearest_on(old, x).interpolate(old));
+    most = std::max(most, kinematics.back().norm());
   }
   std::vector<Vec3> normals;
   for (std::size_t i = 0; i < line.size(); ++i) {
     // b = t x m with the way as m, at right angles to the front.
-    const Vec3 b = mesh::direction_at(line, i).cross(ways[i]);
+    const Vec3 b = mesh::direction_at(line, i).cross(kinematics[i]);
     normals.push_back(b.norm() > hardly * most ? Vec3(b.normalized()) : old_normals[i]);
   }
   if (!made.closed()) { // ends beyond the surface are as those at it
@@ -83,9 +83,9 @@ model::FrontHistory extend_history(const model::CrackDefinition& before,
       normals[normals.size() - 1 - i] = normals[normals.size() - 2 - i];
     }
   }
-  wake.fronts.push_back(line);
-  wake.normals = std::move(normals);
-  return wake;
+  front_history.fronts.push_back(line);
+  front_history.normals = std::move(normals);
+  return front_history;
 }
 
 } // namespace spricka::growth

@@ -12,9 +12,9 @@ namespace spricka::growth {
 std::vector<base::Vec3> crack_normals(const model::CrackDefinition& crack,
                                       const std::vector<base::Vec3>& points);
 
-/// The wake of a crack whose front has gone on: `before`, with its front there, from the surface on
-/// straight on, and the front that it has made. Its normals are those of the way between the two,
-/// or as they were where the front has not moved.
+/// The front history of a crack whose front has gone on: `before`, with its front there, from the
+/// surface on straight on, and the front that it has made. Its normals are those of the way between
+/// the two, or as they were where the front has not moved.
 model::FrontHistory extend_history(const model::CrackDefinition& before,
                                    const mesh::FrontCurve& front, const mesh::FrontCurve& made);
 

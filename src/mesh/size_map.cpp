@@ -23,9 +23,9 @@ SizeMap::SizeMap(std::vector<SizeRequest> wishes) : given_(std::move(wishes)), w
   }
   low_ = wishes_.front().at;
   Vec2 high = low_;
-  for (const SizeRequest& wish : wishes_) {
-    low_ = low_.cwiseMin(wish.at);
-    high = high.cwiseMax(wish.at);
+  for (const SizeRequest& request : wishes_) {
+    low_ = low_.cwiseMin(request.at);
+    high = high.cwiseMax(request.at);
   }
   const double extent = (high - low_).maxCoeff();
   pitch_ = extent > 0.0 ? extent / along : 1.0;
@@ -54,8 +54,8 @@ const std::vector<std::size_t>& SizeMap::in_cell(int i, int j) const {
 // Distances in the plane obey the triangle inequality, so that one pass over the sources is enough.
 void SizeMap::level() {
   double largest = 0.0;
-  for (const SizeRequest& wish : wishes_) {
-    largest = std::max(largest, wish.size);
+  for (const SizeRequest& request : wishes_) {
+    largest = std::max(largest, request.size);
   }
   for (const SizeRequest& source : wishes_) {
     if (!source.fresh) {
@@ -67,8 +67,9 @@ void SizeMap::level() {
     for (int j = from.second; j <= to.second; ++j) {
       for (int i = from.first; i <= to.first; ++i) {
         for (const std::size_t k : in_cell(i, j)) {
-          SizeRequest& wish = wishes_[k];
-          wish.size = std::min(wish.size, source.size + growth * (wish.at - source.at).norm());
+          SizeRequest& request = wishes_[k];
+          request.size =
+              std::min(request.size, source.size + growth * (request.at - source.at).norm());
         }
       }
     }

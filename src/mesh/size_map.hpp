@@ -9,8 +9,8 @@
 namespace spricka::mesh {
 
 /// Element size in the plane from sizes wanted at many points (one for each element of an earlier
-/// mesh): that of the nearest point, after sizes near a fresh wish are levelled so that they grow
-/// from it by no more than `growth` for each unit of distance.
+/// mesh): that of the nearest point, after sizes near a fresh request are levelled so that they
+/// grow from it by no more than `growth` for each unit of distance.
 class SizeMap {
 public:
   static constexpr double growth = 0.5;
@@ -22,10 +22,10 @@ public:
   };
   explicit SizeMap(std::vector<SizeRequest> wishes);
 
-  /// Infinite if there are no wishes.
+  /// Infinite if there are no requests.
   [[nodiscard]] double operator()(const base::Vec2& p) const;
 
-  /// The wishes as they came, from which the same map can be made anew.
+  /// The requests as they came, from which the same map can be made anew.
   [[nodiscard]] const std::vector<SizeRequest>& requests() const { return given_; }
 
 private:

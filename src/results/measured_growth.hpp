@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "results/note.hpp"
 #pragma once
+#include "results/note.hpp"
+
 #include <array>
 #include <string>
 #include <string_view>

@@ -11,11 +11,11 @@ namespace spricka::results {
 
 namespace {
 
-constexpr std::array doubts{base::ResultConcern::no_answer, base::ResultConcern::less_exact,
-                            base::ResultConcern::odd};
+constexpr std::array concerns{base::ResultConcern::no_answer, base::ResultConcern::less_exact,
+                              base::ResultConcern::odd};
 
-std::string mark_of(base::ResultConcern doubt) {
-  return fmt::format("warning {}: ", warning_code(doubt));
+std::string mark_of(base::ResultConcern kind) {
+  return fmt::format("warning {}: ", warning_code(kind));
 }
 
 template <class Marked> std::vector<std::string> all_marked(const std::vector<Marked>& list) {
@@ -27,8 +27,8 @@ template <class Marked> std::vector<std::string> all_marked(const std::vector<Ma
 
 } // namespace
 
-std::string_view warning_code(base::ResultConcern doubt) {
-  switch (doubt) {
+std::string_view warning_code(base::ResultConcern kind) {
+  switch (kind) {
   case base::ResultConcern::no_answer:
     return "W508";
   case base::ResultConcern::less_exact:
@@ -58,9 +58,9 @@ std::vector<Note> parse_notes(const std::vector<std::string>& texts) {
   notes.reserve(texts.size());
   for (const std::string& text : texts) {
     Note found = note(text);
-    for (const base::ResultConcern doubt : doubts) {
-      if (const std::string mark = mark_of(doubt); text.starts_with(mark)) {
-        found = {doubt, text.substr(mark.size())};
+    for (const base::ResultConcern kind : concerns) {
+      if (const std::string mark = mark_of(kind); text.starts_with(mark)) {
+        found = {kind, text.substr(mark.size())};
       }
     }
     notes.push_back(std::move(found));

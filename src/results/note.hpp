@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/doubt.hpp"
+#include "base/result_concern.hpp"
 
 #include <compare>
 #include <optional>
@@ -40,7 +40,7 @@ inline bool is_warning(const Note& note) {
 }
 
 /// The code of warnings in notes: "W502" odd, "W507" less exact, "W508" no answer.
-std::string_view warning_code(base::ResultConcern doubt);
+std::string_view warning_code(base::ResultConcern kind);
 
 /// Texts of which none is a warning.
 std::vector<Note> make_notes(const std::vector<std::string>& texts);

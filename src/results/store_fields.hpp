@@ -16,7 +16,7 @@ concept Of = std::same_as<std::remove_const_t<T>, R>;
 template <class V, Of<KErrorBar> T> void fields(V& v, T& r) {
   v("eta", r.eta);
   v("sum", r.sum);
-  v("flip", r.flip);
+  v("flip", r.set_change);
   v("mesh", r.mesh);
   v("edge", r.edge);
   v("floor", r.floor);
@@ -53,7 +53,7 @@ template <class V, Of<TipResult> T> void fields(V& v, T& r) {
   v("bar", r.bar);
   v("no_bar", r.no_bar);
   v("closed", r.closed);
-  v("doubt", r.doubt);
+  v("doubt", r.invalid_reason);
   v("two_materials", r.two_materials);
   v("sensitivities", r.sensitivities);
   v("at", r.x);
@@ -98,7 +98,7 @@ template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
   v("angles", r.angles);
   v("points", r.points);
   v("no_bar", r.no_bar);
-  v("doubt", r.doubt);
+  v("doubt", r.invalid_reason);
   v("sensitivities", r.sensitivities);
 }
 
@@ -175,7 +175,7 @@ template <class V, Of<LoadPathTip> T> void fields(V& v, T& r) {
   v("a", r.a);
   v("K1", r.K1);
   v("K2", r.K2);
-  v("doubt", r.doubt);
+  v("doubt", r.invalid_reason);
 }
 
 template <class V, Of<LoadPathFrontPoint> T> void fields(V& v, T& r) {

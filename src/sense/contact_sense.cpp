@@ -161,7 +161,7 @@ private:
 
   // Faces of other bodies that lie next to a part of a surface that sees nothing of its partner.
   void look_for_missing(const model::Contact& contact, const contact::ContactSurface& surface,
-                        base::FaceSetId own, const contact::ContactSurface& partner,
+                        base::FaceSetId own, const contact::ContactSurface& auxiliary,
                         base::FaceSetId other) {
     std::vector<model::Face> rest;
     const std::vector<bool> mine = bodies_of(own);
@@ -181,7 +181,7 @@ private:
     std::vector<double> missed(measure.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
-    for (const FacingPart& part : facing_parts(surface, partner, measure)) {
+    for (const FacingPart& part : facing_parts(surface, auxiliary, measure)) {
       seen[part.facet] += part.share;
       low = std::min(low, part.gap);
       high = std::max(high, part.gap);

@@ -164,7 +164,7 @@ void keep_about(std::vector<T>& list, const std::vector<base::CrackId>& now,
 
 } // namespace
 
-HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& wish,
+HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& request,
                                      double at) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
@@ -172,7 +172,8 @@ HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::Mirro
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
-  return {wish.axis, at, wish.above ? 1.0 : -1.0, in_plane * (high - low).norm(), wish.span};
+  return {request.axis, at, request.above ? 1.0 : -1.0, in_plane * (high - low).norm(),
+          request.span};
 }
 
 std::string find_crack_without_half(const model::Model& model, const HalfModelPlane& plane) {

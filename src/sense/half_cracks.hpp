@@ -22,7 +22,7 @@ struct HalfModelPlane {
   [[nodiscard]] double signed_distance(const base::Vec3& x) const { return sign * (x[axis] - at); }
 };
 
-HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& wish,
+HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& request,
                                      double at);
 
 /// Which crack has no half, and why; empty: all have one.

@@ -5,9 +5,9 @@
 #include "fe/load_points.hpp"
 #include "model/model.hpp"
 #include "sense/half_cracks.hpp"
-#include "sense/lost_requests.hpp"
 #include "sense/mirrored_cracks.hpp"
 #include "sense/mirrors.hpp"
+#include "sense/requests_without_target.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -126,11 +126,11 @@ struct Chosen {
   std::string against;
 };
 
-Chosen choose(const model::Model& model, const model::MirrorPlane& wish) {
+Chosen choose(const model::Model& model, const model::MirrorPlane& request) {
   Chosen chosen;
-  chosen.mirror = symmetry_plane_across(model, wish.axis);
-  chosen.plane = make_half_model_plane(model.mesh, wish, chosen.mirror.at);
-  if (model::axisymmetric(model) && wish.axis == 0) {
+  chosen.mirror = symmetry_plane_across(model, request.axis);
+  chosen.plane = make_half_model_plane(model.mesh, request, chosen.mirror.at);
+  if (model::axisymmetric(model) && request.axis == 0) {
     chosen.against = "x is the radius";
   } else if (!chosen.mirror.against.empty()) {
     chosen.against = chosen.mirror.against + " mirrored by it";
@@ -341,22 +341,22 @@ std::string half_model_obstacle(const model::Model& model, int axis) {
 void reduce_to_half_model(model::Model& model, base::Diagnostics& list) {
   // A crack that is drawn in a plane wants a mouth there, which another plane may give it.
   std::stable_partition(model.mirrors.begin(), model.mirrors.end(),
-                        [&](const model::MirrorPlane& wish) {
-                          return half_model_obstacle(model, wish.axis).empty();
+                        [&](const model::MirrorPlane& request) {
+                          return half_model_obstacle(model, request.axis).empty();
                         });
   const std::set<std::string> before = named_entities(model);
-  for (model::MirrorPlane& wish : model.mirrors) {
-    const Chosen chosen = choose(model, wish);
-    const char axis = "xyz"[wish.axis];
+  for (model::MirrorPlane& request : model.mirrors) {
+    const Chosen chosen = choose(model, request);
+    const char axis = "xyz"[request.axis];
     if (!chosen.against.empty()) {
-      list.error(wish.span, "E354",
+      list.error(request.span, "E354",
                  fmt::format("{} = {:.6g} does not part the model in two mirror images: {}", axis,
                              chosen.mirror.at, chosen.against),
                  "without the card, check lists the planes of symmetry that there are");
       return;
     }
     Keeper(model, KeptModelSide(model, chosen.plane)).run();
-    wish.at = chosen.mirror.at;
+    request.at = chosen.mirror.at;
   }
   drop_requests_without_target(model, before, list);
 }

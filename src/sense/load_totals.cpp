@@ -93,10 +93,10 @@ bool keeps_its_total(const results::LoadTotal& before, const results::LoadTotal&
 void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
                         const model::LoadCase& load_case, const model::Load& load,
                         base::Diagnostics& diagnostics) {
-  const auto told = [&](const base::Diagnostic& d) {
+  const auto reported = [&](const base::Diagnostic& d) {
     return d.code == "W435" && d.span.file == load.span.file && d.span.begin == load.span.begin;
   };
-  if (fe::is_constant(load) || std::ranges::any_of(diagnostics.messages(), told)) {
+  if (fe::is_constant(load) || std::ranges::any_of(diagnostics.messages(), reported)) {
     return;
   }
   const double missed = load.type == model::LoadType::temperature
@@ -115,15 +115,15 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
 }
 
 // Displacements are taken at nodes; K and its bar know nothing else of them.
-void warn_of_lost_displacement(const model::Mesh& mesh, double largest,
-                               const model::LoadCase& load_case, const model::Load& load,
-                               base::Diagnostics& diagnostics) {
-  const fe::InterpolationError lost = fe::interpolation_error(mesh, load);
+void warn_of_missing_displacement(const model::Mesh& mesh, double largest,
+                                  const model::LoadCase& load_case, const model::Load& load,
+                                  base::Diagnostics& diagnostics) {
+  const fe::InterpolationError missing = fe::interpolation_error(mesh, load);
   constexpr double little = 0.01;
-  if (!(lost.off > little * std::max(largest, lost.off))) {
+  if (!(missing.off > little * std::max(largest, missing.off))) {
     return;
   }
-  const base::Vec3& x = lost.place;
+  const base::Vec3& x = missing.place;
   const std::string place = mesh.dim == 2
                                 ? fmt::format("({:.4g}, {:.4g})", x[0], x[1])
                                 : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
@@ -131,8 +131,8 @@ void warn_of_lost_displacement(const model::Mesh& mesh, double largest,
                       fmt::format("load case {}: between the nodes at {} this displacement differs "
                                   "by {:.2g} from what the mesh can follow, {:.2g} % of the case's "
                                   "largest; results and their error bars do not include this",
-                                  load_case.name, place, lost.off,
-                                  100.0 * lost.off / std::max(largest, lost.off)),
+                                  load_case.name, place, missing.off,
+                                  100.0 * missing.off / std::max(largest, missing.off)),
                       "refine the net there, with nodes at kinks and steps");
 }
 
@@ -168,8 +168,8 @@ bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
       if (load.type == model::LoadType::displacement) {
         if (is_number(fe::prescribed_displacement(model, cracked, alone), load_case, load,
                       diagnostics)) {
-          warn_of_lost_displacement(cracked, largest_displacement(model, cracked, load_case),
-                                    load_case, load, diagnostics);
+          warn_of_missing_displacement(cracked, largest_displacement(model, cracked, load_case),
+                                       load_case, load, diagnostics);
         } else {
           sound = false;
         }

@@ -2,7 +2,7 @@
 #include "sense/surface_measures.hpp"
 
 #include "contact/segment.hpp"
-#include "contact/space/sight.hpp"
+#include "contact/space/surface_projection.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,9 +109,9 @@ std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
                                      const std::vector<double>& measure) {
   std::vector<FacingPart> parts;
   if (!surface.space.faces.empty()) {
-    const contact::SurfaceProjection sighting(surface.space, target.space);
+    const contact::SurfaceProjection projection(surface.space, target.space);
     for (const contact::SurfaceTriangle& t : surface.space.triangles) {
-      for (const contact::ProjectionPoint& p : sighting.project_triangle(t).points) {
+      for (const contact::ProjectionPoint& p : projection.project_triangle(t).points) {
         parts.push_back({t.face, p.weight / measure[t.face], p.gap});
       }
     }

@@ -253,11 +253,11 @@ private:
   }
 
   void look_at(std::size_t a, std::size_t b) {
-    const bool told = bodies_[a].net == bodies_[b].net && // side on side: W341
-                      std::ranges::any_of(list_.messages(), [](const base::Diagnostic& d) {
-                        return d.code == "W341";
-                      });
-    if (told || joined_.contains({a, b})) {
+    const bool reported = bodies_[a].net == bodies_[b].net && // side on side: W341
+                          std::ranges::any_of(list_.messages(), [](const base::Diagnostic& d) {
+                            return d.code == "W341";
+                          });
+    if (reported || joined_.contains({a, b})) {
       return;
     }
     // A touch is measured on the smaller body; seen from the larger one there must be some, too, as

@@ -40,7 +40,7 @@ ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<
 double path_residual(const ControllableProblem& problem, const SweptMatrix& matrix,
                      const base::Vector& state, const PathScale& scale) {
   const base::Vector lambda = matrix.forces(state);
-  const base::Vector told = matrix.open_gaps(state);
+  const base::Vector reported = matrix.open_gaps(state);
   const base::Vector gap = problem.b + problem.W * lambda + problem.B * matrix.modes(state);
   double worst = 0.0;
   for (int i = 0; i < problem.rows(); ++i) {
@@ -50,7 +50,7 @@ double path_residual(const ControllableProblem& problem, const SweptMatrix& matr
     }
     // Gaps in the problem's own units; state and scales are in units of d.
     const double d = (problem.d(i) > 0.0 ? problem.d(i) : 1.0) * size;
-    worst = std::max(worst, std::abs(gap(i) - told(i)) / d);
+    worst = std::max(worst, std::abs(gap(i) - reported(i)) / d);
     // equality rows left out as redundant must hold all the same
     worst = std::max(worst, problem.equality[at(i)] ? std::abs(gap(i)) / d
                                                     : std::max(-state(i), 0.0) / size);

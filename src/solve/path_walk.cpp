@@ -199,8 +199,8 @@ bool PathFollower::change(int i) {
   if (closed(i) && y(j) > 1e3 * tolerance_(j)) {
     path_.jumps.push_back(t_);
   }
-  base::Vector partner = column(j);
-  matrix_.pivot({i, j}, {std::move(x), std::move(partner)}, states);
+  base::Vector auxiliary = column(j);
+  matrix_.pivot({i, j}, {std::move(x), std::move(auxiliary)}, states);
   return true;
 }
 

@@ -31,7 +31,7 @@ TwoLevelRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
 void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                       TwoLevelRows& rows);
 
-/// Early and late rows of a block, as EarlyRows has them.
+/// Early and late rows of a block, as FirstBlockFactor has them.
 BlockPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block);
 
 /// The places on top, -1: none, of a block's rows.

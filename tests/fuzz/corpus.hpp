@@ -37,7 +37,7 @@ public:
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// `largest_mesh` as in deck::ReadOptions.
+  /// `largest_mesh` as in deck::DeckReadOptions.
   Outcome read(const std::string& text, std::size_t largest_mesh = 40'000) const;
   [[nodiscard]] std::filesystem::path deck() const { return folder_ / "fuzz.deck"; }
 

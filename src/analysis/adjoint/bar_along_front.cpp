@@ -16,7 +16,7 @@ constexpr double share_of_others = 0.25; // of the rms of those along the front
 constexpr double floor_share = 3e-4;     // of the largest K along it
 // Of what a row of nodes more or less at an edge of a contact does: where contact ends on both
 // surfaces, and where on one.
-constexpr double share_of_ends = estimate::share_of_flip;
+constexpr double share_of_ends = estimate::share_of_set_change;
 constexpr double share_of_sharp = 0.3;
 
 // Points with an estimate: within the body, with a domain.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/error_bars.hpp"
 
-#include "analysis/adjoint/contact_flip.hpp"
-#include "analysis/adjoint/partner_surfaces.hpp"
+#include "analysis/adjoint/active_set_change.hpp"
+#include "analysis/adjoint/coarse_surface_effect.hpp"
 #include "crack/stress_intensity.hpp"
 #include "estimate/corner_error.hpp"
 #include "estimate/error_bar.hpp"
@@ -80,11 +80,11 @@ estimate::PointSupportChange add_corners(const model::Model& model, const Discre
   return estimate::point_support_change(setting, corners, state.reaction, request.goal.z);
 }
 
-results::KErrorBar k_bar(const estimate::GoalError& error, double flip,
+results::KErrorBar k_bar(const estimate::GoalError& error, double set_change,
                          const estimate::ErrorBar& bar) {
   return {.eta = error.eta,
           .sum = error.sum,
-          .set_change = flip,
+          .set_change = set_change,
           .mesh = bar.mesh,
           .edge = bar.edge,
           .floor = bar.floor,
@@ -106,10 +106,10 @@ void clear_exact(std::size_t elements, results::TipResult& tip) {
 }
 
 // What bodies beside the tip do that are too coarse for it.
-void add_partners(const CoarseSurfaceEffect& partner, results::TipResult& tip) {
-  tip.no_bar = partner.why_not;
+void add_partners(const CoarseSurfaceEffect& coarse, results::TipResult& tip) {
+  tip.no_bar = coarse.why_not;
   for (results::KErrorBar& bar : tip.bar) {
-    bar.mesh += bar.size() > 0.0 ? partner.part * std::hypot(tip.K1, tip.K2) : 0.0;
+    bar.mesh += bar.size() > 0.0 ? coarse.part * std::hypot(tip.K1, tip.K2) : 0.0;
   }
 }
 
@@ -299,7 +299,7 @@ void TipErrorBars::add_to_tips(const StepState& state,
   }
   const crack::KLayout layout = scene_.k_layout();
   std::vector<estimate::GoalError> errors; // by the layout
-  std::vector<ActiveSetKChange> flips;
+  std::vector<ActiveSetKChange> set_changes;
   estimate::PointSupportChange giving;
   if (why_not.empty()) {
     base::Matrix z(state.u.size(), goals_.cols());
@@ -314,7 +314,7 @@ void TipErrorBars::add_to_tips(const StepState& state,
     errors = estimate::goal_errors(*enrichment_, map, request);
     giving = add_corners(model_, scene_, state,
                          {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors);
-    flips = active_set_K_changes(scene_, state, adjoints, held);
+    set_changes = active_set_K_changes(scene_, state, adjoints, held);
     tell_of_meshes(state, step);
   }
   for (std::size_t t = 0; t < step.tips.size(); ++t) {
@@ -336,14 +336,14 @@ void TipErrorBars::add_to_tips(const StepState& state,
           &errors[static_cast<std::size_t>(layout.at(t, 1))],
           &errors[static_cast<std::size_t>(layout.at(t, 2))]};
       const std::array<double, 2> K{tip.K1, tip.K2};
-      const ActiveSetKChange& flip = flips[t];
+      const ActiveSetKChange& set_change = set_changes[t];
       const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
           scene_.cracked.mesh, K, own,
-          {estimate::ActiveSetChange{.end = flip.ends[0], .sharp = flip.sharp[0]},
-           estimate::ActiveSetChange{.end = flip.ends[1], .sharp = flip.sharp[1]}},
+          {estimate::ActiveSetChange{.end = set_change.ends[0], .sharp = set_change.sharp[0]},
+           estimate::ActiveSetChange{.end = set_change.ends[1], .sharp = set_change.sharp[1]}},
           coarse);
       for (std::size_t k = 0; k < 2; ++k) {
-        tip.bar[k] = k_bar(*own[k], flip.ends[static_cast<Eigen::Index>(k)], bars[k]);
+        tip.bar[k] = k_bar(*own[k], set_change.ends[static_cast<Eigen::Index>(k)], bars[k]);
       }
       clear_exact(scene_.cracked.mesh.element_count(), tip);
       tip.no_bar = why_no_limit(scene_, giving, t, tip);

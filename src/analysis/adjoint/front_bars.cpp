@@ -2,8 +2,8 @@
 #include "analysis/adjoint/front_bars.hpp"
 
 #include "analysis/adjoint/bar_along_front.hpp"
+#include "analysis/adjoint/coarse_surface_effect.hpp"
 #include "analysis/adjoint/front_edges.hpp"
-#include "analysis/adjoint/partner_surfaces.hpp"
 #include "contact/space_tractions.hpp"
 #include "model/model.hpp"
 

@@ -84,7 +84,7 @@ std::vector<bool> at_sharp_edges(const contact::PairConstraints& pair,
 }
 
 // Whether a contact presses on the faces of a crack, as a body between them does. Elsewhere a sharp
-// edge is far from K, or beside the mouth (partner_surfaces.hpp), where taking a row of coarse
+// edge is far from K, or beside the mouth (coarse_surface_effect.hpp), where taking a row of coarse
 // elements away says nothing of an error.
 bool presses_on_a_crack(const Discretisation& scene, const model::Contact& contact) {
   std::set<std::pair<base::ElementId, int>> sides;

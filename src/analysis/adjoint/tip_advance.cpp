@@ -150,12 +150,13 @@ void VirtualTipExtension::move_loads(const std::vector<bool>& moves) {
     };
     // Loads are fields in space: nodes that move through them take other parts of them.
     rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
-    const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->discontinuous;
-    for (std::size_t e = 0; e < rough.size(); ++e) {
-      discontinuous_ =
-          discontinuous_ ||
-          (rough[e] && std::ranges::any_of(scene_.cracked.mesh.element_nodes(base::ElementId(e)),
-                                           [&](base::NodeId n) { return moves[n.index()]; }));
+    const std::vector<bool>& discontinuous =
+        scene_.case_heat[static_cast<std::size_t>(c)]->discontinuous;
+    for (std::size_t e = 0; e < discontinuous.size(); ++e) {
+      discontinuous_ = discontinuous_ ||
+                       (discontinuous[e] &&
+                        std::ranges::any_of(scene_.cracked.mesh.element_nodes(base::ElementId(e)),
+                                            [&](base::NodeId n) { return moves[n.index()]; }));
     }
   }
   if ((rate.array() != 0.0).any()) {

@@ -14,7 +14,7 @@
 #include "analysis/lengths/shown_results.hpp"
 #include "archive/safe_file.hpp"
 #include "growth/crack_lines.hpp"
-#include "growth/march.hpp"
+#include "growth/growth_integrator.hpp"
 #include "model/model.hpp"
 #include "results/growth_end.hpp"
 
@@ -48,8 +48,8 @@ public:
         on_the_way_(requested_steps(model, false)) {}
 
   bool run() {
-    std::unique_ptr<growth::CrackKinematics> ways = initial_kinematics(model_, diagnostics_);
-    if (!ways) {
+    std::unique_ptr<growth::CrackKinematics> kinematics = initial_kinematics(model_, diagnostics_);
+    if (!kinematics) {
       return false;
     }
     growth::Law law;
@@ -58,11 +58,11 @@ public:
       law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
-    growth::GrowthIntegrator march = restore_checked([&] {
-      return growth::GrowthIntegrator(model_, law, std::move(ways),
+    growth::GrowthIntegrator integrator = restore_checked([&] {
+      return growth::GrowthIntegrator(model_, law, std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState());
     });
-    GrowthRegion region(model_, march);
+    GrowthRegion region(model_, integrator);
     if (kept) {
       restore_checked([&] { region.restore_state(*kept); });
     }
@@ -73,41 +73,41 @@ public:
                          .open_end = true,
                          .stage = "read"});
     }
-    while (!march.end()) {
+    while (!integrator.end()) {
       if (is_time_up(options_.checkpoint, trouble_)) {
         return false;
       }
       // Mistakes of a state that is tried count only if it is the first.
       trial_ = {};
-      const std::optional<growth::CrackGeometry> next = next_state(march, region);
-      if (march.end()) {
+      const std::optional<growth::CrackGeometry> next = next_state(integrator, region);
+      if (integrator.end()) {
         break;
       }
-      if (!(next && station(*next, region, march))) {
+      if (!(next && station(*next, region, integrator))) {
         // Nothing shorter than the first state could be tried: what is wrong with it is the deck's.
         if (run_.increments.empty()) {
           diagnostics_ = std::move(trial_);
           trouble_ = trial_trouble_;
           return false;
         }
-        if (march.end()) {
+        if (integrator.end()) {
           break;
         }
         const std::string why = why_not_solved();
-        march.shorten_step(why);
+        integrator.shorten_step(why);
         LogWriter(run_.log).add_line("GROW", fmt::format("a shorter advance: {}", why));
         trial_trouble_.reset();
       }
     }
-    finish(march);
+    finish(integrator);
     return true;
   }
 
 private:
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
-    const RecordedInterval stretch(options_.checkpoint != nullptr ? options_.recorder : nullptr,
-                                   "RESTART", "stations of an earlier run");
+    const RecordedInterval span(options_.checkpoint != nullptr ? options_.recorder : nullptr,
+                                "RESTART", "stations of an earlier run");
     std::optional<results::NamedArrays> state;
     for (int number = 1;; ++number) {
       std::optional<archive::StoredIncrement> kept =
@@ -131,9 +131,9 @@ private:
     return std::move(*state);
   }
 
-  void keep(const growth::GrowthIntegrator& march, const GrowthRegion& region) {
+  void keep(const growth::GrowthIntegrator& integrator, const GrowthRegion& region) {
     results::NamedArrays state;
-    state.reals = growth::to_arrays(march.growth_state());
+    state.reals = growth::to_arrays(integrator.growth_state());
     solver_.save_state(state);
     region.save_state(state);
     measure_.save_state(state);
@@ -146,20 +146,20 @@ private:
   }
 
   // Where to solve next; empty: no state can be made there.
-  std::optional<growth::CrackGeometry> next_state(growth::GrowthIntegrator& march,
+  std::optional<growth::CrackGeometry> next_state(growth::GrowthIntegrator& integrator,
                                                   GrowthRegion& region) {
-    const RecordedInterval stretch(options_.recorder, "GROW", "where to solve next");
-    std::optional<growth::CrackGeometry> next = march.propose_step(trial_);
-    if (next && next->solids.empty() && !march.end()) { // bodies of solids stay whole
-      region.update_region(next->lines, march, run_.log);
+    const RecordedInterval span(options_.recorder, "GROW", "where to solve next");
+    std::optional<growth::CrackGeometry> next = integrator.propose_step(trial_);
+    if (next && next->solids.empty() && !integrator.end()) { // bodies of solids stay whole
+      region.update_region(next->lines, integrator, run_.log);
     }
     return next;
   }
 
-  // Solves, measures, and lets the march judge; false: not solvable there.
+  // Solves, measures, and lets the integrator judge; false: not solvable there.
   bool station(const growth::CrackGeometry& cracks, GrowthRegion& region,
-               growth::GrowthIntegrator& march) {
-    const bool first = march.growth_state().stations.empty();
+               growth::GrowthIntegrator& integrator) {
+    const bool first = integrator.growth_state().stations.empty();
     RecordedCrackLength length(options_.recorder);
     std::optional<results::Increment> increment =
         solver_.solve({cracks, 0.0, first ? stress_steps(model_, false) : on_the_way_,
@@ -169,14 +169,14 @@ private:
       return false;
     }
     length.set_length(increment->a);
-    const RecordedInterval stretch(options_.recorder, "GROW", "station measured, judged and kept");
+    const RecordedInterval span(options_.recorder, "GROW", "station measured, judged and kept");
     region.log_cost(run_.log);
     LogWriter log(run_.log);
     const std::optional<results::LoadPathResult> path = growth_load_path(model_, *increment);
     std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tips(
         {*increment, solver_.tips(), solver_.plastic_load_ratios(), cracks, solver_.load_history(),
          solver_.overlap_results(), path ? &*path : nullptr},
-        march.tips());
+        integrator.tips());
     if (!found) {
       trial_trouble_ = measure_.trouble();
       return false;
@@ -184,13 +184,13 @@ private:
     if (first && !measure_.spectrum() && measure_.is_load_reversed()) {
       trial_.error(model_.growth->span, "E453",
                    fmt::format("K of {} is larger at KMIN, {:.6g}, than at KMAX, {:.6g}",
-                               march.tips().front().name, found->front().K_min,
+                               integrator.tips().front().name, found->front().K_min,
                                found->front().K_max),
                    "KMAX names the step with the largest K, KMIN that with the smallest");
       return false;
     }
-    // True all the same: the march has noted that it went too far and asks for a nearer state.
-    if (!march.accept_station(std::move(*found))) {
+    // True all the same: the integrator has noted that it went too far and asks for a nearer state.
+    if (!integrator.accept_station(std::move(*found))) {
       const std::string where =
           cracks.solids.empty() ? fmt::format("a = {:.6g}", increment->a) : "this front";
       log.add_line("GROW", where + " lies too far ahead for the tolerance: solved again nearer");
@@ -200,20 +200,20 @@ private:
     solver_.accept_state();
     length.mark_increment();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
-    const growth::SolvedStation& here = march.growth_state().stations.back();
-    set_front_sizes(model_, cracks, march.tips(), here, *increment);
+    const growth::SolvedStation& here = integrator.growth_state().stations.back();
+    set_front_sizes(model_, cracks, integrator.tips(), here, *increment);
     length.set_length(increment->a);
     run_.increments.push_back(std::move(*increment));
-    const growth::GrowthTrajectory so_far = march.trajectory();
+    const growth::GrowthTrajectory so_far = integrator.trajectory();
     log.add_line("GROW",
                  fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "
                              "{:.6g}",
-                             march.growth_state().stations.size(), here.tips.front().a,
+                             integrator.growth_state().stations.size(), here.tips.front().a,
                              here.tips.front().K_min, here.tips.front().K_max,
                              here.tips.front().rate,
-                             so_far.cycles(march.growth_state().stations.front().s, here.s)));
+                             so_far.cycles(integrator.growth_state().stations.front().s, here.s)));
     hand_on_warnings();
-    keep(march, region);
+    keep(integrator, region);
     if (options_.progress) {
       options_.progress({.increment = run_.increments.size(),
                          .increments = run_.increments.size() + 1,
@@ -243,8 +243,8 @@ private:
     return "no mesh";
   }
 
-  void finish(const growth::GrowthIntegrator& march) {
-    const RecordedInterval stretch(options_.recorder, "GROW", "lives");
+  void finish(const growth::GrowthIntegrator& integrator) {
+    const RecordedInterval span(options_.recorder, "GROW", "lives");
     results::Increment& last = run_.increments.back();
     const std::vector<bool> pictured = stress_steps(model_, true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
@@ -253,12 +253,12 @@ private:
         add_stress(model_, last.mesh, last.steps[s]);
       }
     }
-    run_.growth = growth_records(model_, march, measure_);
-    run_.growth->scaled = scaled_lives(model_, run_, march, measure_);
+    run_.growth = growth_records(model_, integrator, measure_);
+    run_.growth->scaled = scaled_lives(model_, run_, integrator, measure_);
     LogWriter(run_.log).add_line(
         "GROW", fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
-                            run_.growth->reason, march.growth_state().stations.size(),
-                            march.growth_state().rejected));
+                            run_.growth->reason, integrator.growth_state().stations.size(),
+                            integrator.growth_state().rejected));
     std::ranges::copy(measure_.warnings(), std::back_inserter(run_.warnings));
     for (std::string& text : life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});

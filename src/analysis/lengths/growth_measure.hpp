@@ -4,7 +4,7 @@
 #include "analysis/scene/free_faces.hpp"
 #include "base/outcome.hpp"
 #include "growth/ahead.hpp"
-#include "growth/march.hpp"
+#include "growth/growth_integrator.hpp"
 #include "life/growth_law.hpp"
 #include "life/spectrum.hpp"
 #include "mesh/cut/cracked.hpp"
@@ -32,7 +32,7 @@ struct SolvedCrackState {
   const growth::CrackGeometry& cracks;
   const std::optional<LoadHistoryResult>& followed; ///< where friction makes K a history
   const std::optional<OverlapResults>& free;        ///< faces that may overlap, where they close
-  const results::LoadPathResult* path;              ///< path_of_growth(), null: it has none
+  const results::LoadPathResult* path;              ///< growth_load_path(), null: it has none
 };
 
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.

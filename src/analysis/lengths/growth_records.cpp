@@ -37,14 +37,14 @@ std::vector<std::array<double, 2>> ranges_of(const life::CountedSpectrum& spectr
   }
   std::vector<std::array<double, 2>> ranges;
   double sum = 0.0;
-  double told = 0.0;
+  double reported = 0.0;
   for (const auto& [range, count] : by_range) {
     sum += count;
     // One point for each 1/200 of a decade of the number of cycles, and the last.
     const double part = std::floor(parts * std::log10(sum));
-    if (ranges.empty() || part > told || range == by_range.rbegin()->first) {
+    if (ranges.empty() || part > reported || range == by_range.rbegin()->first) {
       ranges.push_back({range, sum});
-      told = part;
+      reported = part;
     }
   }
   return ranges;
@@ -66,7 +66,7 @@ results::GrownTipResult record_of(const std::string& name, const growth::TipStat
 } // namespace
 
 results::GrowthResult growth_records(const model::Model& model,
-                                     const growth::GrowthIntegrator& march,
+                                     const growth::GrowthIntegrator& integrator,
                                      const GrowthRateEvaluator& measure) {
   results::GrowthResult out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
@@ -79,12 +79,12 @@ results::GrowthResult growth_records(const model::Model& model,
                   : measure.counted_on_K() ? "K, which turns within the loads"
                                            : "loads";
   }
-  for (const growth::TrackedTip& tip : march.tips()) {
+  for (const growth::TrackedTip& tip : integrator.tips()) {
     out.tips.push_back(tip.name);
   }
-  const std::vector<growth::SolvedStation>& stations = march.growth_state().stations;
-  const growth::GrowthTrajectory between = march.trajectory();
-  const double end = march.end() ? march.end()->s : stations.back().s;
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  const growth::GrowthTrajectory between = integrator.trajectory();
+  const double end = integrator.end() ? integrator.end()->s : stations.back().s;
   double cycles = 0.0;
   double at_station = 0.0; // also behind the end
   out.curve.push_back(point_at(between, stations.front().s, 0.0, out.tips.size()));
@@ -120,11 +120,11 @@ results::GrowthResult growth_records(const model::Model& model,
       before = s;
     }
   }
-  if (march.end()) {
-    out.ended = march.end()->word;
-    out.reason = march.end()->reason;
+  if (integrator.end()) {
+    out.ended = integrator.end()->word;
+    out.reason = integrator.end()->reason;
   }
-  out.error = march.cycle_error();
+  out.error = integrator.cycle_error();
   return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/growth_measure.hpp"
-#include "growth/march.hpp"
+#include "growth/growth_integrator.hpp"
 #include "results/growth.hpp"
 #include "results/results.hpp"
 
@@ -9,9 +9,9 @@
 
 namespace spricka::analysis {
 
-/// What a march found, as records: stations, the dense curve up to the end, how it ended.
+/// What an integrator found, as records: stations, the dense curve up to the end, how it ended.
 results::GrowthResult growth_records(const model::Model& model,
-                                     const growth::GrowthIntegrator& march,
+                                     const growth::GrowthIntegrator& integrator,
                                      const GrowthRateEvaluator& measure);
 
 /// Sizes of fronts that K shapes: each has the length of its first tip, as stations and N(a) do.

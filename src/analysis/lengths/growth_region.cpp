@@ -34,7 +34,7 @@ GrowthRegion::GrowthRegion(const model::Model& model, const growth::GrowthIntegr
 
 // Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
 void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
-                          const growth::GrowthIntegrator& march) {
+                          const growth::GrowthIntegrator& integrator) {
   plan_ = {};
   add_to_region(model_, lines, plan_);
   double longest = 0.0;
@@ -46,12 +46,12 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     // Closer together near the tips, where the next stations will be.
-    add_to_region(model_, march.extend_straight(reach * part * part).lines, plan_);
+    add_to_region(model_, integrator.extend_straight(reach * part * part).lines, plan_);
   }
 }
 
 void GrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
-                                 const growth::GrowthIntegrator& march,
+                                 const growth::GrowthIntegrator& integrator,
                                  std::vector<results::LogLine>& log) {
   RegionPlan here;
   add_to_region(model_, lines, here);
@@ -65,7 +65,7 @@ void GrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
   }
   LogWriter writer(log);
   const bool first = plan_.region.empty();
-  choose(lines, march);
+  choose(lines, integrator);
   renewed_ = !first;
   writer.add_line("GROW",
                   fmt::format("{}: {} of {} elements are condensed at every station",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/scene/cut_cracks.hpp"
-#include "growth/march.hpp"
+#include "growth/growth_integrator.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
 
@@ -13,11 +13,12 @@ namespace spricka::analysis {
 /// touch. Where a crack leaves it a new one is chosen, and what that costs is told.
 class GrowthRegion {
 public:
-  GrowthRegion(const model::Model& model, const growth::GrowthIntegrator& march);
+  GrowthRegion(const model::Model& model, const growth::GrowthIntegrator& integrator);
 
   /// Before these cracks are solved: are they still within?
   void update_region(const std::vector<mesh::CrackLine>& lines,
-                     const growth::GrowthIntegrator& march, std::vector<results::LogLine>& log);
+                     const growth::GrowthIntegrator& integrator,
+                     std::vector<results::LogLine>& log);
   /// Behind the solution that came after a new choice: its line in the log.
   void log_cost(std::vector<results::LogLine>& log);
 
@@ -28,7 +29,8 @@ public:
   void restore_state(const results::NamedArrays& arrays);
 
 private:
-  void choose(const std::vector<mesh::CrackLine>& lines, const growth::GrowthIntegrator& march);
+  void choose(const std::vector<mesh::CrackLine>& lines,
+              const growth::GrowthIntegrator& integrator);
 
   const model::Model& model_;
   RegionPlan plan_;

@@ -2,9 +2,9 @@
 #include "analysis/lengths/growth_rules.hpp"
 
 #include "growth/crack_lines.hpp"
-#include "growth/ellipse_ways.hpp"
-#include "growth/free_ways.hpp"
-#include "growth/line_ways.hpp"
+#include "growth/elliptical_front.hpp"
+#include "growth/free_front_shape.hpp"
+#include "growth/planar_tips.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
   return ligament_can_yield(model, no);
 }
 
-bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& ways,
+bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& kinematics,
                       base::Diagnostics& diagnostics) {
   const auto no = [&](const std::string& why) {
     diagnostics.error(model.growth->span, "E431", why);
@@ -84,7 +84,7 @@ bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& 
         crack.kind != model::CrackDefinitionKind::ellipse) {
       return no(fmt::format("SHAPE=ELLIPSE: crack {} is drawn by points", crack.name));
     }
-    if (std::ranges::none_of(ways.tips(),
+    if (std::ranges::none_of(kinematics.tips(),
                              [&](const growth::TrackedTip& tip) { return tip.line == c; })) {
       const bool turns = model.growth->direction != model::GrowthDirection::path;
       return no(fmt::format("crack {} has no front in the body{}", crack.name,
@@ -93,14 +93,14 @@ bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& 
                                   : ""));
     }
   }
-  if (ways.tips().empty()) {
+  if (kinematics.tips().empty()) {
     return no("$GROW: no crack grows");
   }
-  for (std::size_t tip = 0; tip < ways.tips().size(); ++tip) {
-    if (model.growth->last_length && ways.initial_extent(tip) >= *model.growth->last_length) {
+  for (std::size_t tip = 0; tip < kinematics.tips().size(); ++tip) {
+    if (model.growth->last_length && kinematics.initial_extent(tip) >= *model.growth->last_length) {
       return no(fmt::format("AMAX = {:.6g} is not longer than {} is at first, {:.6g}",
-                            *model.growth->last_length, ways.tips()[tip].name,
-                            ways.initial_extent(tip)));
+                            *model.growth->last_length, kinematics.tips()[tip].name,
+                            kinematics.initial_extent(tip)));
     }
   }
   return ligament_can_yield(model, no);
@@ -222,13 +222,13 @@ std::vector<std::string> life_concerns(const results::GrowthResult& growth,
 std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
                                                             base::Diagnostics& diagnostics) {
   if (model.mesh.dim == 3) {
-    std::unique_ptr<growth::CrackKinematics> ways;
+    std::unique_ptr<growth::CrackKinematics> kinematics;
     if (model.growth->shape == model::FrontShapeRule::ellipse) {
-      ways = std::make_unique<growth::EllipticalFront>(model);
+      kinematics = std::make_unique<growth::EllipticalFront>(model);
     } else {
-      ways = std::make_unique<growth::FreeFrontShape>(model);
+      kinematics = std::make_unique<growth::FreeFrontShape>(model);
     }
-    return growth_can_begin(model, *ways, diagnostics) ? std::move(ways) : nullptr;
+    return growth_can_begin(model, *kinematics, diagnostics) ? std::move(kinematics) : nullptr;
   }
   std::optional<std::vector<mesh::CrackLine>> lines = growth::crack_lines(model, 0.0, diagnostics);
   if (!lines || !growth_can_begin(model, *lines, diagnostics)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
-#include "growth/ways.hpp"
+#include "growth/crack_kinematics.hpp"
 #include "life/growth_law.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
@@ -20,7 +20,7 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
                       base::Diagnostics& diagnostics);
 
 /// The same for cracks in space, whose ways know the tips.
-bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& ways,
+bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& kinematics,
                       base::Diagnostics& diagnostics);
 
 /// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.

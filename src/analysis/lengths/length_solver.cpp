@@ -95,10 +95,10 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   const Discretisation& cut = length->discretisation();
   const double first = length->first_crack_size();
   // Fronts that K shapes are told by their stations.
-  const double told = a > 0.0 ? a : request.cracks.solids.empty() ? first : 0.0;
+  const double reported = a > 0.0 ? a : request.cracks.solids.empty() ? first : 0.0;
   log.add_line("TOPOLOGY",
                fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
-                           told > 0.0 ? fmt::format("a = {:.6g}: ", told) : "",
+                           reported > 0.0 ? fmt::format("a = {:.6g}: ", reported) : "",
                            cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
                            cut.table.size(), tips_in_words(cut)));
   tell("meshed");

@@ -12,7 +12,7 @@
 #include "base/diagnostics.hpp"
 #include "base/outcome.hpp"
 #include "estimate/enrichment.hpp"
-#include "growth/ways.hpp"
+#include "growth/crack_kinematics.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"

@@ -178,7 +178,7 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out, base::Tro
   }
   for (std::size_t t = 0; t < own.tips.size() && !shifted && largest_ > 0.0; ++t) {
     const results::TipResult& tip = own.tips[t];
-    // judge_faces() may have set these to 0.
+    // check_crack_faces() may have set these to 0.
     const bool judged = tip.closed || tip.two_materials || tip.K1 == 0.0;
     const double apart =
         std::max(judged ? 0.0 : std::abs(tip.K1 - K[layout.at(t, 1)]),

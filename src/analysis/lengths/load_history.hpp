@@ -24,7 +24,7 @@ struct LoadPassResult {
 
 struct LoadHistoryResult {
   LoadPassResult first, last;
-  std::size_t grow_at = 0, smallest = 0; ///< marks, as HistoryProgram
+  std::size_t grow_at = 0, smallest = 0; ///< marks, as LoadHistoryProgram
   int passes = 0;
   int increments = 0;  ///< solved in all
   double change = 0.0; ///< of K at marks from the last pass but one to the last, over the largest K

@@ -23,19 +23,19 @@ ProfileRecorder::ProfileRecorder(const base::Stopwatch& since, double cpu_before
 
 void ProfileRecorder::add_work(const std::string& processor, const std::string& text,
                                const base::Stopwatch& watch, std::optional<double> flops) {
-  results::ProcessorInterval stretch{.processor = processor,
-                                     .text = text,
-                                     .begin = watch.start_time(),
-                                     .end = base::steady_seconds(),
-                                     .cpu = watch.cpu_time(),
-                                     .flops = flops,
-                                     .resident = known(base::resident_memory()),
-                                     .peak = known(base::peak_memory())};
+  results::ProcessorInterval span{.processor = processor,
+                                  .text = text,
+                                  .begin = watch.start_time(),
+                                  .end = base::steady_seconds(),
+                                  .cpu = watch.cpu_time(),
+                                  .flops = flops,
+                                  .resident = known(base::resident_memory()),
+                                  .peak = known(base::peak_memory())};
   const std::scoped_lock lock(guard_);
   if (length_) {
-    stretch.length = profile_.lengths.size();
+    span.length = profile_.lengths.size();
   }
-  profile_.stretches.push_back(std::move(stretch));
+  profile_.stretches.push_back(std::move(span));
 }
 
 void ProfileRecorder::add_start(const base::Stopwatch& since) {

@@ -22,7 +22,7 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
                                                          const std::vector<bool>& pictured);
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
-/// there (std::out_of_range), the file is in trouble: throws FileTrouble E560.
+/// there (std::out_of_range), the file is in trouble: throws FileFailure E560.
 template <class Take> auto restore_checked(const Take& take) {
   try {
     return take();

@@ -72,11 +72,11 @@ on_line(const std::vector<results::LoadPathResult>& paths,
 }
 
 std::optional<results::ScaledLife> life(const std::string& name,
-                                        const growth::GrowthIntegrator& march,
+                                        const growth::GrowthIntegrator& integrator,
                                         const growth::GrowthTrajectory& other) {
-  const std::vector<growth::SolvedStation>& stations = march.growth_state().stations;
-  const double end = march.end() ? march.end()->s : stations.back().s;
-  const growth::GrowthTrajectory between = march.trajectory();
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  const double end = integrator.end() ? integrator.end()->s : stations.back().s;
+  const growth::GrowthTrajectory between = integrator.trajectory();
   results::ScaledLife out;
   out.name = name;
   double cycles = 0.0;
@@ -100,13 +100,13 @@ std::optional<results::ScaledLife> life(const std::string& name,
 
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
                                               const results::RunResult& run,
-                                              const growth::GrowthIntegrator& march,
+                                              const growth::GrowthIntegrator& integrator,
                                               const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledLife> out;
-  std::vector<growth::SolvedStation> stations = march.growth_state().stations;
+  std::vector<growth::SolvedStation> stations = integrator.growth_state().stations;
   // Of several tips in the plane the rates would change each other's arms; along fronts they are
   // taken on the fronts that the true K has made.
-  const bool comparable = march.tips().size() == 1 || model.mesh.dim == 3;
+  const bool comparable = integrator.tips().size() == 1 || model.mesh.dim == 3;
   if (!comparable || stations.size() < 2 || follows_history(model)) {
     return out;
   }
@@ -127,7 +127,7 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
       const growth::Law law = [&](double K_max, double K_min) {
         return measure.law().growth_rate(K_max, K_min);
       };
-      add(life("scaled", march, growth::GrowthTrajectory(stations, law, 4)));
+      add(life("scaled", integrator, growth::GrowthTrajectory(stations, law, 4)));
     }
     return out;
   }
@@ -145,11 +145,11 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
   const base::Vector& to = loads[model.load_paths[path].to.index()];
   if (from.norm() == 0.0 && to.norm() > 0.0) {
     if (const auto scaled = on_line(paths, stations, measure, true)) {
-      add(life("scaled", march, growth::GrowthTrajectory(*scaled, {}, 4)));
+      add(life("scaled", integrator, growth::GrowthTrajectory(*scaled, {}, 4)));
     }
   }
   if (const auto line = on_line(paths, stations, measure, false)) {
-    add(life("line", march, growth::GrowthTrajectory(*line, {}, 4)));
+    add(life("line", integrator, growth::GrowthTrajectory(*line, {}, 4)));
   }
   return out;
 }

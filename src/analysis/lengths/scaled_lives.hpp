@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/growth_measure.hpp"
-#include "growth/march.hpp"
+#include "growth/growth_integrator.hpp"
 #include "model/forward.hpp"
 #include "results/results.hpp"
 
@@ -19,7 +19,7 @@ inline constexpr int points_of_interval = 16;
 /// In space it goes through the same fronts.
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
                                               const results::RunResult& run,
-                                              const growth::GrowthIntegrator& march,
+                                              const growth::GrowthIntegrator& integrator,
                                               const GrowthRateEvaluator& measure);
 
 } // namespace spricka::analysis

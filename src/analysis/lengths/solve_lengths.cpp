@@ -66,7 +66,7 @@ std::optional<growth::CrackGeometry> cracks_of(const model::Model& model, double
 // One region for all lengths, so that the rest is condensed once.
 RegionPlan one_region(const model::Model& model, const SolveOptions& options,
                       const std::vector<double>& lengths, base::Diagnostics& diagnostics) {
-  const RecordedInterval stretch(options.recorder, "TOPOLOGY", "region of the cracks");
+  const RecordedInterval span(options.recorder, "TOPOLOGY", "region of the cracks");
   return plan_region(model, lengths, diagnostics);
 }
 

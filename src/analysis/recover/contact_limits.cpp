@@ -18,10 +18,10 @@ namespace spricka::analysis {
 
 namespace {
 
-constexpr double most_lost = 0.01;    // of the force
-constexpr double most_slide = 0.01;   // of the pressed length
-constexpr double most_misfit = 0.25;  // of what the pressure moves the surfaces by
-constexpr double no_strain = 1e-12;   // pressure over modulus: nothing but round-off
+constexpr double most_unsupported = 0.01; // of the force
+constexpr double most_slide = 0.01;       // of the pressed length
+constexpr double most_misfit = 0.25;      // of what the pressure moves the surfaces by
+constexpr double no_strain = 1e-12;       // pressure over modulus: nothing but round-off
 constexpr double worth_a_word = 5e-3; // of the largest contact force: what meshes leave K off by
 constexpr double most_off = 0.1;      // of the same: more is no answer
 
@@ -62,7 +62,7 @@ struct PairMotionError {
   double turned = 0.0; ///< gap that no row counts, in elastic ways of its pressure; 0: little
 
   [[nodiscard]] bool matters() const {
-    return slide.unsupported_part > most_lost || far || turned > 0.0;
+    return slide.unsupported_part > most_unsupported || far || turned > 0.0;
   }
 
   // As a part of its force: what slides off an edge has nothing to act on, what slides far acts
@@ -70,7 +70,7 @@ struct PairMotionError {
   // pressure.
   [[nodiscard]] double off() const {
     const double way = slide.pressed > 0.0 ? std::min(1.0, slide.way / slide.pressed) : 1.0;
-    return std::max({slide.unsupported_part > most_lost ? slide.unsupported_part : 0.0,
+    return std::max({slide.unsupported_part > most_unsupported ? slide.unsupported_part : 0.0,
                      far ? way : 0.0, turned});
   }
 };
@@ -134,7 +134,7 @@ std::optional<PairMotionError> look_at(const model::Model& model, const Discreti
                         .contact = scene.contacts[c].name,
                         .slide = contact::measure_slide(pair, state.pair_lambda[c], state.u)};
   contact::SlideMeasures& slide = found.slide;
-  if (slide.unsupported_part > most_lost && !pair.rigid && !pair.rigid_shape) {
+  if (slide.unsupported_part > most_unsupported && !pair.rigid && !pair.rigid_shape) {
     if (const auto body = moved_body(model, scene, bodies, state, pair)) {
       slide.unsupported_part = std::min(slide.unsupported_part, left_alone(*body, slide));
     }
@@ -217,7 +217,7 @@ std::string what_moves(const PairMotionError& one) {
       "contact {}: the bodies slide by {:.3g} ({:.2g} element lengths) along {:.3g} "
       "that is pressed",
       one.contact, slide.way, slide.facet > 0.0 ? slide.way / slide.facet : 0.0, slide.pressed);
-  if (slide.unsupported_part > most_lost) {
+  if (slide.unsupported_part > most_unsupported) {
     text += fmt::format(", and {:.0f} % of the force acts where nothing stands opposite any more",
                         100.0 * slide.unsupported_part);
   }

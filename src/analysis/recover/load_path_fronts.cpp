@@ -150,11 +150,11 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
     size = std::max(size, range.largest);
     front.is.invalid_reason.clear();
     for (const LoadPathEnd* end : {&from, &to}) {
-      if (const std::string& doubt = end->result.fronts[f].invalid_reason;
-          !doubt.empty() && front.is.invalid_reason.empty()) {
-        front.is.invalid_reason = doubt;
+      if (const std::string& invalid_reason = end->result.fronts[f].invalid_reason;
+          !invalid_reason.empty() && front.is.invalid_reason.empty()) {
+        front.is.invalid_reason = invalid_reason;
         path.notes.push_back(results::invalid_result_note(
-            fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
+            fmt::format("{}: at an end of the path {}", front.is.name, invalid_reason)));
       }
     }
     const bool bear = scene_.crack_face_pairs[scene_.fronts[f].front.crack.index()].has_value();

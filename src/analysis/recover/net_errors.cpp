@@ -237,7 +237,7 @@ std::vector<std::string> coarse_nets(const results::RunResult& run) {
       }
     }
   }
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   for (const auto& [net, worst] : by_net) {
     if (worst.error == nullptr) {
       continue;
@@ -247,7 +247,7 @@ std::vector<std::string> coarse_nets(const results::RunResult& run) {
       labels += fmt::format("{}{}", labels.empty() ? "" : ", ",
                             worst.increment->mesh.element_label[e.index()]);
     }
-    told.push_back(fmt::format(
+    reported.push_back(fmt::format(
         "net {}: the mesh is coarse for step {}{}: estimated energy error {:.1f} %, which is about "
         "how far stresses are off on the whole{}; it is too stiff by {:.1f} %. {:.0f} % of that "
         "stems from the elements {}",
@@ -256,7 +256,7 @@ std::vector<std::string> coarse_nets(const results::RunResult& run) {
         100.0 * worst.error->part, has_bars(*worst.step) ? " (K has its own error bars)" : "",
         100.0 * worst.error->part * worst.error->part, 100.0 * worst.error->worst_share, labels));
   }
-  return told;
+  return reported;
 }
 
 } // namespace spricka::analysis

@@ -11,7 +11,7 @@
 #include "analysis/scene/tip_surroundings.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "base/tidy.hpp"
-#include "crack/rough_loads.hpp"
+#include "crack/load_jumps.hpp"
 #include "crack/stress_intensity.hpp"
 #include "model/model.hpp"
 
@@ -65,14 +65,14 @@ void gather_tips(const model::Model& model, const Discretisation& scene, const S
     result.spread = K.spread;
     result.T = K.T;
     result.K_opening = K.opening;
-    std::vector<bool> rough;
+    std::vector<bool> discontinuous;
     if (!fields.empty()) {
-      rough =
+      discontinuous =
           crack::load_jump_domains(crack::tip_setting(model, scene.cracked, front, fields, loads),
                                    fields, std::hypot(K.K1, K.K2));
     }
     for (std::size_t d = 0; d < K.domains.size(); ++d) {
-      if (!rough[d]) { // others are no measure of each other
+      if (!discontinuous[d]) { // others are no measure of each other
         result.K1_domain.push_back(K.domains[d].K1);
       }
     }

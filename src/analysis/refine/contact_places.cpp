@@ -36,8 +36,8 @@ double patch_size(const results::Increment& increment, const base::Vec2& at) {
 const mesh::SizeMap::SizeRequest* nearest(const std::vector<mesh::SizeMap::SizeRequest>& list,
                                           const base::Vec2& at) {
   const auto found =
-      std::ranges::min_element(list, {}, [&](const mesh::SizeMap::SizeRequest& wish) {
-        return (wish.at - at).squaredNorm();
+      std::ranges::min_element(list, {}, [&](const mesh::SizeMap::SizeRequest& request) {
+        return (request.at - at).squaredNorm();
       });
   return found == list.end() ? nullptr : &*found;
 }
@@ -81,7 +81,7 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
   // K changes by the pressure that one pair more takes: with the square of its distance
   // (tolerance.4).
   const double factor = std::max(least_factor, std::sqrt(may / wide.bar.edge));
-  const double ends = estimate::share_of_flip * wide.bar.set_change;
+  const double ends = estimate::share_of_set_change * wide.bar.set_change;
   for (const results::ContactResult& contact : wide.step.contacts) {
     for (std::size_t i = 1; i < contact.points.size() && ends > least_share * may; ++i) {
       const results::ContactPoint& a = contact.points[i - 1];
@@ -121,9 +121,9 @@ RefinementTargets nets_to_refine(const std::vector<RefinementPoint>& places,
       const mesh::SizeMap::SizeRequest* own = nearest(list, place.at);
       const mesh::SizeMap::SizeRequest* cut =
           cavity == elements.cut.end() ? nullptr : nearest(cavity->second, place.at);
-      const auto distance = [&](const mesh::SizeMap::SizeRequest* wish) {
-        return wish == nullptr ? std::numeric_limits<double>::infinity()
-                               : (wish->at - place.at).norm();
+      const auto distance = [&](const mesh::SizeMap::SizeRequest* request) {
+        return request == nullptr ? std::numeric_limits<double>::infinity()
+                                  : (request->at - place.at).norm();
       };
       const bool in_patch = distance(cut) < distance(own);
       const mesh::SizeMap::SizeRequest* there = in_patch ? cut : own;

@@ -2,7 +2,7 @@
 #include "analysis/refine/wide_bars.hpp"
 
 #include "model/model.hpp"
-#include "sense/two_ways.hpp"
+#include "sense/k_consistency.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -146,9 +146,9 @@ void note_removed_nodes(const model::Model& model, Discretisation& scene) {
   }
   std::vector<bool> named(model.mesh.node_count(), false);
   for (std::size_t s = 0; s < model.mesh.node_sets.size(); ++s) {
-    const bool lost =
+    const bool removed =
         s < scene.cracked.removed_nodes.size() && !model.mesh.node_sets[s].name.empty();
-    for (const NodeId n : lost ? scene.cracked.removed_nodes[s] : std::vector<NodeId>()) {
+    for (const NodeId n : removed ? scene.cracked.removed_nodes[s] : std::vector<NodeId>()) {
       named[n.index()] = true;
     }
   }
@@ -222,15 +222,15 @@ std::optional<NodeId> unassigned_reaction(const model::Model& model, const model
       }
     }
   }
-  std::vector<NodeId> lost = gone_nodes(host, cracked);
-  std::erase_if(lost, [&](NodeId n) { return !inside[n.index()] || !held[n.index()]; });
-  if (lost.empty()) {
+  std::vector<NodeId> removed = gone_nodes(host, cracked);
+  std::erase_if(removed, [&](NodeId n) { return !inside[n.index()] || !held[n.index()]; });
+  if (removed.empty()) {
     return std::nullopt;
   }
   const std::vector<bool> stands_in =
       marked(host.node_count(), mesh::nodes_of_faces(host, mesh::faces_within(host, asked->nodes)));
-  const auto at = std::ranges::find_if(lost, [&](NodeId n) { return !stands_in[n.index()]; });
-  return at == lost.end() ? std::nullopt : std::optional(*at);
+  const auto at = std::ranges::find_if(removed, [&](NodeId n) { return !stands_in[n.index()]; });
+  return at == removed.end() ? std::nullopt : std::optional(*at);
 }
 
 } // namespace spricka::analysis

@@ -24,9 +24,9 @@ namespace spricka::analysis {
 
 namespace {
 
-constexpr double most_lost = 1e-3; // of the area between solids
+constexpr double most_removed = 1e-3; // of the area between solids
 
-double lost_part(const contact::PairConstraints& pair) {
+double removed_part(const contact::PairConstraints& pair) {
   double area = 0.0;
   for (const contact::MultiplierFunction& function : pair.functions) {
     area += function.area;
@@ -51,11 +51,11 @@ void note_pair(const model::Contact& contact, const contact::PairConstraints& pa
     scene.notes.push_back(fmt::format("contact {}: pressures are those at nodes of the master ({})",
                                       contact.name, pair.choice));
   }
-  if (const double lost = lost_part(pair); lost > most_lost) {
+  if (const double removed = removed_part(pair); removed > most_removed) {
     scene.notes.push_back(fmt::format(
         "contact {}: {:.2g} % of the part that faces the other surface is not paired, because the "
         "normals there do not meet that surface: nothing keeps the bodies apart there",
-        contact.name, 100.0 * lost));
+        contact.name, 100.0 * removed));
   }
 }
 
@@ -164,8 +164,8 @@ std::optional<Discretisation> discretise(const model::Model& model,
       plane ? make_tips(model, scene, diagnostics) : make_fronts(model, scene, diagnostics);
   const bool crack_faces = check_face_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
-  const bool told = !plane || check_split_nodes(model, scene, diagnostics);
-  if (!ties || !pairs || !tips || !crack_faces || !held || !told ||
+  const bool reported = !plane || check_split_nodes(model, scene, diagnostics);
+  if (!ties || !pairs || !tips || !crack_faces || !held || !reported ||
       !loaded_faces_exist(model, scene, diagnostics)) {
     return std::nullopt;
   }

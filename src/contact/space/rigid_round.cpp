@@ -53,7 +53,7 @@ ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const Analytic
   const Vec2 b = r[2] - r[0];
   const double r_area2 = a.x() * b.y() - a.y() * b.x();
   const double reach = farthest_opposite * contact.extent;
-  ProjectedTriangle sight;
+  ProjectedTriangle projection;
   for (const auto& [q, weight] : shape::triangle_rule(triangle_degree)) {
     ProjectionPoint p;
     p.hat = Eigen::Vector3d(1.0 - q[0] - q[1], q[0], q[1]);
@@ -61,7 +61,7 @@ ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const Analytic
     const SolidFacePoint here = point_on(face, p.r);
     p.x = here.x;
     p.weight = weight * r_area2 * here.area_vector().norm();
-    sight.whole += p.weight * p.hat;
+    projection.whole += p.weight * p.hat;
     // A motion along the normal closes the gap.
     p.normal = -outer_normal(target, p.x);
     p.turn = here.area_vector().normalized().dot(p.normal);
@@ -73,10 +73,10 @@ ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const Analytic
       p.round_gap -= distance_along(*own, p.x, p.normal).value_or(0.0);
     }
     if (p.turn > 0.0 && std::abs(p.gap) <= reach) {
-      sight.points.push_back(p);
+      projection.points.push_back(p);
     }
   }
-  return sight;
+  return projection;
 }
 
 } // namespace spricka::contact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "contact/space/round.hpp"
-#include "contact/space/sight.hpp"
 #include "contact/space/space_surface.hpp"
+#include "contact/space/surface_projection.hpp"
 #include "model/contacts.hpp"
 
 /// Rigid targets in space: planes, cylinders, cones and spheres without end, met exactly.

@@ -149,9 +149,9 @@ void refine(const std::vector<Vec3>& points, AnalyticShape& round) {
 AnalyticShape tidied(AnalyticShape round, double extent) {
   Eigen::Index largest = 0;
   round.axis.cwiseAbs().maxCoeff(&largest);
-  const bool flip =
+  const bool reverse =
       round.kind == AnalyticShapeKind::cone ? round.slope < 0.0 : round.axis[largest] < 0.0;
-  if (flip) {
+  if (reverse) {
     round.axis = -round.axis;
     round.slope = -round.slope;
   }

@@ -22,11 +22,11 @@ fe::SpaceNodes<2> displacements(const fe::ElementSide<2>& side, const base::Vect
   return U;
 }
 
-// - N_n c of each node, to what a partner releases.
+// - N_n c of each node, to what a auxiliary field releases.
 void subtract_at_nodes(const fe::ElementSide<2>& side, const fe::AnyElement<2>::Values& N,
-                       std::size_t partner, const Vec3& c, FrontConfigurationalForces& out) {
+                       std::size_t auxiliary, const Vec3& c, FrontConfigurationalForces& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
-    out[side.nodes[n]][partner] -= N[static_cast<Eigen::Index>(n)] * c;
+    out[side.nodes[n]][auxiliary] -= N[static_cast<Eigen::Index>(n)] * c;
   }
 }
 

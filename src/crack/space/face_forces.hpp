@@ -6,14 +6,14 @@
 namespace spricka::crack {
 
 /// Work of forces on sides in the field that the extension carries along, - t_i u_i,k N_n, and the
-/// same of the partners (crack_space.9). Forces on sides that no domain moves add nothing.
+/// same of the auxiliary fields (crack_space.9). Forces on sides that no domain moves add nothing.
 void add_face_forces(const FrontSetting& set, const FrontExtensions& fields,
                      const std::vector<FacePointForces>& forces, const base::Vector& u,
                      FrontConfigurationalForces& out);
 
-/// Of the partners' own tractions on free sides, - t_aux_i u_i,k N_n: those of a front that turns
-/// are not zero on the crack's faces, and those of a plane strain are not where the front leaves
-/// the body (crack_space.8).
+/// Of the auxiliary fields' own tractions on free sides, - t_aux_i u_i,k N_n: those of a front that
+/// turns are not zero on the crack's faces, and those of a plane strain are not where the front
+/// leaves the body (crack_space.8).
 void add_auxiliary_tractions(const FrontSetting& set, const FrontExtensions& fields,
                              const base::Vector& u, FrontConfigurationalForces& out);
 

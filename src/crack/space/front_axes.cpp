@@ -244,7 +244,7 @@ FrontCoordinates FrontAxes::locate_point(const Vec3& x, CrackFaceSide side) cons
   if (side != CrackFaceSide::none) {
     // Edges on the front are parabolas: where its curvature changes they pass it by some
     // thousandths of a radius, and points of a face beside it may lie ahead of the curve, where the
-    // partners' stress has no bound.
+    // auxiliary fields' stress has no bound.
     place.theta = side == CrackFaceSide::upper ? std::numbers::pi : -std::numbers::pi;
   }
   return place;

@@ -25,7 +25,7 @@ enum class CrackFaceSide { none, upper, lower };
 /// curve, and are cubic in between, so that their derivatives are exactly those of what is used.
 /// Beyond an open end they go on turning as they do there, by a radian at most, then straight on:
 /// where a front leans against the surface elements of its domains reach beyond its end, and a jump
-/// of how the axes turn would be a load of the partners that no integral has.
+/// of how the axes turn would be a load of the auxiliary fields that no integral has.
 class FrontAxes {
 public:
   explicit FrontAxes(const mesh::FrontCurve& curve);

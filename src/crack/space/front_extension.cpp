@@ -21,8 +21,8 @@ using base::NodeId;
 using base::Vec3;
 
 // Part of the way to the centre of curvature that elements of a domain may take: there places along
-// the front run together, and what the partners' derivatives grow by (the third power of what is
-// left) no rule of such wide elements follows.
+// the front run together, and what the auxiliary fields' derivatives grow by (the third power of
+// what is left) no rule of such wide elements follows.
 constexpr double to_centre = 0.6;
 // The front may turn within an element of a domain by twice as much as from a point to the next,
 // and by this more [rad].

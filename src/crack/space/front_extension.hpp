@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/extension.hpp"
+#include "crack/space/auxiliary_cache.hpp"
 #include "crack/space/front_axes.hpp"
 #include "crack/space/front_layers.hpp"
-#include "crack/space/partner_memory.hpp"
 #include "mesh/cut/cracked.hpp"
 
 #include <map>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/front_forces.hpp"
 
+#include "crack/space/auxiliary_table.hpp"
 #include "crack/space/front_heat.hpp"
-#include "crack/space/partner_table.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/thermal_kernel.hpp"
@@ -181,7 +181,7 @@ private:
            std::ranges::none_of(all_.loads.heat, jumps);
   }
 
-  // - q b . u,k (crack.19) and the same of the partners, at points of the load's own.
+  // - q b . u,k (crack.19) and the same of the auxiliary fields, at points of the load's own.
   void add_body_loads(OfNodes& P) const {
     for (const FrontBodyLoad& load : all_.body) {
       const ActingLoad& acting = *load.acting;

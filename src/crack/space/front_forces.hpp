@@ -9,14 +9,14 @@
 namespace spricka::crack {
 
 /// Configurational forces along a front: how much energy is released as nodes move, of the solution
-/// with each partner [force]. Assembled once for all points and domains.
+/// with each auxiliary field [force]. Assembled once for all points and domains.
 class FrontConfigurationalForces {
 public:
   explicit FrontConfigurationalForces(std::size_t nodes) : slot_(nodes, -1) {}
 
   using OfNode = std::array<base::Vec3, front_partners>;
   OfNode& operator[](base::NodeId n);
-  /// Sum over nodes of their motion times P, of each partner.
+  /// Sum over nodes of their motion times P, of each auxiliary field.
   [[nodiscard]] std::array<double, front_partners>
   released_energies(const ExtensionField& field) const;
 
@@ -27,12 +27,12 @@ private:
 
 /// Terms that tests leave out one by one to see that they are needed.
 struct FrontTermSwitches {
-  bool divergence = true; ///< of the partners' stress (crack_space.8)
-  bool tractions = true;  ///< of the partners on free sides
+  bool divergence = true; ///< of the auxiliary fields' stress (crack_space.8)
+  bool tractions = true;  ///< of the auxiliary fields on free sides
 };
 
-/// What the elements of the domains give: energy-momentum, the divergence of the partners' stress,
-/// forces per volume and the temperature's gradient (crack_space.6, crack_space.8).
+/// What the elements of the domains give: energy-momentum, the divergence of the auxiliary fields'
+/// stress, forces per volume and the temperature's gradient (crack_space.6, crack_space.8).
 void add_element_forces(const FrontSetting& set, const FrontExtensions& fields,
                         const TipLoads& loads, const base::Vector& u,
                         FrontConfigurationalForces& out, const FrontTermSwitches& terms = {});

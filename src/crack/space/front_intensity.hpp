@@ -14,9 +14,9 @@ struct FrontIntensityRequest {
 };
 
 /// K1, K2, K3, G and T at each point of a front from nodal displacements u [3 * node]: products of
-/// the points' extensions with configurational forces of u with itself and with partners (manual,
-/// crack_space.6 to crack_space.12), per length of the front. A point without a domain has zeros
-/// and no domains. The E' is that of plane strain: G = (K1^2 + K2^2) / E' + K3^2 / (2 mu).
+/// the points' extensions with configurational forces of u with itself and with auxiliary fields
+/// (manual, crack_space.6 to crack_space.12), per length of the front. A point without a domain has
+/// zeros and no domains. The E' is that of plane strain: G = (K1^2 + K2^2) / E' + K3^2 / (2 mu).
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::CrackFront& front,

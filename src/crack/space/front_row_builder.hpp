@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "crack/space/auxiliary_table.hpp"
 #include "crack/space/face_forces.hpp"
 #include "crack/space/front_forces.hpp"
 #include "crack/space/front_rule.hpp"
 #include "crack/space/other_functions.hpp"
-#include "crack/space/partner_table.hpp"
 #include "fe/face.hpp"
 #include "shape/side_place.hpp"
 
@@ -32,7 +32,7 @@ inline PointMotion point_motion(const mesh::FrontPoint& point,
   return motion;
 }
 
-/// Which partners, and where their rows go.
+/// Which auxiliary fields, and where their rows go.
 struct AuxiliaryFieldColumns {
   std::vector<std::size_t> partners;
 
@@ -136,7 +136,7 @@ private:
 
   // What the gradients of some functions of an element are contracted with, at each point of its
   // rule (crack_space.10). slopes_at(number of the point, Jacobian): [3, function], of type Values;
-  // take(point of the front, partner's column, [3, function]).
+  // take(point of the front, auxiliary field's column, [3, function]).
   template <class Values, class SlopesAt, class Take>
   void contract(base::ElementId e, const Values& zero, const SlopesAt& slopes_at,
                 const Take& take) const {
@@ -200,7 +200,7 @@ private:
         });
   }
 
-  // The partners' tractions on a side times the slopes along the motion of some functions.
+  // The auxiliary fields' tractions on a side times the slopes along the motion of some functions.
   // slopes_at(place r): [function, 3]; take as in contract.
   template <class SlopesAt, class Take>
   void contract_side(const MovedFreeSide& side, const fe::ElementSide<2>& own,
@@ -217,9 +217,9 @@ private:
         const base::Vec3 moved = q * N;
         const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
-          const std::size_t partner = columns_.partners[k];
-          const base::Vec3 t = set_.conversion_factor(partner) *
-                               (front_auxiliary_field(partner, axes, set_.body).sigma * area);
+          const std::size_t auxiliary = columns_.partners[k];
+          const base::Vec3 t = set_.conversion_factor(auxiliary) *
+                               (front_auxiliary_field(auxiliary, axes, set_.body).sigma * area);
           take(i, k, Eigen::Matrix3Xd(-t * along));
         }
       }
@@ -314,10 +314,10 @@ private:
         }
         const TurningAxes axes(place);
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
-          const std::size_t partner = columns_.partners[k];
+          const std::size_t auxiliary = columns_.partners[k];
           put(first + 3 * static_cast<Eigen::Index>(p), i, k,
-              -set_.conversion_factor(partner) *
-                  (front_auxiliary_field(partner, axes, set_.body).H * (q * N)));
+              -set_.conversion_factor(auxiliary) *
+                  (front_auxiliary_field(auxiliary, axes, set_.body).H * (q * N)));
         }
       }
     }

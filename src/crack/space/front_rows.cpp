@@ -12,7 +12,7 @@ AuxiliaryFieldColumns modes(const mesh::CrackFront& front) {
   return front.symmetric_half ? AuxiliaryFieldColumns{{1}} : AuxiliaryFieldColumns{{1, 2, 3}};
 }
 
-// PartnerColumns of K1 alone, spread over those of the layout.
+// AuxiliaryFieldColumns of K1 alone, spread over those of the layout.
 SparseRows spread(const SparseRows& rows, std::size_t points) {
   const KLayout layout(points, 3);
   if (rows.cols() == layout.count()) {
@@ -62,7 +62,7 @@ SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& crac
     return nothing(cracked, count);
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
-  SparseRows rows = IntensityRowBuilder(set, front, fields, {{line_force_partner}}).rows();
+  SparseRows rows = IntensityRowBuilder(set, front, fields, {{line_force_auxiliary}}).rows();
   // E' nu e_tt of (crack_space.12).
   RowEntries entries;
   const auto strain = strain_along(front, cracked.mesh, fields);

@@ -19,12 +19,12 @@ struct FarRule {
 };
 constexpr std::array<FarRule, 2> far_rules{{{0.3, 7}, {0.8, 6}}};
 
-// The partners' derivatives grow faster towards the line of the front's centres of curvature: it
-// counts as nearer.
+// The auxiliary fields' derivatives grow faster towards the line of the front's centres of
+// curvature: it counts as nearer.
 constexpr double of_centres = 0.25;
 
-// How far an element is from where the partners have no bound, by its half width: from the front
-// and, inside a bend, from the line of its centres of curvature. Both across the front.
+// How far an element is from where the auxiliary fields have no bound, by its half width: from the
+// front and, inside a bend, from the line of its centres of curvature. Both across the front.
 double distance_by_width(const model::Mesh& mesh, base::ElementId e,
                          const mesh::FrontCurve& curve) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);

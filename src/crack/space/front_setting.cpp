@@ -14,8 +14,8 @@ double FrontSetting::E_effective() const {
   return fe::effective_modulus(material, model::StressState::solid);
 }
 
-double FrontSetting::conversion_factor(std::size_t partner) const {
-  switch (partner) {
+double FrontSetting::conversion_factor(std::size_t auxiliary) const {
+  switch (auxiliary) {
   case 0:
     return halves;
   case 1:

@@ -39,8 +39,8 @@ struct FrontSetting {
   double halves = 1.0; ///< 2: one half of the body is in the mesh
 
   /// What turns the product of an extension, of length 1 along the front, and the forces of a
-  /// partner into G, K1, K2, K3 and T (crack_space.7, crack_space.12).
-  [[nodiscard]] double conversion_factor(std::size_t partner) const;
+  /// auxiliary field into G, K1, K2, K3 and T (crack_space.7, crack_space.12).
+  [[nodiscard]] double conversion_factor(std::size_t auxiliary) const;
   [[nodiscard]] double E_effective() const; ///< E / (1 - nu^2)
 };
 /// Of the fields of a front, of which there is one at least.

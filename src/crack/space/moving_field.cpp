@@ -65,10 +65,10 @@ SectionPolarPoint::SectionPolarPoint(double radius, double angle)
     : r(radius), theta(angle), c1(std::cos(0.5 * angle)), s1(std::sin(0.5 * angle)),
       C(c1 * c1 - s1 * s1), S(2.0 * c1 * s1), c3(C * c1 - S * s1), s3(S * c1 + C * s1) {}
 
-SectionField section_field(std::size_t partner, const SectionPolarPoint& at,
+SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
                            const FrontBody& body) {
-  const bool force = partner == line_force_partner;
-  const AngularParts f = force ? line_force(at, body) : near_front(partner, at, body);
+  const bool force = auxiliary == line_force_auxiliary;
+  const AngularParts f = force ? line_force(at, body) : near_front(auxiliary, at, body);
   const double C = at.C;
   const double S = at.S;
   const double p = f.power;
@@ -144,9 +144,9 @@ Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
 
 } // namespace
 
-FrontAuxiliaryField front_auxiliary_field(std::size_t partner, const TurningAxes& axes,
+FrontAuxiliaryField front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
                                           const FrontBody& body) {
-  const SectionField w = section_field(partner, axes.section, body);
+  const SectionField w = section_field(auxiliary, axes.section, body);
   // Q (w_,y grad y + w_,z grad z) + Q' w grad s, with these gradients or with derivatives of them.
   const Across field_across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w};
   FrontAuxiliaryField field;

@@ -11,7 +11,7 @@ namespace spricka::crack {
 /// Partners of the solution along a front: itself (G), the near-front fields of K1, K2, K3 = 1 and
 /// the field of a unit force per length along m (T).
 inline constexpr std::size_t front_partners = 5;
-inline constexpr std::size_t line_force_partner = 4;
+inline constexpr std::size_t line_force_auxiliary = 4;
 
 /// An isotropic body round a front, and a length to count logarithms in.
 struct FrontBody {
@@ -20,7 +20,8 @@ struct FrontBody {
   double unit = 1.0;
 };
 
-/// A point off the front in the section across it, with what the fields of all partners share.
+/// A point off the front in the section across it, with what the fields of all auxiliary fields
+/// share.
 struct SectionPolarPoint {
   double r = 0.0, theta = 0.0;
   double c1 = 0.0, s1 = 0.0; ///< cosine and sine of theta/2
@@ -34,11 +35,13 @@ struct SectionPolarPoint {
 struct SectionField {
   base::Vec3 w, w_y, w_z, w_yy, w_yz, w_zz;
 };
-/// Of partner 1 to 4 (manual, crack_space.3).
-SectionField section_field(std::size_t partner, const SectionPolarPoint& at, const FrontBody& body);
+/// Of auxiliary field 1 to 4 (manual, crack_space.3).
+SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
+                           const FrontBody& body);
 
 /// The axes at a place as matrices with columns m, b, t and their derivatives, and the gradients of
-/// s, y and z with theirs (crack_space.2): the same for all partners, as the place in the section.
+/// s, y and z with theirs (crack_space.2): the same for all auxiliary fields, as the place in the
+/// section.
 struct TurningAxes {
   struct CoordinateGradients {
     base::Vec3 s, y, z;
@@ -50,18 +53,18 @@ struct TurningAxes {
   explicit TurningAxes(const FrontCoordinates& at);
 };
 
-/// The field w = w1 m + w2 b + w3 t of a partner (crack_space.4) at a place.
+/// The field w = w1 m + w2 b + w3 t of a auxiliary field (crack_space.4) at a place.
 struct FrontAuxiliaryField {
   Tensor<3> H = Tensor<3>::Zero();            ///< dw_i/dx_j, the turning of the axes in it
   Tensor<3> sigma = Tensor<3>::Zero();        ///< its stress
   base::Vec3 divergence = base::Vec3::Zero(); ///< of that, not zero where the front turns
 };
-FrontAuxiliaryField front_auxiliary_field(std::size_t partner, const TurningAxes& axes,
+FrontAuxiliaryField front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
                                           const FrontBody& body);
 
-inline FrontAuxiliaryField front_auxiliary_field(std::size_t partner, const FrontCoordinates& at,
+inline FrontAuxiliaryField front_auxiliary_field(std::size_t auxiliary, const FrontCoordinates& at,
                                                  const FrontBody& body) {
-  return front_auxiliary_field(partner, TurningAxes(at), body);
+  return front_auxiliary_field(auxiliary, TurningAxes(at), body);
 }
 
 /// lambda tr(A) I + mu (A + A^T).

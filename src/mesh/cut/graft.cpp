@@ -216,17 +216,17 @@ private:
   }
 
   /// Members that are gone, but for those of whole sides of the boundary and of whole cavities.
-  [[nodiscard]] std::vector<NodeId> lost_nodes(const model::NodeSet& old,
-                                               const std::vector<bool>& member,
-                                               const std::vector<bool>& had) const {
-    std::vector<NodeId> lost;
+  [[nodiscard]] std::vector<NodeId> removed_nodes(const model::NodeSet& old,
+                                                  const std::vector<bool>& member,
+                                                  const std::vector<bool>& had) const {
+    std::vector<NodeId> removed;
     for (const NodeId n : old.nodes) {
       if (had[n.index()] && !used_[n.index()]) {
-        lost.push_back(n);
+        removed.push_back(n);
       }
     }
-    if (lost.empty()) {
-      return lost;
+    if (removed.empty()) {
+      return removed;
     }
     std::vector<bool> replaced(host_.node_count(), false);
     for (const model::Face& face : boundary_faces(host_)) {
@@ -246,8 +246,8 @@ private:
         }
       }
     }
-    std::erase_if(lost, [&](NodeId n) { return replaced[n.index()]; });
-    return lost;
+    std::erase_if(removed, [&](NodeId n) { return replaced[n.index()]; });
+    return removed;
   }
 
   void inherit_node_sets() {
@@ -292,7 +292,7 @@ private:
           std::for_each(g.node.begin(), g.node.end(), join);
         }
       }
-      result_.removed_nodes.push_back(lost_nodes(old, old_member, had));
+      result_.removed_nodes.push_back(removed_nodes(old, old_member, had));
       result_.mesh.node_sets.push_back(std::move(set));
     }
   }

@@ -158,7 +158,7 @@ private:
   }
 
   /// New nodes strictly inside a stretch of the crack's line, from s0 to s1 of its length.
-  std::vector<int> add_stretch(const Vec2& from, const Vec2& to) {
+  std::vector<int> add_interval(const Vec2& from, const Vec2& to) {
     const auto curve = [&](double t) { return Vec2(from + t * (to - from)); };
     const std::vector<double> t = divide(curve, 0.0, 1.0, size_);
     std::vector<int> nodes;
@@ -182,7 +182,7 @@ private:
       const bool last = k + 1 == place.line.size();
       // From the rim to the tip the nodes are those of the rosette's first ray.
       const Vec2 to = last ? rim_point(place.tips.back()) : place.line[k];
-      const std::vector<int> inner = add_stretch(from, to);
+      const std::vector<int> inner = add_interval(from, to);
       crack_face.insert(crack_face.end(), inner.begin(), inner.end());
       crack_face.push_back(last ? last_rosette.behind.back() : net_.new_node(to));
       from = to;
@@ -222,7 +222,7 @@ private:
       return;
     }
     std::vector<int> ligament{rosette.ahead.back()};
-    const std::vector<int> inner = add_stretch(net_.local_position(ligament[0]), {end.x, 0.0});
+    const std::vector<int> inner = add_interval(net_.local_position(ligament[0]), {end.x, 0.0});
     ligament.insert(ligament.end(), inner.begin(), inner.end());
     ligament.push_back(net_.host_node(end.node));
     for (std::size_t i = 0; i + 1 < ligament.size(); ++i) {

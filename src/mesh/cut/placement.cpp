@@ -148,8 +148,9 @@ double ligament_of(const HostMesh& host, const CrackPlacement& placement, base::
 }
 
 /// A tip on the boundary: the whole crack may lie there.
-void report_lost_section(const HostMesh& host, const CrackLine& line, const PlanarCrackFrame& frame,
-                         double room, base::Diagnostics& diagnostics, base::SourceSpan span) {
+void report_removed_section(const HostMesh& host, const CrackLine& line,
+                            const PlanarCrackFrame& frame, double room,
+                            base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
   if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
     const bool path = !line.path.empty();
@@ -263,7 +264,7 @@ std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine&
     room = std::min(room, room_at_end(host, result, reversed, line.net));
   }
   if (const double ligament = ligament_of(host, result, line.net); ligament < through) {
-    report_lost_section(host, line, frame, ligament, diagnostics, span);
+    report_removed_section(host, line, frame, ligament, diagnostics, span);
     return std::nullopt;
   }
   if (room < shortest_part) { // of the crack, or up to a material boundary

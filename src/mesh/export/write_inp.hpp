@@ -25,7 +25,7 @@ struct InpStep {
 /// Types of the model that Abaqus and CalculiX have no name for, as the deck calls them.
 std::vector<std::string> types_without_inp(const model::Mesh& mesh);
 
-/// The numbers that inp_text() gives to the nodes of a mesh. [node]
+/// The numbers that write_inp() gives to the nodes of a mesh. [node]
 std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh);
 
 /// A model as the text of an Abaqus or CalculiX input file: nodes, elements, sets, faces as

@@ -132,9 +132,9 @@ private:
       return false;
     }
     take_values();
-    std::set<std::string_view> told; // gmsh says some for every point that it meshes
+    std::set<std::string_view> reported; // gmsh says some for every point that it meshes
     for (const std::string& line : from_.errors) {
-      if (told.insert(line).second) {
+      if (reported.insert(line).second) {
         error("E331", fmt::format("{}: gmsh says: {}", file_name(), line));
       }
     }
@@ -160,12 +160,12 @@ private:
 
   /// Why there is no answer, with what gmsh had said so far.
   void report(const MesherAnswer& answer) {
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const std::string& line : answer.words) {
       for (const std::string_view mark : {"Error   : ", "Fatal   : "}) {
         if (const std::size_t at = line.find(mark);
-            at != std::string::npos && told < most_messages) {
-          ++told;
+            at != std::string::npos && reported < most_messages) {
+          ++reported;
           error("E331",
                 fmt::format("{}: gmsh says: {}", file_name(), line.substr(at + mark.size())));
         }

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/source.hpp"
-#include "mesh/size_wish.hpp"
+#include "mesh/script_size_request.hpp"
 
 #include <filesystem>
 #include <string>

@@ -16,9 +16,9 @@ using base::Vec2;
 
 /// Triangles with no height, on three points of a straight boundary: the longest side goes over to
 /// the other diagonal of the quadrilateral that it halves. Given edges stay.
-class Flips {
+class Reversals {
 public:
-  Flips(const PlaneRegion& region, TriangleFill& filling) : region_(region), filling_(filling) {
+  Reversals(const PlaneRegion& region, TriangleFill& filling) : region_(region), filling_(filling) {
     for (const auto* chains : {&region.loops, &region.embedded}) {
       for (const std::vector<int>& chain : *chains) {
         const std::size_t count = chain.size() - (chains == &region.embedded ? 1 : 0);
@@ -35,7 +35,7 @@ public:
     for (int pass = 0; pass < passes && more; ++pass) {
       more = false;
       for (std::size_t i = 0; i < filling_.triangles.size(); ++i) {
-        more = (is_flat(filling_.triangles[i]) && flip(i)) || more;
+        more = (is_flat(filling_.triangles[i]) && reverse(i)) || more;
       }
     }
   }
@@ -64,7 +64,7 @@ private:
     const Vec2 side = at(t[(k + 1) % 3]) - at(t[k]);
     return cross(side, at(t[(k + 2) % 3]) - at(t[k])) < flat * side.squaredNorm();
   }
-  bool flip(std::size_t i) {
+  bool reverse(std::size_t i) {
     Triangle& t = filling_.triangles[i];
     const std::size_t k = longest(t);
     const int a = t[k];
@@ -112,7 +112,7 @@ TriangleFill made_by_gmsh(const PlaneRegion& region, const Grading& size) {
 TriangleFill fill_triangles(const PlaneRegion& region, const Grading& size) {
   TriangleFill filling = made_by_gmsh(region, size);
   if (filling.trouble.empty()) {
-    Flips(region, filling).run();
+    Reversals(region, filling).run();
   }
   if (filling.trouble.empty() && filling.triangles.empty()) {
     filling.trouble = "no triangles were made";

@@ -86,15 +86,16 @@ std::string fault_of(const SolidRegion& region, const TetrahedronFill& filling) 
     return "no tetrahedra were made";
   }
   const Sides sides(filling);
-  std::size_t lost = 0;
+  std::size_t removed = 0;
   for (const std::vector<Triangle>& shell : region.shells) {
-    lost += static_cast<std::size_t>(
+    removed += static_cast<std::size_t>(
         std::ranges::count_if(shell, [&](const Triangle& t) { return sides.count(t) != 1; }));
   }
-  lost += static_cast<std::size_t>(std::ranges::count_if(
+  removed += static_cast<std::size_t>(std::ranges::count_if(
       region.embedded, [&](const Triangle& t) { return sides.count(t) != 2; }));
-  return lost == 0 ? std::string()
-                   : fmt::format("{} given triangles are no sides of the tetrahedra made", lost);
+  return removed == 0
+             ? std::string()
+             : fmt::format("{} given triangles are no sides of the tetrahedra made", removed);
 }
 
 void turn_positive(const SolidRegion& region, TetrahedronFill& filling) {

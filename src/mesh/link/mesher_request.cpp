@@ -158,10 +158,10 @@ std::string import_request(const MesherImport& import) {
   if (import.size) {
     out.write_value(import.size.scale);
     out.write_value(import.size.map->requests().size());
-    for (const SizeMap::SizeRequest& wish : import.size.map->requests()) {
-      write(out, wish.at);
-      out.write_value(wish.size);
-      out.write_value(wish.fresh);
+    for (const SizeMap::SizeRequest& request : import.size.map->requests()) {
+      write(out, request.at);
+      out.write_value(request.size);
+      out.write_value(request.fresh);
     }
   }
   return out.release();
@@ -177,11 +177,11 @@ bool read_import_request(ByteReader& in, MesherImport& import) {
     import.size.scale = in.read_value<double>();
     std::vector<SizeMap::SizeRequest> wishes;
     for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
-      SizeMap::SizeRequest wish;
-      wish.at = read_point(in);
-      wish.size = in.read_value<double>();
-      wish.fresh = in.read_value<bool>();
-      wishes.push_back(wish);
+      SizeMap::SizeRequest request;
+      request.at = read_point(in);
+      request.size = in.read_value<double>();
+      request.fresh = in.read_value<bool>();
+      wishes.push_back(request);
     }
     import.size.map = std::make_shared<const SizeMap>(std::move(wishes));
   }

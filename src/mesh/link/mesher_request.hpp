@@ -4,7 +4,7 @@
 #include "mesh/link/gmsh_model.hpp"
 #include "mesh/link/grading.hpp"
 #include "mesh/link/region.hpp"
-#include "mesh/size_wish.hpp"
+#include "mesh/script_size_request.hpp"
 
 #include <string>
 #include <string_view>

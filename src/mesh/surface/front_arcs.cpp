@@ -62,7 +62,7 @@ private:
     Vec2 r = guess.r;
     Vec3 t = Vec3::Zero();
     for (int i = 0; i < 30; ++i) {
-      const SurfaceQuadraturePoint p = point_on(face, r);
+      const CurvedFacePoint p = point_on(face, r);
       t = front_.at(front_.closed() ? s : std::clamp(s, 0.0, L)).t;
       Eigen::Matrix3d J;
       J << p.slope, -t;

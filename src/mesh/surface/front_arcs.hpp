@@ -32,7 +32,7 @@ InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& 
 /// A mouth between fronts: from the end of one arc over the surface to the start of one (the same
 /// or another), with the crack on its left seen along b.
 struct FrontMouth {
-  std::size_t from = 0, to = 0; ///< into FrontArcs::arcs
+  std::size_t from = 0, to = 0; ///< into InteriorFrontArcs::arcs
   SurfaceTrace trace;
 };
 

@@ -167,7 +167,7 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
 SurfaceChart::ChartPreimage SurfaceChart::flat_on(std::size_t face, Vec2 r, const Vec2& u) const {
   const CurvedFace& f = surface_.face(face);
   for (int i = 0; i < 20; ++i) {
-    const SurfaceQuadraturePoint p = point_on(f, r);
+    const CurvedFacePoint p = point_on(f, r);
     Eigen::Matrix2d J;
     J << flat_->e1.dot(p.slope.col(0)), flat_->e1.dot(p.slope.col(1)),
         flat_->e2.dot(p.slope.col(0)), flat_->e2.dot(p.slope.col(1));

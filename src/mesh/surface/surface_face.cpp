@@ -96,11 +96,11 @@ CurvedFace make_surface_face(const model::Mesh& mesh, const model::Face& face) {
   return out;
 }
 
-Vec3 SurfaceQuadraturePoint::normal() const {
+Vec3 CurvedFacePoint::normal() const {
   return slope.col(0).cross(slope.col(1)).normalized();
 }
 
-SurfaceQuadraturePoint point_on(const CurvedFace& face, const Vec2& r) {
+CurvedFacePoint point_on(const CurvedFace& face, const Vec2& r) {
   const shape::ReferenceElement<2>& element = shape::reference_element<2>(face.shape);
   return {face.X * element.N(r), face.X.lazyProduct(element.dN(r))};
 }

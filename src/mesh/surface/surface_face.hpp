@@ -23,13 +23,13 @@ struct CurvedFace {
 CurvedFace make_surface_face(const model::Mesh& mesh, const model::Face& face);
 
 /// A point of a face: where it is, and dx/dr.
-struct SurfaceQuadraturePoint {
+struct CurvedFacePoint {
   base::Vec3 x = base::Vec3::Zero();
   Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();
 
   [[nodiscard]] base::Vec3 normal() const; ///< unit, out of the body; zero where the face has none
 };
-SurfaceQuadraturePoint point_on(const CurvedFace& face, const base::Vec2& r);
+CurvedFacePoint point_on(const CurvedFace& face, const base::Vec2& r);
 
 /// Reference coordinates at t [-1,1] on the edge from corner i to the next.
 base::Vec2 edge_coordinates(base::ElementType shape, int i, double t);

@@ -64,7 +64,7 @@ private:
 
 } // namespace
 
-struct SurfaceGeometry::Tree {
+struct SurfaceGeometry::FaceTree {
   bg::index::rtree<TreeEntry, bg::index::rstar<16>> boxes;
 };
 
@@ -87,7 +87,8 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
     high = f == 0 ? most : Vec3(high.cwiseMax(most));
   }
   extent_ = (high - low).norm();
-  tree_ = std::make_unique<Tree>(Tree{bg::index::rtree<TreeEntry, bg::index::rstar<16>>(entries)});
+  tree_ = std::make_unique<FaceTree>(
+      FaceTree{bg::index::rtree<TreeEntry, bg::index::rstar<16>>(entries)});
   find_edges();
   find_sets(mesh, kept);
   find_lines(mesh, lines);
@@ -105,7 +106,7 @@ std::size_t SurfaceGeometry::face_index(const model::Face& face) const {
 }
 
 SurfacePlace SurfaceGeometry::place_on_face(std::size_t face, const Vec2& r) const {
-  const SurfaceQuadraturePoint point = point_on(faces_[face], r);
+  const CurvedFacePoint point = point_on(faces_[face], r);
   return {face, r, point.x, point.normal()};
 }
 

@@ -109,7 +109,7 @@ public:
                                                       const base::Vec3& high) const;
 
 private:
-  struct Tree;
+  struct FaceTree;
   void find_edges();
   void find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept);
   void find_lines(const model::Mesh& mesh, std::span<const base::NodeSetId> lines);
@@ -125,7 +125,7 @@ private:
   std::vector<bool> bare_; ///< [edge] some set has it, but no face beside it
   std::size_t pieces_ = 0;
   double extent_ = 0.0;
-  std::unique_ptr<Tree> tree_;
+  std::unique_ptr<FaceTree> tree_;
 };
 
 } // namespace spricka::mesh

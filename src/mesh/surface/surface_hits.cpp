@@ -71,7 +71,7 @@ std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const Crossing
   const CurvedFace& face = surface.face(guess.face);
   Vec2 r = guess.r;
   for (int i = 0; i < 20; ++i) {
-    const SurfaceQuadraturePoint p = point_on(face, r);
+    const CurvedFacePoint p = point_on(face, r);
     Eigen::Matrix3d J;
     J << p.slope, -d;
     const Vec3 step = J.inverse() * (x + along * d - p.x);
@@ -143,11 +143,11 @@ std::vector<SurfaceHit> find_hits(const SurfaceGeometry& surface, const Vec3& x,
 
 bool is_inside(const SurfaceGeometry& surface, const Vec3& x) {
   // Three lines in no special direction: one of them may run through an edge.
-  static const std::array<Vec3, 3> ways{Vec3(0.5377, 0.7210, 0.4369).normalized(),
-                                        Vec3(-0.3188, 0.4129, -0.8531).normalized(),
-                                        Vec3(0.1763, -0.8622, 0.4749).normalized()};
+  static const std::array<Vec3, 3> directions{Vec3(0.5377, 0.7210, 0.4369).normalized(),
+                                              Vec3(-0.3188, 0.4129, -0.8531).normalized(),
+                                              Vec3(0.1763, -0.8622, 0.4749).normalized()};
   int votes = 0;
-  for (const Vec3& d : ways) {
+  for (const Vec3& d : directions) {
     votes += find_hits(surface, x, d, 2.0 * surface.diagonal()).size() % 2 == 1 ? 1 : 0;
   }
   return votes >= 2;

@@ -19,7 +19,7 @@ namespace {
 /// Moves r within the face until its point lies on the plane.
 Vec2 onto_plane(const CurvedFace& face, const CrackReferencePlane& plane, Vec2 r) {
   for (int i = 0; i < 8; ++i) {
-    const SurfaceQuadraturePoint p = point_on(face, r);
+    const CurvedFacePoint p = point_on(face, r);
     const Vec2 g = p.slope.transpose() * plane.height_gradient(p.x);
     const double height = plane.height(p.x);
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
@@ -345,9 +345,9 @@ SurfacePlace SurfaceTrace::at(double s) const {
   const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
       above - arc_.begin() - 1, 0, static_cast<std::ptrdiff_t>(stretches_.size()) - 1));
   const double part = std::clamp((s - arc_[i]) / (arc_[i + 1] - arc_[i]), 0.0, 1.0);
-  const TraceSegment& stretch = stretches_[i];
-  const Vec2 r = (1.0 - part) * stretch.r0 + part * stretch.r1;
-  return surface_->place_on_face(stretch.face, onto_plane(surface_->face(stretch.face), plane_, r));
+  const TraceSegment& segment = stretches_[i];
+  const Vec2 r = (1.0 - part) * segment.r0 + part * segment.r1;
+  return surface_->place_on_face(segment.face, onto_plane(surface_->face(segment.face), plane_, r));
 }
 
 TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,

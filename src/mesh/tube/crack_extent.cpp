@@ -237,8 +237,8 @@ CrackConfiguration classify_crack(const LocatedSolidCrack& placed) {
 
 std::optional<CrackInBody> measure_crack(const SolidHost& host, const SolidCrack& crack) {
   LocatedSolidCrack request{&crack, nullptr, {}, {}};
-  base::Diagnostics told_by_the_cut;
-  if (!locate_crack(host, request, told_by_the_cut)) {
+  base::Diagnostics reported_by_the_cut;
+  if (!locate_crack(host, request, reported_by_the_cut)) {
     return std::nullopt;
   }
   return CrackInBodyMeasurement(host, crack, request).measure();

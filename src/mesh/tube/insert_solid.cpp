@@ -3,7 +3,7 @@
 
 #include "mesh/tube/crack_extent.hpp"
 #include "mesh/tube/front_points.hpp"
-#include "mesh/tube/lay_tubes.hpp"
+#include "mesh/tube/place_tubes.hpp"
 #include "mesh/tube/solid_mouths.hpp"
 #include "mesh/tube/solid_notes.hpp"
 
@@ -57,12 +57,12 @@ public:
 
 private:
   /// Cavities of all groups; those that want the same elements become one, and all begin anew.
-  bool dig() {
+  bool build_cavities() {
     for (bool more = true; more;) {
       more = false;
       std::vector<std::size_t> owner(host_.mesh().element_count(), groups_.size());
       for (std::size_t g = 0; g < groups_.size() && !more; ++g) {
-        if (!dig(groups_[g])) {
+        if (!build_cavities(groups_[g])) {
           return false;
         }
         for (const ElementId e : groups_[g].graft.cavity.elements) {
@@ -88,14 +88,14 @@ private:
     }
   }
 
-  bool dig(CavityCrackGroup& group) {
+  bool build_cavities(CavityCrackGroup& group) {
     const LocatedSolidCrack& first = requests_[group.members.front()];
     group.frame = make_crack_frame(*first.crack);
     std::vector<CrackDistanceField> reach;
     std::vector<ElementId> seeds;
     bool good = true;
     for (const std::size_t i : group.members) {
-      auto crack = lay(group.frame, i);
+      auto crack = place(group.frame, i);
       if (crack) {
         reach.push_back(crack->reach);
         seeds.push_back(requests_[i].seed);
@@ -115,7 +115,7 @@ private:
   }
 
   /// A crack with its tubes and mouths; without tubes where they do not fit.
-  std::optional<PatchSolidCrack> lay(const SolidCrackFrame& frame, std::size_t i) {
+  std::optional<PatchSolidCrack> place(const SolidCrackFrame& frame, std::size_t i) {
     const auto attempt = [&](base::Diagnostics& found) {
       auto crack = place_tubes(host_, frame, requests_[i], requests_, found);
       return crack && find_mouths(host_, frame, requests_[i], *crack, found) ? std::move(crack)
@@ -149,7 +149,7 @@ private:
   /// begins anew.
   bool mesh_groups() {
     for (bool more = true; more;) {
-      if (!dig()) {
+      if (!build_cavities()) {
         return false;
       }
       more = false;
@@ -211,21 +211,22 @@ private:
     constexpr double finer = 1.3;
     constexpr int most_finer = 2;
     SolidPatch& patch = group.graft.patch;
-    SurfaceTreatment wish;
+    SurfaceTreatment request;
     bool renewed = false;
     bool widened = false;
     for (int refined = 0; refined <= most_finer;) {
-      patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.graft.cavity, wish);
-      if (!patch.trouble.empty() && patch.at_border && wish.borders != KeptBorders::none) {
-        wish.borders = wish.borders == KeptBorders::all ? KeptBorders::used : KeptBorders::none;
+      patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.graft.cavity, request);
+      if (!patch.trouble.empty() && patch.at_border && request.borders != KeptBorders::none) {
+        request.borders =
+            request.borders == KeptBorders::all ? KeptBorders::used : KeptBorders::none;
         continue;
       }
-      if (!patch.folded && !(wish.renew && !patch.trouble.empty())) {
+      if (!patch.folded && !(request.renew && !patch.trouble.empty())) {
         break;
       }
-      wish.renew = !renewed && patch.old_surface;
-      renewed = renewed || wish.renew;
-      if (wish.renew) {
+      request.renew = !renewed && patch.old_surface;
+      renewed = renewed || request.renew;
+      if (request.renew) {
         continue;
       }
       widened = refined > 0 && !widened && widen(group);

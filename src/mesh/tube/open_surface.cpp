@@ -54,7 +54,7 @@ public:
     take_edges();
     take_triangles();
     take_ends();
-    take_lost_edges();
+    take_removed_edges();
     find_shifts();
     return std::move(made_);
   }
@@ -187,17 +187,17 @@ private:
   }
 
   /// Edges that went as parts of longer ones are replaced too.
-  void take_lost_edges() {
-    std::set<std::size_t> lost;
+  void take_removed_edges() {
+    std::set<std::size_t> removed;
     for (const std::size_t face : region_.faces) {
       for (int s = 0; s < geometry_.face(face).corners(); ++s) {
         const std::size_t e = geometry_.face_edge(face, s);
         if (geometry_.edges()[e].feature && !geometry_.node_sets(e).empty()) {
-          lost.insert(e);
+          removed.insert(e);
         }
       }
     }
-    for (const std::size_t e : lost) {
+    for (const std::size_t e : removed) {
       made_.edges.push_back({host_nodes(e), {}, -1});
     }
   }
@@ -265,7 +265,7 @@ private:
       }
     }
     for (const std::size_t face : left) {
-      look_at_lost(face);
+      look_at_removed(face);
     }
   }
 
@@ -286,7 +286,7 @@ private:
   }
 
   /// A face at a border that no triangle stands for: the border may have passed over it.
-  void look_at_lost(std::size_t face) {
+  void look_at_removed(std::size_t face) {
     const CurvedFace& own = geometry_.face(face);
     const double edge = (own.X.col(1) - own.X.col(0)).norm();
     for (int s = 0; s < own.corners(); ++s) {

@@ -28,7 +28,7 @@ public:
       : host_(host), mesh_(host.mesh()), frame_(frame), cracks_(cracks),
         in_(mesh_.element_count(), false) {}
 
-  SolidCavity dig(std::span<const ElementId> seeds) {
+  SolidCavity build_cavities(std::span<const ElementId> seeds) {
     part_ = host_.part_index(seeds.front());
     take_wanted(seeds);
     constexpr int passes = 60;
@@ -243,7 +243,7 @@ private:
 SolidCavity find_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
                               std::span<const CrackDistanceField> cracks,
                               std::span<const ElementId> seeds) {
-  return Digger(host, frame, cracks).dig(seeds);
+  return Digger(host, frame, cracks).build_cavities(seeds);
 }
 
 std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavity) {

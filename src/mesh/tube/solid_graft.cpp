@@ -211,8 +211,8 @@ private:
 
   /// Where new faces are larger than the host's some of these have none in their place: of a set's
   /// lost nodes those stay for which no new face that is all in the set covers the place.
-  void leave_covered(const std::vector<bool>& member, std::vector<NodeId>& lost) const {
-    if (lost.empty()) {
+  void leave_covered(const std::vector<bool>& member, std::vector<NodeId>& removed) const {
+    if (removed.empty()) {
       return;
     }
     std::vector<CornerPlaces> triangles;
@@ -233,7 +233,7 @@ private:
     }
     constexpr double off_chord = 0.1; // of an edge: where the surface is curved
     const TriangleTree tree(std::move(triangles));
-    std::erase_if(lost, [&](NodeId n) {
+    std::erase_if(removed, [&](NodeId n) {
       const TriangleTree::NearestTriangle at = tree.nearest(host_.x[n.index()]);
       const CornerPlaces& t = tree.triangles()[at.triangle];
       return at.distance <= off_chord * (t[1] - t[0]).norm();
@@ -306,11 +306,11 @@ private:
           }
         }
       }
-      std::vector<NodeId>& lost = result_.removed_nodes.emplace_back();
-      std::ranges::copy_if(old.nodes, std::back_inserter(lost), [&](NodeId n) {
+      std::vector<NodeId>& removed = result_.removed_nodes.emplace_back();
+      std::ranges::copy_if(old.nodes, std::back_inserter(removed), [&](NodeId n) {
         return had[n.index()] && !used_[n.index()] && !replaced[n.index()];
       });
-      leave_covered(member, lost);
+      leave_covered(member, removed);
       result_.mesh.node_sets.push_back(std::move(set));
     }
   }

@@ -26,8 +26,8 @@ class PatchBuilder {
 public:
   PatchBuilder(const SolidHost& host, const SolidCrackFrame& frame,
                std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-               SurfaceTreatment wish)
-      : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), wish_(wish),
+               SurfaceTreatment request)
+      : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), request_(request),
         net_(host.mesh(), frame) {}
 
   SolidPatch build() {
@@ -82,14 +82,14 @@ private:
     rims_ = shells_;
     rims_.push_back(joined);
     for (std::size_t c = 0; c < cracks_.size(); ++c) {
-      lay_tubes_of(c, joined);
+      place_tubes_of(c, joined);
     }
     mouths_.resize(cracks_.size());
     holes_.resize(cracks_.size());
     if (!free.empty()) {
       MouthSurface surface =
           mesh_mouth_surface({host_.body_surface(cavity_.elements.front()), frame_, cracks_, tubes_,
-                              std::move(free), wish_.borders},
+                              std::move(free), request_.borders},
                              net_, lower_, patch_.faces);
       patch_.trouble = surface.trouble;
       patch_.at_border = surface.at_border;
@@ -128,14 +128,14 @@ private:
     }
     for (std::size_t s = 0; s < open.size(); ++s) {
       open[s] = std::ranges::any_of(cavity_.shells[s], [&](const CavityFace& face) {
-        return ends.contains(face.face) || (wish_.renew && face.free);
+        return ends.contains(face.face) || (request_.renew && face.free);
       });
     }
     return open;
   }
 
   /// Open tubes are part of the shell that they join, closed ones have shells of their own.
-  void lay_tubes_of(std::size_t c, std::vector<PatchTriangle>& joined) {
+  void place_tubes_of(std::size_t c, std::vector<PatchTriangle>& joined) {
     SolidPatch::OpenedPatchCrack& made = patch_.cracks[c];
     std::vector<PlacedTube>& laid = tubes_.emplace_back();
     for (const Tube& tube : cracks_[c].tubes) {
@@ -394,7 +394,7 @@ private:
   const SolidCrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const SolidCavity& cavity_;
-  SurfaceTreatment wish_;
+  SurfaceTreatment request_;
   SolidPatchNet net_;
   SolidPatch patch_;
   std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
@@ -413,8 +413,8 @@ private:
 
 SolidPatch mesh_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-                             SurfaceTreatment wish) {
-  return PatchBuilder(host, frame, cracks, cavity, wish).build();
+                             SurfaceTreatment request) {
+  return PatchBuilder(host, frame, cracks, cavity, request).build();
 }
 
 } // namespace spricka::mesh

@@ -50,6 +50,6 @@ struct SurfaceTreatment {
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.
 SolidPatch mesh_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-                             SurfaceTreatment wish);
+                             SurfaceTreatment request);
 
 } // namespace spricka::mesh

@@ -49,11 +49,11 @@ double reaction(const model::Model& model, CheckArguments& args, const results::
   const std::string step = args.next_name("a step");
   const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
   const CheckedStep at = find_checked_step(run, step, args.next_number());
-  if (const auto lost = analysis::unassigned_reaction(model, at.increment->mesh, set)) {
+  if (const auto missing = analysis::unassigned_reaction(model, at.increment->mesh, set)) {
     throw MissingQuantity(
         fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
                     "set with the whole edge there",
-                    model.mesh.node_label[lost->index()]));
+                    model.mesh.node_label[missing->index()]));
   }
   std::vector<base::NodeId> nodes = nodes_of_set(at.increment->mesh, set);
   std::sort(nodes.begin(), nodes.end());

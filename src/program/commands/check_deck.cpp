@@ -171,16 +171,16 @@ base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, con
     return worst;
   }
   const std::vector<PointValues> points = sweep_points(*deck.model);
-  base::Diagnostics told = deck.diagnostics;
+  base::Diagnostics reported = deck.diagnostics;
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::string words;
     for (const auto& [name, value] : points[i]) {
       words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
     }
     const ReadyDeck point = read_and_check_deck(
-        options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &told);
+        options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &reported);
     for (const base::Diagnostic& d : point.diagnostics.messages()) {
-      told.warning(d.span, d.code, d.text); // of whatever severity
+      reported.warning(d.span, d.code, d.text); // of whatever severity
     }
     base::Outcome outcome = point.refusal.kind;
     if (point.model) {

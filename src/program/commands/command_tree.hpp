@@ -30,9 +30,9 @@ public:
   [[nodiscard]] const CLI::App* parsed_command() const;
   /// Runs it.
   [[nodiscard]] base::Outcome execute_command() const;
-  /// Everything in words, for completion and man page.
   /// How messages are wanted, as far as the command line has been read.
   [[nodiscard]] LogFormat log_format() const { return run_.log_format; }
+  /// Everything in words, for completion and man page.
   [[nodiscard]] ProgramText describe_program() const;
 
 private:

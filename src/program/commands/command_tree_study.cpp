@@ -7,23 +7,23 @@ namespace spricka::program {
 namespace {
 
 // --vary NAME=value,value
-ParameterRequest wish_of(const std::string& text) {
+ParameterRequest request_of(const std::string& text) {
   const std::size_t equal = text.find('=');
   if (equal == std::string::npos || equal == 0 || equal + 1 == text.size()) {
     throw CLI::ValidationError("--vary", "write --vary NAME=value,value, not '" + text + "'");
   }
-  ParameterRequest wish{text.substr(0, equal), {}};
+  ParameterRequest request{text.substr(0, equal), {}};
   int depth = 0;
-  wish.values.emplace_back();
+  request.values.emplace_back();
   for (const char c : text.substr(equal + 1)) {
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
     if (c == ',' && depth == 0) {
-      wish.values.emplace_back();
+      request.values.emplace_back();
     } else {
-      wish.values.back() += c;
+      request.values.back() += c;
     }
   }
-  return wish;
+  return request;
 }
 
 } // namespace
@@ -46,7 +46,7 @@ void CommandTree::add_study() {
           "--vary",
           [this](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
-              study_.wishes.push_back(wish_of(text));
+              study_.wishes.push_back(request_of(text));
             }
           },
           "a parameter and its values, in place of what is found; may be given again")

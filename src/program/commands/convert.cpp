@@ -71,7 +71,7 @@ model::Mesh with_face_nodes(const model::Mesh& mesh) {
   return marked;
 }
 
-/// Throws FileTrouble when the file to be written is one that was read.
+/// Throws FileFailure when the file to be written is one that was read.
 void refuse_to_replace_input(const ConvertOptions& options, const base::SourceTexts& sources,
                              const model::Model& model) {
   std::vector<std::filesystem::path> read{options.in};
@@ -90,7 +90,7 @@ void refuse_to_replace_input(const ConvertOptions& options, const base::SourceTe
   }
 }
 
-/// Throws FileTrouble when there is such a file already and nobody said that it may go.
+/// Throws FileFailure when there is such a file already and nobody said that it may go.
 void refuse_to_replace_output(const ConvertOptions& options) {
   std::error_code unknown;
   if (!options.replace && std::filesystem::is_regular_file(options.out, unknown)) {

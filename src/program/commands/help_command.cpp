@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/diagnostics.hpp"
-#include "base/doubt.hpp"
+#include "base/result_concern.hpp"
 #include "grammar/field_words.hpp"
 #include "grammar/help.hpp"
 #include "grammar/lexeme.hpp"

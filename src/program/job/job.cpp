@@ -23,8 +23,8 @@
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
 #include "sense/end_warnings.hpp"
-#include "sense/two_ways.hpp"
-#include "sense/ways_along_fronts.hpp"
+#include "sense/front_consistency.hpp"
+#include "sense/k_consistency.hpp"
 #include "solve/one_thread.hpp"
 
 #include <algorithm>
@@ -150,7 +150,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
   const auto read_finer = [&](const std::map<std::string, deck::NetRefinement>& refine) {
     deck::DeckReadOptions finer = deck.options;
     finer.refine = refine;
-    const analysis::RecordedInterval stretch(solve.recorder, "DECK", "meshes made finer");
+    const analysis::RecordedInterval span(solve.recorder, "DECK", "meshes made finer");
     return read_silently(options.deck, finer);
   };
   RefinedRun found = solve_to_tolerance(deck, read_finer, once);
@@ -248,8 +248,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   run.cpu += cpu_before;
   checking.reset();
   {
-    const analysis::RecordedInterval stretch(options.recorder.get(), "OUTPUT",
-                                             "tables, pictures, report");
+    const analysis::RecordedInterval span(options.recorder.get(), "OUTPUT",
+                                          "tables, pictures, report");
     folder.write(deck.sources, *used.model, run, script_constants(deck));
   }
   RunOutcome outcome = judged(solved, run, log);

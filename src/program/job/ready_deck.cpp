@@ -7,7 +7,7 @@
 #include "sense/flaws.hpp"
 #include "sense/half_model.hpp"
 #include "sense/held_places.hpp"
-#include "sense/two_ways.hpp"
+#include "sense/k_consistency.hpp"
 #include "sense/unjoined_bodies.hpp"
 
 #include <algorithm>
@@ -41,15 +41,15 @@ bool locks(base::ElementType type) {
 }
 
 void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
-  std::vector<bool> told(model.properties.size(), false);
+  std::vector<bool> reported(model.properties.size(), false);
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
     const base::ElementType type = model.mesh.type[e];
     const std::size_t p = model.mesh.property[e].index();
-    if (told[p] || !locks(type) ||
+    if (reported[p] || !locks(type) ||
         !fe::constitutive_law(model, model.mesh, base::ElementId(e)).projected) {
       continue;
     }
-    told[p] = true;
+    reported[p] = true;
     const model::ElasticMaterial& material = model.materials[model.properties[p].material.index()];
     list.warning(material.span, "W501",
                  fmt::format("material {}: nu = {:.6g} is nearly incompressible and {} elements "
@@ -60,13 +60,13 @@ void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
 }
 
 // Without what was said before, word for word, of the same place.
-base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* told) {
-  if (told == nullptr) {
+base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* reported) {
+  if (reported == nullptr) {
     return list;
   }
   base::Diagnostics news;
   for (const base::Diagnostic& d : list.messages()) {
-    const bool old = std::ranges::any_of(told->messages(), [&](const base::Diagnostic& t) {
+    const bool old = std::ranges::any_of(reported->messages(), [&](const base::Diagnostic& t) {
       return t.code == d.code && t.span.file == d.span.file && t.span.begin == d.span.begin &&
              t.text == d.text;
     });
@@ -99,14 +99,14 @@ std::string first_error(const base::SourceTexts& sources, const base::Diagnostic
 }
 
 RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
-                          base::Outcome kind, const Log& log, const base::Diagnostics* told) {
-  log.diagnostics(sources, news_of(list, told));
+                          base::Outcome kind, const Log& log, const base::Diagnostics* reported) {
+  log.diagnostics(sources, news_of(list, reported));
   return {kind, first_error(sources, list), {}};
 }
 
 ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
                               const deck::DeckReadOptions& options, const Log& log,
-                              const base::Diagnostics* told) {
+                              const base::Diagnostics* reported) {
   ReadyDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
@@ -127,7 +127,7 @@ ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
     base::Diagnostics missing = unavailable(*model);
     if (missing.has_errors()) {
       ready.refusal =
-          report_refusal(ready.sources, missing, base::Outcome::not_solvable, log, told);
+          report_refusal(ready.sources, missing, base::Outcome::not_solvable, log, reported);
       return ready;
     }
     if (model->steps.empty()) {
@@ -137,10 +137,10 @@ ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
   }
   if (!model || ready.diagnostics.has_errors()) {
     ready.refusal =
-        report_refusal(ready.sources, ready.diagnostics, base::Outcome::deck_error, log, told);
+        report_refusal(ready.sources, ready.diagnostics, base::Outcome::deck_error, log, reported);
     return ready;
   }
-  log.diagnostics(ready.sources, news_of(ready.diagnostics, told));
+  log.diagnostics(ready.sources, news_of(ready.diagnostics, reported));
   ready.model = std::move(model);
   return ready;
 }

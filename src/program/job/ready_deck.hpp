@@ -39,7 +39,7 @@ struct ReadyDeck {
 /// What was `told` already is not said again, as of the other points of a sweep.
 ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
                               const deck::DeckReadOptions& options, const Log& log,
-                              const base::Diagnostics* told = nullptr);
+                              const base::Diagnostics* reported = nullptr);
 
 /// A deck that has been read before, with its meshes finer: nothing new to tell of it.
 ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadOptions& options);
@@ -48,7 +48,7 @@ ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadO
 /// error into the outcome.
 RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
                           base::Outcome kind, const Log& log,
-                          const base::Diagnostics* told = nullptr);
+                          const base::Diagnostics* reported = nullptr);
 
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error(const base::SourceTexts& sources, const base::Diagnostics& diagnostics);

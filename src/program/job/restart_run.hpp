@@ -16,7 +16,7 @@ namespace spricka::program {
 bool reject_restart_without_state(const RunOptions& options, const model::Model& model,
                                   const Log& log);
 
-/// Throws FileTrouble E469 when the deck keeps its state inside the run folder, which is replaced
+/// Throws FileFailure E469 when the deck keeps its state inside the run folder, which is replaced
 /// as a whole while the state is written.
 void refuse_state_in_folder(const RunOptions& options, const model::Model& model);
 
@@ -26,7 +26,7 @@ struct OpenCheckpoint {
 };
 
 /// Opens what deck and command line ask for. Files lie relative to the deck, those of a sweep's
-/// point in `folder`. Throws FileTrouble for files that cannot be used.
+/// point in `folder`. Throws FileFailure for files that cannot be used.
 OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
                                const std::filesystem::path& folder, const Log& log);
 

@@ -24,7 +24,7 @@ inline constexpr const char* results_name = "results.h5"; ///< whole, for progra
 /// The folder as the program uses it: absolute, links followed, without a slash at its end.
 std::filesystem::path resolved_folder(const std::filesystem::path& folder);
 
-/// Throws FileTrouble E464 when a folder that is there is not one that a run (a sweep) may write:
+/// Throws FileFailure E464 when a folder that is there is not one that a run (a sweep) may write:
 /// it holds files and no mark, or the mark of the other kind (archive/folder_mark.hpp).
 void check_folder(const std::filesystem::path& folder, bool sweep);
 
@@ -34,7 +34,7 @@ void check_folder(const std::filesystem::path& folder, bool sweep);
 /// against a second run.
 class RunFolder {
 public:
-  /// Throws std::system_error or FileTrouble (E464, E465) when the folder cannot be used.
+  /// Throws std::system_error or FileFailure (E464, E465) when the folder cannot be used.
   explicit RunFolder(const std::filesystem::path& folder);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
@@ -60,7 +60,7 @@ public:
   /// Puts the folder in place; without it nothing stays.
   void commit();
   /// Removes what is written so far, from any thread: the program ends now. Whoever writes is let
-  /// finish his file first and waits for ever then. With `leaves_k` as leave_k().
+  /// finish his file first and waits for ever then. With `leaves_k` as retain_interim_k().
   std::optional<std::filesystem::path> abandon(bool leaves_k = false);
 
 private:

@@ -16,14 +16,14 @@ namespace spricka::program {
 bool check_streams_written(LogFormat format) {
   errno = 0;
   std::cout.flush();
-  const bool lost =
+  const bool missing =
       std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || std::cout.fail() || std::cout.bad();
-  if (lost) {
+  if (missing) {
     const std::string why = errno != 0 ? fmt::format(": {}", std::strerror(errno)) : "";
     Log(format).message(base::Severity::error, "E468", "standard output is incomplete" + why);
   }
   const bool silent = std::ferror(stderr) != 0;
-  return !lost && !silent;
+  return !missing && !silent;
 }
 
 } // namespace spricka::program

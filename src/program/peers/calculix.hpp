@@ -17,7 +17,7 @@ namespace spricka::program {
 /// The file of `ccx` that a shell would start; empty where there is none.
 std::filesystem::path find_calculix();
 
-/// A run on one thread of an input file made by inp_of_deck(); it writes its results, a .frd,
+/// A run on one thread of an input file made by abaqus_input_text(); it writes its results, a .frd,
 /// beside the input.
 ChildRun calculix_run(const std::filesystem::path& program, const std::filesystem::path& inp);
 

@@ -32,8 +32,8 @@ std::optional<analysis::Discretisation> first_scene(const model::Model& given) {
   if (model.mesh.dim == 3 && a > 0.0) {
     model.cracks = growth::scale_cracks(model, a);
   }
-  base::Diagnostics told_before;
-  return analysis::discretise(model, a, {}, told_before);
+  base::Diagnostics reported_before;
+  return analysis::discretise(model, a, {}, reported_before);
 }
 
 std::string trouble_of(const solve::FactorReport& report) {

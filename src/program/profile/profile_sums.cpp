@@ -32,8 +32,8 @@ public:
   explicit Sums(const RunProfile& profile) : profile_(profile) {}
 
   ProcessorCostTable make() {
-    for (const ProcessorInterval& stretch : profile_.stretches) {
-      add_stretch(stretch);
+    for (const ProcessorInterval& span : profile_.stretches) {
+      add_span(span);
     }
     add_mesher();
     ProcessorCostTable out;
@@ -68,47 +68,47 @@ private:
   }
 
   // Requests come one after another: none lies in two.
-  [[nodiscard]] double waited(const ProcessorInterval& stretch) const {
+  [[nodiscard]] double waited(const ProcessorInterval& span) const {
     double wall = 0.0;
     for (const MesherCost& work : profile_.mesher) {
-      wall += std::max(0.0, std::min(work.end, stretch.end) - std::max(work.begin, stretch.begin));
+      wall += std::max(0.0, std::min(work.end, span.end) - std::max(work.begin, span.begin));
     }
     return wall;
   }
 
-  void add_stretch(const ProcessorInterval& stretch) {
-    double cpu = stretch.cpu;
-    double wall = stretch.end - stretch.begin - waited(stretch);
-    if (stretch.processor == "CONDENSE") {
-      take_stiffness(stretch, cpu, wall);
+  void add_span(const ProcessorInterval& span) {
+    double cpu = span.cpu;
+    double wall = span.end - span.begin - waited(span);
+    if (span.processor == "CONDENSE") {
+      take_stiffness(span, cpu, wall);
     }
-    ProcessorCostSum& row = row_of(stretch.processor);
+    ProcessorCostSum& row = row_of(span.processor);
     ++row.calls;
     row.cpu = row.cpu.value_or(0.0) + cpu;
     row.wall += wall;
-    row.all_counted = row.all_counted && stretch.flops.has_value();
-    if (stretch.flops) {
-      row.flops = row.flops.value_or(0.0) + *stretch.flops;
+    row.all_counted = row.all_counted && span.flops.has_value();
+    if (span.flops) {
+      row.flops = row.flops.value_or(0.0) + *span.flops;
       row.counted_cpu += cpu;
     }
-    row.resident = std::max(row.resident, stretch.resident);
-    row.peak = std::max(row.peak, stretch.peak);
-    if (stretch.peak) {
-      const std::size_t more = *stretch.peak - std::min(highest_, *stretch.peak);
+    row.resident = std::max(row.resident, span.resident);
+    row.peak = std::max(row.peak, span.peak);
+    if (span.peak) {
+      const std::size_t more = *span.peak - std::min(highest_, *span.peak);
       row.raised = row.raised.value_or(0) + more;
       highest_ += more;
     }
   }
 
   // What its nets took for their stiffness. Nets side by side share the time on the wall.
-  void take_stiffness(const ProcessorInterval& stretch, double& cpu, double& wall) {
+  void take_stiffness(const ProcessorInterval& span, double& cpu, double& wall) {
     double stiffness = 0.0;
     double both = 0.0;
     double busy = 0.0; // on the wall, with one net or several
-    double until = stretch.begin;
+    double until = span.begin;
     double stiffness_cpu = 0.0;
     std::size_t calls = 0;
-    for (const NetCost* net : nets_within(stretch)) {
+    for (const NetCost* net : nets_within(span)) {
       stiffness += net->assembled - net->begin;
       both += net->end - net->begin;
       busy += std::max(0.0, net->end - std::max(until, net->begin));
@@ -130,10 +130,10 @@ private:
   }
 
   // Those condensed in a stretch, by when they began.
-  [[nodiscard]] std::vector<const NetCost*> nets_within(const ProcessorInterval& stretch) const {
+  [[nodiscard]] std::vector<const NetCost*> nets_within(const ProcessorInterval& span) const {
     std::vector<const NetCost*> nets;
     for (const NetCost& net : profile_.nets) {
-      if (!net.reused && net.begin >= stretch.begin && net.begin <= stretch.end) {
+      if (!net.reused && net.begin >= span.begin && net.begin <= span.end) {
         nets.push_back(&net);
       }
     }

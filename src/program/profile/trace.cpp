@@ -111,21 +111,21 @@ private:
   }
 
   void add_stretches() {
-    for (const results::ProcessorInterval& stretch : profile_.stretches) {
+    for (const results::ProcessorInterval& span : profile_.stretches) {
       Json args = Json::object();
-      args["what"] = stretch.text;
-      args["cpu_s"] = stretch.cpu;
-      put(args, "flops", stretch.flops);
-      put(args, "resident_bytes", stretch.resident);
-      put(args, "peak_bytes", stretch.peak);
-      event(stretch.processor, "processor", {}, {stretch.begin, stretch.end}, std::move(args));
-      if (stretch.resident) {
+      args["what"] = span.text;
+      args["cpu_s"] = span.cpu;
+      put(args, "flops", span.flops);
+      put(args, "resident_bytes", span.resident);
+      put(args, "peak_bytes", span.peak);
+      event(span.processor, "processor", {}, {span.begin, span.end}, std::move(args));
+      if (span.resident) {
         events_.push_back({{"name", "memory"},
                            {"ph", "C"},
-                           {"ts", microseconds(ticks(stretch.end))},
+                           {"ts", microseconds(ticks(span.end))},
                            {"pid", program_number},
                            {"tid", 0},
-                           {"args", {{"resident_bytes", *stretch.resident}}}});
+                           {"args", {{"resident_bytes", *span.resident}}}});
       }
     }
   }

@@ -280,8 +280,8 @@ base::Trouble InteractiveSolver::add_step(std::size_t step) {
   base::Trouble trouble = reach(way, reached);
   if (!solver_) { // its faces met, so that the present state is to be found again
     ReachedShellState present;
-    if (base::Trouble lost = reach(now, present)) {
-      return lost;
+    if (base::Trouble missing = reach(now, present)) {
+      return missing;
     }
     take(std::move(present), now);
   }
@@ -335,8 +335,8 @@ base::Trouble InteractiveSolver::follow_load_path(const model::LoadPathDefinitio
   shown_.load_paths.clear();
   if (!solver_) {
     ReachedShellState present;
-    if (base::Trouble lost = reach(now, present)) {
-      return lost;
+    if (base::Trouble missing = reach(now, present)) {
+      return missing;
     }
     take(std::move(present), now);
   }

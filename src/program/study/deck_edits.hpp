@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// Changes of a deck at card level that several rungs of the ladder make.
+/// Changes of a deck at card level that several variants of the ladder make.
 namespace spricka::program {
 
 /// Fields of one data line, as the deck writes them, comments left out.
@@ -36,7 +36,7 @@ void drop_undefined_loads(deck::DeckText& text);
 void apply_defines(deck::DeckText& text,
                    const std::vector<std::pair<std::string, std::string>>& defines);
 
-/// Checks, requests, tests and states of runs go: a rung is asked anew.
+/// Checks, requests, tests and states of runs go: a variant is asked anew.
 void drop_requests(deck::DeckText& text);
 
 /// "LUG" of "LUG.BORE", upper case; empty without a point.

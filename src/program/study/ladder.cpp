@@ -42,7 +42,7 @@ std::string largest_step(const std::vector<Answer>& answers, const model::Model&
   return largest;
 }
 
-/// The largest difference of two rungs and the widths of both bars there.
+/// The largest difference of two variants and the widths of both bars there.
 struct Difference {
   double value = std::numeric_limits<double>::quiet_NaN(); ///< with its sign
   double bars = 0.0;
@@ -50,16 +50,16 @@ struct Difference {
   bool any_outside = false;
 };
 
-Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult& rung) {
+Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
   Difference found;
   const ModelVariantResult& richest = ladder.rungs[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-    const AnswerReading& own = rung.readings[a];
+    const AnswerReading& own = variant.readings[a];
     const AnswerReading& rich = richest.readings[a];
     if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value)) {
       continue;
     }
-    if (lacks_answer(rung, a)) {
+    if (lacks_answer(variant, a)) {
       continue;
     }
     const double part = (own.value - rich.value) / ladder.scales[a];
@@ -80,23 +80,23 @@ Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult&
 }
 
 // It was ended before it had an answer, or fell: what it would have said is not known.
-bool was_stopped(const ModelVariantResult& rung) {
-  const bool ended = rung.end.signal != 0 || rung.end.late || rung.end.exit_code > 128 ||
-                     rung.end.exit_code == base::exit_code(base::Outcome::stopped);
-  return rung.variant.text && rung.readings.empty() && ended;
+bool was_stopped(const ModelVariantResult& variant) {
+  const bool ended = variant.end.signal != 0 || variant.end.late || variant.end.exit_code > 128 ||
+                     variant.end.exit_code == base::exit_code(base::Outcome::stopped);
+  return variant.variant.text && variant.readings.empty() && ended;
 }
 
-bool is_enough(const ModelVariantResult& rung) {
-  return rung.verdict == ModelVariantVerdict::richest ||
-         (rung.verdict == ModelVariantVerdict::within && rung.variant.simpler);
+bool is_enough(const ModelVariantResult& variant) {
+  return variant.verdict == ModelVariantVerdict::richest ||
+         (variant.verdict == ModelVariantVerdict::within && variant.variant.simpler);
 }
 
 // Rungs stand in the order of their richness.
 std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& rungs) {
   constexpr double alike = 1.15; // CPU of one and the same run differs so much
   double least = std::numeric_limits<double>::infinity();
-  for (const ModelVariantResult& rung : rungs) {
-    least = is_enough(rung) ? std::min(least, rung.end.cpu) : least;
+  for (const ModelVariantResult& variant : rungs) {
+    least = is_enough(variant) ? std::min(least, variant.end.cpu) : least;
   }
   std::optional<std::size_t> found;
   for (std::size_t r = 0; r < rungs.size(); ++r) {
@@ -135,16 +135,16 @@ std::vector<Answer> hierarchy_answers(const model::Model& model, const results::
   return all;
 }
 
-bool lacks_answer(const ModelVariantResult& rung, std::size_t answer) {
-  if (!rung.asked.empty()) {
-    return !rung.asked[answer].check;
+bool lacks_answer(const ModelVariantResult& variant, std::size_t answer) {
+  if (!variant.asked.empty()) {
+    return !variant.asked[answer].check;
   }
-  return !rung.variant.mirrored.empty() && !std::isfinite(rung.readings[answer].value);
+  return !variant.variant.mirrored.empty() && !std::isfinite(variant.readings[answer].value);
 }
 
 void compare(ModelHierarchy& ladder) {
   const auto first = std::ranges::find_if(
-      ladder.rungs, [](const ModelVariantResult& rung) { return !rung.readings.empty(); });
+      ladder.rungs, [](const ModelVariantResult& variant) { return !variant.readings.empty(); });
   if (first == ladder.rungs.end()) {
     return;
   }
@@ -155,26 +155,26 @@ void compare(ModelHierarchy& ladder) {
   }
   ladder.scales = answer_scales(ladder.answers, values);
   for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-    ModelVariantResult& rung = ladder.rungs[r];
-    if (rung.readings.empty()) {
+    ModelVariantResult& variant = ladder.rungs[r];
+    if (variant.readings.empty()) {
       continue;
     }
-    const Difference found = difference_of(ladder, rung);
-    rung.difference = found.value;
+    const Difference found = difference_of(ladder, variant);
+    variant.difference = found.value;
     for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-      const double bar = rung.readings[a].bar / ladder.scales[a];
-      rung.bar = std::isfinite(bar) ? std::max(rung.bar, bar) : rung.bar;
+      const double bar = variant.readings[a].bar / ladder.scales[a];
+      variant.bar = std::isfinite(bar) ? std::max(variant.bar, bar) : variant.bar;
     }
-    rung.verdict = r == *ladder.richest         ? ModelVariantVerdict::richest
-                   : found.any_outside          ? ModelVariantVerdict::outside
-                   : found.all_within           ? ModelVariantVerdict::within
-                   : std::isfinite(found.value) ? ModelVariantVerdict::undecided
-                                                : ModelVariantVerdict::missing;
+    variant.verdict = r == *ladder.richest         ? ModelVariantVerdict::richest
+                      : found.any_outside          ? ModelVariantVerdict::outside
+                      : found.all_within           ? ModelVariantVerdict::within
+                      : std::isfinite(found.value) ? ModelVariantVerdict::undecided
+                                                   : ModelVariantVerdict::missing;
   }
   ladder.stopped.clear();
-  for (const ModelVariantResult& rung : ladder.rungs) {
-    if (was_stopped(rung)) {
-      ladder.stopped.push_back(rung.variant.name);
+  for (const ModelVariantResult& variant : ladder.rungs) {
+    if (was_stopped(variant)) {
+      ladder.stopped.push_back(variant.variant.name);
     }
   }
   if (ladder.stopped.empty()) {
@@ -182,24 +182,24 @@ void compare(ModelHierarchy& ladder) {
   }
 }
 
-deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& rung) {
+deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
   deck::DeckCard checks;
   checks.name = "CHECK";
   const ModelVariantResult& richest = ladder.rungs[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const bool part = ladder.answers[a].group == AnswerGroup::energy;
-    const double factor = rung.asked.empty()
-                              ? 1.0 / (part ? mirror_image_count(rung.variant.mirrored) : 1)
-                              : rung.asked[a].factor;
+    const double factor = variant.asked.empty()
+                              ? 1.0 / (part ? mirror_image_count(variant.variant.mirrored) : 1)
+                              : variant.asked[a].factor;
     const double value = richest.readings[a].value * factor;
-    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks_answer(rung, a)) {
+    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks_answer(variant, a)) {
       checks.data += fmt::format(
           "  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
-          rung.asked.empty() ? ladder.answers[a].text : check_text(*rung.asked[a].check), value,
-          ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.variant.name);
+          variant.asked.empty() ? ladder.answers[a].text : check_text(*variant.asked[a].check),
+          value, ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.variant.name);
     }
   }
-  deck::DeckText whole = *rung.variant.text;
+  deck::DeckText whole = *variant.variant.text;
   append_card(whole, std::move(checks));
   return whole;
 }

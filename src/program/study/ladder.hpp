@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "program/study/deck_answers.hpp"
-#include "program/study/rungs.hpp"
+#include "program/study/model_variants.hpp"
 #include "program/trials/child_run.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What the rungs of a ladder give, and which of them is enough.
+/// What the variants of a ladder give, and which of them is enough.
 namespace spricka::program {
 
-/// How a rung's answers stand to those of the richest.
+/// How a variant's answers stand to those of the richest.
 enum class ModelVariantVerdict {
   richest,
   within,    ///< with both bars
@@ -52,14 +52,14 @@ struct ModelHierarchy {
 /// are not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
 std::vector<Answer> hierarchy_answers(const model::Model& model, const results::RunResult& run);
 
-/// Fills differences, verdicts and the cheapest rung.
+/// Fills differences, verdicts and the cheapest variant.
 void compare(ModelHierarchy& ladder);
 
-/// Whether the rung's model does not have an answer, which its image or nothing stands for.
-bool lacks_answer(const ModelVariantResult& rung, std::size_t answer);
+/// Whether the variant's model does not have an answer, which its image or nothing stands for.
+bool lacks_answer(const ModelVariantResult& variant, std::size_t answer);
 
-/// The deck of a rung with the richest rung's answers as its checks, to the tolerance; of a part by
-/// symmetry its part of energies; no answers that the rung's model does not have.
-deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& rung);
+/// The deck of a variant with the richest variant's answers as its checks, to the tolerance; of a
+/// part by symmetry its part of energies; no answers that the variant's model does not have.
+deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& variant);
 
 } // namespace spricka::program

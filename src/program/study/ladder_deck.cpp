@@ -43,10 +43,10 @@ public:
       folder.abandon();
       return 128 + signal;
     });
-    for (ModelVariant& rung : make_variants(deck, analyse_joint(*ready_.model))) {
+    for (ModelVariant& variant : make_variants(deck, analyse_joint(*ready_.model))) {
       ModelVariantResult result;
-      result.trouble = rung.reason;
-      result.variant = std::move(rung);
+      result.trouble = variant.reason;
+      result.variant = std::move(variant);
       ladder_.rungs.push_back(std::move(result));
     }
     const base::Outcome outcome = climb(scratch_->path());

@@ -14,7 +14,7 @@ struct HierarchyOptions {
 
 /// Runs ever simpler models of a deck's joint, compares their answers with those of the deck and
 /// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
-/// all rungs, and that of the cheapest with the deck's answers as checks, into a folder. The
+/// all variants, and that of the cheapest with the deck's answers as checks, into a folder. The
 /// outcome is that of the deck itself where it cannot be solved.
 base::Outcome run_hierarchy(const HierarchyOptions& given);
 

@@ -47,22 +47,23 @@ report::ReportTable rungs_table(const model::Model& model, const ModelHierarchy&
                         {"memory", "MiB", false},
                         {"freedoms", "", false},
                         {fmt::format("{:g} %", 100.0 * ladder.tolerance), "", true}});
-  for (const ModelVariantResult& rung : ladder.rungs) {
-    if (rung.readings.empty()) {
+  for (const ModelVariantResult& variant : ladder.rungs) {
+    if (variant.readings.empty()) {
       continue;
     }
-    std::vector<std::string> row{rung.variant.name, number_or_none(rung.readings.front().value)};
+    std::vector<std::string> row{variant.variant.name,
+                                 number_or_none(variant.readings.front().value)};
     if (ladder.answers.size() > 1) {
-      row.push_back(number_or_none(rung.readings.back().value));
+      row.push_back(number_or_none(variant.readings.back().value));
     }
     row.insert(row.end(),
-               {rung.verdict == ModelVariantVerdict::richest
+               {variant.verdict == ModelVariantVerdict::richest
                     ? "-"
-                    : fmt::format("{:+.2g}", 100.0 * rung.difference),
-                rung.bar > 0.0 ? fmt::format("{:.2g}", 100.0 * rung.bar) : "-",
-                fmt::format("{:.2f}", rung.end.cpu),
-                fmt::format("{:.0f}", static_cast<double>(rung.end.peak_memory) / 1048576.0),
-                fmt::format("{}", rung.unknowns), display_name(rung.verdict)});
+                    : fmt::format("{:+.2g}", 100.0 * variant.difference),
+                variant.bar > 0.0 ? fmt::format("{:.2g}", 100.0 * variant.bar) : "-",
+                fmt::format("{:.2f}", variant.end.cpu),
+                fmt::format("{:.0f}", static_cast<double>(variant.end.peak_memory) / 1048576.0),
+                fmt::format("{}", variant.unknowns), display_name(variant.verdict)});
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -70,9 +71,9 @@ report::ReportTable rungs_table(const model::Model& model, const ModelHierarchy&
 
 report::ReportTable left_out_table(const ModelHierarchy& ladder) {
   report::ReportTable table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
-  for (const ModelVariantResult& rung : ladder.rungs) {
-    if (rung.readings.empty()) {
-      table.rows.push_back({rung.variant.name, rung.trouble});
+  for (const ModelVariantResult& variant : ladder.rungs) {
+    if (variant.readings.empty()) {
+      table.rows.push_back({variant.variant.name, variant.trouble});
     }
   }
   return table;
@@ -112,18 +113,18 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
   double low = 1e300;
   double high = 0.0;
   for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-    const ModelVariantResult& rung = ladder.rungs[r];
-    if (rung.readings.empty()) {
+    const ModelVariantResult& variant = ladder.rungs[r];
+    if (variant.readings.empty()) {
       continue;
     }
-    low = std::min(low, rung.end.cpu);
-    high = std::max(high, rung.end.cpu);
-    if (rung.verdict == ModelVariantVerdict::richest || !(std::abs(rung.difference) > 0.0)) {
+    low = std::min(low, variant.end.cpu);
+    high = std::max(high, variant.end.cpu);
+    if (variant.verdict == ModelVariantVerdict::richest || !(std::abs(variant.difference) > 0.0)) {
       continue;
     }
     report::PlotSeries series;
-    series.name = rung.variant.name;
-    series.points = {{rung.end.cpu, 100.0 * std::abs(rung.difference)}};
+    series.name = variant.variant.name;
+    series.points = {{variant.end.cpu, 100.0 * std::abs(variant.difference)}};
     series.colour = report::palette_colour(plot.series.size());
     series.marker = report::closed_marker(plot.series.size());
     series.joined = false;
@@ -150,15 +151,16 @@ std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladd
 
 std::string hierarchy_csv(const ModelHierarchy& ladder) {
   std::string out = "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference\n";
-  for (const ModelVariantResult& rung : ladder.rungs) {
-    const std::string head = fmt::format("\"{}\",{},{},{},{},{},{}", rung.variant.name,
-                                         display_name(rung.verdict), rung.unknowns, rung.end.cpu,
-                                         rung.end.wall, rung.end.peak_memory, rung.end.exit_code);
-    if (rung.readings.empty()) {
+  for (const ModelVariantResult& variant : ladder.rungs) {
+    const std::string head =
+        fmt::format("\"{}\",{},{},{},{},{},{}", variant.variant.name, display_name(variant.verdict),
+                    variant.unknowns, variant.end.cpu, variant.end.wall, variant.end.peak_memory,
+                    variant.end.exit_code);
+    if (variant.readings.empty()) {
       out += head + ",,,,\n";
     }
-    for (std::size_t a = 0; a < rung.readings.size(); ++a) {
-      const AnswerReading& reading = rung.readings[a];
+    for (std::size_t a = 0; a < variant.readings.size(); ++a) {
+      const AnswerReading& reading = variant.readings[a];
       const double rich = ladder.rungs[*ladder.richest].readings[a].value;
       const double part = (reading.value - rich) / ladder.scales[a];
       out += fmt::format("{},\"{}\",{},{},{}\n", head, ladder.answers[a].text,

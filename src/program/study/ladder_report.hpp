@@ -11,7 +11,7 @@ namespace spricka::program {
 
 std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder);
 
-/// A row for each rung and answer.
+/// A row for each variant and answer.
 std::string hierarchy_csv(const ModelHierarchy& ladder);
 
 std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,

@@ -108,8 +108,8 @@ void MeshCards::add_mesh(base::NetId net) {
   nets_[net.index()] = std::move(cards);
 }
 
-std::string MeshCards::new_name(const std::string& wish) {
-  std::string name = wish;
+std::string MeshCards::new_name(const std::string& request) {
+  std::string name = request;
   const auto taken = [&](const auto& sets) {
     return std::ranges::any_of(sets, [&](const auto& set) { return local_name(set.name) == name; });
   };

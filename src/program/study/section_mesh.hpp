@@ -40,7 +40,7 @@ private:
   [[nodiscard]] LabelsByNet labels_of(const std::vector<base::NodeId>& nodes) const;
   [[nodiscard]] std::string net_name(base::NetId net) const;
   /// A name that no set has in any net.
-  std::string new_name(const std::string& wish);
+  std::string new_name(const std::string& request);
   /// A card into the net of this name, upper case; empty: outside.
   void put(const std::string& net, deck::DeckCard card);
 

@@ -150,12 +150,12 @@ public:
     plan_.mesh_parameter = find_mesh_parameters(deck_, folder_);
     plan_.notes = plan_.mesh_parameter.fixed;
     add("as given", SettingFamily::given, 1.0, base_, {});
-    for (const ParameterRequest& wish : wishes) {
-      add_wish(wish);
+    for (const ParameterRequest& request : wishes) {
+      add_request(request);
     }
     if (wishes.empty()) {
       add_series();
-      add_ways();
+      add_routes();
     }
     return std::move(plan_);
   }
@@ -175,16 +175,16 @@ private:
     plan_.settings.push_back(std::move(setting));
   }
 
-  void add_wish(const ParameterRequest& wish) {
+  void add_request(const ParameterRequest& request) {
     const auto& parameters = deck_.ready->model->parameters;
     const auto known = std::ranges::find_if(parameters, [&](const auto& parameter) {
-      return grammar::to_upper(parameter.first) == grammar::to_upper(wish.parameter);
+      return grammar::to_upper(parameter.first) == grammar::to_upper(request.parameter);
     });
     const auto finer =
         std::ranges::find_if(plan_.mesh_parameter.parameters, [&](const auto& parameter) {
-          return grammar::to_upper(parameter.name) == grammar::to_upper(wish.parameter);
+          return grammar::to_upper(parameter.name) == grammar::to_upper(request.parameter);
         });
-    for (const std::string& value : wish.values) {
+    for (const std::string& value : request.values) {
       double fineness = 1.0;
       double number = 0.0;
       const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
@@ -193,8 +193,8 @@ private:
             finer == plan_.mesh_parameter.parameters.end() || finer->larger_is_finer;
         fineness = larger ? number / known->second : known->second / number;
       }
-      add(fmt::format("{}={}", wish.parameter, value), SettingFamily::asked, fineness, sizes_,
-          {{wish.parameter, value}});
+      add(fmt::format("{}={}", request.parameter, value), SettingFamily::asked, fineness, sizes_,
+          {{request.parameter, value}});
     }
   }
 
@@ -289,14 +289,14 @@ private:
   }
 
   // Other ways at some of the sizes.
-  void add_ways() {
+  void add_routes() {
     std::vector<double> some{1.0};
     if (!sizes_of_bodies_.empty()) {
       some = {sizes_of_bodies_.front(), 1.0, sizes_of_bodies_.back()};
     }
     add_parts(some);
     if (cracks_) {
-      add_tip_ways(some);
+      add_tip_routes(some);
     }
     DeckText linear = sizes_;
     if (cracks_) {
@@ -316,7 +316,7 @@ private:
     }
   }
 
-  void add_tip_ways(const std::vector<double>& some) {
+  void add_tip_routes(const std::vector<double>& some) {
     for (const double tolerance : {1e-2, 1e-3, 3e-4}) {
       Finer finer = bodies(some.front());
       set_tip_nets(finer.text,

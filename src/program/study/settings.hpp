@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/study/mesh_knob.hpp"
+#include "program/study/mesh_parameters.hpp"
 
 #include <filesystem>
 #include <string>

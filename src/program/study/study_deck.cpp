@@ -102,7 +102,7 @@ private:
     }
     run_variants(children_, children, options_.jobs, [&](std::size_t i, const VariantOutcome& end) {
       if (!options_.deck.quiet) {
-        to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++told_, children.size(),
+        to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported_, children.size(),
                               plan.settings[chosen[i]].name, end.end.cpu));
       }
       trials_.emplace_back(chosen[i], trial_of(plan.settings[chosen[i]], end));
@@ -169,7 +169,7 @@ private:
   ChildRunner children_;
   Study study_;
   std::vector<std::pair<std::size_t, Trial>> trials_; ///< by setting, as they end
-  std::size_t told_ = 0;
+  std::size_t reported_ = 0;
 };
 
 } // namespace

@@ -38,7 +38,7 @@ struct VariantOutcome {
 /// Runs one deck into `out`, reads what it has found and removes its folder.
 VariantOutcome run_variant(ChildRunner& children, const ChildRun& variant);
 
-/// The same for several, at most `at_once` at a time; `ended` as of ChildRuns::run.
+/// The same for several, at most `at_once` at a time; `ended` as of ChildRunner::run.
 void run_variants(ChildRunner& children, const std::vector<ChildRun>& variants, int at_once,
                   const std::function<void(std::size_t, VariantOutcome)>& ended);
 

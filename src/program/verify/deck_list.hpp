@@ -42,7 +42,7 @@ inline constexpr double whole_budget = 0.6 * 2 * 600;
 std::vector<ListedDeck> list_decks(const std::filesystem::path& folder);
 
 /// Those that are asked for: "quick", "all", names or shell patterns, each once, by name. A word
-/// that names none gives a NoAnswer with what was probably meant.
+/// that names none gives a OperationFailure with what was probably meant.
 std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
                                      const std::vector<std::string>& asked, base::Trouble& trouble);
 

@@ -75,15 +75,15 @@ std::string draw_svg(const BeachMarkView& view) {
     rightmost.push_back(last);
   }
   // Beside the place of a mark that is farthest to the right, the last mark's before all others.
-  std::vector<double> told;
+  std::vector<double> reported;
   for (std::size_t k = view.marks.size(); k-- > 0;) {
     const DrawingPoint& at = rightmost[k];
-    const bool free =
-        std::ranges::all_of(told, [&](double y) { return std::abs(y - at.y) > marks_text_line; });
+    const bool free = std::ranges::all_of(
+        reported, [&](double y) { return std::abs(y - at.y) > marks_text_line; });
     if (free && at.x >= 0.0) {
       svg.text({at.x + 5.0, at.y + 4.0}, fmt::format("N = {:.5g}", view.marks[k].cycles),
                TextStyle{.size = 11.0, .halo = true});
-      told.push_back(at.y);
+      reported.push_back(at.y);
     }
   }
   const double bar = round_number_below(0.4 * std::max(across, high));

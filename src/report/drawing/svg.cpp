@@ -209,9 +209,9 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
   if (!(high > low) || !std::isfinite(high - low)) {
     return {low};
   }
-  const double rough = (high - low) / wanted;
-  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
-  const double lead = rough / decade;
+  const double raw = (high - low) / wanted;
+  const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+  const double lead = raw / decade;
   double step = 10.0 * decade;
   for (const auto& [limit, factor] : {std::pair(7.0, 5.0), {3.5, 2.0}, {1.5, 1.0}}) {
     step = lead < limit ? factor * decade : step;

@@ -135,7 +135,7 @@ std::string front_rows(int increment, const model::Model& model, const results::
 }
 
 std::string path_rows(int increment, const model::Model& model, const results::LoadPathResult& path,
-                      const std::array<const BetaCsvFactors*, 2>& ways) {
+                      const std::array<const BetaCsvFactors*, 2>& directions) {
   std::string text;
   for (const results::LoadPathFront& front : path.fronts) {
     const model::CrackDefinition* crack = results::find_crack_by_front(model, front.is.name);
@@ -158,8 +158,9 @@ std::string path_rows(int increment, const model::Model& model, const results::L
         const auto K = [&](std::size_t mode) {
           return end.interpolate(at(end.from, mode), at(end.to, mode));
         };
-        text += line_of({increment, end, sizes, fmt::format("{},{}", path.name, path.t[k]),
-                         factor_cells(between(*ways[0], *ways[1], path.t[k])), K(0), K(1)});
+        text +=
+            line_of({increment, end, sizes, fmt::format("{},{}", path.name, path.t[k]),
+                     factor_cells(between(*directions[0], *directions[1], path.t[k])), K(0), K(1)});
       }
     }
   }

@@ -29,7 +29,7 @@ double coefficient(const ConstraintTransformation::DependentRow& row, std::int32
   return 0.0;
 }
 
-TEST(ConstraintTransformation, FirstTermFollowsTheOthers) {
+TEST(Dependence, FirstTermFollowsTheOthers) {
   // 2 u1 - 3 u0 + u3 = 5
   const ConstraintTransformation ties({{{{1, 2.0}, {0, -3.0}, {3, 1.0}}, 5.0, 7}}, all_local(4));
   ASSERT_EQ(ties.rows().size(), 1U);
@@ -54,7 +54,7 @@ TEST(ConstraintTransformation, FirstTermFollowsTheOthers) {
 }
 
 // u0 = u1 + 1, u1 = 2 u2 + 3 in either order: u0 = 2 u2 + 4.
-TEST(ConstraintTransformation, SlaveOfOneTieIsMasterOfAnother) {
+TEST(Dependence, SlaveOfOneTieIsMasterOfAnother) {
   const Tie a{{{0, 1.0}, {1, -1.0}}, 1.0, 0};
   const Tie b{{{1, 1.0}, {2, -2.0}}, 3.0, 1};
   for (const std::vector<Tie>& order : {std::vector<Tie>{a, b}, std::vector<Tie>{b, a}}) {
@@ -69,7 +69,7 @@ TEST(ConstraintTransformation, SlaveOfOneTieIsMasterOfAnother) {
 }
 
 // Two slaves name the same freedom: the second tie moves on to its next.
-TEST(ConstraintTransformation, SlaveOfTwoTies) {
+TEST(Dependence, SlaveOfTwoTies) {
   const ConstraintTransformation ties(
       {{{{0, 1.0}, {1, -1.0}}, 0.0, 0}, {{{0, 1.0}, {2, -4.0}}, 0.0, 1}}, all_local(3));
   ASSERT_EQ(ties.rows().size(), 2U);
@@ -81,7 +81,7 @@ TEST(ConstraintTransformation, SlaveOfTwoTies) {
   EXPECT_NE(u[0], 0.0);
 }
 
-TEST(ConstraintTransformation, CycleClosesOnceAndIsCounted) {
+TEST(Dependence, CycleClosesOnceAndIsCounted) {
   const ConstraintTransformation ties({{{{0, 1.0}, {1, -1.0}}, 0.0, 0},
                                        {{{1, 1.0}, {2, -1.0}}, 0.0, 1},
                                        {{{2, 1.0}, {0, -1.0}}, 0.0, 2}},
@@ -93,7 +93,7 @@ TEST(ConstraintTransformation, CycleClosesOnceAndIsCounted) {
 }
 
 // u0 = 2 u1 and u1 = u0 leave only zero: both follow nothing.
-TEST(ConstraintTransformation, CycleThatHoldsItself) {
+TEST(Dependence, CycleThatHoldsItself) {
   const ConstraintTransformation ties(
       {{{{0, 1.0}, {1, -2.0}}, 0.0, 0}, {{{1, 1.0}, {0, -1.0}}, 0.0, 1}}, all_local(2));
   ASSERT_EQ(ties.rows().size(), 2U);
@@ -104,7 +104,7 @@ TEST(ConstraintTransformation, CycleThatHoldsItself) {
   EXPECT_DOUBLE_EQ(u.cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(ConstraintTransformation, ContradictionIsADemand) {
+TEST(Dependence, ContradictionIsADemand) {
   const ConstraintTransformation ties(
       {{{{0, 1.0}, {1, -1.0}}, 0.0, 0}, {{{1, -3.0}, {0, 3.0}}, 6.0, 4}}, all_local(2));
   EXPECT_EQ(ties.rows().size(), 1U);
@@ -118,14 +118,14 @@ TEST(ConstraintTransformation, ContradictionIsADemand) {
 }
 
 // The same with a right-hand side that agrees but for round-off is only redundant.
-TEST(ConstraintTransformation, RoundOffIsNoContradiction) {
+TEST(Dependence, RoundOffIsNoContradiction) {
   const ConstraintTransformation ties(
       {{{{0, 3.0}, {1, -1.0}}, 0.1, 0}, {{{0, 0.9}, {1, -0.3}}, 0.03, 1}}, all_local(2));
   EXPECT_EQ(ties.redundant(), 1);
   EXPECT_TRUE(ties.fully_given_ties().empty());
 }
 
-TEST(ConstraintTransformation, GivenFreedomsNeverFollow) {
+TEST(Dependence, GivenFreedomsNeverFollow) {
   for (const Cls given : {Cls::suppressed, Cls::prescribed}) {
     std::vector<Cls> cls = all_local(3);
     cls[0] = given;
@@ -147,7 +147,7 @@ TEST(ConstraintTransformation, GivenFreedomsNeverFollow) {
 }
 
 // A chain that ends at two supports asks something of them only.
-TEST(ConstraintTransformation, TiesBetweenSupportsByWayOfOthers) {
+TEST(Dependence, TiesBetweenSupportsByWayOfOthers) {
   std::vector<Cls> cls = all_local(3);
   cls[0] = cls[2] = Cls::prescribed;
   const ConstraintTransformation ties(
@@ -163,13 +163,13 @@ TEST(ConstraintTransformation, TiesBetweenSupportsByWayOfOthers) {
 }
 
 // 1e-9 u0 + u1 - u2 = 0 solved for u0 would multiply by 1e9.
-TEST(ConstraintTransformation, TinyFirstTermIsNotEliminated) {
+TEST(Dependence, TinyFirstTermIsNotEliminated) {
   const ConstraintTransformation ties({{{{0, 1e-9}, {1, 1.0}, {2, -0.5}}, 0.0, 0}}, all_local(3));
   EXPECT_EQ(ties.find_row(0), nullptr);
   EXPECT_NE(ties.find_row(1), nullptr);
 }
 
-TEST(ConstraintTransformation, BlocksWithoutDependentFreedomsStayAsTheyAre) {
+TEST(Dependence, BlocksWithoutDependentFreedomsStayAsTheyAre) {
   const ConstraintTransformation ties({{{{0, 1.0}, {1, -2.0}}, 0.0, 0}}, all_local(4));
   const std::vector<std::int32_t> apart{1, 2, 3};
   EXPECT_FALSE(ties.transform_block(apart).has_value());
@@ -184,7 +184,7 @@ TEST(ConstraintTransformation, BlocksWithoutDependentFreedomsStayAsTheyAre) {
 
 // 3000 freedoms in a ring, u_i = c_i u_(i+1) + 1e-3, ties in any order: the last is redundant, or a
 // contradiction when its right-hand side is off by a millionth of the others.
-TEST(ConstraintTransformation, LongRing) {
+TEST(Dependence, LongRing) {
   constexpr std::int32_t n = 3000;
   std::mt19937 random(5);
   Vector u(n);

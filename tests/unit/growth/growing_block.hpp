@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "growth/march.hpp"
+#include "growth/growth_integrator.hpp"
 #include "model/model.hpp"
 
 #include <gtest/gtest.h>

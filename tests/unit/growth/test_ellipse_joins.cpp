@@ -2,7 +2,7 @@
 // Ellipses that meet and go on as one: K is the same all round here, so that all ends grow alike
 // and where they end is known; on a surface nearly so, as K counts there ten degrees inside.
 #include "growing_block.hpp"
-#include "growth/ellipse_ways.hpp"
+#include "growth/elliptical_front.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_front.hpp"
 #include "growing_block.hpp"
-#include "growth/free_ways.hpp"
+#include "growth/free_front_shape.hpp"
 #include "tests/places.hpp"
 
 #include <cmath>

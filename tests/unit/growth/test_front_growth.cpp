@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growing_block.hpp"
-#include "growth/ellipse_ways.hpp"
-#include "growth/free_ways.hpp"
+#include "growth/elliptical_front.hpp"
+#include "growth/free_front_shape.hpp"
 #include "growth/join_fronts.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/ellipse_ways.hpp"
-#include "growth/free_ways.hpp"
+#include "growth/elliptical_front.hpp"
+#include "growth/free_front_shape.hpp"
 #include "tests/unit/growth/growing_block.hpp"
 #include "tests/unit/mesh/surface_hosts.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fronts that reach a surface between their ends go on as two.
 #include "growing_block.hpp"
-#include "growth/free_ways.hpp"
+#include "growth/free_front_shape.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growing_block.hpp"
-#include "growth/free_ways.hpp"
+#include "growth/free_front_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,7 @@ inline double area_of(const CurvedFace& face) {
   double area = 0.0;
   for (const auto& [r, weight] :
        shape::quadrature<2>(shape::reference_element<2>(face.shape).domain, 9)) {
-    const SurfaceQuadraturePoint p = point_on(face, r);
+    const CurvedFacePoint p = point_on(face, r);
     area += weight * p.slope.col(0).cross(p.slope.col(1)).norm();
   }
   return area;

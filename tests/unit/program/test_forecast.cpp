@@ -32,7 +32,7 @@ std::vector<std::string> flops_of(const std::string& listing) {
   return found;
 }
 
-TEST(CostForecast, FlopsAreExactlyThoseOfTheRun) {
+TEST(Forecast, FlopsAreExactlyThoseOfTheRun) {
   const Folder folder;
   const std::string deck = growing_crack(16, "1 2 3.5");
   const Checked c = check_text(folder, deck);
@@ -48,7 +48,7 @@ TEST(CostForecast, FlopsAreExactlyThoseOfTheRun) {
 }
 
 // 3 mm by 0.01 mm at a time are 300 solutions at least.
-TEST(CostForecast, AGrowthByALawTakesItsStations) {
+TEST(Forecast, AGrowthByALawTakesItsStations) {
   std::string deck = growing_crack(8, "");
   const std::size_t at = deck.find("$GROW");
   const auto with = [&](const std::string& more) {
@@ -131,7 +131,7 @@ $END
 )";
 }
 
-TEST(CostForecast, MemoryIsForetoldWithinAFifth) {
+TEST(Forecast, MemoryIsForetoldWithinAFifth) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer's own memory counts in";
 #endif

@@ -102,7 +102,7 @@ TEST(ShellSolid, LoadsAndSizesAreThoseOfARun) {
   EXPECT_NEAR(shell->current_result().fronts.at(0).a, 1.2, 1e-12);
 }
 
-// What `save` writes is the state: a run of it has the same K.
+// What `save_state` writes is the state: a run of it has the same K.
 TEST(ShellSolid, SavedDeckHasTheSameK) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; decks that the shell saves: terminal.shell_session, "

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space/surface_projection.hpp"
+
+#include "contact/space/clip.hpp"
+#include "contact/space/opposite.hpp"
+#include "shape/quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr double least_piece = 1e-12; // of a triangle's area
+constexpr double steepest = 0.17;     // cosine between both normals, 80 degrees
+constexpr int piece_degree = 5;
+
+std::array<Vec3, 3> corners_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
+  const NodePlaces& X = surface.faces[t.face].X;
+  return {X.col(t.node[0]), X.col(t.node[1]), X.col(t.node[2])};
+}
+
+std::array<Vec2, 3> places_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
+  const base::ElementType shape = surface.faces[t.face].shape;
+  return {node_local_coordinates(shape, t.node[0]), node_local_coordinates(shape, t.node[1]),
+          node_local_coordinates(shape, t.node[2])};
+}
+
+ContactBoundingBox box_of(const std::array<Vec3, 3>& x, double wider) {
+  const Vec3 more = Vec3::Constant(wider);
+  return {x[0].cwiseMin(x[1]).cwiseMin(x[2]) - more, x[0].cwiseMax(x[1]).cwiseMax(x[2]) + more};
+}
+
+std::vector<ContactBoundingBox> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
+  std::vector<ContactBoundingBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const std::array<Vec3, 3>& x : triangles) {
+    boxes.push_back(box_of(x, 0.0));
+  }
+  return boxes;
+}
+
+Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
+  return share[0] * at[0] + share[1] * at[1] + share[2] * at[2];
+}
+
+// How far along n the shape that a surface's nodes lie on is from a point of its faces.
+double to_round(const SpaceSurface& surface, std::size_t face, const Vec3& x, const Vec3& n) {
+  const std::optional<AnalyticShape>& round = surface.analytic_shape(face);
+  return round && round->exact ? distance_along(*round, x, n).value_or(0.0) : 0.0;
+}
+
+} // namespace
+
+// A triangle of the contact surface and the plane through its corners.
+struct SurfaceProjection::Frame {
+  const SolidFace& face;
+  std::size_t number = 0; ///< of the face
+  std::array<Vec3, 3> x;
+  std::array<Vec2, 3> r; ///< of the corners on the face
+  Vec3 e1, e2, n;
+  PlaneTriangle flat;
+  double area2 = 0.0;   ///< twice the area in the plane
+  double r_area2 = 0.0; ///< the same in reference coordinates
+
+  Frame(const SpaceSurface& surface, const SurfaceTriangle& t)
+      : face(surface.faces[t.face]), number(t.face), x(corners_of(surface, t)),
+        r(places_of(surface, t)) {
+    const Vec3 across = (x[1] - x[0]).cross(x[2] - x[0]);
+    n = across.normalized();
+    e1 = (x[1] - x[0]).normalized();
+    e2 = n.cross(e1);
+    flat = {flat_place(x[0]), flat_place(x[1]), flat_place(x[2])};
+    area2 = twice_area(flat);
+    r_area2 = twice_area({r[0], r[1], r[2]});
+  }
+  [[nodiscard]] Vec2 flat_place(const Vec3& y) const {
+    const Vec3 d = y - x[0];
+    return {d.dot(e1), d.dot(e2)};
+  }
+  [[nodiscard]] double height(const Vec3& y) const { return (y - x[0]).dot(n); }
+};
+
+SurfaceProjection::SurfaceProjection(const SpaceSurface& contact, const SpaceSurface& target,
+                                     double farther)
+    : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther),
+      tree_({}) {
+  for (const SurfaceTriangle& t : target.triangles) {
+    corner_.push_back(corners_of(target, t));
+  }
+  const std::vector<ContactBoundingBox> boxes = boxes_of(corner_);
+  for (const ContactBoundingBox& box : boxes) {
+    size_ += (box.high - box.low).norm() / static_cast<double>(boxes.size());
+  }
+  tree_ = BoxTree(boxes);
+}
+
+bool SurfaceProjection::meet(std::size_t face, ProjectionPoint& point) const {
+  constexpr int most_steps = 12;
+  constexpr double beyond = 0.3; // of a face's own size: rays beside it meet its continuation
+  const SolidFace& target = target_.faces[face];
+  double g = 0.0;
+  SolidFacePoint y = point_on(target, point.s);
+  double last = std::numeric_limits<double>::infinity();
+  double size = last;
+  for (int i = 0; i < most_steps; ++i) {
+    Eigen::Matrix3d J;
+    J << y.slope, -point.normal;
+    const Vec3 step = J.inverse() * (point.x + g * point.normal - y.x);
+    if (!step.allFinite()) {
+      return false;
+    }
+    point.s += step.head<2>();
+    g += step[2];
+    y = point_on(target, point.s);
+    last = size;
+    size = step.head<2>().norm();
+    if (size < 1e-14 || (size < 1e-10 && size >= last)) {
+      break;
+    }
+  }
+  const Vec3 back = y.area_vector();
+  point.turn = -back.normalized().dot(point.normal);
+  point.gap = zero_round_off(g, point.x.cwiseAbs().maxCoeff());
+  return size < 1e-6 && distance_outside(target.shape, point.s) <= beyond && point.turn > 0.0 &&
+         std::abs(g) <= reach_;
+}
+
+void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
+                                   ProjectedTriangle& projection) const {
+  const std::array<Vec3, 3>& y = corner_[target];
+  const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
+  const auto [low, high] = std::ranges::minmax(height);
+  if (low > reach_ || high < -reach_) {
+    return;
+  }
+  // Seen from the contact surface a target that looks back runs clockwise.
+  const PlaneTriangle flat{frame.flat_place(y[0]), frame.flat_place(y[2]), frame.flat_place(y[1])};
+  // Nor does what is seen almost along itself: the side of a plug from its end.
+  const double true_area2 = (y[1] - y[0]).cross(y[2] - y[0]).norm();
+  if (twice_area(flat) <= std::max(least_piece * frame.area2, steepest * true_area2)) {
+    return;
+  }
+  const std::vector<Vec2> polygon = common_polygon(frame.flat, flat);
+  const SurfaceTriangle& t = target_.triangles[target];
+  const std::array<Vec2, 3> s = places_of(target_, {t.face, {t.node[0], t.node[2], t.node[1]}});
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    const PlaneTriangle piece{polygon[0], polygon[k], polygon[k + 1]};
+    const double area2 = twice_area(piece);
+    if (area2 <= least_piece * frame.area2) {
+      continue;
+    }
+    bool met = false;
+    for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
+      const Vec2 at = mixed(piece, {1.0 - q[0] - q[1], q[0], q[1]});
+      ProjectionPoint point;
+      point.target = t.face;
+      point.hat = barycentric(frame.flat, at);
+      point.r = mixed(frame.r, point.hat);
+      point.s = mixed(s, barycentric(flat, at));
+      const SolidFacePoint here = point_on(frame.face, point.r);
+      point.x = here.x;
+      point.normal = surface_normal(contact_, frame.number, here);
+      point.weight = weight * here.area_vector().norm() * area2 * frame.r_area2 / frame.area2;
+      if (!meet(t.face, point)) {
+        projection.unprojected_area += point.weight;
+        continue;
+      }
+      met = true;
+      point.round_gap = point.gap - to_round(contact_, frame.number, point.x, point.normal) +
+                        to_round(target_, t.face, point.x + point.gap * point.normal, point.normal);
+      projection.points.push_back(point);
+    }
+    projection.flat_seen += met ? 0.5 * area2 : 0.0;
+  }
+}
+
+std::optional<ProjectionPoint> SurfaceProjection::project_along_normal(const Vec3& x,
+                                                                       const Vec3& n) const {
+  // Twice as far each time: most points have the target right before them.
+  for (double far = size_ > 0.0 ? std::min(size_, reach_) : reach_;;
+       far = std::min(2.0 * far, reach_)) {
+    std::optional<ProjectionPoint> found = look_as_far(x, n, far);
+    if ((found && std::abs(found->gap) <= far) || !(far < reach_)) {
+      return found;
+    }
+  }
+}
+
+std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec3& n,
+                                                              double far) const {
+  constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
+  constexpr double on = 1e-6;  // of a face's reference coordinates
+  const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
+  std::optional<ProjectionPoint> found;
+  for (const std::size_t t : tree_.overlapping_boxes({x - up, x + up})) {
+    const std::array<Vec3, 3>& y = corner_[t];
+    Eigen::Matrix3d J;
+    J << y[1] - y[0], y[2] - y[0], -n;
+    const Vec3 b = J.inverse() * (x - y[0]);
+    if (!b.allFinite() || std::min({b[0], b[1], 1.0 - b[0] - b[1]}) < -near) {
+      continue;
+    }
+    const std::array<Vec2, 3> s = places_of(target_, target_.triangles[t]);
+    ProjectionPoint point;
+    point.target = target_.triangles[t].face;
+    point.x = x;
+    point.normal = n;
+    point.s = mixed(s, {1.0 - b[0] - b[1], b[0], b[1]});
+    if (meet(point.target, point) &&
+        distance_outside(target_.faces[point.target].shape, point.s) <= on &&
+        (!found || std::abs(point.gap) < std::abs(found->gap))) {
+      found = point;
+    }
+  }
+  return found;
+}
+
+ProjectedTriangle SurfaceProjection::project_triangle(const SurfaceTriangle& triangle) const {
+  const Frame frame(contact_, triangle);
+  ProjectedTriangle projection;
+  projection.flat_area = 0.5 * frame.area2;
+  for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
+    const Eigen::Vector3d hat(1.0 - q[0] - q[1], q[0], q[1]);
+    const SolidFacePoint here = point_on(frame.face, mixed(frame.r, hat));
+    projection.whole += weight * frame.r_area2 * here.area_vector().norm() * hat;
+  }
+  // The prism over the triangle, as far as a target may lie off.
+  const Vec3 up = reach_ * frame.n.cwiseAbs();
+  ContactBoundingBox box = box_of(frame.x, 0.0);
+  box.low -= up;
+  box.high += up;
+  for (const std::size_t t : tree_.overlapping_boxes(box)) {
+    see_target(frame, t, projection);
+  }
+  return projection;
+}
+
+} // namespace spricka::contact

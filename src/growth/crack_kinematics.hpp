@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "growth/state.hpp"
+#include "mesh/cut/cracked.hpp"
+#include "model/cracks.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::growth {
+
+/// A place of a crack that grows at a rate of its own: a tip in the plane, an end of an axis of an
+/// ellipse or a point of a front in space.
+struct TrackedTip {
+  std::string name;      ///< "C1", "C1.2", "C1.A"
+  std::size_t line = 0;  ///< of CrackState::lines in the plane, else of solids
+  bool at_first = false; ///< in the plane: at the first point of its line, else at the last
+};
+
+/// All cracks as they are at one moment.
+struct CrackGeometry {
+  std::vector<mesh::CrackLine> lines;           ///< [crack] in the plane
+  std::vector<model::CrackDefinition> solids{}; ///< [crack] in space
+  /// [tip] in space: K is taken where the front is nearest to this place.
+  std::vector<base::Vec3> aims{};
+  /// [tip] in space: the crack whose front that is; not its first one where two have become one.
+  std::vector<std::size_t> fronts{};
+};
+
+/// The growth cannot go on: one word and a sentence (March, End).
+struct GrowthStop {
+  std::string word;
+  std::string reason;
+};
+
+/// What the next advance of all may be, as far as one tip is asked.
+struct AdvanceLimit {
+  double ds = 0.0; ///< sum of the advances [length]
+  /// Sum with which this tip goes through all that is left before it: so near to the surface no
+  /// front can be meshed, and the next one lies behind.
+  std::optional<double> breakthrough{};
+  /// The crack (counted from 1) that a breakthrough joins it with; 0: it leads through a surface.
+  std::size_t meets = 0;
+  std::optional<GrowthStop> end{};
+};
+
+/// From the last station to the next.
+struct TrialAdvance {
+  std::vector<double> by;    ///< [tip] [length]
+  double breakthrough = 0.0; ///< 0: no breakthrough
+  std::size_t tip = 0;       ///< that breaks through
+  std::size_t meets = 0;     ///< as AdvanceLimit
+};
+
+/// The ways cracks can go: how far it is to where they meet something, and what they are after an
+/// advance. March asks it where to go next; it knows nothing of cycles.
+class CrackKinematics {
+public:
+  CrackKinematics() = default;
+  CrackKinematics(const CrackKinematics&) = delete;
+  CrackKinematics& operator=(const CrackKinematics&) = delete;
+  virtual ~CrackKinematics() = default;
+
+  [[nodiscard]] virtual const std::vector<TrackedTip>& tips() const = 0;
+  /// Whether the way on follows from K.
+  [[nodiscard]] virtual bool can_kink() const = 0;
+  /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
+  [[nodiscard]] virtual double kink_scatter() const { return 0.0; }
+  /// Goes on from the last station of an earlier run.
+  virtual void resume_from(const GrowthState& state) = 0;
+  /// The cracks as they are at the last station that counts; then the state on trial.
+  [[nodiscard]] virtual CrackGeometry current_state() = 0;
+  /// The arm of a tip before anything has grown [length].
+  [[nodiscard]] virtual double initial_extent(std::size_t tip) const = 0;
+  /// What a tip can grow from the last station on, at most [length].
+  [[nodiscard]] virtual double remaining_ligament(const GrowthState& state,
+                                                  std::size_t tip) const = 0;
+  /// How far all may go (`ds` at most) for the sake of a tip that takes `share` of it.
+  [[nodiscard]] virtual AdvanceLimit step_limit(const GrowthState& state, std::size_t tip,
+                                                double share, double ds) const = 0;
+  /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
+  /// false: there is no such front.
+  virtual bool smooth_front(const GrowthState& /*state*/, std::vector<double>& /*by*/) const {
+    return false;
+  }
+  /// What is left of `deferred_advance` [tip] when the last station's tips have advanced `by`
+  /// [tip]: waves of such a front die away by themselves.
+  virtual void damp_deferred(std::vector<double>& /*owed*/,
+                             const std::vector<double>& /*by*/) const {}
+  /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
+  /// errors: there are none. `breakthrough` > 0: through what is left, and so much farther than
+  /// needed.
+  virtual std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
+                                                      const TrialAdvance& advance,
+                                                      base::Diagnostics& diagnostics) = 0;
+  /// What K at its places means for the tips of the state on trial: where they stand and head to
+  /// (in the plane), how their arms grow with the rates found (TipStation::extent_rate_ratio).
+  virtual void locate_tips(std::vector<TipStation>& found) const = 0;
+  /// The state on trial counts: it is the last station's from now on, kept in `state`.
+  virtual void accept_trial(GrowthState& state) = 0;
+  /// The advance asked for last cannot be made, however short (a breakthrough: however long);
+  /// `why`. Empty: to be asked again, there is another way.
+  [[nodiscard]] virtual std::optional<GrowthStop>
+  reject_advance(const GrowthState& state, bool broke_through, const std::string& why) = 0;
+  /// Cracks straight on from the last station by so much at each tip, for a look ahead.
+  [[nodiscard]] virtual CrackGeometry extend_straight(const GrowthState& state,
+                                                      double advance) const = 0;
+};
+
+} // namespace spricka::growth

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/front_kinematics.hpp"
+#include "model/forward.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace spricka::growth {
+
+/// Cracks in space that stay ellipses, as life programs take them: a tip at each end of an axis
+/// that lies in the body. Where both ends of an axis do, their arms grow apart and the centre moves
+/// by half of the difference. Two in one plane with parallel axes that meet go on as one that
+/// reaches as far as both. An end that has gone through the surface stands for the place where
+/// the front is nearest to it.
+class EllipticalFront final : public FrontKinematics {
+public:
+  explicit EllipticalFront(const model::Model& model);
+
+  void resume_from(const GrowthState& state) override;
+  [[nodiscard]] CrackGeometry current_state() override;
+  [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
+  std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
+                                              base::Diagnostics& diagnostics) override;
+  void locate_tips(std::vector<TipStation>& found) const override;
+  void accept_trial(GrowthState& state) override;
+  [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
+                                              double advance) const override;
+
+  /// An end of an axis.
+  struct EllipseAxisEnd {
+    std::size_t crack = 0;
+    bool on_a = false;   ///< of the axis A, else of C
+    double sign = 1.0;   ///< towards `across` or `along`, or away from it
+    bool paired = false; ///< the other end of the axis is an arm as well
+    bool shared = false; ///< another tip moves it, behind a meeting
+  };
+  struct Ellipses {
+    std::vector<model::CrackDefinition> cracks;
+    std::vector<EllipseAxisEnd> arms; ///< [tip]
+  };
+
+private:
+  [[nodiscard]] std::optional<SurfaceLigament> ligament(std::size_t tip) const override;
+  [[nodiscard]] std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool goes_on_behind(std::size_t tip, const SurfaceLigament& before) const override;
+  [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
+  [[nodiscard]] bool joins(std::size_t tip, const NeighbourCrack& other) const override;
+  [[nodiscard]] double behind(std::size_t tip) const override;
+  [[nodiscard]] double longest_advance(std::size_t tip) const override;
+
+  void find_tips();
+  [[nodiscard]] CrackGeometry state_of(const Ellipses& ellipses) const;
+  /// The parametric angle at which K of an arm is taken.
+  [[nodiscard]] double aim_of(const Ellipses& ellipses, const EllipseAxisEnd& arm) const;
+  [[nodiscard]] double angle_inside(const model::CrackDefinition& crack, double end,
+                                    double sign) const;
+  /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
+  /// which the two have become.
+  static std::size_t mover_of(const std::vector<EllipseAxisEnd>& arms, std::size_t tip);
+  /// One ellipse in the place of two, under the name of the first; empty: there is none.
+  [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
+                                               std::size_t other) const;
+  [[nodiscard]] double moved_by(const EllipseAxisEnd& arm, const model::CrackDefinition& crack,
+                                const base::Vec3& x) const;
+
+  std::vector<double> first_arm_; ///< [tip] of the deck's crack, whatever it has become
+  Ellipses now_, trial_;          ///< at the last station that counts; to be solved
+};
+
+} // namespace spricka::growth

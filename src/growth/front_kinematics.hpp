@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/crack_kinematics.hpp"
+#include "growth/solid_surroundings.hpp"
+#include "model/cracks.hpp"
+#include "model/forward.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::growth {
+
+/// Whether a crack has become a part of another one: it is drawn, by no points.
+inline bool is_merged(const model::CrackDefinition& crack) {
+  return crack.kind == model::CrackDefinitionKind::drawn && crack.points.empty();
+}
+
+/// Makes it one.
+inline void mark_merged(model::CrackDefinition& crack) {
+  crack.kind = model::CrackDefinitionKind::drawn;
+  crack.points.clear();
+}
+
+/// Cracks in space, whatever shape their fronts take: how far it is to surfaces and other fronts,
+/// when a front goes through in one go, and when it ends there.
+class FrontKinematics : public CrackKinematics {
+public:
+  [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
+  [[nodiscard]] bool can_kink() const override { return false; }
+  [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
+  [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
+                                        double ds) const override;
+  [[nodiscard]] std::optional<GrowthStop>
+  reject_advance(const GrowthState& state, bool broke_through, const std::string& why) override;
+
+protected:
+  /// A ligament that is less of the way to the surface is gone through in one go: a front so near
+  /// to the surface is hard to mesh and of no account for the life.
+  static constexpr double gone_through = 0.1;
+  /// Gap between two fronts that counts as closed, as a part of the way behind.
+  static constexpr double fronts_met = 0.1;
+
+  explicit FrontKinematics(const model::Model& model);
+
+  /// The way to the surface before a tip.
+  struct SurfaceLigament {
+    double behind = 0.0; ///< how far the crack reaches back from the tip [length]
+    double left = 0.0;   ///< from there to the surface [length]
+    [[nodiscard]] double left_fraction() const { return left / (behind + left); }
+  };
+  /// The nearest place of another crack.
+  struct NeighbourCrack {
+    double gap = 0.0; ///< [length]
+    std::size_t crack = 0;
+  };
+  /// Empty: no surface is ahead.
+  [[nodiscard]] virtual std::optional<SurfaceLigament> ligament(std::size_t tip) const = 0;
+  /// The longest way to any surface from places of a tip's front that has gone round a corner of
+  /// the body, so that none of its tips has one ahead. Empty: it has not.
+  [[nodiscard]] virtual std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const = 0;
+  /// Whether something of the front is left in the body once a tip has gone through the surface.
+  [[nodiscard]] virtual bool goes_on_behind(std::size_t tip,
+                                            const SurfaceLigament& before) const = 0;
+  /// Empty: there is no other crack.
+  [[nodiscard]] virtual std::optional<NeighbourCrack> neighbour(std::size_t tip) const = 0;
+  /// Whether the two go on as one crack where a tip meets another one.
+  [[nodiscard]] virtual bool joins(std::size_t tip, const NeighbourCrack& other) const = 0;
+  /// From the crack's place to a tip [length].
+  [[nodiscard]] virtual double behind(std::size_t tip) const = 0;
+  /// The longest advance of a tip [length].
+  [[nodiscard]] virtual double longest_advance(std::size_t tip) const = 0;
+
+  /// Whether two cracks lie in one plane and differ in nothing that counts behind their meeting.
+  [[nodiscard]] bool may_join(const model::CrackDefinition& one,
+                              const model::CrackDefinition& other) const;
+
+  /// A state counts: what could not be meshed at the last one says nothing any more.
+  void stands_anew() { must_break_through_early_ = false; }
+
+  const model::Model& model_;
+  SolidBodyQuery around_;
+  std::vector<TrackedTip> tips_;
+
+private:
+  void limit_by_front(std::size_t tip, double share, AdvanceLimit& limit) const;
+
+  bool must_break_through_early_ =
+      false; ///< nearer to the surface, or to another front, nothing can be meshed
+};
+
+} // namespace spricka::growth

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/growth_integrator.hpp"
+
+#include "growth/planar_tips.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::growth {
+
+namespace {
+
+/// Logarithm of the ratio by which an arm grows at most.
+constexpr double first_step = 0.1;
+/// An advance that leads so far of the way to a tip's last length leads to it.
+constexpr double nearly_there = 0.95;
+constexpr double little = 0.03; ///< that is left, as a part of the arm
+
+} // namespace
+
+GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
+                                   std::unique_ptr<CrackKinematics> kinematics, GrowthState state)
+    : model_(model), law_(std::move(law)), kinematics_(std::move(kinematics)),
+      state_(std::move(state)) {
+  // A run that goes on stands where its last station was; whether that was the end follows anew.
+  if (state_.stations.empty()) {
+    state_.step = first_step;
+  } else {
+    kinematics_->resume_from(state_);
+    if (state_.stations.front().tips.size() != tips().size()) {
+      throw std::out_of_range("stations of other tips");
+    }
+    look_for_end();
+  }
+}
+
+GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
+                                   std::vector<mesh::CrackLine> lines, GrowthState state)
+    : GrowthIntegrator(model, std::move(law), std::make_unique<PlanarTips>(model, std::move(lines)),
+                       std::move(state)) {}
+
+const model::CrackGrowthSettings& GrowthIntegrator::rules() const {
+  return *model_.growth;
+}
+
+// Parts of the next advance by tip: rates extrapolated to its middle (Adams and Bashforth), once
+// there are two stations.
+std::vector<double> GrowthIntegrator::shares() const {
+  const std::vector<SolvedStation>& all = state_.stations;
+  std::vector<double> share;
+  const auto of = [](const SolvedStation& station, std::size_t tip) {
+    return station.tips[tip].rate / station.growth_rate();
+  };
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    double p = of(all.back(), tip);
+    if (all.size() > 1 && p > 0.0) {
+      const SolvedStation& before = all[all.size() - 2];
+      const double h = all.back().s - before.s;
+      // A guess of the advance of s: obstacles and lengths that cut it are looked at afterwards.
+      const double next = all.back().s * (std::exp(state_.step) - 1.0);
+      // (growth.2). Cut, so that a line through two stations makes no share negative or far too
+      // large.
+      p = std::clamp(p + 0.5 * next / h * (p - of(before, tip)), 0.5 * p, 2.0 * p);
+    }
+    share.push_back(p);
+  }
+  double sum = 0.0;
+  for (const double p : share) {
+    sum += p;
+  }
+  for (double& p : share) {
+    p /= sum;
+  }
+  return share;
+}
+
+std::optional<CrackGeometry> GrowthIntegrator::propose_step(base::Diagnostics& diagnostics) {
+  if (end_) {
+    return std::nullopt;
+  }
+  if (state_.stations.empty()) {
+    return kinematics_->current_state();
+  }
+  if (!plan()) {
+    return std::nullopt;
+  }
+  TrialAdvance advance{.by = advance_};
+  if (leaping_ > 0) {
+    advance.breakthrough = breakthrough_factor_;
+    advance.tip = leaping_ - 1;
+    advance.meets = meets_;
+  }
+  return kinematics_->advance_cracks(state_, advance, diagnostics);
+}
+
+bool GrowthIntegrator::plan() {
+  const std::vector<double> share = shares();
+  const SolvedStation& here = state_.stations.back();
+  const std::optional<double> ds = next_advance(share);
+  if (!ds) {
+    return false;
+  }
+  advance_.clear();
+  bool to_last_length = false;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    const double by = share[tip] * *ds;
+    const double left = kinematics_->remaining_ligament(state_, tip);
+    // The last length is met exactly, and no advance is left over that is only round-off.
+    const bool to_the_end = by >= left * (1.0 - 1e-9);
+    to_last_length = to_last_length || to_the_end;
+    // What earlier advances missed is made up for, within bounds that keep the tip going on.
+    // A breakthrough is as long as its ligament.
+    const double deferred_advance = leaping_ > 0 ? 0.0 : here.tips[tip].deferred_advance;
+    const double all = std::clamp(by + deferred_advance, 0.5 * by, 2.0 * by);
+    advance_.push_back(to_the_end ? left : std::min(all, left));
+  }
+  if (leaping_ == 0 && kinematics_->smooth_front(state_, advance_)) {
+    stop_at_last_length(to_last_length);
+  }
+  return true;
+}
+
+// A front that relaxes goes farther at some places, and less far at others, than was planned: all
+// of it goes as far as the first tip may, which meets its last length exactly. Half of a little
+// that is left, again and again, would have no end.
+void GrowthIntegrator::stop_at_last_length(bool planned) {
+  std::size_t first = 0;
+  double most = 0.0;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    const double part = advance_[tip] / kinematics_->remaining_ligament(state_, tip);
+    if (part > most) {
+      most = part;
+      first = tip;
+    }
+  }
+  const double left = kinematics_->remaining_ligament(state_, first);
+  const bool the_last = planned && left < little * state_.stations.back().tips[first].a;
+  if (most <= 0.0 || (most < nearly_there && !the_last)) {
+    return;
+  }
+  for (double& by : advance_) {
+    by /= most;
+  }
+  advance_[first] = left;
+}
+
+// The advance of all together; empty: the growth ends here.
+std::optional<double> GrowthIntegrator::next_advance(const std::vector<double>& share) {
+  const SolvedStation& here = state_.stations.back();
+  // No arm may grow by more than the step; what each tip demands only makes it shorter.
+  double ds = 1e300;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    if (share[tip] > 0.0) {
+      ds = std::min(ds, (std::exp(state_.step) - 1.0) * here.tips[tip].a / share[tip]);
+    }
+  }
+  std::optional<double> breakthrough;
+  leaping_ = 0;
+  meets_ = 0;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    if (!(share[tip] > 0.0)) {
+      continue;
+    }
+    if (rules().largest_advance) {
+      ds = std::min(ds, *rules().largest_advance / share[tip]);
+    }
+    const AdvanceLimit limit = kinematics_->step_limit(state_, tip, share[tip], ds);
+    if (limit.end) {
+      end_at_station(limit.end->word, limit.end->reason);
+      return std::nullopt;
+    }
+    ds = limit.ds;
+    if (limit.breakthrough &&
+        *limit.breakthrough < breakthrough.value_or(std::numeric_limits<double>::infinity())) {
+      breakthrough = limit.breakthrough;
+      leaping_ = tip + 1;
+      meets_ = limit.meets;
+    }
+  }
+  return breakthrough.value_or(ds);
+}
+
+void GrowthIntegrator::end_at_station(std::string word, std::string reason) {
+  end_ = GrowthEnd{std::move(word), std::move(reason), state_.stations.back().s};
+}
+
+bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
+  SolvedStation station;
+  station.breakthroughs = leaping_;
+  station.met = meets_;
+  kinematics_->locate_tips(found);
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    TipStation& here = found[tip];
+    // The arms are the clock of the growth: summed from advances, not measured on polylines.
+    here.a = state_.stations.empty() ? kinematics_->initial_extent(tip)
+                                     : state_.stations.back().tips[tip].a + advance_[tip];
+    station.s += here.a;
+  }
+  station.tips = std::move(found);
+  state_.stations.push_back(std::move(station));
+  // First, as the judgement counts what the advance is found to have missed.
+  settle();
+  if (!good_enough()) {
+    state_.stations.pop_back();
+    ++state_.rejected;
+    return false;
+  }
+  leaping_ = 0;
+  meets_ = 0;
+  breakthrough_factor_ = 1.0;
+  kinematics_->accept_trial(state_);
+  look_for_end();
+  return true;
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/ahead.hpp"
+#include "growth/crack_kinematics.hpp"
+#include "model/forward.hpp"
+
+#include <vector>
+
+namespace spricka::growth {
+
+/// Tips of the cracks that grow, in the order of the cracks.
+std::vector<TrackedTip> growing_tips(const model::Model& model,
+                                     const std::vector<mesh::CrackLine>& lines);
+
+/// Cracks in the plane: along the paths that the deck draws, or as K turns them.
+class PlanarTips final : public CrackKinematics {
+public:
+  /// `lines`: the cracks as they are first.
+  PlanarTips(const model::Model& model, std::vector<mesh::CrackLine> lines);
+
+  [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
+  [[nodiscard]] bool can_kink() const override;
+  void resume_from(const GrowthState& state) override;
+  [[nodiscard]] CrackGeometry current_state() override;
+  [[nodiscard]] double initial_extent(std::size_t tip) const override;
+  [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
+  [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
+                                        double ds) const override;
+  std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
+                                              base::Diagnostics& diagnostics) override;
+  void locate_tips(std::vector<TipStation>& found) const override;
+  void accept_trial(GrowthState& state) override;
+  [[nodiscard]] std::optional<GrowthStop>
+  reject_advance(const GrowthState& state, bool broke_through, const std::string& why) override;
+  [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
+                                              double advance) const override;
+
+private:
+  [[nodiscard]] const model::CrackGrowthSettings& rules() const;
+  [[nodiscard]] TipGrowthDirection heading_of(const GrowthState& state, std::size_t tip) const;
+  void limit_by_obstacles(const GrowthState& state, std::size_t tip, double share,
+                          AdvanceLimit& limit) const;
+  void extend(const GrowthState& state, std::size_t tip, double by, mesh::CrackLine& line) const;
+
+  const model::Model& model_;
+  std::vector<mesh::CrackLine> lines_; ///< at the last station that counts
+  std::vector<mesh::CrackLine> trial_; ///< to be solved
+  std::vector<TrackedTip> tips_;
+  PlaneBoundaryAhead around_;
+};
+
+} // namespace spricka::growth

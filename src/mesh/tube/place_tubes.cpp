@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/place_tubes.hpp"
+
+#include "mesh/surface/surface_hits.hpp"
+#include "mesh/tube/free_front.hpp"
+#include "mesh/tube/tube_room.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Vec3;
+
+/// Limits of a radius that is given; sizes chosen keep them.
+constexpr double most_of_room = 0.45;
+constexpr double most_of_curvature = 0.8;
+/// A distance that is none, as a part of the crack's size.
+constexpr double same_place = 1e-6;
+constexpr double most_elements = 800.0; // along a front
+/// How far a front may lean from the surface's normal where it ends: 65 degrees; a tube that is
+/// sheared further has elements too flat.
+constexpr double most_lean = 2.1445;
+/// Tetrahedra go on to 10 degrees from the surface.
+constexpr double most_lean_free = 5.6713;
+/// They are shorter than elements of a tube.
+constexpr double most_free_elements = 2000.0;
+
+class TubeLayer {
+public:
+  TubeLayer(const SolidHost& host, const SolidCrackFrame& frame, const LocatedSolidCrack& request,
+            base::Diagnostics& diagnostics)
+      : host_(host), frame_(frame), request_(request), diagnostics_(diagnostics),
+        mesh_(*request.mesh) {
+    mesh_.radius /= frame.a;
+    mesh_.size /= frame.a;
+    mesh_.length /= frame.a;
+  }
+
+  std::optional<PatchSolidCrack> place(std::span<const LocatedSolidCrack> all) {
+    const Eigen::Matrix3d axes = frame_.axes.transpose() * make_crack_frame(*request_.crack).axes;
+    const PlaneBasis plane{frame_.exact_local(make_crack_frame(*request_.crack).origin),
+                           axes.col(0), axes.col(1), axes.col(2),
+                           surface_in_frame(frame_, *request_.crack)};
+    std::vector<std::vector<Vec3>> outlines;
+    for (const std::vector<Vec3>& outline : request_.outlines) {
+      outlines.push_back(local(outline));
+    }
+    PatchSolidCrack made{
+        CrackDistanceField(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
+    for (const SolidFront& front : request_.fronts) {
+      const FrontCurve curve(local(front.curve->points()),
+                             plane.relief
+                                 ? directions(front.curve->normals())
+                                 : std::vector<Vec3>(front.curve->points().size(), plane.normal),
+                             front.curve->closed());
+      const TubeClearance round(host_, request_, front, all);
+      if (!stands(front, round)) {
+        return std::nullopt;
+      }
+      TubeSizes sizes =
+          tube_sizes(curve,
+                     {[&](double s) { return round.clearance(s * frame_.a) / frame_.a; },
+                      [&](double s) { return round.crack_width(s * frame_.a) / frame_.a; },
+                      {round.end_inclination(0), round.end_inclination(1)},
+                      straight(round)},
+                     mesh_);
+      if (!mesh_.tube) {
+        sizes = tubeless_sizes(std::move(sizes), mesh_);
+      }
+      if (!fits(curve, sizes)) {
+        return std::nullopt;
+      }
+      if (!mesh_.tube) {
+        made.tubes.push_back(make_tubeless_front(curve, sizes, mesh_));
+        made.reach.add_tube(made.tubes.back());
+        continue;
+      }
+      made.tubes.push_back(make_tube(curve, sizes, mesh_, [&](const Vec3& p, const Vec3& t) {
+        return to_surface(p, t, sizes.radius.front() + sizes.radius.back());
+      }));
+      if (made.tubes.back().off_surface) {
+        return no_end(frame_.global(*made.tubes.back().off_surface));
+      }
+      made.reach.add_tube(made.tubes.back());
+    }
+    return made;
+  }
+
+private:
+  [[nodiscard]] std::vector<Vec3> local(const std::vector<Vec3>& points) const {
+    std::vector<Vec3> result;
+    std::ranges::transform(points, std::back_inserter(result),
+                           [&](const Vec3& x) { return frame_.exact_local(x); });
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Vec3> directions(const std::vector<Vec3>& normals) const {
+    std::vector<Vec3> result;
+    std::ranges::transform(normals, std::back_inserter(result),
+                           [&](const Vec3& b) -> Vec3 { return frame_.axes.transpose() * b; });
+    return result;
+  }
+
+  /// Nothing of it for a crack that lies in its plane.
+  [[nodiscard]] std::function<double(double)> straight(const TubeClearance& round) const {
+    if (!request_.crack->relief) {
+      return {};
+    }
+    return [&round, this](double s) { return round.kink_distance(s * frame_.a) / frame_.a; };
+  }
+
+  /// How far a place of a tube's end is from the surface along the front.
+  [[nodiscard]] std::optional<double> to_surface(const Vec3& p, const Vec3& t, double most) const {
+    const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
+    const Vec3 d = frame_.axes * t;
+    const Vec3 x = frame_.global(p) - most * frame_.a * d;
+    std::optional<double> best;
+    for (const SurfaceHit& hit : find_hits(surface, x, d, 2.0 * most * frame_.a)) {
+      const double along = hit.along / frame_.a - most;
+      best = !best || std::abs(along) < std::abs(*best) ? along : *best;
+    }
+    return best;
+  }
+
+  bool stands(const SolidFront& front, const TubeClearance& round) {
+    const double most = mesh_.tube ? most_lean : most_lean_free;
+    for (const std::size_t end : {0U, 1U}) {
+      if (!front.curve->closed() && round.end_inclination(end) > most) {
+        diagnostics_.error(
+            request_.span, "E423",
+            fmt::format("{}: its front meets the body's surface at {} at {:.0f} degrees only",
+                        request_.crack->display_name(), coordinate_text(front.end[end].x),
+                        90.0 - std::atan(round.end_inclination(end)) * 180.0 / std::numbers::pi),
+            mesh_.tube
+                ? "a tube of elements fits round fronts that leave the body at 25 degrees or more"
+                : "tetrahedra fit round fronts that leave the body at 10 degrees or more");
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::optional<PatchSolidCrack> no_end(const Vec3& at) {
+    diagnostics_.error(
+        request_.span, "E423",
+        fmt::format(
+            "{}: the end of the tube round its front does not find the body's surface at {}",
+            request_.crack->display_name(), coordinate_text(at)),
+        "the front meets the surface at too flat an angle, or at an edge; give a smaller RADIUS on "
+        "$TIPNET");
+    return std::nullopt;
+  }
+
+  /// What leaves so little room at a place.
+  [[nodiscard]] const char* what_is_near(const Vec3& x) const {
+    const std::size_t part = host_.part_index(request_.seed);
+    const Vec3 at = frame_.global(x);
+    // The skin has the border, too.
+    const bool is_border = host_.interface_tree(part).nearest(at).distance <=
+                           (1.0 + same_place) * host_.skin_tree(part).nearest(at).distance;
+    return is_border ? "the border to elements of another $PROPERTY"
+                     : "the body's surface or another crack";
+  }
+
+  bool fits(const FrontCurve& curve, const TubeSizes& sizes) {
+    for (std::size_t i = 0; i < sizes.s.size(); ++i) {
+      const FrontFrame at = curve.at(sizes.s[i]);
+      if (sizes.room[i] < same_place) {
+        diagnostics_.error(request_.span, "E423",
+                           fmt::format("{}: its front touches {} at {}",
+                                       request_.crack->display_name(), what_is_near(at.x),
+                                       coordinate_text(frame_.global(at.x))),
+                           "a crack keeps off the surface of the body or ends on it");
+        return false;
+      }
+      const double bend = std::abs(at.curvature());
+      const double free = std::min(most_of_room * sizes.room[i],
+                                   bend > 0.0 ? most_of_curvature / bend : sizes.room[i]);
+      if (!(sizes.radius[i] <= free) || !(sizes.radius[i] > 0.0)) {
+        diagnostics_.error(
+            request_.span, "E423",
+            fmt::format("{}: {} of radius {:.6g} does not fit round its front at {}: there is room "
+                        "for {:.6g}, {} is {:.6g} away",
+                        request_.crack->display_name(),
+                        mesh_.tube ? "a tube" : "a zone of even elements",
+                        sizes.radius[i] * frame_.a, coordinate_text(frame_.global(at.x)),
+                        free * frame_.a, what_is_near(at.x), sizes.room[i] * frame_.a),
+            "give a smaller RADIUS on $TIPNET, or a crack that keeps off the surface or ends on "
+            "it");
+        return false;
+      }
+    }
+    if (sizes.count() > (mesh_.tube ? most_elements : most_free_elements)) {
+      const auto narrow = std::ranges::min_element(sizes.radius) - sizes.radius.begin();
+      const auto i = static_cast<std::size_t>(narrow);
+      diagnostics_.error(request_.span, "E423",
+                         fmt::format("{}: its front would take {:.0f} elements, as there is room "
+                                     "for {} of radius {:.3g} only at {}, beside {}",
+                                     request_.crack->display_name(), sizes.count(),
+                                     mesh_.tube ? "a tube" : "elements", sizes.radius[i] * frame_.a,
+                                     coordinate_text(frame_.global(curve.at(sizes.s[i]).x)),
+                                     what_is_near(curve.at(sizes.s[i]).x)),
+                         "a crack keeps off the surface of the body or ends on it");
+      return false;
+    }
+    return true;
+  }
+
+  const SolidHost& host_;
+  const SolidCrackFrame& frame_;
+  const LocatedSolidCrack& request_;
+  base::Diagnostics& diagnostics_;
+  TubeMeshParameters mesh_; ///< in the lengths of the frame
+};
+
+} // namespace
+
+std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const SolidCrackFrame& frame,
+                                           const LocatedSolidCrack& request,
+                                           std::span<const LocatedSolidCrack> all,
+                                           base::Diagnostics& diagnostics) {
+  return TubeLayer(host, frame, request, diagnostics).place(all);
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/deck_text.hpp"
+#include "model/forward.hpp"
+#include "program/job/ready_deck.hpp"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What of a deck makes the meshes of its bodies finer: found from the deck itself.
+namespace spricka::program {
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+/// A parameter that sets sizes or numbers of elements, and nothing else.
+struct MeshParameter {
+  std::string name; ///< as the deck writes it
+  double value = 1.0;
+  bool larger_is_finer = true;
+};
+
+/// How the meshes of bodies are made finer; there may be nothing.
+struct MeshParameterSet {
+  std::vector<MeshParameter> parameters;
+  std::vector<MeshParameter> constants; ///< of geometry scripts that no such parameter reaches
+  bool counts = false; ///< numbers of elements of $MESH cards that no such parameter reaches
+  std::set<std::string> scaled;   ///< scripts without either, by file: all sizes by a factor
+  std::vector<std::string> fixed; ///< meshes that stay as they are
+
+  [[nodiscard]] bool empty() const {
+    return parameters.empty() && constants.empty() && !counts && scaled.empty();
+  }
+};
+
+/// A deck as its cards, what it was read with, and the model that it makes.
+struct StudiedDeck {
+  std::filesystem::path file;
+  Defines defines; ///< of the command line
+  deck::DeckText text;
+  const ReadyDeck* ready = nullptr;
+};
+
+/// Parameters are those that the numbers of elements of $MESH are made of, or that a geometry
+/// script takes, and that nothing else uses. What a script makes of one is found by reading the
+/// deck with twice its value: there must be more or fewer elements in the same sets of the same
+/// extent. Constants of scripts (DefineConstant) that the deck leaves alone are tried in the same
+/// way, then the factor of all sizes. Decks to try are written into `folder`.
+MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesystem::path& folder);
+
+/// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
+/// in `text`. Scripts are copied into `folder`.
+struct FinerMesh {
+  Defines defines;
+  std::string words; ///< "fine=0.5", "elements*0.5"
+};
+FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+                     double fineness, deck::DeckText& text, const std::filesystem::path& folder);
+
+} // namespace spricka::program

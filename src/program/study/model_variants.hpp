@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/study/joint.hpp"
+#include "program/study/mesh_parameters.hpp"
+#include "program/study/section_deck.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Simpler models of a deck's joint, made by rewriting its cards.
+namespace spricka::program {
+
+/// One model of the joint.
+struct ModelVariant {
+  std::string name;  ///< "without friction": for tables
+  std::string file;  ///< "without_friction.deck"
+  std::string words; ///< what is simplified, a sentence
+  std::optional<deck::DeckText> text;
+  std::string mirrored;                  ///< across which axes its model is a part, "XY"
+  std::optional<SectionMapping> section; ///< it is a plane model of a solid
+  bool simpler = true; ///< false: another model, no simpler one; never the one that is enough
+  std::string reason;  ///< why the scene has no place for it, where there is no text
+};
+
+/// All variants, the richest (the deck itself, without its checks and requests) first: a half by
+/// symmetry, without friction, all mounted at once, fits but bonded, without interference, bonded,
+/// stiff or rigid pressing bodies, pressures in their place, the other plane state; of solids their
+/// sections.
+std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint);
+
+} // namespace spricka::program

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/growth_integrator.hpp"
+#include "model/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace spricka::test_growth_integrator_steps {
+namespace {
+
+using growth::TipStation;
+
+constexpr double initial_arm = 1.0;
+constexpr double last_arm = 3.0;
+
+/// A crack without a mesh. It never goes on by less than a part of its arm, as an axis of an
+/// ellipse that waits outside of the body and then jumps.
+class JumpingKinematics final : public growth::CrackKinematics {
+public:
+  explicit JumpingKinematics(double least) : least_(least) {}
+
+  [[nodiscard]] const std::vector<growth::TrackedTip>& tips() const override { return tips_; }
+  [[nodiscard]] bool can_kink() const override { return false; }
+  void resume_from(const growth::GrowthState& /*state*/) override {}
+  [[nodiscard]] growth::CrackGeometry current_state() override { return at(initial_arm); }
+  [[nodiscard]] double initial_extent(std::size_t /*tip*/) const override { return initial_arm; }
+  [[nodiscard]] double remaining_ligament(const growth::GrowthState& state,
+                                          std::size_t tip) const override {
+    return last_arm - state.stations.back().tips[tip].a;
+  }
+  [[nodiscard]] growth::AdvanceLimit step_limit(const growth::GrowthState& state, std::size_t tip,
+                                                double share, double ds) const override {
+    return {.ds = std::min(ds, remaining_ligament(state, tip) / share)};
+  }
+  bool smooth_front(const growth::GrowthState& state, std::vector<double>& by) const override {
+    by[0] = std::max(
+        by[0], std::min(least_ * state.stations.back().tips[0].a, remaining_ligament(state, 0)));
+    return true;
+  }
+  std::optional<growth::CrackGeometry> advance_cracks(const growth::GrowthState& state,
+                                                      const growth::TrialAdvance& advance,
+                                                      base::Diagnostics& /*diagnostics*/) override {
+    return at(state.stations.back().tips[0].a + advance.by[0]);
+  }
+  void locate_tips(std::vector<TipStation>& /*found*/) const override {}
+  void accept_trial(growth::GrowthState& /*state*/) override {}
+  [[nodiscard]] std::optional<growth::GrowthStop>
+  reject_advance(const growth::GrowthState& /*state*/, bool /*leapt*/,
+                 const std::string& why) override {
+    return growth::GrowthStop{"MESH", why};
+  }
+  [[nodiscard]] growth::CrackGeometry extend_straight(const growth::GrowthState& /*state*/,
+                                                      double /*advance*/) const override {
+    return {};
+  }
+
+private:
+  static growth::CrackGeometry at(double arm) {
+    growth::CrackGeometry state;
+    state.aims.emplace_back(arm, 0.0, 0.0);
+    return state;
+  }
+
+  double least_;
+  std::vector<growth::TrackedTip> tips_{{"C"}};
+};
+
+struct Marched {
+  int solved = 0;
+  bool ended = false;
+  std::size_t stations = 0;
+};
+
+// K waves within each jump: all of them miss a tolerance of 1e-6.
+Marched march_to_the_end(double least) {
+  model::Model model;
+  model.growth.emplace();
+  model.growth->law = model::CrackGrowthLaw::paris;
+  model.growth->tolerance = 1e-6;
+  model.growth->last_length = last_arm;
+  const growth::Law paris = [](double K_max, double K_min) {
+    return 1e-3 * std::pow(K_max - K_min, 3);
+  };
+  growth::GrowthIntegrator march(model, paris, std::make_unique<JumpingKinematics>(least), {});
+  Marched marched;
+  base::Diagnostics diagnostics;
+  while (marched.solved < 300) {
+    const std::optional<growth::CrackGeometry> state = march.propose_step(diagnostics);
+    if (!state) {
+      break;
+    }
+    const double a = state->aims[0].x();
+    std::vector<TipStation> found(1);
+    found[0].K_max = 1.0 + 0.5 * std::sin(20.0 * a);
+    found[0].rate = paris(found[0].K_max, 0.0);
+    march.accept_station(std::move(found));
+    ++marched.solved;
+  }
+  marched.ended = march.end().has_value();
+  marched.stations = march.growth_state().stations.size();
+  return marched;
+}
+
+// A refused advance is asked for shorter than it was asked for, whatever the ways made of it: else
+// it comes back as it was, for ever.
+TEST(GrowthIntegrator, EndsWhereWaysGoFartherThanTheyAreAsked) {
+  const Marched marched = march_to_the_end(0.3);
+  EXPECT_TRUE(marched.ended) << marched.solved << " solved, " << marched.stations << " stations";
+}
+
+} // namespace
+} // namespace spricka::test_growth_integrator_steps
