@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The rules of the house: who includes whom, no circles, no room too big, libraries in their rooms.
+"""The rules of the house: who includes whom, no circles, no room too big, libraries in their rooms, the field's words.
 
 Usage: check_layers.py TOP [--write]. Prints everything that breaks a rule and ends with 1 if there
 is such a thing. manual/architecture.md and its picture are made from the same rooms: --write renews
@@ -14,6 +14,7 @@ import architecture
 from circles import circles
 from house import read_house
 from pages import lost_citations, lost_names
+from wording import wording_errors
 
 LARGEST_SHARE = 0.15  # of all lines of src and grammar, for one room
 
@@ -120,7 +121,7 @@ def check(top):
     if not house.sources:
         return [f"{top}: no sources found"]
     rules = (room_errors, include_errors, idle_errors, circle_errors, name_errors, size_errors)
-    return [error for rule in rules for error in rule(house)]
+    return [error for rule in rules for error in rule(house)] + wording_errors(top)
 
 
 def main(arguments):

@@ -6,9 +6,12 @@ import io
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import architecture
 import check_layers
+import wording
+from cpp_text import read_declarations
 
 # Eight rooms of like size, each using the one below: no room holds 15 % of the lines.
 CHAIN = ["base", "model", "mesh", "mesh/cut", "solve", "life", "results", "mesher"]
@@ -241,6 +244,42 @@ class Page(Tree):
         code, text = run(self.top)
         self.assertEqual(code, 1)
         self.assertIn(architecture.BEGIN, text)
+
+
+class Words(Tree):
+    def test_a_denied_word_in_a_name_is_refused(self):
+        add(self.top, "src/life/life.cpp", "int stepsLeapt; // what a leap is, comments may say\n")
+        self.refused("src/life/life.cpp:3", "stepsLeapt", "breakthrough")
+
+    def test_two_types_of_one_name_are_refused(self):
+        add(self.top, "src/life/life.cpp", "template <class T> struct Place { int x = 0; };\n")
+        add(self.top, "src/mesh/mesh.cpp", "namespace m {\nclass Place final : Base {\n};\nstruct Host::Place;\n}\n")
+        self.refused("Place", "src/life/life.cpp:3", "src/mesh/mesh.cpp:4")
+
+    def test_more_branches_on_the_dimension_are_refused(self):
+        add(self.top, "src/life/life.cpp", "bool a() { return model.dim == 3; }\n" * 2)
+        with mock.patch.object(wording, "BRANCHES", 1):
+            self.refused("2 lines in 1 files")
+
+    def test_functions_are_read_with_their_comments(self):
+        found = read_declarations("""/// How far two points are apart [length].
+template <int dim> [[nodiscard]] double distance(const Vec<dim>& a, const Vec<dim>& b = {1, 2});
+class Net {
+public:
+  Net(int n);
+  void add_node(int n); ///< behind the others
+private:
+  void hidden();
+};
+double Net::size(int a) {
+  return a;
+}
+""")
+        self.assertEqual([(f.owner, f.name, f.line) for f in found.functions], [("", "distance", 2), ("Net", "add_node", 6)])
+        self.assertIn("apart", found.functions[0].comment)
+        self.assertIn("behind", found.functions[1].comment)
+        self.assertEqual([(t.name, t.line, t.last) for t in found.types], [("Net", 3, 9)])
+        self.assertEqual(found.members, [("Net", 10, 12)])
 
 
 if __name__ == "__main__":
