@@ -15,7 +15,7 @@ struct ToleranceShortfall {
   double wanted = 0.0;      ///< TOL there
   std::string where;        ///< "K1 of C1, step LOAD, a = 10.8"
   bool below_floor = false; ///< some TOL is smaller than the floor of its bar: no mesh helps
-  std::string parted;       ///< "C1, step LOAD: .." of a tip with TOL, see k_consistency.hpp; or empty
+  std::string parted;       ///< "C1, step LOAD: .." of a tip with TOL, k_consistency.hpp; or empty
   std::string no_bar;       ///< of a tip with TOL: why it has no bar; empty: all have one
 };
 ToleranceShortfall shortfall(const model::Model& model, const results::RunResult& run);
