@@ -44,7 +44,7 @@ public:
 
   /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit
   /// of its own force opens, of a held one the force that a unit of its gap takes (manual,
-  /// solve.29). Zero where there is none: redundant rows. ok() must hold.
+  /// solve.29). Zero where there is none: redundant rows. Only where is_consistent().
   [[nodiscard]] base::Vector pivots(const std::vector<std::size_t>& candidates) const;
 
 private:

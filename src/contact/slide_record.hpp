@@ -26,8 +26,8 @@ struct DisplacedContactPoint {
 /// How far the pressed part of a pair has moved.
 struct SlideMeasures {
   double thrust = 0.0; ///< sum of pressure times area [force]
-  double unsupported_part =
-      0.0;              ///< part of the thrust that acts where nothing stands opposite any more
+  /// Part of the thrust that acts where nothing stands opposite any more.
+  double unsupported_part = 0.0;
   double way = 0.0;     ///< largest slide of one side along the other [length]
   double facet = 0.0;   ///< longest edge of either side where that is [length]
   double pressed = 0.0; ///< length of the pressed part

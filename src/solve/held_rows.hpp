@@ -24,7 +24,7 @@ public:
     base::Matrix alpha;     ///< [m, k] modes; uncontrollable motions rest
     double left_over = 0.0; ///< largest load on uncontrollable motions
   };
-  /// The response to gaps b [n, k] and loads h [m, k] on the modes; ok() must hold.
+  /// The response to gaps b [n, k] and loads h [m, k] on the modes; only where is_solvable().
   [[nodiscard]] ClosedRowsResponse respond(const base::Matrix& b, const base::Matrix& h) const;
 
 private:

@@ -48,7 +48,7 @@ public:
   /// nothing is recovered. Empty: refused.
   std::optional<contact::ContactSystem::IncrementSolution>
   solve_increments(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble);
-  /// The state at the end of go_to, from its answer; empty: refused.
+  /// The state at the end of solve_increments(), from its answer; empty: refused.
   std::optional<StepState> recover_state(contact::ContactSystem::IncrementSolution solution,
                                          base::Trouble& trouble);
   /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
@@ -61,7 +61,7 @@ public:
 
   /// What the last step asked of the contact system, with the closed rows it ended with.
   [[nodiscard]] contact::ContactSystem::IncrementProblem contact_problem() const;
-  /// Null when no body has externals; its bodies are `condensed()`, indices of the solver's.
+  /// Null when no body has externals; its bodies are condensed_bodies(), indices of the solver's.
   [[nodiscard]] const contact::ContactSystem* contact_system() const {
     return system_ ? &*system_ : nullptr;
   }

@@ -59,10 +59,10 @@ public:
   base::Trouble estimate_accuracy();
   /// Estimated errors of the nets in the energy norm, once.
   void estimate_net_errors();
-  /// The end of a step of the deck becomes a further step of run().
+  /// The end of a step of the deck becomes a further step of run_results().
   base::Trouble add_step(std::size_t step);
   /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
-  /// of that name in run(). Without friction only.
+  /// of that name in run_results(). Without friction only.
   base::Trouble follow_load_path(const model::LoadPathDefinition& card,
                                  const std::vector<model::Step>& from,
                                  const std::vector<model::Step>& to);

@@ -63,7 +63,7 @@ struct VtuGridPoints {
 VtuGridPoints grid_points(const model::Mesh& mesh, bool split);
 
 /// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
-/// point data and vtu_end are to follow.
+/// point data and finish_vtu_file() are to follow.
 VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points);
 /// Net and number of each cell, as arrays within <CellData>.
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
