@@ -146,9 +146,10 @@ private:
          .thrust = thrust,
          .gap = counted,
          .unseen = now ? std::optional(*now - counted) : std::nullopt,
-         .opening = openings(motions_, [&](const base::Vector& motion) {
+         .normal = {n.x(), n.y(), 0.0},
+         .relative_motions = relative_motions(motions_, [&](const base::Vector& motion) {
            const Vec2 own = shift_at(edge, xi, motion);
-           return n.dot(eta ? shift_at(targets_[s.target_edge], *eta, motion) - own : Vec2(-own));
+           return eta ? Vec2(shift_at(targets_[s.target_edge], *eta, motion) - own) : Vec2(-own);
          })});
     thrust_ += thrust;
     found_.pressed += length;

@@ -20,7 +20,9 @@ struct DisplacedContactPoint {
   /// Gap of the deformed bodies that no row counts [length]; none: nothing stands opposite any
   /// more.
   std::optional<double> unseen;
-  base::Vector opening; ///< [motion] what each motion that was asked for adds to the gap
+  base::Vec3 normal = base::Vec3::Zero(); ///< along which the gap counts, from the contact side
+  /// [3, motion] by which each motion that was asked for moves the target past the contact side
+  base::Matrix relative_motions;
 };
 
 /// How far the pressed part of a pair has moved.
@@ -35,16 +37,24 @@ struct SlideMeasures {
   std::vector<DisplacedContactPoint> places;
 };
 
-/// What motions [dim * node, n] add to a gap, one after the other, by `opening` of one of them.
-template <class Opening>
-base::Vector openings(std::span<const base::Matrix* const> motions, const Opening& opening) {
-  std::vector<double> found;
+/// What each of motions [dim * node, n] moves one side past the other by, [3, motion], by
+/// `relative`(one of them), a vector of 2 or 3.
+template <class Relative>
+base::Matrix relative_motions(std::span<const base::Matrix* const> motions,
+                              const Relative& relative) {
+  Eigen::Index count = 0;
   for (const base::Matrix* motion : motions) {
-    for (Eigen::Index j = 0; j < motion->cols(); ++j) {
-      found.push_back(opening(motion->col(j)));
+    count += motion->cols();
+  }
+  base::Matrix found = base::Matrix::Zero(3, count);
+  count = 0;
+  for (const base::Matrix* motion : motions) {
+    for (const auto& one : motion->colwise()) {
+      const auto moved = relative(one);
+      found.col(count++).head(moved.size()) = moved;
     }
   }
-  return Eigen::Map<const base::Vector>(found.data(), static_cast<Eigen::Index>(found.size()));
+  return found;
 }
 
 } // namespace spricka::contact

@@ -169,17 +169,17 @@ private:
     const double counted = at.gap + at.normal.dot(relative);
     // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
     // is of second order, and no row counts it.
-    found_.places.push_back({.x = place,
-                             .thrust = p * at.weight,
-                             .gap = counted,
-                             .unseen = now ? std::optional(*now - counted) : std::nullopt,
-                             .opening = openings(motions_, [&](const base::Vector& motion) {
-                               const Vec3 own = shift_at(own_.faces[triangle.face], at.r, motion);
-                               return at.normal.dot(
-                                   pair_.rigid_shape
-                                       ? Vec3(-own)
-                                       : shift_at(other_.faces[at.target], at.s, motion) - own);
-                             })});
+    found_.places.push_back(
+        {.x = place,
+         .thrust = p * at.weight,
+         .gap = counted,
+         .unseen = now ? std::optional(*now - counted) : std::nullopt,
+         .normal = at.normal,
+         .relative_motions = relative_motions(motions_, [&](const base::Vector& motion) {
+           const Vec3 own = shift_at(own_.faces[triangle.face], at.r, motion);
+           return pair_.rigid_shape ? Vec3(-own)
+                                    : Vec3(shift_at(other_.faces[at.target], at.s, motion) - own);
+         })});
     thrust_ += p * at.weight;
     found_.pressed += at.weight;
     // The part of the motion along the surface.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/contact_limits.hpp"
 
+#include "analysis/recover/closing_motion.hpp"
 #include "contact/body_outline.hpp"
 #include "contact/slide.hpp"
 #include "mesh/boundary.hpp"
@@ -11,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace spricka::analysis {
@@ -144,68 +144,38 @@ std::optional<PairMotionError> look_at(const model::Model& model, const Discreti
   return found;
 }
 
-// Rigid motions that neither supports nor bonds keep a body from.
-std::vector<const base::Matrix*> free_motions(const Discretisation& scene,
-                                              const std::vector<SubstructuredBody>& bodies) {
-  std::set<base::NodeId> bonded;
-  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    if (scene.contacts[c].type == model::ContactType::bonded) {
-      for (const contact::ContactSurface* side :
-           {&scene.pairs[c].contact, &scene.pairs[c].target}) {
-        for (const contact::ContactFacet& facet : side->facets) {
-          bonded.insert(facet.nodes.begin(), facet.nodes.end());
-        }
-      }
-    }
-  }
-  std::vector<const base::Matrix*> motions;
-  for (const SubstructuredBody& body : bodies) {
-    if (std::ranges::none_of(body.body.nodes,
-                             [&](base::NodeId node) { return bonded.contains(node); })) {
-      motions.push_back(&body.free_modes);
-    }
-  }
-  return motions;
-}
-
 // Takes out of the gaps that no row counts what rigid motions of bodies that only contact holds
-// close: a pin that keeps its direction in a lug that bends moves across it at no cost. Least
-// squares over all contacts, by thrust.
+// close: a pin that keeps its direction in a lug that bends moves across it at no cost.
 void close_by_rigid_motions(const Discretisation& scene,
                             const std::vector<SubstructuredBody>& bodies, const StepState& state,
                             std::vector<PairMotionError>& all) {
-  const std::vector<const base::Matrix*> motions = free_motions(scene, bodies);
-  std::vector<std::vector<contact::DisplacedContactPoint>> places;
-  base::Matrix normal_matrix;
-  base::Vector unseen;
-  for (const PairMotionError& one : all) {
-    places.push_back(
-        contact::measure_slide(scene.pairs[one.pair], state.pair_lambda[one.pair], state.u, motions)
-            .places);
-    for (const contact::DisplacedContactPoint& place : places.back()) {
-      if (unseen.size() == 0) {
-        normal_matrix = base::Matrix::Zero(place.opening.size(), place.opening.size());
-        unseen = base::Vector::Zero(place.opening.size());
-      }
-      if (place.unseen) {
-        normal_matrix += place.thrust * place.opening * place.opening.transpose();
-        unseen += place.thrust * *place.unseen * place.opening;
-      }
-    }
-  }
-  if (unseen.size() == 0) {
-    return;
-  }
-  // Bodies may slide on themselves: such motions close nothing, and the least of all is taken.
-  const base::Vector closing = normal_matrix.completeOrthogonalDecomposition().solve(-unseen);
+  const std::vector<const base::Matrix*> motions = motions_without_resistance(scene, bodies);
+  std::vector<contact::DisplacedContactPoint> points;
+  std::vector<std::size_t> pair_of_point;
+  double largest_slide = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    double left = 0.0;
-    for (const contact::DisplacedContactPoint& place : places[i]) {
-      left = place.unseen ? std::max(left, std::abs(*place.unseen + place.opening.dot(closing)))
-                          : left;
+    const PairMotionError& one = all[i];
+    largest_slide = std::max(largest_slide, one.slide.way);
+    for (contact::DisplacedContactPoint& point :
+         contact::measure_slide(scene.pairs[one.pair], state.pair_lambda[one.pair], state.u,
+                                motions)
+             .places) {
+      points.push_back(std::move(point));
+      pair_of_point.push_back(i);
     }
+  }
+  const base::Vector closing = fit_closing_motion(points, largest_slide);
+  std::vector<double> left(all.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].unseen) {
+      const double gap =
+          *points[k].unseen + points[k].normal.dot(points[k].relative_motions * closing);
+      left[pair_of_point[k]] = std::max(left[pair_of_point[k]], std::abs(gap));
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
     const contact::PairConstraints& pair = scene.pairs[all[i].pair];
-    all[i].slide.misfit = std::min(all[i].slide.misfit, left);
+    all[i].slide.misfit = std::min(all[i].slide.misfit, left[i]);
     all[i].turned =
         turned_by(pair, largest_pressure(pair, state.pair_lambda[all[i].pair]), all[i].slide);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/closing_motion.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <cmath>
@@ -158,6 +159,32 @@ $END
                          : "\n$LOAD CASE=TURN TYPE=RESULTANT\n  B.YMAX 0 -10"));
     ASSERT_TRUE(s);
     EXPECT_EQ(has(notes_of(*s), "their gap changes by"), held) << notes_of(*s);
+  }
+}
+
+// A wedge between two faces closes a gap of g on both by g / sin(angle) along its axis: taken while
+// that is no farther than the bodies have slid. Along faces that are almost parallel it would be,
+// and a motion of both bodies together, the second one, closes nothing.
+TEST(ContactLimits, WedgesCloseGapsByNoMoreThanTheySlide) {
+  constexpr double gap = 0.01;
+  constexpr double slide = 0.5;
+  for (const double angle : {0.2, 0.03, 0.01, 1e-4, 0.0}) {
+    std::vector<contact::DisplacedContactPoint> points;
+    for (const double side : {-1.0, 1.0}) {
+      for (const double x : {0.0, 1.0, 2.0}) {
+        contact::DisplacedContactPoint point;
+        point.thrust = 1.0 + x;
+        point.unseen = gap;
+        point.normal = {-std::sin(angle), side * std::cos(angle), 0.0};
+        point.relative_motions = base::Matrix::Zero(3, 2);
+        point.relative_motions(0, 0) = 1.0;
+        points.push_back(point);
+      }
+    }
+    const base::Vector motion = analysis::fit_closing_motion(points, slide);
+    const double needed = gap / std::sin(angle);
+    EXPECT_NEAR(motion[0], needed <= slide ? needed : 0.0, 1e-12) << angle;
+    EXPECT_EQ(motion[1], 0.0) << angle;
   }
 }
 
