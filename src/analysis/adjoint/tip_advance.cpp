@@ -72,12 +72,8 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
     moves[moved.node.index()] = true;
   }
   find_hindrances(moves);
-  for (auto* side : {&ahead_, &behind_}) {
-    *side = std::make_unique<Discretisation>();
-    (*side)->cracked =
-        estimate::move_tip_mesh(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
-    (*side)->tips = scene.tips;
-  }
+  ahead_ = moved_by(1.0);
+  behind_ = moved_by(-1.0);
   move_loads(moves);
   row_rate_.resize(scene.tips.size());
   for (std::size_t t = 0; t < scene.tips.size(); ++t) {
@@ -119,39 +115,63 @@ std::string VirtualTipExtension::missing_reason(const std::vector<bool>& closed)
   if (discontinuous_) {
     return "the temperature jumps within elements that move with the tip";
   }
+  if (singular_) {
+    return "the loads are singular at the tip: where it moves out of their field K has no slope";
+  }
   return {};
 }
 
 // Temperatures stay in space while the elements move through them.
-void VirtualTipExtension::heat_both() {
-  for (Discretisation* side : {ahead_.get(), behind_.get()}) {
-    side->case_temperature = scene_.case_temperature;
-    for (std::size_t c = 0; c < model_.cases.size(); ++c) {
-      side->case_heat.push_back(make_case_heat(model_, *side, model_.cases[c]));
-      if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
-        side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
-      }
+std::unique_ptr<Discretisation> VirtualTipExtension::moved_by(double steps) const {
+  auto side = std::make_unique<Discretisation>();
+  side->cracked = estimate::move_tip_mesh(scene_.cracked, motion_, steps);
+  side->tips = scene_.tips;
+  side->case_temperature = scene_.case_temperature;
+  for (std::size_t c = 0; c < model_.cases.size(); ++c) {
+    side->case_heat.push_back(make_case_heat(model_, *side, model_.cases[c]));
+    if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
+      side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
     }
   }
+  return side;
+}
+
+// Loads are fields in space: nodes that move through them take other parts of them.
+base::Vector VirtualTipExtension::load_rate(const model::LoadCase& load_case, std::size_t c,
+                                            const Discretisation& ahead,
+                                            const Discretisation& behind, double distance) const {
+  const auto of = [&](const Discretisation& side) -> base::Vector {
+    return fe::nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
+           heat_forces(model_, side.cracked.mesh, *side.case_heat[c]);
+  };
+  return (of(ahead) - of(behind)) / distance;
 }
 
 void VirtualTipExtension::move_loads(const std::vector<bool>& moves) {
+  // A field that is smooth at the tip changes over a part of an element as over a thousandth of it.
+  constexpr double far = 1e3; // steps
+  constexpr double most_difference = 0.1;
+  constexpr double nothing = 1e-10; // of the loads over a step: what moves as one changes by that
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
   base::Matrix rate = base::Matrix::Zero(scene_.case_load.rows(), cases);
-  heat_both();
+  std::unique_ptr<Discretisation> far_ahead, far_behind;
   for (Eigen::Index c = 0; c < cases; ++c) {
-    const model::LoadCase& load_case = model_.cases[static_cast<std::size_t>(c)];
+    const auto number = static_cast<std::size_t>(c);
+    const model::LoadCase& load_case = model_.cases[number];
     if (!acts_on(scene_.cracked.mesh, load_case, moves)) {
       continue;
     }
-    const auto of = [&](const Discretisation& side) -> base::Vector {
-      return fe::nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
-             heat_forces(model_, side.cracked.mesh, *side.case_heat[static_cast<std::size_t>(c)]);
-    };
-    // Loads are fields in space: nodes that move through them take other parts of them.
-    rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
-    const std::vector<bool>& discontinuous =
-        scene_.case_heat[static_cast<std::size_t>(c)]->discontinuous;
+    rate.col(c) = load_rate(load_case, number, *ahead_, *behind_, 2.0 * motion_.step);
+    if (far_ahead == nullptr) {
+      far_ahead = moved_by(far);
+      far_behind = moved_by(-far);
+    }
+    const base::Vector over_far =
+        load_rate(load_case, number, *far_ahead, *far_behind, 2.0 * far * motion_.step);
+    const double least = nothing * scene_.case_load.col(c).norm() / motion_.step;
+    singular_ =
+        singular_ || (over_far - rate.col(c)).norm() > most_difference * rate.col(c).norm() + least;
+    const std::vector<bool>& discontinuous = scene_.case_heat[number]->discontinuous;
     for (std::size_t e = 0; e < discontinuous.size(); ++e) {
       discontinuous_ = discontinuous_ ||
                        (discontinuous[e] &&

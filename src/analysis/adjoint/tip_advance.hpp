@@ -27,7 +27,10 @@ public:
 
 private:
   void find_hindrances(const std::vector<bool>& moves);
-  void heat_both();
+  [[nodiscard]] std::unique_ptr<Discretisation> moved_by(double steps) const;
+  [[nodiscard]] base::Vector load_rate(const model::LoadCase& load_case, std::size_t c,
+                                       const Discretisation& ahead, const Discretisation& behind,
+                                       double distance) const;
   void move_loads(const std::vector<bool>& moves);
 
   const model::Model& model_;
@@ -40,6 +43,7 @@ private:
   std::vector<std::size_t> rows_;         ///< of the table, on nodes that move
   bool tied_ = false;                     ///< ties hold nodes that move
   bool discontinuous_ = false;            ///< a temperature jumps within elements that move
+  bool singular_ = false;                 ///< loads have no rate where the tip is
 };
 
 /// K1 and K2 of a tip that its loads add to rows^T u. [2, case]

@@ -341,6 +341,52 @@ $CHECK
   EXPECT_NE(messages(late).find("mounted on deformed"), std::string::npos);
 }
 
+// A temperature like the root of the distance from the tip, as beside insulated cracks: a tip that
+// moves on leaves that field, one that moves back leaves it as well, and K has no slope there. A
+// temperature that bends smoothly over the same plate has one.
+TEST(Sensitivity, WhereATemperatureIsSingularAtTheTipIsNotGiven) {
+  const auto by_length = [](const std::string& temperature) {
+    SolvedScene solved(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC8 X0=-10 Y0=-10 LX=20 LY=20 NX=6 NY=6
+$NSET NAME=O WHERE=(x < -9.9 and y < -9.9)
+$NSET NAME=A WHERE=(x > 9.9 and y < -9.9)
+$MATERIAL NAME=AL E=70000 NU=0.33 ALPHA=2.4e-5
+$PROPERTY ESET=BODY MATERIAL=AL STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  O
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  A
+$CRACK NAME=C FACES=FREE
+  -10 0
+  0.5 0
+$LOAD CASE=HEAT TYPE=TEMPERATURE
+  BODY ({})
+$LOAD CASE=PULL TYPE=TRACTION
+  YMAX 0 100
+  YMIN 0 -100
+$STEP NAME=FLUX
+  LOAD HEAT 1
+  LOAD PULL 1
+$END
+)",
+                                   temperature));
+    const std::optional<results::StepResult> found = solved.found(0);
+    EXPECT_TRUE(found);
+    return found->tips[0].sensitivities;
+  };
+  const auto given = [](const results::TipSensitivityResults& all) {
+    return std::ranges::any_of(all.of, [](const Sensitivity& s) {
+      return s.cause == SensitivityParameter::length && s.slope().has_value();
+    });
+  };
+  const auto singular = by_length("100*sqrt(sqrt((x-0.5)^2+y^2))");
+  EXPECT_FALSE(given(singular));
+  EXPECT_TRUE(std::ranges::any_of(singular.notes, [](const std::string& note) {
+    return note.find("singular at the tip") != std::string::npos;
+  }));
+  EXPECT_TRUE(given(by_length("10*y*(1+0.2*x)+30*cos(x)")));
+}
+
 // Before anything is loaded every row is at a change: the directions differ.
 TEST(Sensitivity, OfANetFitBeforeItIsLoaded) {
   std::string deck = rings("$STEP NAME=NONE\n  LOAD PULL 0\n");
