@@ -207,12 +207,17 @@ namespace {
 results::FrontResult derivative_of(const results::FrontResult& front,
                                    results::SensitivityParameter cause, const std::string& name) {
   const auto& all = front.sensitivities.of;
-  const auto it = std::ranges::find_if(all, [&](const results::FrontSensitivity& s) {
-    return s.cause == cause && (is_of_crack(cause) || s.name == name);
-  });
+  // Every front has the derivatives by the axes of all ellipses: its own crack's are asked for.
+  const auto named = [&](const results::FrontSensitivity& s) {
+    return is_of_crack(cause) ? front.name == s.name || front.name.starts_with(s.name + ".")
+                              : s.name == name;
+  };
+  const auto it = std::ranges::find_if(
+      all, [&](const results::FrontSensitivity& s) { return s.cause == cause && named(s); });
   if (it == all.end()) {
     throw MissingQuantity(front.sensitivities.notes.empty()
-                              ? fmt::format("{} has no value in that step", name)
+                              ? fmt::format("{} has no value in that step",
+                                            is_of_crack(cause) ? "the size of " + front.name : name)
                               : front.sensitivities.notes.front());
   }
   if (!it->is_smooth()) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words of $CHECK in the catalogue and the quantities that the results have agree.
 #include "grammar/catalogue.hpp"
+#include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "results/contact_result.hpp"
+#include "results/results.hpp"
 #include "results/tip_result.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +43,40 @@ TEST(CheckWords, OfTipsAndContactsSayTheSameInTheCatalogue) {
       expect_in_catalogue(std::string(q.check), q, "ps?a");
     }
   }
+}
+
+// Every front has the derivatives by the axes of both ellipses; asked for are those of its own.
+TEST(CheckWords, DerivativesByAnAxisAreOfTheCrackThatIsNamed) {
+  model::Model model;
+  results::RunResult run;
+  results::StepResult& step = run.increments.emplace_back().steps.emplace_back();
+  step.step = "PULL";
+  for (const char* crack : {"C1", "C2.1"}) {
+    results::FrontResult& front = step.fronts.emplace_back();
+    front.name = crack;
+    front.length = 1.0;
+    for (const double x : {0.0, 1.0}) {
+      results::FrontPointResult& point = front.points.emplace_back();
+      point.x = {x, 0.0, 0.0};
+      point.s = x;
+    }
+    for (const auto& [cause, slope] : {std::pair("C1", 10.0), std::pair("C2", 20.0)}) {
+      results::FrontSensitivity& by = front.sensitivities.of.emplace_back();
+      by.cause = results::SensitivityParameter::length;
+      by.name = cause;
+      by.value = 2.0;
+      by.below = by.above = {{slope, 0.0, 0.0}, {slope, 0.0, 0.0}};
+    }
+  }
+  for (const char* crack : {"C1", "C2"}) {
+    model::ResultCheck& check = model.checks.emplace_back();
+    check.quantity = "DK1.A.AT";
+    check.arguments = {std::string(crack), 0.5, 0.0, 0.0, std::string("PULL")};
+  }
+  const std::vector<results::CheckResult> found = evaluate_checks(model, run);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].found, 20.0) << found[0].trouble;
+  EXPECT_EQ(found[1].found, 40.0) << found[1].trouble;
 }
 
 } // namespace
