@@ -154,7 +154,15 @@ void take_solution(const ControllableProblem& problem, const ModeSplit& split,
   }
   answer.residual = residual_of(problem, s, answer.closed);
   const base::Vector settled = s.alpha;
-  const int free = minimise_free_motions(problem, split, s.lambda, rest_load * scale, s.alpha);
+  const std::vector<bool> pressing =
+      find_pressing_rows(problem, split, s.lambda, rest_load * scale);
+  std::vector<GapChange> change;
+  for (int i = 0; i < problem.rows(); ++i) {
+    const bool holds = problem.equality[at(i)] || pressing[at(i)];
+    change.push_back(holds ? GapChange::none : GapChange::not_through_zero);
+  }
+  const int free = minimise_free_motions(problem, split, s.lambda, change,
+                                         base::Vector::Zero(problem.modes()), s.alpha);
   answer.resting_modes += free;
   // Motions to rest move no pressing row, but the gaps of the others.
   s.gap += problem.B * (s.alpha - settled);

@@ -29,32 +29,44 @@ base::Matrix free_directions(const ControllableProblem& problem, const std::vect
 
 } // namespace
 
+std::vector<bool> find_pressing_rows(const ControllableProblem& problem, const ModeSplit& split,
+                                     const base::Vector& lambda, double least) {
+  const Eigen::RowVectorXd per_unit = split.controllable.colwise().norm().cwiseInverse();
+  std::vector<bool> pressing(std::size_t(problem.rows()), false);
+  for (int i = 0; i < problem.rows() && problem.modes() > 0; ++i) {
+    // in units of h: the columns of B are those of `controllable`, whose size carries a unit of
+    // its own
+    const Eigen::RowVectorXd unit = problem.B.row(i).cwiseAbs().cwiseProduct(per_unit);
+    pressing[at(i)] = lambda(i) * unit.maxCoeff() > least;
+  }
+  return pressing;
+}
+
 int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& split,
-                          const base::Vector& lambda, double least, base::Vector& alpha) {
+                          const base::Vector& lambda, const std::vector<GapChange>& change,
+                          const base::Vector& anchor, base::Vector& alpha) {
   if (problem.modes() == 0) {
     return 0;
   }
-  const Eigen::RowVectorXd per_unit = split.controllable.colwise().norm().cwiseInverse();
   std::vector<int> fixed;
   std::vector<int> others;
   for (int i = 0; i < problem.rows(); ++i) {
-    // in units of h: the columns of B are those of `controllable`, whose size carries a unit of
-    // its own
-    const double force = lambda(i) * problem.B.row(i).cwiseAbs().cwiseProduct(per_unit).maxCoeff();
-    (problem.equality[at(i)] || force > least ? fixed : others).push_back(i);
+    if (change[at(i)] != GapChange::any) {
+      (change[at(i)] == GapChange::none ? fixed : others).push_back(i);
+    }
   }
   const base::Matrix Z = free_directions(problem, fixed);
   if (Z.cols() == 0) {
     return 0;
   }
-  // alpha + Z y with F = C Z = Q R, C = split.controllable, v = R y + Q^T C alpha:
+  // alpha + Z y with F = C Z = Q R, C = split.controllable, v = R y + Q^T C (alpha - anchor):
   // min |v| subject to E v >= f
   const Eigen::Index z = Z.cols();
   const base::Matrix F = split.controllable * Z;
   const Eigen::HouseholderQR<base::Matrix> qr(F);
   const base::Matrix R = base::Matrix(qr.matrixQR().topRows(z)).triangularView<Eigen::Upper>();
   const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(F.rows(), z);
-  const base::Vector shift = Q.transpose() * (split.controllable * alpha);
+  const base::Vector shift = Q.transpose() * (split.controllable * (alpha - anchor));
   const base::Matrix ZR =
       R.transpose().triangularView<Eigen::Lower>().solve(Z.transpose()).transpose();
   const base::Vector gap = problem.b + problem.W * lambda + problem.B * alpha;

@@ -221,5 +221,29 @@ TEST(RoundFriction, ABlockOnLegsRestsUntilItSlides) {
   }
 }
 
+// A loose block above two legs' floor: nothing loads it, so that no friction holds it, and Newton's
+// method may leave it anywhere along the floor. It stays where it has been; a floor that has risen
+// lifts it by no more than that.
+TEST(RoundFriction, LooseBodiesStayWhereTheyAre) {
+  Matrix B(6, 3); // shifts along x, y, z
+  B << 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  for (const double floor : {-0.2, 0.3}) { // of the drawn height, at rest 0.1 above
+    FrictionProblem p = round_problem(0.01 * Matrix::Identity(6, 6), Vector::Zero(6), 0.1);
+    p.contact.b = (Vector(6) << -floor, 0.0, 0.0, -floor, 0.0, 0.0).finished();
+    p.contact.B = B;
+    p.contact.h = Vector::Zero(3);
+    p.contact.load_scale = 1.0;
+    p.alpha_start = Eigen::Vector3d(0.02, -0.01, 0.1);
+    p.expected = {Vector::Zero(6), Eigen::Vector3d(1e5, 300.0, 2.0)};
+    const FrictionSolution s = solve(p);
+    ASSERT_EQ(s.contact.status, ContactStatus::solved);
+    EXPECT_EQ(s.contact.resting_modes, 3);
+    EXPECT_NEAR(s.contact.alpha[0], 0.02, 1e-9) << floor;
+    EXPECT_NEAR(s.contact.alpha[1], -0.01, 1e-9) << floor;
+    EXPECT_NEAR(s.contact.alpha[2], std::max(0.1, floor), 1e-9) << floor;
+    EXPECT_LT(violation(p, s), 1e-8);
+  }
+}
+
 } // namespace
 } // namespace spricka::solve::test_round_friction
