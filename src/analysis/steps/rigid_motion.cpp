@@ -11,9 +11,11 @@ namespace {
 
 // "(0.600, 0.800)", as many components as the mesh has directions.
 std::string components(const base::Vec3& v, int dim, int digits) {
+  const double unit = std::pow(10.0, -digits);
   std::string text;
   for (int c = 0; c < dim; ++c) {
-    text += fmt::format("{}{:.{}f}", c > 0 ? ", " : "", v[c], digits);
+    const double rounded = std::round(v[c] / unit) * unit + 0.0; // no minus before a zero
+    text += fmt::format("{}{:.{}f}", c > 0 ? ", " : "", rounded, digits);
   }
   return "(" + text + ")";
 }
