@@ -11,8 +11,8 @@ namespace spricka::analysis {
 
 namespace {
 
-// Nodes of contacts that resist sliding.
-std::set<base::NodeId> bonded_or_rough_nodes(const Discretisation& scene) {
+// Of contacts that bond or friction holds.
+std::set<base::NodeId> nodes_that_resist_sliding(const Discretisation& scene) {
   std::set<base::NodeId> nodes;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const model::Contact& contact = scene.contacts[c];
@@ -51,7 +51,7 @@ base::Matrix independent_motions(std::span<const contact::DisplacedContactPoint>
 std::vector<const base::Matrix*>
 motions_without_resistance(const Discretisation& scene,
                            const std::vector<SubstructuredBody>& bodies) {
-  const std::set<base::NodeId> held = bonded_or_rough_nodes(scene);
+  const std::set<base::NodeId> held = nodes_that_resist_sliding(scene);
   std::vector<const base::Matrix*> motions;
   for (const SubstructuredBody& body : bodies) {
     if (std::ranges::none_of(body.body.nodes,
