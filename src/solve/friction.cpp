@@ -5,11 +5,11 @@
 #include "solve/blas.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/friction_cones.hpp"
+#include "solve/friction_rest.hpp"
 #include "solve/friction_search.hpp"
 #include "solve/held_problem.hpp"
 #include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
-#include "solve/rest.hpp"
 #include "solve/round_friction.hpp"
 
 #include <algorithm>
@@ -125,54 +125,6 @@ base::Vector anchor_at(const base::Vector& alpha, const ControllableProblem& hel
   return a / std::sqrt(held.tau);
 }
 
-/// Which gaps motions may change that friction does not hold: a point holds where its pressure or
-/// its shear loads a body.
-std::vector<GapChange> gap_changes(const ControllableProblem& held, const ModeSplit& split,
-                                   const RoundFriction& scaled, const RoundFrictionState& found,
-                                   double least) {
-  const base::Vector lambda = found.lambda.cwiseProduct(scaled.inverse);
-  const std::vector<bool> pressing = find_pressing_rows(held, split, lambda.cwiseAbs(), least);
-  std::vector<GapChange> change(pressing.size(), GapChange::any);
-  for (const int i : scaled.fixed) {
-    change[at(i)] = GapChange::none;
-  }
-  for (std::size_t k = 0; k < scaled.units.size(); ++k) {
-    const RoundFriction::RoundFrictionUnit& u = scaled.units[k];
-    const bool holds = found.touch[k] != SlipState::open && pressing[at(u.normal)];
-    change[at(u.normal)] = holds ? GapChange::none : GapChange::not_through_zero;
-    for (int t = 0; t < u.tangents; ++t) {
-      change[at(u.tangent[at(t)])] = holds ? GapChange::none : GapChange::any;
-    }
-  }
-  return change;
-}
-
-/// Bodies that no point in contact holds stay at the anchor, as far as the others let them:
-/// Newton's method leaves them anywhere along what they are free to do. Returns how many motions
-/// are free.
-int bring_to_rest(const ControllableProblem& held, const ModeSplit& split,
-                  const RoundFriction& scaled, const base::Vector& anchor, double least,
-                  RoundFrictionState& found) {
-  const double root = std::sqrt(held.tau);
-  base::Vector alpha = found.alpha * root;
-  const int free =
-      minimise_free_motions(held, split, found.lambda.cwiseProduct(scaled.inverse),
-                            gap_changes(held, split, scaled, found, least), anchor * root, alpha);
-  if (free == 0) {
-    return 0;
-  }
-  const base::Vector moved = alpha / root - found.alpha;
-  found.gap += scaled.B * moved;
-  found.alpha += moved;
-  const double touching = at_rest * found.gap.cwiseAbs().maxCoeff();
-  for (std::size_t k = 0; k < scaled.units.size(); ++k) {
-    if (found.gap[scaled.units[k].normal] > touching) {
-      found.touch[k] = SlipState::open;
-    }
-  }
-  return free;
-}
-
 /// The increment with slips that are vectors: round cones.
 void solve_round_cones(const FrictionProblem& problem, const ControllableProblem& held,
                        const ModeSplit& split, double least, FrictionSolution& answer) {
@@ -192,7 +144,7 @@ void solve_round_cones(const FrictionProblem& problem, const ControllableProblem
     c.status = ContactStatus::max_iterations;
     return;
   }
-  c.resting_modes += bring_to_rest(held, split, scaled, start.alpha, least, found);
+  c.resting_modes += rest_loose_bodies(held, split, scaled, start.alpha, least, found);
   base::Vector lambda = found.lambda;
   base::Vector gap = found.gap;
   const double least_slip = at_rest * found.gap.cwiseAbs().maxCoeff();

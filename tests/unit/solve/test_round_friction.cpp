@@ -245,5 +245,24 @@ TEST(RoundFriction, LooseBodiesStayWhereTheyAre) {
   }
 }
 
+// A block that supports let move across its pressure only, pressed on two points of a floor that
+// has moved on by 0.003: friction takes it along without a force, and no point's pressure tells
+// that it is held.
+TEST(RoundFriction, BodiesThatShearAloneHoldsGoAlong) {
+  Matrix B = Matrix::Zero(6, 1);
+  B(1, 0) = B(4, 0) = 1.0;
+  FrictionProblem p = round_problem(0.01 * Matrix::Identity(6, 6), Vector::Zero(6), 0.1);
+  p.contact.b = (Vector(6) << -0.05, 0.003, 0.0, -0.05, 0.003, 0.0).finished();
+  p.contact.B = B;
+  p.contact.h = Vector::Zero(1);
+  p.contact.load_scale = 1.0;
+  p.alpha_start = Vector::Zero(1);
+  const FrictionSolution s = solve(p);
+  ASSERT_EQ(s.contact.status, ContactStatus::solved);
+  EXPECT_EQ(s.contact.resting_modes, 0);
+  EXPECT_NEAR(s.contact.alpha[0], -0.003, 1e-12);
+  EXPECT_LT(violation(p, s), 1e-8);
+}
+
 } // namespace
 } // namespace spricka::solve::test_round_friction
