@@ -9,8 +9,8 @@
 namespace spricka::contact {
 
 /// Measures the slide of a pair under multipliers lambda [normal rows, then tangents] [stress] with
-/// displacements u [dim * node] [length]; `motions` [dim * node, n] are those by which
-/// the places have relative motions.
+/// displacements u [dim * node] [length]; places have the relative motions of `motions` [dim *
+/// node, n].
 SlideMeasures measure_slide(const PairConstraints& pair, const base::Vector& lambda,
                             const base::Vector& u,
                             std::span<const base::Matrix* const> motions = {});

@@ -70,9 +70,10 @@ bool is_number(const base::Vector& f, const model::LoadCase& load_case, const mo
   return false;
 }
 
-// Curved rims of sets are polygons; what integration misses on either mesh is W435's concern.
-double least_change(const model::Model& model, const model::Mesh& cracked,
-                    const model::Load& load) {
+// Of the load's size: curved rims of sets are polygons, and what integration misses on either mesh
+// is W435's concern.
+double permitted_change(const model::Model& model, const model::Mesh& cracked,
+                        const model::Load& load) {
   constexpr double polygons = 1e-6;
   return fe::is_constant(load)
              ? polygons
@@ -90,7 +91,7 @@ bool keeps_its_total(const model::Model& model, const model::Mesh& cracked,
   const double change = (after.force - before.force).norm();
   const double size = std::max(before.spread, after.spread);
   constexpr double round_off = 1e-9;
-  if (change <= round_off * size || change <= least_change(model, cracked, load) * size) {
+  if (change <= round_off * size || change <= permitted_change(model, cracked, load) * size) {
     return true;
   }
   diagnostics.error(
