@@ -95,7 +95,7 @@ def allowed(rule, name, column, joined):
 
 def compare_tables(rule, name, old, new, joined):
     """What parts by more than the rule, and the largest part of what it allows."""
-    if [list(row) for row in old[:1]] != [list(row) for row in new[:1]] or len(old) != len(new):
+    if [set(row) for row in old[:1]] != [set(row) for row in new[:1]] or len(old) != len(new):
         return [f"{name}: {len(old)} rows, now {len(new)}, or other columns"], float("inf")
     largest = scales(old)
     faults = {}
@@ -126,6 +126,8 @@ def compare(rule, old, new):
     """Faults of one deck, and the largest difference."""
     names = [sorted(path.name for path in folder.glob("*.csv")) for folder in (old, new)]
     faults = [] if names[0] == names[1] else [f"other tables: {names[0]}, now {names[1]}"]
+    if not names[0]:
+        faults.append("no tables: nothing was compared")
     listing = old / "listing.txt"
     joined = listing.exists() and any(word in listing.read_text(encoding="utf-8") for word in EVENTS)
     worst = 0.0
