@@ -45,7 +45,7 @@ class Results:
         self.attributes = {name: plain(value) for name, value in self.file.attrs.items()}
 
     def table(self, name):
-        """A table by its path: "k", "increments/0001/steps/LOAD/tips"; empty if there is none."""
+        """A table by its path: "k", "increments/0001/steps/LOAD/fronts"; empty if there is none."""
         if name not in self.file:
             return pandas.DataFrame() if pandas else {}
         rows = self.file[name][()]
@@ -54,7 +54,7 @@ class Results:
 
     @property
     def k(self):
-        """Stress intensity factors by increment, step and tip."""
+        """Stress intensity factors by increment, step, crack and point of its front."""
         return self.table("k")
 
     @property
@@ -111,6 +111,8 @@ class Results:
 
 
 def main():
+    if pandas:  # all columns, however many
+        pandas.set_option("display.width", None, "display.max_columns", None)
     for path in sys.argv[1:]:
         results = Results(path)
         print(path, results.attributes.get("title", ""))

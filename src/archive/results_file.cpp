@@ -15,7 +15,7 @@ namespace spricka::archive {
 
 namespace {
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 // Stations of a growth by a law are the program's choice, and many: of those between the first and
 // the last fields are kept only where the deck asks for fields of each.

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -136,51 +138,54 @@ ReportTable bodies(const DeckPreview& p) {
   return table;
 }
 
-ReportTable tips(const DeckPreview& p) {
-  ReportTable table{"Cracks",
-                    {{"length", "", false},
-                     {"tip", "", true},
-                     {"a", p.length_unit, false},
-                     {"mouth", p.length_unit, true},
-                     {"tip at", p.length_unit, true},
-                     {"rosette", p.length_unit, false},
-                     {"tip element", p.length_unit, false},
-                     {"elements cut", "", false},
-                     {"elements new", "", false}},
-                    {}};
-  for (const results::CrackLengthPreview& length : p.lengths) {
-    for (const results::TipPreview& tip : length.tips) {
-      const bool first = &tip == &length.tips.front();
-      table.rows.push_back({fmt::format("{}", length.number), tip.name, number(tip.a),
-                            place(tip.mouth, p.dim), place(tip.tip, p.dim), number(tip.radius),
-                            number(tip.size), first ? count(length.replaced) : "",
-                            first ? count(length.fresh) : ""});
-    }
-  }
-  return table;
+using ReportColumns = std::vector<ReportTable::ReportColumn>;
+
+ReportColumns tip_columns(const std::string& unit) {
+  return {{"tip", "", true},      {"a", unit, false},       {"mouth", unit, true},
+          {"tip at", unit, true}, {"rosette", unit, false}, {"tip element", unit, false}};
 }
 
-ReportTable fronts(const DeckPreview& p) {
-  ReportTable table{"Cracks",
-                    {{"length", "", false},
-                     {"front", "", true},
-                     {"kind", "", true},
-                     {"as a circle of", p.length_unit, false},
-                     {"length of front", p.length_unit, false},
-                     {"half way at", p.length_unit, true},
-                     {"elements", "", false},
-                     {"tube", p.length_unit, false},
-                     {"tip element", p.length_unit, false},
-                     {"elements cut", "", false},
-                     {"elements new", "", false}},
-                    {}};
+ReportColumns front_columns(const std::string& unit) {
+  return {{"front", "", true},
+          {"kind", "", true},
+          {"as a circle of", unit, false},
+          {"length of front", unit, false},
+          {"half way at", unit, true},
+          {"elements", "", false},
+          {"tube", unit, false},
+          {"tip element", unit, false}};
+}
+
+/// Under these columns, of the tips and fronts of one length.
+std::vector<std::vector<std::string>> crack_cells(const results::CrackLengthPreview& length,
+                                                  int dim) {
+  std::vector<std::vector<std::string>> cells;
+  for (const results::TipPreview& tip : length.tips) {
+    cells.push_back({tip.name, number(tip.a), place(tip.mouth, dim), place(tip.tip, dim),
+                     number(tip.radius), number(tip.size)});
+  }
+  for (const results::FrontPreview& front : length.fronts) {
+    cells.push_back({front.name, front.kind, number(front.a), number(front.length),
+                     place(front.at, dim), count(front.elements), number(front.radius),
+                     number(front.size)});
+  }
+  return cells;
+}
+
+ReportTable cracks(const DeckPreview& p) {
+  ReportTable table{"Cracks", {{"length", "", false}}, {}};
+  std::ranges::move(p.dim == 3 ? front_columns(p.length_unit) : tip_columns(p.length_unit),
+                    std::back_inserter(table.columns));
+  table.columns.push_back({"elements cut", "", false});
+  table.columns.push_back({"elements new", "", false});
   for (const results::CrackLengthPreview& length : p.lengths) {
-    for (const results::FrontPreview& front : length.fronts) {
-      const bool first = &front == &length.fronts.front();
-      table.rows.push_back({fmt::format("{}", length.number), front.name, front.kind,
-                            number(front.a), number(front.length), place(front.at, p.dim),
-                            count(front.elements), number(front.radius), number(front.size),
-                            first ? count(length.replaced) : "", first ? count(length.fresh) : ""});
+    bool first = true; // all of a length stand in one mesh
+    for (std::vector<std::string>& row : crack_cells(length, p.dim)) {
+      row.insert(row.begin(), fmt::format("{}", length.number));
+      row.push_back(first ? count(length.replaced) : "");
+      row.push_back(first ? count(length.fresh) : "");
+      table.rows.push_back(std::move(row));
+      first = false;
     }
   }
   return table;
@@ -229,7 +234,7 @@ std::string check_listing(const DeckPreview& preview) {
   for (const ReportTable& table :
        {nets(preview), quality(preview), pairs(preview), bodies(preview),
         load_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
-        tips(preview), fronts(preview)}) {
+        cracks(preview)}) {
     if (!table.rows.empty()) {
       out += "\n" + to_text(table);
     }

@@ -3,6 +3,7 @@
 #include "report/drawing/file.hpp"
 #include "report/report.hpp"
 #include "report/units_line.hpp"
+#include "results/k_quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -19,15 +20,15 @@ namespace {
 
 constexpr double degree = 180.0 / std::numbers::pi;
 
-// The columns of tips: those by opening where the deck asks for them.
-std::vector<const results::TipQuantity*> k_columns(const model::Model& model) {
+// Those by opening where the deck asks for them.
+std::vector<const results::KQuantity*> k_columns(const model::Model& model) {
   const bool opening =
       std::any_of(model.vces.begin(), model.vces.end(),
                   [](const model::CrackExtensionSettings& vce) { return vce.opening; });
-  std::vector<const results::TipQuantity*> columns;
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.appears_in(results::in_k_csv) &&
-        (opening || q.given != results::TipQuantityCondition::with_opening)) {
+  std::vector<const results::KQuantity*> columns;
+  for (const results::KQuantity& q : results::k_quantities) {
+    if (q.appears_in(results::in_k_csv, model.mesh.dim) &&
+        (opening || q.given != results::KQuantityCondition::with_opening)) {
       columns.push_back(&q);
     }
   }
@@ -60,63 +61,42 @@ std::string cell(const results::ContactPointQuantity& q, const results::ContactP
                                                            : q.extract_value(point));
 }
 
-void write_fronts_csv(const std::filesystem::path& file, const model::Model& model,
-                      const results::RunResult& run) {
+std::string k_units(const model::Model& model,
+                    const std::vector<const results::KQuantity*>& columns) {
   ColumnUnits units;
   units.add_column(base::Quantity::number, "increment");
-  units.add_column(base::Quantity::length, "a");
-  std::string columns = "increment,step,crack,a,point,at_surface,closed";
-  for (const results::FrontQuantity& q : results::front_quantities) {
-    units.add_column(q.kind, q.name);
-    columns += fmt::format(",{}", q.name);
+  for (const results::KQuantity* q : columns) { // K1_bar and its like are made of K1 and K2
+    const bool follows = q->judges && q->kind == base::Quantity::stress_intensity;
+    units.add_column(q->kind, follows ? "and what begins with them" : q->name);
   }
-  std::string text = fmt::format("# units: {}\n{}\n", units.units_text(model.units), columns);
-  auto out = std::back_inserter(text);
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::FrontResult& front : step.fronts) {
-        for (const results::FrontPointResult& place : front.points) {
-          fmt::format_to(out, "{},{},{},{},{},{:d},{:d}", increment.number, step.step, front.name,
-                         front.a, place.number, place.at_surface, place.closed);
-          for (const results::FrontQuantity& q : results::front_quantities) {
-            const bool given =
-                (q.given == nullptr || q.given(front)) && !(q.inside && place.at_surface);
-            const double unit = q.kind == base::Quantity::angle ? degree : 1.0;
-            text += given ? fmt::format(",{}", q.extract_value(place) * unit) : ",";
-          }
-          text += '\n';
-        }
-      }
-    }
-  }
-  write_file(file, text);
+  return units.units_text(model.units);
+}
+
+// Empty where the point has none of it.
+std::string cell(const results::KQuantity& q, const results::FrontResult& front,
+                 const results::FrontPointResult& point) {
+  const double unit = q.kind == base::Quantity::angle ? degree : 1.0;
+  return q.is_given(front, point) ? fmt::format("{}", q.extract_value(front, point) * unit) : "";
 }
 
 } // namespace
 
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::RunResult& run) {
-  if (model.mesh.dim == 3) {
-    write_fronts_csv(file, model, run);
-    return;
-  }
-  const std::vector<const results::TipQuantity*> columns = k_columns(model);
-  ColumnUnits units;
-  units.add_column(base::Quantity::number, "increment");
-  for (const results::TipQuantity* q : columns) { // K1_bar and its like are made of K1 and K2
-    units.add_column(q->kind, q->member != nullptr ? q->name : "and what begins with them");
-  }
-  std::string text = fmt::format("# units: {}\n{}", units.units_text(model.units),
+  const std::vector<const results::KQuantity*> columns = k_columns(model);
+  std::string text = fmt::format("# units: {}\n{}", k_units(model, columns),
                                  header("increment,step,crack", columns));
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        fmt::format_to(out, "{},{},{}", increment.number, step.step, tip.name);
-        for (const results::TipQuantity* q : columns) {
-          text += q->is_given(tip) ? fmt::format(",{}", q->extract_value(tip)) : ",";
+      for (const results::FrontResult& front : step.fronts) {
+        for (const results::FrontPointResult& point : front.points) {
+          fmt::format_to(out, "{},{},{}", increment.number, step.step, front.name);
+          for (const results::KQuantity* q : columns) {
+            text += "," + cell(*q, front, point);
+          }
+          text += '\n';
         }
-        text += '\n';
       }
     }
   }

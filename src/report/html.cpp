@@ -8,6 +8,7 @@
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/k_section.hpp"
+#include "report/topics/k_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
 #include "report/topics/load_table.hpp"
 #include "report/topics/model_tables.hpp"
@@ -225,11 +226,14 @@ void add_notes(HtmlPage& page, const results::RunResult& run) {
 std::string lengths_of(const model::Model& model, const results::Increment& increment) {
   std::string each;
   bool same = true;
-  for (const results::TipResult& tip :
-       increment.steps.empty() ? std::vector<results::TipResult>() : increment.steps.back().tips) {
-    same = same && std::abs(tip.a - increment.a) < 1e-9 * increment.a;
-    each += fmt::format("{}{}: a = {:.6g} {}", each.empty() ? "" : ", ", tip.name, tip.a,
-                        model.units.length_name);
+  for (const results::FrontResult& front : increment.steps.empty()
+                                               ? std::vector<results::FrontResult>()
+                                               : increment.steps.back().fronts) {
+    if (front.is_tip()) {
+      same = same && std::abs(front.a - increment.a) < 1e-9 * increment.a;
+      each += fmt::format("{}{}: a = {:.6g} {}", each.empty() ? "" : ", ", front.name, front.a,
+                          model.units.length_name);
+    }
   }
   return same ? fmt::format("a = {:.6g} {}", increment.a, model.units.length_name) : each;
 }

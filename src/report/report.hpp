@@ -12,8 +12,9 @@
 /// when a file cannot be written; each file is written under a temporary name and renamed.
 namespace spricka::report {
 
-/// k.csv: a line with the units, then a row for each step end and tip: increment, step, crack, and
-/// the quantities of a tip that belong there (results/tip_result.hpp).
+/// k.csv: a line with the units, then a row for each step end and point of a front, in the plane
+/// tip: increment, step, crack, in space a, point and whether it is at the surface and closed, and
+/// the quantities that belong there (results/k_quantities.hpp).
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::RunResult& run);
 

@@ -5,6 +5,7 @@
 #include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
 #include "report/units_line.hpp"
+#include "results/k_quantities.hpp"
 #include "results/output_word.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,6 @@ public:
 
   void write() {
     if (request_.quantity == "K") {
-      tips();
       fronts();
     } else if (request_.quantity == "CPRESS") {
       pressures();
@@ -47,35 +47,31 @@ private:
 
   [[nodiscard]] std::string place(base::NodeId n) const {
     const base::Vec3& x = increment_.mesh.x[n.index()];
-    std::string text = fmt::format("{},{},{}", increment_.mesh.node_label[n.index()], x.x(), x.y());
-    return increment_.mesh.dim == 3 ? fmt::format("{},{}", text, x.z()) : text;
+    std::string text = fmt::format("{}", increment_.mesh.node_label[n.index()]);
+    for (int d = 0; d < increment_.mesh.dim; ++d) {
+      text += fmt::format(",{}", x[d]);
+    }
+    return text;
   }
 
-  [[nodiscard]] std::string nowhere() const { return increment_.mesh.dim == 3 ? ",,," : ",,"; }
-
-  void tips() {
-    for (const results::TipResult& tip : step_.tips) {
-      if (tip.name == request_.name || tip.name.starts_with(request_.name + ".")) {
-        for (const results::TipQuantity& q : results::tip_quantities) {
-          if (q.appears_in(results::in_output) && q.is_number(tip)) {
-            row(nowhere(), results::output_column_name(q.name), q.extract_value(tip));
-          }
-        }
-      }
-    }
+  [[nodiscard]] std::string nowhere() const {
+    return std::string(static_cast<std::size_t>(increment_.mesh.dim), ',');
   }
 
   void fronts() {
+    const int dim = increment_.mesh.dim;
     for (const results::FrontResult& front : step_.fronts) {
       if (front.name != request_.name && !front.name.starts_with(request_.name + ".")) {
         continue;
       }
-      for (const results::FrontPointResult& place : front.points) {
+      for (const results::FrontPointResult& point : front.points) {
         const std::string where =
-            fmt::format("{},{},{},{}", place.number, place.x.x(), place.x.y(), place.x.z());
-        for (const results::FrontQuantity& q : results::front_quantities) {
-          if (q.checked) {
-            row(where, results::output_column_name(q.name), q.extract_value(place));
+            front.is_tip()
+                ? nowhere()
+                : fmt::format("{},{},{},{}", point.number, point.x.x(), point.x.y(), point.x.z());
+        for (const results::KQuantity& q : results::k_quantities) {
+          if (q.appears_in(results::in_output, dim) && (!front.is_tip() || q.is_number(front))) {
+            row(where, results::output_column_name(q.name), q.extract_value(front, point));
           }
         }
       }
@@ -152,13 +148,11 @@ private:
   std::string& text_;
 };
 
-ColumnUnits units_of(bool solid) {
+ColumnUnits column_units(std::string_view axes) {
   using enum base::Quantity;
   ColumnUnits units;
-  for (const char* coordinate : {"x", "y", "z"}) {
-    if (solid || *coordinate != 'z') {
-      units.add_column(length, coordinate);
-    }
+  for (const char axis : axes) {
+    units.add_column(length, std::string(1, axis));
   }
   for (const char* what : {"A", "U", "GAP"}) {
     units.add_column(length, what);
@@ -167,8 +161,9 @@ ColumnUnits units_of(bool solid) {
   units.add_column(stress, "S");
   units.add_column(stress_intensity, "K");
   units.add_column(force, "REACTION");
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.appears_in(results::in_output) && q.kind != stress_intensity) { // which all begin with K
+  for (const results::KQuantity& q : results::k_quantities) {
+    // those of tips; K and its bars all begin with K
+    if (q.appears_in(results::in_output, 2) && q.kind != stress_intensity) {
       units.add_column(q.kind, results::output_column_name(q.name));
     }
   }
@@ -179,10 +174,10 @@ ColumnUnits units_of(bool solid) {
 
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::RunResult& run) {
-  const bool solid = model.mesh.dim == 3;
+  const std::string_view axes = std::string_view("xyz").substr(0, model.mesh.dim);
   std::string text =
-      fmt::format("# units: {}\nincrement,step,quantity,name,node,x,y,{}component,value\n",
-                  units_of(solid).units_text(model.units), solid ? "z," : "");
+      fmt::format("# units: {}\nincrement,step,quantity,name,node,{},component,value\n",
+                  column_units(axes).units_text(model.units), fmt::join(axes, ","));
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : model::output_steps(model, output, last)) {

@@ -4,6 +4,7 @@
 #include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
 #include "report/sweep_files.hpp"
+#include "results/k_quantities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,11 +27,11 @@ void add_contact(std::vector<SweepCell>& cells, const results::ContactResult& co
   }
 }
 
-void add_tip(std::vector<SweepCell>& cells, const results::TipResult& tip, const std::string& step,
-             int increment) {
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.appears_in(results::in_sweep) && q.is_number(tip)) {
-      cells.push_back({q.name, tip.name, step, increment, q.extract_value(tip)});
+void add_front(std::vector<SweepCell>& cells, const results::FrontResult& front,
+               const std::string& step, const results::Increment& increment) {
+  for (const results::KQuantity& q : results::k_quantities) {
+    if (q.appears_in(results::in_sweep, increment.mesh.dim) && q.is_number(front)) {
+      cells.push_back({q.name, front.name, step, increment.number, q.extract_value(front)});
     }
   }
 }
@@ -44,10 +45,12 @@ public:
 
   void add(const model::OutputRequest& request) {
     if (request.quantity == "K") {
-      for (const results::TipResult& tip : step_.tips) {
-        if (tip.name == request.name || tip.name.starts_with(request.name + ".")) {
-          cells_.push_back({"a", tip.name, step_.step, increment_.number, tip.a});
-          add_tip(cells_, tip, step_.step, increment_.number);
+      for (const results::FrontResult& front : step_.fronts) {
+        const bool wanted =
+            front.name == request.name || front.name.starts_with(request.name + ".");
+        if (wanted && front.is_tip()) {
+          cell("a", front.name, front.a);
+          add_front(cells_, front, step_.step, increment_);
         }
       }
     } else if (request.quantity == "CPRESS") {
@@ -138,8 +141,8 @@ std::vector<SweepCell> sweep_cells(const results::RunResult& run) {
       cells.push_back({"a", "", "", increment.number, increment.a});
     }
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        add_tip(cells, tip, step.step, increment.number);
+      for (const results::FrontResult& front : step.fronts) {
+        add_front(cells, front, step.step, increment);
       }
       for (const results::ContactResult& contact : step.contacts) {
         add_contact(cells, contact, step.step, increment.number);

@@ -14,8 +14,8 @@ namespace spricka::report {
 
 /// The numbers of a run that sweep.csv shows: the life, cycles or passes, of a growth by a law;
 /// crack length of each increment; at each step's end the quantities of each tip and of each
-/// contact that are for sweeps (results/tip_result.hpp, results/contact_result.hpp), of those that
-/// have a value.
+/// contact that are for sweeps (results/k_quantities.hpp, results/contact_result.hpp), of those
+/// that have a value.
 std::vector<results::SweepCell> sweep_cells(const results::RunResult& run);
 
 /// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step

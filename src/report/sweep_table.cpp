@@ -5,7 +5,7 @@
 #include "report/sweep_files.hpp"
 #include "report/units_line.hpp"
 #include "results/contact_result.hpp"
-#include "results/tip_result.hpp"
+#include "results/k_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +72,8 @@ std::string unit_line(const model::Model& model, const results::SweepResult& swe
   }
   units.add_column(length, "a");
   units.add_column(length, "U");
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.appears_in(results::in_sweep)) {
+  for (const results::KQuantity& q : results::k_quantities) {
+    if (q.appears_in(results::in_sweep, 2)) { // of fronts in space a sweep has no K
       units.add_column(q.kind, q.name);
     }
   }

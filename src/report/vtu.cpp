@@ -4,6 +4,7 @@
 #include "report/drawing/table.hpp"
 #include "report/drawing/vtu_grid.hpp"
 #include "report/report.hpp"
+#include "results/k_quantities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -102,10 +103,11 @@ void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
     }
     arrays.write(document, "element_");
   }
-  for (const results::TipResult& tip : step.tips) {
-    for (std::size_t k = 0; k < 2 && tip.no_bar.empty(); ++k) {
-      const std::vector<double>& eta = tip.bar[k].of_element; // where the error of K comes from
-      document.add_array(escape_xml(fmt::format("eta_K{}_{}", k + 1, tip.name)), "Float32", 1,
+  for (const results::FrontResult& front : step.fronts) {
+    for (std::size_t k = 0; k < 2 && front.is_tip() && front.has_error_bar(); ++k) {
+      // where the error of K comes from
+      const std::vector<double>& eta = front.tip().bar[k].of_element;
+      document.add_array(escape_xml(fmt::format("eta_K{}_{}", k + 1, front.name)), "Float32", 1,
                          std::vector<float>(eta.begin(), eta.end()));
     }
   }
@@ -212,23 +214,23 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
       places.push_back(&place);
       front_of.push_back(&front);
       x.insert(x.end(), place.x.data(), place.x.data() + 3);
-      growth.insert(growth.end(), place.growth.data(), place.growth.data() + 3);
+      growth.insert(growth.end(), place.direction.data(), place.direction.data() + 3);
       crack.push_back(card - model.cracks.begin());
     }
-    for (std::int64_t i = 0; i < (front.closed ? count : count - 1); ++i) {
+    for (std::int64_t i = 0; i < (front.is_loop ? count : count - 1); ++i) {
       ends.push_back(first + i);
       ends.push_back(first + (i + 1) % count);
     }
   }
   VtuDocument document = vtu_lines(x, ends);
   document.add_line("      <PointData Scalars=\"K1\">");
-  for (const results::FrontQuantity& q : results::front_quantities) {
-    if (q.checked) {
+  for (const results::KQuantity& q : results::k_quantities) {
+    if (q.appears_in(results::in_output, 3)) {
       std::vector<double> values;
       for (std::size_t i = 0; i < places.size(); ++i) {
         // A bar that there is not is no bar of nothing.
-        const bool given = q.given == nullptr || q.given(*front_of[i]);
-        values.push_back(given ? q.extract_value(*places[i])
+        const bool given = q.is_given(*front_of[i]);
+        values.push_back(given ? q.extract_value(*front_of[i], *places[i])
                                : std::numeric_limits<double>::quiet_NaN());
       }
       document.add_array(q.name, "Float64", 1, values);

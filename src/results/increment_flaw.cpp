@@ -135,6 +135,11 @@ std::string flaw_of_contact(const ContactResult& contact) {
 
 std::string flaw_of_path(const LoadPathResult& path) {
   const std::size_t knots = path.t.size();
+  for (const LoadPathFront& front : path.fronts) {
+    if (front.points.empty()) {
+      return fmt::format("points of front {} on path {}", front.is.name, path.name);
+    }
+  }
   for (const LoadPathContact& contact : path.contacts) {
     if (contact.from.size() != contact.to.size() || contact.from.size() != contact.closed.size() ||
         contact.from.size() > knots) {
@@ -142,6 +147,17 @@ std::string flaw_of_path(const LoadPathResult& path) {
     }
   }
   return {};
+}
+
+std::string flaw_of_front(const FrontResult& front) {
+  const auto fits = [&](const auto& side) {
+    return side.empty() || side.size() == front.points.size();
+  };
+  const bool whole = !front.points.empty() &&
+                     std::ranges::all_of(front.sensitivities.of, [&](const Sensitivity& s) {
+                       return fits(s.below) && fits(s.above);
+                     });
+  return whole ? "" : fmt::format("points of front {}", front.name);
 }
 
 /// Arrays that a step has either for all of its mesh or not at all.
@@ -159,7 +175,7 @@ std::string flaw_of_lengths(const StepResult& step, const model::Mesh& mesh, std
       return is(bar.of_element.size(), mesh.element_count());
     });
   };
-  bool fit = std::ranges::all_of(step.tips, [&](const TipResult& t) { return bars_fit(t.bar); });
+  bool fit = true;
   for (const FrontResult& front : step.fronts) {
     fit = fit && std::ranges::all_of(front.points,
                                      [&](const FrontPointResult& p) { return bars_fit(p.bar); });
@@ -187,12 +203,16 @@ std::string find_increment_flaw(const Increment& increment) {
   }
   const std::size_t points = model::property_points(mesh).node.size();
   for (const StepResult& step : increment.steps) {
-    reader.look("tip", step.tips);
     reader.look("front", step.fronts);
     reader.look("contact", step.contacts);
     reader.look("error", step.errors);
     if (std::string flaw = flaw_of_lengths(step, mesh, points); !flaw.empty()) {
       return flaw;
+    }
+    for (const FrontResult& front : step.fronts) {
+      if (std::string flaw = flaw_of_front(front); !flaw.empty()) {
+        return flaw;
+      }
     }
     for (const ContactResult& contact : step.contacts) {
       if (std::string flaw = flaw_of_contact(contact); !flaw.empty()) {

@@ -21,9 +21,10 @@ FrontResult LoadPathFront::at(double t) const {
   return front;
 }
 
-const LoadPathTip* find_tip(const LoadPathResult& path, std::string_view tip) {
-  const auto it = std::ranges::find(path.tips, tip, &LoadPathTip::name);
-  return it == path.tips.end() ? nullptr : &*it;
+const LoadPathFront* find_front(const LoadPathResult& path, std::string_view front) {
+  const auto it =
+      std::ranges::find_if(path.fronts, [&](const LoadPathFront& f) { return f.is.name == front; });
+  return it == path.fronts.end() ? nullptr : &*it;
 }
 
 const LoadPathContact* find_contact(const LoadPathResult& path, std::string_view contact) {
@@ -31,13 +32,14 @@ const LoadPathContact* find_contact(const LoadPathResult& path, std::string_view
   return it == path.contacts.end() ? nullptr : &*it;
 }
 
-std::optional<double> k_at_load_combination(const LoadPathResult& path, const LoadPathTip& tip,
-                                            int mode, double a, double b) {
+std::optional<double> k_at_load_combination(const LoadPathResult& path,
+                                            const LoadPathFrontPoint& point, int mode, double a,
+                                            double b) {
   const double sum = a + b;
   if (!(sum > 0.0) || (!path.homogeneous && std::abs(sum - 1.0) > 1e-12)) {
     return std::nullopt;
   }
-  const double K = (mode == 2 ? tip.K2 : tip.K1)(b / sum);
+  const double K = point.K[static_cast<std::size_t>(mode - 1)](b / sum);
   return std::isnan(K) ? std::nullopt : std::optional(sum * K);
 }
 

@@ -14,26 +14,21 @@
 /// K and contact along straight paths between the loads and fits of two steps.
 namespace spricka::results {
 
-/// K of one tip by t, exact between all knots.
-struct LoadPathTip {
-  std::string name; ///< as TipResult
-  double a = 0.0;
-  base::PiecewiseLinear K1, K2; ///< [stress * length^0.5]
-  std::string invalid_reason;   ///< why none of it is an answer; empty: it is one where K1 > 0
-};
-
-/// K at one point of a front in space.
+/// K at one point of a front.
 struct LoadPathFrontPoint {
   FrontPointResult is;                         ///< where it is; its K are those at the beginning
-  std::array<base::PiecewiseLinear, 3> K;      ///< K1, K2, K3
-  std::array<base::PiecewiseLinear, 3> smooth; ///< as those of FrontPlace
+  std::array<base::PiecewiseLinear, 3> K;      ///< K1, K2, K3 [stress * length^0.5]
+  std::array<base::PiecewiseLinear, 3> smooth; ///< as those of FrontPointResult
 };
 
-/// One front in space by t, exact between all knots.
+/// One front by t, exact between all knots.
 struct LoadPathFront {
   FrontResult is; ///< without its points
   std::vector<LoadPathFrontPoint> points;
 
+  /// In the plane: one point.
+  [[nodiscard]] bool is_tip() const { return points.size() == 1; }
+  [[nodiscard]] const LoadPathFrontPoint& tip() const { return points.front(); }
   /// The front as steps have it, with K at t (of the path) alone.
   [[nodiscard]] FrontResult at(double t) const;
 };
@@ -59,9 +54,8 @@ struct ContactStatusChange {
 /// Loads and fits (1 - t) of step `from` and t of step `to`.
 struct LoadPathResult {
   std::string name, from, to;
-  std::vector<double> t;             ///< [knot] first, breakpoints, last
-  std::vector<LoadPathTip> tips;     ///< of cracks in the plane
-  std::vector<LoadPathFront> fronts; ///< of cracks in space
+  std::vector<double> t; ///< [knot] first, breakpoints, last
+  std::vector<LoadPathFront> fronts;
   std::vector<LoadPathContact> contacts;
   std::vector<ContactStatusChange> changes;
   std::string stopped; ///< why it ends before its time; empty: it does not
@@ -75,13 +69,14 @@ struct LoadPathResult {
 };
 
 /// The entries of that name, or null.
-const LoadPathTip* find_tip(const LoadPathResult& path, std::string_view tip);
+const LoadPathFront* find_front(const LoadPathResult& path, std::string_view front);
 const LoadPathContact* find_contact(const LoadPathResult& path, std::string_view contact);
 
 /// K1 (mode 1) or K2 under a times the loads and fits of `from` plus b times those of `to`, by
 /// homogeneity (manual, solve.33) from the path of one parameter. Empty outside what it covers: a +
 /// b <= 0, the ratio beyond the path, or a path that is not homogeneous unless a + b = 1.
-std::optional<double> k_at_load_combination(const LoadPathResult& path, const LoadPathTip& tip,
-                                            int mode, double a, double b);
+std::optional<double> k_at_load_combination(const LoadPathResult& path,
+                                            const LoadPathFrontPoint& point, int mode, double a,
+                                            double b);
 
 } // namespace spricka::results

@@ -12,10 +12,9 @@ const StepResult* find_step(const Increment& increment, std::string_view step) {
   return found == increment.steps.end() ? nullptr : &*found;
 }
 
-const TipResult* find_tip(const StepResult& step, std::string_view tip) {
-  const auto found = std::find_if(step.tips.begin(), step.tips.end(),
-                                  [&](const TipResult& t) { return t.name == tip; });
-  return found == step.tips.end() ? nullptr : &*found;
+const FrontResult* find_front(const StepResult& step, std::string_view front) {
+  const auto found = std::ranges::find(step.fronts, front, &FrontResult::name);
+  return found == step.fronts.end() ? nullptr : &*found;
 }
 
 const ContactResult* find_contact(const StepResult& step, std::string_view contact) {
@@ -29,12 +28,12 @@ const LoadPathResult* find_path(const Increment& increment, std::string_view pat
   return it == increment.paths.end() ? nullptr : &*it;
 }
 
-const TipResult* find_tip_at(const RunResult& run, std::string_view step, std::string_view tip,
-                             double a) {
-  const TipResult* nearest = nullptr;
+const FrontResult* find_front_at(const RunResult& run, std::string_view step,
+                                 std::string_view front, double a) {
+  const FrontResult* nearest = nullptr;
   for (const Increment& increment : run.increments) {
     const StepResult* const at = find_step(increment, step);
-    const TipResult* const found = at == nullptr ? nullptr : find_tip(*at, tip);
+    const FrontResult* const found = at == nullptr ? nullptr : find_front(*at, front);
     if (found != nullptr &&
         (nearest == nullptr || std::abs(found->a - a) < std::abs(nearest->a - a))) {
       nearest = found;

@@ -9,7 +9,6 @@
 #include "results/measured_growth.hpp"
 #include "results/note.hpp"
 #include "results/stress_invariants.hpp"
-#include "results/tip_result.hpp"
 #include "results/tolerance_round.hpp"
 
 #include <array>
@@ -56,8 +55,7 @@ struct StepResult {
   /// mean of the elements there; empty: not recovered. [point]
   std::vector<Stress> stress;
   std::vector<Stress> element_stress; ///< mean over the element [element]; empty as `stress`
-  std::vector<TipResult> tips;        ///< of cracks in the plane
-  std::vector<FrontResult> fronts;    ///< of cracks in space
+  std::vector<FrontResult> fronts;    ///< of cracks, in the plane one for each tip
   std::vector<ContactResult> contacts;
   std::vector<ForceBalance> balance;    ///< by body
   std::vector<ForceBalance> nets;       ///< by net, in deck order, those with elements
@@ -123,13 +121,13 @@ struct RunResult {
 
 /// The entry of that name, or null; names as the deck's, upper case.
 const StepResult* find_step(const Increment& increment, std::string_view step);
-const TipResult* find_tip(const StepResult& step, std::string_view tip);
+const FrontResult* find_front(const StepResult& step, std::string_view front);
 const ContactResult* find_contact(const StepResult& step, std::string_view contact);
 const LoadPathResult* find_path(const Increment& increment, std::string_view path);
 
-/// The tip of that name at the end of that step where its crack has the length nearest to `a`
+/// The front of that name at the end of that step where its crack has the length nearest to `a`
 /// [length]; null if no increment has both.
-const TipResult* find_tip_at(const RunResult& run, std::string_view step, std::string_view tip,
-                             double a);
+const FrontResult* find_front_at(const RunResult& run, std::string_view step,
+                                 std::string_view front, double a);
 
 } // namespace spricka::results

@@ -16,46 +16,25 @@ enum class SensitivityParameter : char {
   axis     ///< semi-axis C of an ellipse [length]
 };
 
-/// Derivatives of K1 and K2 of one tip at the end of one step by one value, everything else kept.
+/// Derivatives of K1, K2, K3 along a front by one value, everything else kept.
 struct Sensitivity {
   SensitivityParameter cause = SensitivityParameter::load;
-  std::string name;   ///< load case, contact, material or tip
+  std::string name;   ///< load case, contact, material, tip or crack
   double value = 0.0; ///< at the end of the step
-  /// Below and above the value; different where a contact is about to change there. Empty: on that
-  /// side nothing holds a body.
-  std::optional<std::array<double, 2>> below, above;
+  /// [point] below and above the value; different where a contact is about to change there. Empty:
+  /// on that side nothing holds a body.
+  std::vector<std::array<double, 3>> below, above;
   /// Values between which the contact stays as it is, infinite where it always does; empty: not
   /// known for this cause.
   std::optional<std::array<double, 2>> range;
-
-  /// Where both sides agree; else empty.
-  [[nodiscard]] std::optional<std::array<double, 2>> slope() const {
-    return below && above && *below == *above ? below : std::nullopt;
-  }
-};
-
-/// Of one tip at the end of one step.
-struct TipSensitivityResults {
-  std::vector<Sensitivity> of;
-  std::vector<std::string> notes; ///< why some or all are not given
-};
-
-/// Derivatives of K1, K2, K3 along a front in space by one value, everything else kept.
-struct FrontSensitivity {
-  SensitivityParameter cause = SensitivityParameter::load;
-  std::string name;   ///< load case, contact, material or crack
-  double value = 0.0; ///< at the end of the step
-  /// [point] as in Sensitivity; empty: on that side nothing holds a body.
-  std::vector<std::array<double, 3>> below, above;
-  std::optional<std::array<double, 2>> range; ///< as in Sensitivity
 
   /// Whether both sides are known and agree.
   [[nodiscard]] bool is_smooth() const { return !below.empty() && below == above; }
 };
 
 /// Of one front at the end of one step.
-struct FrontSensitivityResults {
-  std::vector<FrontSensitivity> of;
+struct SensitivityResults {
+  std::vector<Sensitivity> of;
   std::vector<std::string> notes; ///< why some or all are not given
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "results/growth.hpp"
+#include "results/k_quantities.hpp"
 #include "results/measured_growth.hpp"
 #include "results/results.hpp"
 #include "results/store_columns.hpp"
@@ -34,42 +35,7 @@ template <class V, Of<Sensitivity> T> void fields(V& v, T& r) {
   v("range", r.range);
 }
 
-template <class V, Of<TipSensitivityResults> T> void fields(V& v, T& r) {
-  v("of", r.of);
-  v("notes", r.notes);
-}
-
-template <class V, Of<TipResult> T> void fields(V& v, T& r) {
-  v("name", r.name);
-  for (const bool judges : {false, true}) {
-    for (const TipQuantity& q : tip_quantities) {
-      if (q.member != nullptr && q.judges == judges) {
-        v(q.name, r.*q.member);
-      }
-    }
-  }
-  v("K_opening", r.K_opening);
-  v("K1_domain", r.K1_domain);
-  v("bar", r.bar);
-  v("no_bar", r.no_bar);
-  v("closed", r.closed);
-  v("doubt", r.invalid_reason);
-  v("two_materials", r.two_materials);
-  v("sensitivities", r.sensitivities);
-  v("at", r.x);
-  v("direction", r.direction);
-}
-
-template <class V, Of<FrontSensitivity> T> void fields(V& v, T& r) {
-  v("cause", r.cause);
-  v("name", r.name);
-  v("value", r.value);
-  v("below", r.below);
-  v("above", r.above);
-  v("range", r.range);
-}
-
-template <class V, Of<FrontSensitivityResults> T> void fields(V& v, T& r) {
+template <class V, Of<SensitivityResults> T> void fields(V& v, T& r) {
   v("of", r.of);
   v("notes", r.notes);
 }
@@ -77,28 +43,32 @@ template <class V, Of<FrontSensitivityResults> T> void fields(V& v, T& r) {
 template <class V, Of<FrontPointResult> T> void fields(V& v, T& r) {
   v("number", r.number);
   v("at", r.x);
-  for (const FrontQuantity& q : front_quantities) {
-    if (q.member != nullptr) {
-      v(q.name, r.*q.member);
+  for (const bool judges : {false, true}) {
+    for (const KQuantity& q : k_quantities) {
+      if (q.member != nullptr && q.judges == judges) {
+        v(q.name, r.*q.member);
+      }
     }
   }
+  v("K1_domain", r.K1_domain);
   v("smooth", r.smooth);
   v("opening", r.opening);
   v("at_surface", r.at_surface);
   v("closed", r.closed);
   v("bar", r.bar);
-  v("growth", r.growth);
+  v("direction", r.direction);
 }
 
 template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("a", r.a);
   v("length", r.length);
-  v("closed", r.closed);
-  v("angles", r.angles);
+  v("loop", r.is_loop);
+  v("angles", r.has_angles);
   v("points", r.points);
   v("no_bar", r.no_bar);
   v("doubt", r.invalid_reason);
+  v("two_materials", r.two_materials);
   v("sensitivities", r.sensitivities);
 }
 
@@ -170,14 +140,6 @@ template <class V, Of<OuterSurfaceFace> T> void fields(V& v, T& r) {
   v("outline", r.outline);
 }
 
-template <class V, Of<LoadPathTip> T> void fields(V& v, T& r) {
-  v("name", r.name);
-  v("a", r.a);
-  v("K1", r.K1);
-  v("K2", r.K2);
-  v("doubt", r.invalid_reason);
-}
-
 template <class V, Of<LoadPathFrontPoint> T> void fields(V& v, T& r) {
   v("is", r.is);
   v("K", r.K);
@@ -212,7 +174,6 @@ template <class V, Of<LoadPathResult> T> void fields(V& v, T& r) {
   v("from", r.from);
   v("to", r.to);
   v("t", r.t);
-  v("tips", r.tips);
   v("fronts", r.fronts);
   v("contacts", r.contacts);
   v("changes", r.changes);

@@ -128,7 +128,6 @@ void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
   put(group, "temperature", span_of(step.temperature));
   put(group, "stress", flat(step.stress), 6);
   put(group, "element_stress", flat(step.element_stress), 6);
-  write_record_list(group, "tips", step.tips);
   write_record_list(group, "fronts", step.fronts);
   write_record_list(group, "contacts", step.contacts);
   write_record_list(group, "balance", step.balance);
@@ -152,7 +151,6 @@ StepResult read_step(const StoreGroup& group, const std::string& name) {
   step.temperature = vector(group, "temperature");
   step.stress = rows<Stress>(reals(group, "stress"));
   step.element_stress = rows<Stress>(reals(group, "element_stress"));
-  step.tips = read_record_list<TipResult>(group, "tips");
   step.fronts = read_record_list<FrontResult>(group, "fronts");
   step.contacts = read_record_list<ContactResult>(group, "contacts");
   step.balance = read_record_list<ForceBalance>(group, "balance");
@@ -249,13 +247,7 @@ std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) 
 
 namespace {
 
-template <std::size_t n> void drop_elements(std::array<KErrorBar, n>& bars) {
-  for (KErrorBar& bar : bars) {
-    bar.of_element.clear();
-  }
-}
-
-// Tables of tips, contacts and balances stay.
+// Tables of fronts, contacts and balances stay.
 Increment without_fields(const Increment& whole) {
   Increment thin;
   thin.number = whole.number;
@@ -272,12 +264,11 @@ Increment without_fields(const Increment& whole) {
     }
     copy.stress.clear();
     copy.element_stress.clear();
-    for (TipResult& tip : copy.tips) {
-      drop_elements(tip.bar);
-    }
     for (FrontResult& front : copy.fronts) {
       for (FrontPointResult& place : front.points) {
-        drop_elements(place.bar);
+        for (KErrorBar& bar : place.bar) {
+          bar.of_element.clear();
+        }
       }
     }
   }

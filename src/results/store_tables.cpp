@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/k_quantities.hpp"
 #include "results/store_run.hpp"
 
 #include <cmath>
@@ -52,42 +53,24 @@ template <class Visit> void for_each_step(const RunResult& run, const Visit& vis
 }
 
 // Not a number where there is none; but the spread between two materials is 0.
-double kept(const TipQuantity& q, const TipResult& tip) {
-  return q.is_given(tip) || q.member == &TipResult::spread ? q.extract_value(tip) : no_number;
+double kept(const KQuantity& q, const FrontResult& front, const FrontPointResult& point) {
+  return q.is_given(front, point) || q.member == &FrontPointResult::spread
+             ? q.extract_value(front, point)
+             : no_number;
 }
 
 SummaryTableRows k_rows(const RunResult& run) {
   SummaryTableRows rows;
   for_each_step(run, [&](const Increment& increment, const StepResult& step) {
-    for (const TipResult& tip : step.tips) {
-      rows("increment", increment.number)("step", step.step)("crack", tip.name);
-      for (const bool judges : {false, true}) {
-        for (const TipQuantity& q : tip_quantities) {
-          if (q.appears_in(in_results_h5) && q.judges == judges) {
-            rows(q.name, kept(q, tip));
+    for (const FrontResult& front : step.fronts) {
+      for (const FrontPointResult& point : front.points) {
+        rows("increment", increment.number)("step", step.step)("crack", front.name);
+        for (const KQuantity& q : k_quantities) {
+          if (q.appears_in(in_results_h5, increment.mesh.dim)) {
+            rows(q.name, kept(q, front, point));
           }
         }
-      }
-      rows("x", tip.x[0])("y", tip.x[1])("z", tip.x[2])("doubt", tip.invalid_reason);
-      rows.end_row();
-    }
-  });
-  return rows;
-}
-
-SummaryTableRows front_rows(const RunResult& run) {
-  SummaryTableRows rows;
-  for_each_step(run, [&](const Increment& increment, const StepResult& step) {
-    for (const FrontResult& front : step.fronts) {
-      for (const FrontPointResult& place : front.points) {
-        rows("increment", increment.number)("step", step.step)("crack", front.name)("a", front.a);
-        rows("point", place.number);
-        for (const FrontQuantity& q : front_quantities) {
-          const bool given =
-              (q.given == nullptr || q.given(front)) && !(q.inside && place.at_surface);
-          rows(q.name, given ? q.extract_value(place) : no_number);
-        }
-        rows("at_surface", static_cast<int>(place.at_surface))("doubt", front.invalid_reason);
+        rows("doubt", front.invalid_reason);
         rows.end_row();
       }
     }
@@ -123,7 +106,7 @@ SummaryTableRows pressure_rows(const RunResult& run) {
   return rows;
 }
 
-SummaryTableRows path_front_rows(const RunResult& run) {
+SummaryTableRows path_rows(const RunResult& run) {
   SummaryTableRows rows;
   for (const Increment& increment : run.increments) {
     for (const LoadPathResult& path : increment.paths) {
@@ -131,26 +114,14 @@ SummaryTableRows path_front_rows(const RunResult& run) {
         for (const LoadPathFrontPoint& point : front.points) {
           for (const double t : path.t) {
             rows("increment", increment.number)("path", path.name)("crack", front.is.name);
-            rows("point", point.is.number)("t", t)("K1", point.K[0](t))("K2", point.K[1](t));
-            rows("K3", point.K[2](t));
+            rows("a", front.is.a)("point", point.is.number)("t", t);
+            for (const KQuantity& q : k_quantities) {
+              if (q.is_k() && q.appears_in(in_results_h5, increment.mesh.dim)) {
+                rows(q.name, point.K[static_cast<std::size_t>(q.mode)](t));
+              }
+            }
             rows.end_row();
           }
-        }
-      }
-    }
-  }
-  return rows;
-}
-
-SummaryTableRows path_rows(const RunResult& run) {
-  SummaryTableRows rows;
-  for (const Increment& increment : run.increments) {
-    for (const LoadPathResult& path : increment.paths) {
-      for (const LoadPathTip& tip : path.tips) {
-        for (const double t : path.t) {
-          rows("increment", increment.number)("path", path.name)("crack", tip.name)("a", tip.a);
-          rows("t", t)("K1", tip.K1(t))("K2", tip.K2(t));
-          rows.end_row();
         }
       }
     }
@@ -162,10 +133,8 @@ SummaryTableRows path_rows(const RunResult& run) {
 
 void write_summary_tables(StoreGroup group, const RunResult& run) {
   k_rows(run).write(group, "k");
-  front_rows(run).write(group, "fronts");
   pressure_rows(run).write(group, "pressure");
   path_rows(run).write(group, "load_path");
-  path_front_rows(run).write(group, "load_path_fronts");
 }
 
 } // namespace spricka::results

@@ -124,15 +124,9 @@ bool never_opens(const results::RunResult& run, const std::string& crack) {
   bool any = false;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        if (is_of_it(tip.name) && !tip.closed) {
-          return false;
-        }
-        any = any || is_of_it(tip.name);
-      }
       for (const results::FrontResult& front : step.fronts) {
-        if (is_of_it(front.name) && !std::ranges::all_of(front.points, [](const auto& place) {
-              return place.closed || place.at_surface;
+        if (is_of_it(front.name) && !std::ranges::all_of(front.points, [](const auto& point) {
+              return point.closed || point.at_surface;
             })) {
           return false;
         }

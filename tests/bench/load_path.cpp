@@ -56,7 +56,7 @@ void measure_values(const results::LoadPathResult& path, int repeats) {
     x = place(engine);
   }
   double sum = 0.0;
-  const base::PiecewiseLinear& K = path.tips.front().K1;
+  const base::PiecewiseLinear& K = path.fronts.front().tip().K[0];
   const double time = best_of(repeats, [&] {
     for (const double x : t) {
       sum += K(x);

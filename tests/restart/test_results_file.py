@@ -53,6 +53,20 @@ class ResultsFile(RestartTest):
             for name in ("a", "K1", "K2", "G", "T", "spread", "K1_bar", "K2_best"):
                 self.assertEqual(float(row[name]), k[name], name)
 
+    def test_a_tip_is_a_front_of_one_point(self):
+        """The tables of the steps, of which `k` is the sum."""
+        results = self.reader(self.solve(CRACKED))
+        for number, (_, k) in zip(results.increments(), results.k.iterrows()):
+            step = f"increments/{number:04d}/steps/LOAD"
+            fronts, points = results.table(f"{step}/fronts"), results.table(f"{step}/fronts.points")
+            self.assertEqual(list(fronts["name"]), [k["crack"]])
+            self.assertEqual(list(fronts["a"]), [k["a"]])
+            self.assertEqual(list(fronts["points_count"]), [1])
+            self.assertEqual(list(points["number"]), [1])
+            for name in ("K1", "K2", "G", "T", "spread"):
+                self.assertEqual(list(points[name]), [k[name]], name)
+            self.assertNotIn(f"{step}/tips", results.file)
+
     def test_pressure_is_that_of_the_table(self):
         results = self.reader(self.solve(PRESSED))
         table = rows_of(self.folder / "test.run" / "pressure.csv")

@@ -115,6 +115,20 @@ KAdjoints::solve_closed_set(const StepSolver& solver, const std::vector<bool>& c
   return out;
 }
 
+ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene) {
+  ClosedContactRows rows;
+  rows.closed.assign(scene.table.size(), false);
+  if (solver.contact_system() != nullptr) {
+    const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
+    rows.rubs = !problem.friction.empty();
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      // A next problem would begin with the rows that the last one ended with.
+      rows.closed[problem.rows[i]] = problem.start.empty() ? problem.equality[i] : problem.start[i];
+    }
+  }
+  return rows;
+}
+
 std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver,
                                                         const std::vector<bool>& closed) {
   if (solver.contact_system() == nullptr) {
@@ -132,21 +146,12 @@ std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver
 const std::vector<estimate::IntensityAdjoint>&
 KAdjoints::solve_last_step(const StepSolver& solver) {
   const std::size_t tips = scene_.cracked.fronts.size();
-  std::vector<bool> closed(scene_.table.size(), false);
-  bool rubs = false;
-  if (solver.contact_system() != nullptr) {
-    const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
-    rubs = !problem.friction.empty();
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-      // A next problem would begin with the rows that the last one ended with.
-      closed[problem.rows[i]] = problem.start.empty() ? problem.equality[i] : problem.start[i];
-    }
-  }
+  const auto [closed, rubs] = closed_rows(solver, scene_);
   if (rubs) {
     held_.reset();
     last_.assign(tips, {});
     for (estimate::IntensityAdjoint& adjoint : last_) {
-      adjoint.why_not = "contacts rub: the change of K depends on the load history";
+      adjoint.why_not = depends_on_history;
     }
   } else if (tips > 0 &&
              (last_.empty() || !last_.front().is_available() || last_.front().closed != closed)) {

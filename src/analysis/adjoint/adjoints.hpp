@@ -12,6 +12,16 @@
 /// The adjoint of K on the condensed bodies: no large matrix is factorised again.
 namespace spricka::analysis {
 
+/// Which rows of the table the step that was solved last ended with closed, and whether some rub.
+struct ClosedContactRows {
+  std::vector<bool> closed; ///< [row of the table]
+  bool rubs = false;
+};
+ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene);
+/// Why K has neither bars nor derivatives where some rub.
+inline constexpr const char* depends_on_history =
+    "contacts rub: the change of K depends on the load history";
+
 /// The closed rows of the table [row] held; null where no body has externals.
 std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver,
                                                         const std::vector<bool>& closed);

@@ -95,7 +95,7 @@ results::KErrorBar k_bar(const estimate::GoalError& error, double set_change,
 
 // K that is 0 whatever the mesh has no bar: K1 where faces touch, both where nothing loads the
 // body.
-void clear_exact(std::size_t elements, results::TipResult& tip) {
+void clear_exact(std::size_t elements, results::FrontPointResult& tip) {
   const bool unloaded = tip.G == 0.0 && tip.K1 == 0.0 && tip.K2 == 0.0 && !tip.closed;
   for (std::size_t k = 0; k < 2; ++k) {
     if (unloaded || (tip.closed && k == 0)) {
@@ -105,17 +105,9 @@ void clear_exact(std::size_t elements, results::TipResult& tip) {
   }
 }
 
-// What bodies beside the tip do that are too coarse for it.
-void add_partners(const CoarseSurfaceEffect& coarse, results::TipResult& tip) {
-  tip.no_bar = coarse.why_not;
-  for (results::KErrorBar& bar : tip.bar) {
-    bar.mesh += bar.size() > 0.0 ? coarse.part * std::hypot(tip.K1, tip.K2) : 0.0;
-  }
-}
-
 // Why an endlessly fine mesh has no K of tip t; empty: it has.
 std::string why_no_limit(const Discretisation& scene, const estimate::PointSupportChange& giving,
-                         std::size_t t, const results::TipResult& tip) {
+                         std::size_t t, const results::FrontPointResult& tip) {
   for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
     const double bar = tip.bar[k].size();
     const double change = giving.change[scene.k_layout().at(t, static_cast<int>(k) + 1)];
@@ -133,7 +125,7 @@ std::string why_no_limit(const Discretisation& scene, const estimate::PointSuppo
 
 TipErrorBars::TipErrorBars(const model::Model& model, const Discretisation& scene,
                            estimate::ModeMatrixCache* memory)
-    : model_(model), scene_(scene), memory_(memory) {}
+    : ErrorBarAnalysis(model, scene), memory_(memory) {}
 
 bool TipErrorBars::is_bonded(std::size_t contact) const {
   return contact < model_.contacts.size() &&
@@ -165,7 +157,6 @@ void TipErrorBars::prepare() {
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
                       estimate::ModeCacheAccess{memory_, &scene_.cracked.host});
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
-  case_load_.resize(model_.cases.size());
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
@@ -174,22 +165,6 @@ void TipErrorBars::prepare() {
         crack::intensity_points(model_, scene_.cracked, front, scene_.tips[t].fields,
                                 model_.cracks[front.crack.index()].state));
   }
-}
-
-base::Vector TipErrorBars::load(const base::Vector& case_factor) {
-  base::Vector f = base::Vector::Zero(enrichment_->freedoms());
-  for (std::size_t c = 0; c < case_load_.size(); ++c) {
-    const double factor = case_factor[static_cast<Eigen::Index>(c)];
-    if (factor == 0.0) {
-      continue;
-    }
-    if (!case_load_[c]) {
-      // Cases that no step has applied are never integrated.
-      case_load_[c] = estimate::mode_load(*enrichment_, model_.cases[c], scene_.case_heat[c].get());
-    }
-    f += factor * *case_load_[c];
-  }
-  return f;
 }
 
 estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
@@ -245,13 +220,6 @@ bool TipErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront
   return false;
 }
 
-void TipErrorBars::tell_once(results::Note note, results::StepResult& step) {
-  if (std::ranges::find(reported_, note) == reported_.end()) {
-    reported_.push_back(note);
-    step.notes.push_back(std::move(note));
-  }
-}
-
 // Where many edges have none opposite (a crack's mouth makes a few) what the mesh misses of the
 // normal displacement is not seen.
 void TipErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step) {
@@ -271,20 +239,99 @@ void TipErrorBars::tell_of_meshes(const StepState& state, results::StepResult& s
   }
 }
 
-void TipErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
-  if (!tip.no_bar.empty()) {
-    tell_once(results::note(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar)),
-              step);
-    return;
-  }
+void TipErrorBars::tell_of_cancelling(const results::FrontResult& front,
+                                      results::StepResult& step) {
   for (std::size_t k = 0; k < 2; ++k) {
-    if (tip.bar[k].cancels && tip.bar[k].mesh > counts * tip.bar[k].floor) {
+    const results::KErrorBar& bar = front.tip().bar[k];
+    if (bar.cancels && bar.mesh > counts * bar.floor) {
       tell_once(results::note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
                                           "error bar uses their absolute values",
-                                          k + 1, tip.name)),
+                                          k + 1, front.name)),
                 step);
     }
   }
+}
+
+/// What the bars of all tips at the end of a step are made of.
+struct TipErrorBars::StepErrors {
+  std::vector<estimate::GoalError> goal;    ///< by the layout
+  std::vector<ActiveSetKChange> set_change; ///< [tip]
+  estimate::PointSupportChange giving;
+};
+
+TipErrorBars::StepErrors
+TipErrorBars::step_errors(const StepState& state,
+                          const std::vector<estimate::IntensityAdjoint>& adjoints,
+                          const contact::FixedActiveSet* held) {
+  base::Matrix z(state.u.size(), goals_.cols());
+  for (std::size_t t = 0; t < adjoints.size(); ++t) {
+    scene_.k_layout().columns(z, t) = adjoints[t].z;
+  }
+  base::Vector f = sum_case_loads(state.case_factor, enrichment_->freedoms(), [&](std::size_t c) {
+    return estimate::mode_load(*enrichment_, model_.cases[c], scene_.case_heat[c].get());
+  });
+  base::Matrix g = goals_;
+  add_pressures(state, adjoints, f, g);
+  const estimate::ModeMap map = modes(state);
+  const estimate::GoalRequest request{.u = state.u, .z = z, .load = f, .goals = g};
+  StepErrors errors;
+  errors.goal = estimate::goal_errors(*enrichment_, map, request);
+  errors.giving =
+      add_corners(model_, scene_, state,
+                  {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors.goal);
+  errors.set_change = active_set_K_changes(scene_, state, adjoints, held);
+  return errors;
+}
+
+void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
+                                 results::FrontResult& front, results::StepResult& step) {
+  if (scene_.tips[t].fields.empty()) {
+    front.no_bar = "there is no domain that K could be taken from";
+    return;
+  }
+  const bool coarse = coarse_contact(state, scene_.cracked.fronts[t]);
+  if (coarse) {
+    tell_once(results::note(fmt::format(
+                  "{}: nodes of a contact surface near the crack are further apart than half "
+                  "the crack's length; the error bar uses the absolute values of the errors",
+                  front.name)),
+              step);
+  }
+  results::FrontPointResult& tip = front.tip();
+  const crack::KLayout layout = scene_.k_layout();
+  const std::array<const estimate::GoalError*, 2> own{
+      &errors.goal[static_cast<std::size_t>(layout.at(t, 1))],
+      &errors.goal[static_cast<std::size_t>(layout.at(t, 2))]};
+  const ActiveSetKChange& set_change = errors.set_change[t];
+  const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
+      scene_.cracked.mesh, {tip.K1, tip.K2}, own,
+      {estimate::ActiveSetChange{.end = set_change.ends[0], .sharp = set_change.sharp[0]},
+       estimate::ActiveSetChange{.end = set_change.ends[1], .sharp = set_change.sharp[1]}},
+      coarse);
+  for (std::size_t k = 0; k < 2; ++k) {
+    tip.bar[k] = k_bar(*own[k], set_change.ends[static_cast<Eigen::Index>(k)], bars[k]);
+  }
+  clear_exact(scene_.cracked.mesh.element_count(), tip);
+  front.no_bar = why_no_limit(scene_, errors.giving, t, tip);
+  if (!front.no_bar.empty()) {
+    tell_once(results::invalid_result_note(fmt::format("K of {}: {}", front.name, front.no_bar)),
+              step);
+    return;
+  }
+  if (std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
+    // What bodies beside the tip do that are too coarse for it.
+    const CoarseSurfaceEffect effect = coarse_surface_effect(
+        {model_, scene_, state, enrichment_->edges()}, scene_.cracked.fronts[t]);
+    front.no_bar = effect.why_not;
+    for (results::KErrorBar& bar : tip.bar) {
+      bar.mesh += bar.size() > 0.0 ? effect.part * std::hypot(tip.K1, tip.K2) : 0.0;
+    }
+  }
+  if (!front.no_bar.empty()) {
+    tell_once(results::less_exact_note(fmt::format("K of {}: {}", front.name, front.no_bar)), step);
+    return;
+  }
+  tell_of_cancelling(front, step);
 }
 
 void TipErrorBars::add_to_tips(const StepState& state,
@@ -297,70 +344,14 @@ void TipErrorBars::add_to_tips(const StepState& state,
   for (const estimate::IntensityAdjoint& adjoint : adjoints) {
     why_not = why_not.empty() ? adjoint.why_not : why_not;
   }
-  const crack::KLayout layout = scene_.k_layout();
-  std::vector<estimate::GoalError> errors; // by the layout
-  std::vector<ActiveSetKChange> set_changes;
-  estimate::PointSupportChange giving;
+  StepErrors errors;
   if (why_not.empty()) {
-    base::Matrix z(state.u.size(), goals_.cols());
-    for (std::size_t t = 0; t < adjoints.size(); ++t) {
-      layout.columns(z, t) = adjoints[t].z;
-    }
-    base::Vector f = load(state.case_factor);
-    base::Matrix g = goals_;
-    add_pressures(state, adjoints, f, g);
-    const estimate::ModeMap map = modes(state);
-    const estimate::GoalRequest request{.u = state.u, .z = z, .load = f, .goals = g};
-    errors = estimate::goal_errors(*enrichment_, map, request);
-    giving = add_corners(model_, scene_, state,
-                         {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors);
-    set_changes = active_set_K_changes(scene_, state, adjoints, held);
+    errors = step_errors(state, adjoints, held);
     tell_of_meshes(state, step);
   }
-  for (std::size_t t = 0; t < step.tips.size(); ++t) {
-    results::TipResult& tip = step.tips[t];
-    tip.no_bar = tip.invalid_reason.empty() ? why_not : tip.invalid_reason;
-    if (tip.no_bar.empty() && scene_.tips[t].fields.empty()) {
-      tip.no_bar = "there is no domain that K could be taken from";
-    }
-    if (tip.no_bar.empty()) {
-      const bool coarse = coarse_contact(state, scene_.cracked.fronts[t]);
-      if (coarse) {
-        tell_once(results::note(fmt::format(
-                      "{}: nodes of a contact surface near the crack are further apart than half "
-                      "the crack's length; the error bar uses the absolute values of the errors",
-                      tip.name)),
-                  step);
-      }
-      const std::array<const estimate::GoalError*, 2> own{
-          &errors[static_cast<std::size_t>(layout.at(t, 1))],
-          &errors[static_cast<std::size_t>(layout.at(t, 2))]};
-      const std::array<double, 2> K{tip.K1, tip.K2};
-      const ActiveSetKChange& set_change = set_changes[t];
-      const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
-          scene_.cracked.mesh, K, own,
-          {estimate::ActiveSetChange{.end = set_change.ends[0], .sharp = set_change.sharp[0]},
-           estimate::ActiveSetChange{.end = set_change.ends[1], .sharp = set_change.sharp[1]}},
-          coarse);
-      for (std::size_t k = 0; k < 2; ++k) {
-        tip.bar[k] = k_bar(*own[k], set_change.ends[static_cast<Eigen::Index>(k)], bars[k]);
-      }
-      clear_exact(scene_.cracked.mesh.element_count(), tip);
-      tip.no_bar = why_no_limit(scene_, giving, t, tip);
-      const bool has_limit = tip.no_bar.empty();
-      if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
-        add_partners(coarse_surface_effect({model_, scene_, state, enrichment_->edges()},
-                                           scene_.cracked.fronts[t]),
-                     tip);
-      }
-      if (!tip.no_bar.empty()) {
-        const std::string text = fmt::format("K of {}: {}", tip.name, tip.no_bar);
-        tell_once(has_limit ? results::less_exact_note(text) : results::invalid_result_note(text),
-                  step);
-      }
-    }
-    tell(tip, step);
-  }
+  give_bars(why_not, step, [&](std::size_t t, std::size_t, results::FrontResult& front) {
+    estimate_bars(state, errors, t, front, step);
+  });
 }
 
 } // namespace spricka::analysis

@@ -350,10 +350,10 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
   return out;
 }
 
-FrontParameterDerivative VirtualAxisExtension::axis_derivative(const FrozenContactStep& step,
-                                                               const FrontKFunctionals& K) const {
+ParameterDerivative VirtualAxisExtension::axis_derivative(const FrozenContactStep& step,
+                                                          const FrontKFunctionals& K) const {
   const model::CrackDefinition& crack = model_.cracks[crack_.index()];
-  FrontParameterDerivative out;
+  ParameterDerivative out;
   out.is.cause = axis_ == EllipseAxis::a ? results::SensitivityParameter::length
                                          : results::SensitivityParameter::axis;
   out.is.name = crack.name;

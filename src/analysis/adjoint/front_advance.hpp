@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/adjoint/front_bars.hpp"
-#include "analysis/adjoint/front_cause.hpp"
+#include "analysis/adjoint/frozen_step.hpp"
+#include "analysis/adjoint/parameter_derivatives.hpp"
 #include "analysis/scene/scene.hpp"
 
 #include <memory>
@@ -28,8 +28,8 @@ public:
   /// Why there is no derivative in this step; empty: there is one.
   [[nodiscard]] std::string missing_reason(const FrozenContactStep& step) const;
   /// d/da of loads, gaps and K, u and contact forces kept; K at an angle phi (sensitivity.15).
-  [[nodiscard]] FrontParameterDerivative axis_derivative(const FrozenContactStep& step,
-                                                         const FrontKFunctionals& K) const;
+  [[nodiscard]] ParameterDerivative axis_derivative(const FrozenContactStep& step,
+                                                    const FrontKFunctionals& K) const;
 
 private:
   void shift_mesh();

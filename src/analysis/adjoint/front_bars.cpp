@@ -90,7 +90,7 @@ bool hangs_on_an_edge(const ContactEdgeKChange& edges, Eigen::Index first,
 } // namespace
 
 FrontErrorBars::FrontErrorBars(const model::Model& model, const Discretisation& scene)
-    : model_(model), scene_(scene) {}
+    : ErrorBarAnalysis(model, scene) {}
 
 void FrontErrorBars::prepare() {
   prepared_ = true;
@@ -105,28 +105,19 @@ void FrontErrorBars::prepare() {
   }
   enrichment_.emplace(model_, scene_.cracked.mesh, scene_.cls, *scene_.ties);
   goals_ = goal_rows(model_, scene_, *enrichment_);
-  case_load_.resize(model_.cases.size());
 }
 
 std::string FrontErrorBars::why_not(const FrozenContactStep& step) const {
   if (!why_not_.empty()) {
     return why_not_;
   }
-  return step.contact.rubs ? "contacts rub: the change of K depends on the load history" : "";
+  return step.contact.rubs ? depends_on_history : "";
 }
 
 base::Vector FrontErrorBars::load(const StepState& state) {
-  base::Vector f = base::Vector::Zero(enrichment_->freedoms());
-  for (std::size_t c = 0; c < case_load_.size(); ++c) {
-    const double factor = state.case_factor[static_cast<Eigen::Index>(c)];
-    if (factor == 0.0) {
-      continue;
-    }
-    if (!case_load_[c]) {
-      case_load_[c] = enrichment_->distributed_load(model_.cases[c], *scene_.case_heat[c]);
-    }
-    f += factor * *case_load_[c];
-  }
+  base::Vector f = sum_case_loads(state.case_factor, enrichment_->freedoms(), [&](std::size_t c) {
+    return enrichment_->distributed_load(model_.cases[c], *scene_.case_heat[c]);
+  });
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     if (state.mounted[c]) {
       enrichment_->add_tractions(contact::space_tractions(scene_.pairs[c], state.pair_lambda[c],
@@ -193,15 +184,29 @@ std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
   return eta;
 }
 
-void FrontErrorBars::tell(const results::FrontResult& front, results::StepResult& result) {
-  if (front.no_bar.empty()) {
+void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& eta,
+                                   const ContactEdgeKChange& edges, std::size_t f,
+                                   std::size_t first_point, results::FrontResult& front,
+                                   results::StepResult& result) const {
+  const crack::KLayout layout = scene_.k_layout();
+  const Eigen::Index first = layout.first_index(first_point);
+  if (hangs_on_an_edge(edges, first, front)) {
+    front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
     return;
   }
-  results::Note note =
-      results::note(fmt::format("K of {} has no error bar: {}", front.name, front.no_bar));
-  if (std::ranges::find(reported_, note) == reported_.end()) {
-    reported_.push_back(note);
-    result.notes.push_back(std::move(note));
+  base::Vector better = eta;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    const results::FrontPointResult& place = front.points[i];
+    const Eigen::Index at = layout.first_index(first_point + i);
+    better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
+    better[at] = place.closed ? 0.0 : better[at];
+  }
+  const CoarseSurfaceEffect coarse = coarse_surface_effect(scene_, state, scene_.fronts[f]);
+  add_front_error_bars(eta, smooth_front_K(scene_.fronts[f], better, first), edges, first,
+                       coarse.part, front);
+  if (!coarse.why_not.empty()) {
+    result.notes.push_back(
+        results::less_exact_note(fmt::format("K of {}: {}", front.name, coarse.why_not)));
   }
 }
 
@@ -220,35 +225,10 @@ void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFu
   if (reason.empty()) {
     edges = edge_K_changes(scene_, step, K);
   }
-  const crack::KLayout layout = scene_.k_layout();
-  std::size_t first = 0;
-  for (std::size_t f = 0; f < result.fronts.size(); ++f) {
-    results::FrontResult& front = result.fronts[f];
-    front.no_bar = front.invalid_reason.empty() ? reason : front.invalid_reason;
-    if (front.no_bar.empty() && hangs_on_an_edge(edges, layout.first_index(first), front)) {
-      front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
-    }
-    if (front.no_bar.empty()) {
-      base::Vector better = *eta;
-      for (std::size_t i = 0; i < front.points.size(); ++i) {
-        const results::FrontPointResult& place = front.points[i];
-        const Eigen::Index at = layout.first_index(first + i);
-        better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
-        better[at] = place.closed ? 0.0 : better[at];
-      }
-      const CoarseSurfaceEffect coarse =
-          coarse_surface_effect(scene_, step.state, scene_.fronts[f]);
-      add_front_error_bars(*eta,
-                           smooth_front_K(scene_.fronts[f], better, layout.first_index(first)),
-                           edges, layout.first_index(first), coarse.part, front);
-      if (!coarse.why_not.empty()) {
-        result.notes.push_back(
-            results::less_exact_note(fmt::format("K of {}: {}", front.name, coarse.why_not)));
-      }
-    }
-    first += front.points.size();
-    tell(front, result);
-  }
+  give_bars(reason, result,
+            [&](std::size_t f, std::size_t first_point, results::FrontResult& front) {
+              estimate_bars(step.state, *eta, edges, f, first_point, front, result);
+            });
 }
 
 } // namespace spricka::analysis

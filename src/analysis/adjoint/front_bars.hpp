@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/adjoint/edge_changes.hpp"
+#include "analysis/adjoint/error_bar_analysis.hpp"
 #include "analysis/adjoint/frozen_step.hpp"
 #include "estimate/space_enrichment.hpp"
 #include "results/results.hpp"
@@ -12,7 +14,7 @@ namespace spricka::analysis {
 
 /// Processor ESTIMATE in space: error bars of K along fronts, from the solution that cubic elements
 /// would have (manual, estimate.20 to 24).
-class FrontErrorBars {
+class FrontErrorBars : private ErrorBarAnalysis {
 public:
   /// All must outlive it; nothing is computed before the first step that needs it.
   FrontErrorBars(const model::Model& model, const Discretisation& scene);
@@ -23,6 +25,7 @@ public:
 
 private:
   void prepare();
+  /// Loads of a step and pressures of its contacts on the modes.
   [[nodiscard]] base::Vector load(const StepState& state);
   [[nodiscard]] std::string why_not(const FrozenContactStep& step) const;
   /// What cubic elements add to K. [K]; empty: a solution failed
@@ -31,15 +34,12 @@ private:
   /// The same from the residual of the modes.
   [[nodiscard]] std::optional<base::Vector> solve(const FrozenContactStep& step,
                                                   const FrontKFunctionals& K, base::Vector r) const;
-  void tell(const results::FrontResult& front, results::StepResult& result);
+  void estimate_bars(const StepState& state, const base::Vector& eta,
+                     const ContactEdgeKChange& edges, std::size_t f, std::size_t first_point,
+                     results::FrontResult& front, results::StepResult& result) const;
 
-  const model::Model& model_;
-  const Discretisation& scene_;
-  bool prepared_ = false;
-  std::string why_not_; ///< of the whole mesh
   std::optional<estimate::SolidEnrichment> enrichment_;
-  crack::SparseRows goals_;                            ///< [freedoms of modes, K]
-  std::vector<std::optional<base::Vector>> case_load_; ///< [case] on the modes
+  crack::SparseRows goals_; ///< [freedoms of modes, K]
   /// Steps with bars: where the same rows are closed in another and its residual is a multiple of
   /// this one's, as in load cycles, so is the rest.
   struct ReusableFrontEstimate {
@@ -47,7 +47,6 @@ private:
     base::Vector residual, eta;
   };
   std::vector<ReusableFrontEstimate> known_;
-  std::vector<results::Note> reported_;
 };
 
 } // namespace spricka::analysis

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/adjoint/front_bars.hpp"
-#include "analysis/adjoint/front_cause.hpp"
+#include "analysis/adjoint/frozen_step.hpp"
+#include "analysis/adjoint/parameter_derivatives.hpp"
 
 #include <memory>
 #include <vector>
@@ -25,17 +25,12 @@ public:
 
 private:
   void prepare();
-  void add_loads(const FrozenContactStep& step, const FrontKFunctionals& K,
-                 std::vector<FrontParameterDerivative>& causes) const;
-  void add_fits(const FrozenContactStep& step, std::vector<FrontParameterDerivative>& causes) const;
-  void add_moduli(const FrozenContactStep& step, const FrontKFunctionals& K,
-                  std::vector<FrontParameterDerivative>& causes) const;
+  [[nodiscard]] KDependence dependence(const FrozenContactStep& step,
+                                       const FrontKFunctionals& K) const;
   void add_lengths(const FrozenContactStep& step, const FrontKFunctionals& K,
-                   std::vector<FrontParameterDerivative>& causes,
-                   results::StepResult& result) const;
+                   std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
   void solve(const FrozenContactStep& step, const FrontKFunctionals& K,
-             const std::vector<FrontParameterDerivative>& causes,
-             results::StepResult& result) const;
+             const std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
 
   const model::Model& model_;
   const Discretisation& scene_;

@@ -13,20 +13,6 @@ constexpr double unheld_load = 1e-6;
 
 } // namespace
 
-ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene) {
-  ClosedContactRows rows;
-  rows.closed.assign(scene.table.size(), false);
-  if (solver.contact_system() != nullptr) {
-    const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
-    rows.rubs = !problem.friction.empty();
-    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-      // A next problem would begin with the rows that the last one ended with.
-      rows.closed[problem.rows[i]] = problem.start.empty() ? problem.equality[i] : problem.start[i];
-    }
-  }
-  return rows;
-}
-
 FrozenContactSystem::FrozenContactSystem(const StepSolver& solver, const Discretisation& scene,
                                          const std::vector<SubstructuredBody>& bodies,
                                          const std::vector<bool>& closed)

@@ -7,13 +7,6 @@
 
 namespace spricka::analysis {
 
-/// Which rows of the table the step that was solved last ended with closed, and whether some rub.
-struct ClosedContactRows {
-  std::vector<bool> closed; ///< [row of the table]
-  bool rubs = false;
-};
-ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene);
-
 /// What displacements and contact forces change by as loads and gaps do, rows that are closed
 /// staying so and open ones open: one back-substitution for each column.
 struct FrozenContactResponse {

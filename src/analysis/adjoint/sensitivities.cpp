@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/sensitivities.hpp"
 
-#include "analysis/scene/scene_heat.hpp"
 #include "analysis/scene/scene_loads.hpp"
-#include "analysis/scene/tip_name.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
-#include "analysis/steps/row_opening.hpp"
-#include "estimate/modulus.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -26,41 +21,51 @@ using results::Sensitivity;
 constexpr double same = 1e-10; ///< of the larger: two derivatives are one
 
 std::size_t tip_material(const model::Model& model, const Discretisation& scene, std::size_t t) {
-  const base::ElementId near = scene.tips[t].fields.front().elements.front();
-  return model.element_property(scene.cracked.mesh, near).material.index();
+  const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
+  return fields.empty()
+             ? model.materials.size()
+             : model.element_property(scene.cracked.mesh, fields.front().elements.front())
+                   .material.index();
 }
 
-// dK1 and dK2 by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
-std::array<double, 2> slope(const Discretisation& scene, const TipParameterDerivative& cause,
-                            const estimate::IntensityAdjoint& adjoint, std::size_t t) {
-  const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
-  base::Vec2 dK = cause.direct.col(static_cast<Eigen::Index>(t));
-  if (cause.load.size() > 0) {
-    dK += adjoint.z.transpose() * cause.load;
+// dK of all tips by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
+base::Vector slopes(const Discretisation& scene, const ParameterDerivative& cause,
+                    const std::vector<estimate::IntensityAdjoint>& adjoints) {
+  const crack::KLayout layout = scene.k_layout();
+  base::Vector out = cause.direct;
+  for (std::size_t t = 0; t < adjoints.size(); ++t) {
+    auto dK = layout.point_entries(out, t);
+    if (cause.load.size() > 0) {
+      dK += adjoints[t].z.transpose() * cause.load;
+    }
+    if (cause.gap.size() > 0) {
+      dK += adjoints[t].w.transpose() * cause.gap;
+    }
+    const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
+    dK[0] = row && adjoints[t].closed[*row] ? 0.0 : dK[0];
   }
-  if (cause.gap.size() > 0) {
-    dK += adjoint.w.transpose() * cause.gap;
-  }
-  return {row && adjoint.closed[*row] ? 0.0 : dK[0], dK[1]};
+  return out;
 }
 
 // Sides that differ by round-off only (rows that say what others say choose freely).
 void unite(Sensitivity& s) {
-  if (!s.below || !s.above) {
+  if (s.below.empty() || s.above.empty()) {
     return;
   }
   double apart = 0.0;
   double size = 0.0;
-  for (const std::size_t k : {0U, 1U}) {
-    apart = std::max(apart, std::abs((*s.above)[k] - (*s.below)[k]));
-    size = std::max({size, std::abs((*s.above)[k]), std::abs((*s.below)[k])});
+  for (std::size_t p = 0; p < s.below.size(); ++p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      apart = std::max(apart, std::abs(s.above[p][k] - s.below[p][k]));
+      size = std::max({size, std::abs(s.above[p][k]), std::abs(s.below[p][k])});
+    }
   }
   if (apart <= same * size) {
     s.above = s.below;
   }
 }
 
-bool ranged(const TipParameterDerivative& cause) {
+bool ranged(const ParameterDerivative& cause) {
   return cause.is.cause == results::SensitivityParameter::load ||
          cause.is.cause == results::SensitivityParameter::fit;
 }
@@ -77,138 +82,69 @@ void TipSensitivityAnalysis::prepare() {
     return;
   }
   case_load_ = loads_with_supports(model_, scene_);
+  const crack::KLayout layout = scene_.k_layout();
+  of_loads_.resize(layout.count(), static_cast<Eigen::Index>(model_.cases.size()));
+  of_moduli_ = base::Matrix::Zero(of_loads_.rows(), of_loads_.cols());
   for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-    of_loads_.push_back(K_from_loads(model_, scene_, t));
-    base::Matrix& by_modulus = of_moduli_.emplace_back(base::Matrix::Zero(2, of_loads_[t].cols()));
-    if ((of_loads_[t].array() != 0.0).any()) {
+    const base::Matrix own = K_from_loads(model_, scene_, t);
+    of_loads_.middleRows(layout.first_index(t), layout.modes()) = own;
+    if ((own.array() != 0.0).any()) {
       // What loads add to K is a constant and a part that goes with E: twice the modulus shows
       // that.
       model::Model stiffer = model_;
       stiffer.materials[tip_material(model_, scene_, t)].E *= 2.0;
-      by_modulus = K_from_loads(stiffer, scene_, t) - of_loads_[t];
+      of_moduli_.middleRows(layout.first_index(t), layout.modes()) =
+          K_from_loads(stiffer, scene_, t) - own;
     }
     advances_.push_back(std::make_unique<VirtualTipExtension>(model_, scene_, t));
   }
 }
 
-TipParameterDerivative TipSensitivityAnalysis::cause(results::SensitivityParameter kind,
-                                                     std::string name, double value) const {
-  TipParameterDerivative out;
-  out.is.cause = kind;
-  out.is.name = std::move(name);
-  out.is.value = value;
-  out.direct = base::Matrix::Zero(2, static_cast<Eigen::Index>(scene_.tips.size()));
-  return out;
-}
-
-void TipSensitivityAnalysis::add_loads(const StepSolver& solver,
-                                       const std::vector<estimate::IntensityAdjoint>& adjoints,
-                                       std::vector<TipParameterDerivative>& causes) const {
-  const int dim = scene_.cracked.mesh.dim;
-  for (std::size_t c = 0; c < model_.cases.size(); ++c) {
-    const auto k = static_cast<Eigen::Index>(c);
-    TipParameterDerivative one = cause(results::SensitivityParameter::load, model_.cases[c].name,
-                                       solver.factors().case_factor[k]);
-    one.load = case_load_.col(k);
-    const base::Vector given = scene_.case_displacement.col(k);
-    // Prescribed displacements pull at the body, open rows and move nodes that K takes
-    // (sensitivity.7).
-    const bool moves = (given.array() != 0.0).any();
-    if (moves) {
-      one.gap.resize(static_cast<Eigen::Index>(scene_.table.size()));
-      for (std::size_t r = 0; r < scene_.table.size(); ++r) {
-        one.gap[static_cast<Eigen::Index>(r)] = row_opening(scene_.contact_row(r), dim, given);
-      }
-    }
-    for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-      auto direct = one.direct.col(static_cast<Eigen::Index>(t));
-      direct = of_loads_[t].col(k);
-      if (moves) {
-        direct += adjoints[t].rows.transpose() * given;
-      }
-    }
-    causes.push_back(std::move(one));
+KDependence
+TipSensitivityAnalysis::dependence(const StepSolver& solver, const StepState& state,
+                                   const std::vector<estimate::IntensityAdjoint>& adjoints) const {
+  KDependence K{.model = model_,
+                .scene = scene_,
+                .solver = solver,
+                .state = state,
+                .case_load = case_load_,
+                .of_loads = of_loads_,
+                .material = {},
+                .of_displacements = {},
+                .of_modulus = {}};
+  const crack::KLayout layout = scene_.k_layout();
+  for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
+    K.material.push_back(tip_material(model_, scene_, t));
   }
-}
-
-void TipSensitivityAnalysis::add_fits(const StepSolver& solver,
-                                      std::vector<TipParameterDerivative>& causes) const {
-  for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
-    const model::Contact& contact = model_.contacts[c];
-    if (!contact.gap || !solver.factors().mounted[c]) {
-      continue;
+  K.of_displacements = [&adjoints, layout](const base::Vector& u) {
+    base::Vector out(layout.count());
+    for (std::size_t t = 0; t < adjoints.size(); ++t) {
+      layout.point_entries(out, t) = adjoints[t].rows.transpose() * u;
     }
-    // An interference is a negative gap (sensitivity.7).
-    const double interference = -*contact.gap * solver.factors().fit[c];
-    TipParameterDerivative one = cause(results::SensitivityParameter::fit, contact.name,
-                                       interference == 0.0 ? 0.0 : interference);
-    one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
-    for (std::size_t i = 0; i < scene_.pairs[c].normal.size(); ++i) {
-      one.gap[static_cast<Eigen::Index>(scene_.table.first[c] + i)] =
-          -scene_.pairs[c].normal[i].area;
-    }
-    causes.push_back(std::move(one));
-  }
-}
-
-void TipSensitivityAnalysis::add_moduli(const StepState& state,
-                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
-                                        std::vector<TipParameterDerivative>& causes) const {
-  // [dim * node, material] thermal loads less internal forces, f^T - K_m u (sensitivity.8).
-  base::Matrix loads = -state.internal;
-  if (state.temperature.size() > 0) {
-    loads += estimate::thermal_loads(model_, scene_.cracked.mesh, state.temperature);
-    for (const fe::ScaledTemperature& acting : acting_heat(scene_, state.case_factor)) {
-      for (std::size_t m = 0; m < model_.materials.size(); ++m) {
-        base::Vector f = base::Vector::Zero(loads.rows());
-        fe::add_residual_load(model_, scene_.cracked.mesh, acting, base::MaterialId(m), f);
-        loads.col(static_cast<Eigen::Index>(m)) += f;
-      }
-    }
-  }
-  for (std::size_t m = 0; m < model_.materials.size(); ++m) {
-    const double E = model_.materials[m].E;
-    TipParameterDerivative one =
-        cause(results::SensitivityParameter::modulus, model_.materials[m].name, E);
-    one.load = loads.col(static_cast<Eigen::Index>(m)) / E;
-    for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-      if (tip_material(model_, scene_, t) == m) {
-        one.direct.col(static_cast<Eigen::Index>(t)) =
-            (adjoints[t].rows.transpose() * state.u +
-             of_moduli_[t] * state.case_factor.head(of_moduli_[t].cols())) /
-            E;
-      }
-    }
-    causes.push_back(std::move(one));
-  }
+    return out;
+  };
+  K.of_modulus = [this, &state](std::size_t) -> base::Vector {
+    return of_moduli_ * state.case_factor.head(of_moduli_.cols());
+  };
+  return K;
 }
 
 void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vector<bool>& closed,
-                                         results::StepResult& result,
-                                         std::vector<TipParameterDerivative>& causes) const {
-  for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-    const std::string name = result.tips[t].name;
-    if (const std::string why_not = advances_[t]->missing_reason(closed); !why_not.empty()) {
-      for (results::TipResult& tip : result.tips) {
-        tip.sensitivities.notes.push_back(
-            fmt::format("no derivative by the length of {}: {}", name, why_not));
-      }
-      continue;
+                                         std::vector<ParameterDerivative>& causes,
+                                         results::StepResult& result) const {
+  for (const std::unique_ptr<VirtualTipExtension>& advance : advances_) {
+    if (const std::string why = advance->missing_reason(closed); !why.empty()) {
+      add_sensitivity_note(
+          fmt::format("no derivative by the length of {}: {}", advance->tip_name(), why), result);
+    } else {
+      causes.push_back(advance->length_derivative(state));
     }
-    TipParameterDerivative one =
-        cause(results::SensitivityParameter::length, name, scene_.cracked.fronts[t].a);
-    one.load = advances_[t]->load_derivative(state.u, state.case_factor);
-    for (std::size_t other = 0; other < scene_.tips.size(); ++other) {
-      one.direct.col(static_cast<Eigen::Index>(other)) =
-          advances_[t]->explicit_derivative(other, state.u, state.case_factor);
-    }
-    causes.push_back(std::move(one));
   }
 }
 
 // Loads and fits come first; what load cases do to the bodies alone is the same for all steps.
 LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
-                                              const std::vector<TipParameterDerivative>& causes,
+                                              const std::vector<ParameterDerivative>& causes,
                                               std::size_t count) {
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
   if (of_cases_.u.empty()) {
@@ -220,7 +156,7 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
   const auto k = static_cast<Eigen::Index>(count);
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   LoadAndGapRates out;
-  out.gap = base::Matrix::Zero(rows, k);
+  out.gap = collect_columns(std::span(causes).first(count), &ParameterDerivative::gap, rows);
   out.load_scale = base::Vector::Zero(k);
   out.free.opening = base::Matrix::Zero(rows, k);
   out.free.on_mode = base::Matrix::Zero(of_cases_.on_mode.rows(), k);
@@ -228,29 +164,19 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
   out.free.opening.leftCols(cases) = of_cases_.opening;
   out.free.on_mode.leftCols(cases) = of_cases_.on_mode;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    if (causes[i].gap.size() > 0) {
-      out.gap.col(at) = causes[i].gap;
-    }
     if (causes[i].load.size() > 0) {
-      out.load_scale[at] = causes[i].load.lpNorm<1>();
+      out.load_scale[static_cast<Eigen::Index>(i)] = causes[i].load.lpNorm<1>();
     }
   }
   return out;
 }
 
 // The loads of all causes on top, as the contact problem of a direction takes them.
-LoadAndGapRates
-TipSensitivityAnalysis::all_rates(const StepSolver& solver,
-                                  const std::vector<TipParameterDerivative>& causes) {
+LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
+                                                  const std::vector<ParameterDerivative>& causes) {
   LoadAndGapRates out = rates(solver, causes, causes.size());
-  const auto k = static_cast<Eigen::Index>(causes.size());
-  base::Matrix nodal = base::Matrix::Zero(case_load_.rows(), k);
-  for (std::size_t i = model_.cases.size(); i < causes.size(); ++i) {
-    if (causes[i].load.size() > 0) {
-      nodal.col(static_cast<Eigen::Index>(i)) = causes[i].load;
-    }
-  }
+  base::Matrix nodal = collect_columns(causes, &ParameterDerivative::load, case_load_.rows());
+  nodal.leftCols(static_cast<Eigen::Index>(model_.cases.size())).setZero();
   scene_.ties->transfer_to_masters(nodal);
   for (std::size_t b = 0; b < solver.condensed_bodies().size(); ++b) {
     base::Matrix load =
@@ -267,7 +193,7 @@ TipSensitivityAnalysis::all_rates(const StepSolver& solver,
 // chance or because nothing is loaded yet.
 void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenContact& contact,
                                        KAdjoints& adjoints,
-                                       std::vector<TipParameterDerivative>& causes,
+                                       const std::vector<ParameterDerivative>& causes,
                                        results::StepResult& result) {
   const LoadAndGapRates all = all_rates(solver, causes);
   struct Side {
@@ -293,12 +219,10 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
         continue;
       }
       range[up ? 1 : 0] += contact.linear_ranges(*side.held, all)[i][up ? 1 : 0];
-      for (std::size_t t = 0; t < result.tips.size(); ++t) {
-        Sensitivity& s = result.tips[t].sensitivities.of[i];
-        (up ? s.above : s.below) = slope(scene_, causes[i], side.adjoint[t], t);
-      }
+      store_derivative(scene_.k_layout(), slopes(scene_, causes[i], side.adjoint), i,
+                       up ? &Sensitivity::above : &Sensitivity::below, result);
     }
-    for (results::TipResult& tip : result.tips) {
+    for (results::FrontResult& tip : result.fronts) {
       Sensitivity& s = tip.sensitivities.of[i];
       unite(s);
       if (ranged(causes[i])) {
@@ -315,53 +239,40 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
     return;
   }
   if (!adjoint.front().is_available()) {
-    for (results::TipResult& tip : result.tips) {
-      tip.sensitivities.notes.push_back(adjoint.front().why_not);
-    }
+    add_sensitivity_note(adjoint.front().why_not, result);
     return;
   }
   prepare();
-  std::vector<TipParameterDerivative> causes;
-  add_loads(solver, adjoint, causes);
-  add_fits(solver, causes);
+  const KDependence K = dependence(solver, state, adjoint);
+  std::vector<ParameterDerivative> causes = load_and_fit_derivatives(K);
   const std::size_t with_range = causes.size();
   if ((solver.mount_offset().array() != 0.0).any()) {
-    for (results::TipResult& tip : result.tips) {
-      tip.sensitivities.notes.emplace_back(
-          "no derivatives by moduli and crack lengths: parts were mounted on deformed ones");
-    }
+    add_sensitivity_note(
+        "no derivatives by moduli and crack lengths: parts were mounted on deformed ones", result);
   } else {
-    add_moduli(state, adjoint, causes);
-    add_lengths(state, adjoint.front().closed, result, causes);
+    add_modulus_derivatives(K, causes);
+    add_lengths(state, adjoint.front().closed, causes, result);
   }
-  for (std::size_t t = 0; t < result.tips.size(); ++t) {
-    for (const TipParameterDerivative& one : causes) {
-      result.tips[t].sensitivities.of.push_back(one.is);
-    }
-  }
-  std::optional<FrozenContact> contact;
+  list_causes(causes, result);
+  // Without contact there is nothing to end any range.
+  LinearRanges reach = endless_ranges(causes.size());
   if (solver.contact_system() != nullptr) {
-    contact.emplace(solver, scene_, state);
-  }
-  if (contact && contact->is_degenerate()) {
-    one_sided(solver, *contact, adjoints, causes, result);
-    return;
-  }
-  constexpr double never = std::numeric_limits<double>::infinity();
-  std::vector<std::array<double, 2>> reach(causes.size(), {-never, never});
-  if (contact) {
-    reach = contact->linear_ranges(*adjoints.held_contact(), rates(solver, causes, with_range));
-  }
-  for (std::size_t t = 0; t < result.tips.size(); ++t) {
-    for (std::size_t i = 0; i < causes.size(); ++i) {
-      Sensitivity& s = result.tips[t].sensitivities.of[i];
-      s.below = s.above = slope(scene_, causes[i], adjoint[t], t);
-      // Ranges of moduli and lengths are not computed; without contact there is nothing to end any.
-      if (i < with_range || !contact) {
-        s.range = {s.value + reach[i][0], s.value + reach[i][1]};
-      }
+    const FrozenContact contact(solver, scene_, state);
+    if (contact.is_degenerate()) {
+      one_sided(solver, contact, adjoints, causes, result);
+      return;
     }
+    // Those of moduli and lengths are not computed.
+    reach.assign(causes.size(), std::nullopt);
+    std::ranges::copy(
+        contact.linear_ranges(*adjoints.held_contact(), rates(solver, causes, with_range)),
+        reach.begin());
   }
+  base::Matrix dK(K.of_loads.rows(), static_cast<Eigen::Index>(causes.size()));
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    dK.col(static_cast<Eigen::Index>(i)) = slopes(scene_, causes[i], adjoint);
+  }
+  store_derivatives(scene_.k_layout(), dK, reach, result);
 }
 
 } // namespace spricka::analysis

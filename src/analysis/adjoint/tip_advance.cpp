@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/tip_advance.hpp"
 
+#include "analysis/scene/front_name.hpp"
 #include "analysis/scene/scene_heat.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
 #include "crack/stress_intensity.hpp"
@@ -57,7 +58,8 @@ base::Matrix K_from_loads(const model::Model& model, const Discretisation& scene
 
 VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discretisation& scene,
                                          std::size_t tip)
-    : model_(model), scene_(scene),
+    : model_(model), scene_(scene), name_(front_name(model, scene, scene.cracked.fronts[tip])),
+      a_(scene.cracked.fronts[tip].a),
       // one ring beyond the tip's domains moves all of them as one; where it does not fit, the
       // largest domain moves itself
       motion_(estimate::tip_motion(scene.cracked, tip,
@@ -209,6 +211,20 @@ base::Vec2 VirtualTipExtension::explicit_derivative(std::size_t tip, const base:
         (K_from_loads(model_, *ahead_, tip) - K_from_loads(model_, *behind_, tip)) /
         (2.0 * motion_.step);
     out += rate * case_factor.head(rate.cols());
+  }
+  return out;
+}
+
+ParameterDerivative VirtualTipExtension::length_derivative(const StepState& state) const {
+  const crack::KLayout layout = scene_.k_layout();
+  ParameterDerivative out;
+  out.is.cause = results::SensitivityParameter::length;
+  out.is.name = name_;
+  out.is.value = a_;
+  out.load = load_derivative(state.u, state.case_factor);
+  out.direct.resize(layout.count());
+  for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
+    layout.point_entries(out.direct, t) = explicit_derivative(t, state.u, state.case_factor);
   }
   return out;
 }

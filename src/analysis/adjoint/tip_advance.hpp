@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/adjoint/parameter_derivatives.hpp"
 #include "analysis/scene/scene.hpp"
 #include "estimate/tip_motion.hpp"
 
@@ -15,15 +16,11 @@ class VirtualTipExtension {
 public:
   VirtualTipExtension(const model::Model& model, const Discretisation& scene, std::size_t tip);
 
+  [[nodiscard]] const std::string& tip_name() const { return name_; }
   /// Why dK/da is not given while these rows of the table are closed; empty: it is.
   [[nodiscard]] std::string missing_reason(const std::vector<bool>& closed) const;
-
-  /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.9).
-  [[nodiscard]] base::Vector load_derivative(const base::Vector& u,
-                                             const base::Vector& case_factor) const;
-  /// dK/da of a tip at u kept: of its rows and of what its loads add.
-  [[nodiscard]] base::Vec2 explicit_derivative(std::size_t tip, const base::Vector& u,
-                                               const base::Vector& case_factor) const;
+  /// d/da of loads and K of all tips, u and contact forces kept.
+  [[nodiscard]] ParameterDerivative length_derivative(const StepState& state) const;
 
 private:
   void find_hindrances(const std::vector<bool>& moves);
@@ -32,9 +29,17 @@ private:
                                        const Discretisation& ahead, const Discretisation& behind,
                                        double distance) const;
   void move_loads(const std::vector<bool>& moves);
+  /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.9).
+  [[nodiscard]] base::Vector load_derivative(const base::Vector& u,
+                                             const base::Vector& case_factor) const;
+  /// dK/da of a tip at u kept: of its rows and of what its loads add.
+  [[nodiscard]] base::Vec2 explicit_derivative(std::size_t tip, const base::Vector& u,
+                                               const base::Vector& case_factor) const;
 
   const model::Model& model_;
   const Discretisation& scene_;
+  std::string name_; ///< of the tip
+  double a_ = 0.0;   ///< its crack's length
   estimate::TipMotion motion_;
   std::unique_ptr<Discretisation> ahead_, behind_;
   std::vector<base::ElementId> strained_; ///< elements whose stiffness changes

@@ -2,12 +2,12 @@
 #include "analysis/lengths/growth_measure.hpp"
 
 #include "analysis/lengths/path_correction.hpp"
-#include "analysis/scene/tip_name.hpp"
 #include "crack/direction.hpp"
 #include "growth/net_section.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -19,6 +19,8 @@ namespace {
 
 /// K2 beyond this part of K1 on a given path is worth a word.
 constexpr double much_K2 = 0.25;
+/// The same of K2 or K3 along a front in space, which would leave its plane.
+constexpr double much_shear = 0.25;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
 
@@ -54,30 +56,7 @@ std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
   return life::CountedSpectrum::from_cycles(std::move(cycles));
 }
 
-// first * K1 + second * K2 on the path.
-base::PiecewiseLinear combined(const results::LoadPathTip& tip, const base::Vec2& part) {
-  // Straight on: the path's own K1, to the last bit.
-  if (part[1] == 0.0 && part[0] == 1.0) {
-    return tip.K1;
-  }
-  std::vector<double> value;
-  std::vector<double> slope;
-  for (std::size_t i = 0; i < tip.K1.segments(); ++i) {
-    value.push_back(part[0] * tip.K1.at_knot(i) + part[1] * tip.K2.at_knot(i));
-    slope.push_back(part[0] * tip.K1.slope(i) + part[1] * tip.K2.slope(i));
-  }
-  return {tip.K1.knots(), std::move(value), std::move(slope)};
-}
-
 } // namespace
-
-double locate_maximum(const base::PiecewiseLinear& K1, double low, double high) {
-  double best = K1(high) >= K1(low) ? high : low;
-  for (const double t : K1.knots()) {
-    best = t > low && t < high && K1(t) > K1(best) ? t : best;
-  }
-  return best;
-}
 
 life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
   const model::GrowthLawConstants& c = growth.constants;
@@ -140,32 +119,25 @@ GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
                                    const std::vector<growth::TrackedTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
   upside_down_ = true;
-  const bool history = at.followed && at.followed->none.empty();
-  if (at.followed && !history) {
+  if (at.followed && !at.followed->none.empty()) {
     warnings_.insert(
         {"W456", fmt::format("with friction K depends on the load history, but the loads were "
                              "not repeated: {}; K is that of the steps as they were run once",
                              at.followed->none)});
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
-    if (!at.cracks.solids.empty()) {
-      growth::TrackedTip tip = growing[i];
-      tip.line = at.cracks.fronts[i]; // the crack that its own has become a part of
-      if (!by_front(at, tip, at.cracks.aims[i], found[i])) {
-        return std::nullopt;
-      }
-      continue;
+    GrowingPlace to{.name = growing[i].name, .front = growing[i].name};
+    if (at.cracks.solids.empty()) {
+      to.straight = at.cracks.lines[growing[i].line].symmetric_half;
+    } else { // the crack that its own has become a part of
+      to.front = at.cracks.solids[at.cracks.fronts[i]].name;
+      to.aim = at.cracks.aims[i];
     }
-    const mesh::CrackLine& line = at.cracks.lines[growing[i].line];
-    const std::string& name = growing[i].name;
-    const bool straight = line.symmetric_half;
-    const bool good = history     ? by_history(at, name, straight, found[i])
-                      : spectrum_ ? by_spectrum(at, name, straight, found[i])
-                                  : by_steps(at, name, straight, found[i]);
-    if (!good) {
+    if (!evaluate_place(at, to, found[i])) {
       return std::nullopt;
     }
     for (const mesh::CrackFront& front : at.tips) {
+      const mesh::CrackLine& line = at.cracks.lines[growing[i].line];
       // The second tip, or the only one, stands at the last point of its line.
       const bool second = front.number == 2 || !line.embedded;
       if (model_.growth->flow_stress && front.crack == line.crack &&
@@ -177,6 +149,48 @@ GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
   return found;
 }
 
+bool GrowthRateEvaluator::evaluate_place(const SolvedCrackState& at, const GrowingPlace& to,
+                                         growth::TipStation& found) {
+  const std::vector<results::FrontResult>& fronts =
+      at.increment.steps[largest_load_step(model_)].fronts;
+  const PlaceOnFront place = nearest_place(fronts, to.front, to.aim);
+  if (!place.found()) {
+    return no_rate(fmt::format("crack {} has no front to grow from", to.front));
+  }
+  if (fronts[place.front].two_materials) {
+    return no_rate(
+        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", to.name));
+  }
+  if (!fronts[place.front].is_tip()) {
+    look_at_front(at, to, place, found);
+  }
+  if (at.followed && at.followed->none.empty()) {
+    return by_history(at, to, place, found);
+  }
+  return spectrum_ ? by_spectrum(at, to, found) : by_steps(at, to, place, found);
+}
+
+void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const GrowingPlace& to,
+                                        const PlaceOnFront& place, growth::TipStation& found) {
+  const std::vector<results::FrontResult>& fronts =
+      at.increment.steps[largest_load_step(model_)].fronts;
+  const results::FrontResult& front = fronts[place.front];
+  const base::Vec3 x = place_on_curve(front, place);
+  found.x = x.x();
+  found.y = x.y();
+  found.z = x.z();
+  if (!at.plastic.empty()) {
+    assert(at.plastic.size() == fronts.size());
+    found.plastic = at.plastic[place.front];
+  }
+  if (model_.growth->corrected) {
+    warn_of_no_bar(front.name, front.no_bar);
+  }
+  const base::Vec3 K = smooth_K(front, place, model_.growth->corrected);
+  warn_of_invalid_result(front, K[0]);
+  look_at_shear(to.front, K);
+}
+
 void GrowthRateEvaluator::warn_of_no_bar(const std::string& name, const std::string& why) {
   if (!why.empty()) {
     warnings_.insert(
@@ -186,16 +200,32 @@ void GrowthRateEvaluator::warn_of_no_bar(const std::string& name, const std::str
   }
 }
 
-bool GrowthRateEvaluator::has_bar(const results::TipResult& tip) {
-  if (!tip.closed) {
-    warn_of_no_bar(tip.name, tip.no_bar);
+void GrowthRateEvaluator::warn_of_invalid_result(const results::FrontResult& front, double K1) {
+  if (!front.invalid_reason.empty() && K1 > 0.0) {
+    warnings_.insert(
+        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.invalid_reason)});
   }
-  return tip.no_bar.empty();
 }
 
-base::Vec2 GrowthRateEvaluator::intensity(const results::TipResult& tip) {
-  return model_.growth->corrected && has_bar(tip) ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
-                                                  : base::Vec2(tip.K1, tip.K2);
+void GrowthRateEvaluator::warn_of_no_bar(const results::FrontResult& end) {
+  // A tip whose faces touch there needs none.
+  if (!end.is_tip() || !end.tip().closed) {
+    warn_of_no_bar(end.name, end.no_bar);
+  }
+}
+
+base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
+                                          const PlaceOnFront& place) {
+  const bool corrected = model_.growth->corrected;
+  if (!front.is_tip()) {
+    return smooth_K(front, place, corrected).head<2>();
+  }
+  if (corrected) {
+    warn_of_no_bar(front);
+  }
+  const results::FrontPointResult& tip = front.tip();
+  return corrected && front.has_error_bar() ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
+                                            : base::Vec2(tip.K1, tip.K2);
 }
 
 // K1 = 0 stands for faces that touch; K1 < 0 but for round-off for such that overlap.
@@ -235,6 +265,30 @@ void GrowthRateEvaluator::look_at(const std::string& name, const base::Vec2& K, 
   }
 }
 
+void GrowthRateEvaluator::look_at_shear(const std::string& crack, const base::Vec3& K) {
+  const bool stays = model_.growth->direction == model::GrowthDirection::path;
+  const double K2 = stays ? std::abs(K[1]) : 0.0;
+  const double part = std::max(K2, std::abs(K[2])) / K[0];
+  if (K[0] > 0.0 && part > std::max(much_shear, shear_[crack].part)) {
+    shear_[crack] = {K2 > std::abs(K[2]) ? "K2" : "K3", part};
+  }
+}
+
+std::set<results::Warning> GrowthRateEvaluator::warnings() const {
+  std::set<results::Warning> all = warnings_;
+  const bool stays = model_.growth->direction == model::GrowthDirection::path;
+  for (const auto& [crack, shear] : shear_) {
+    if (shear.part > 0.0) {
+      all.insert(
+          {"W456", fmt::format("{} grows {} although {} is up to {:.2f} of K1; the law is given K1 "
+                               "{}",
+                               crack, stays ? "in its plane" : "as K1 and K2 turn it", shear.what,
+                               shear.part, stays ? "alone" : "of the turned crack alone")});
+    }
+  }
+  return all;
+}
+
 void GrowthRateEvaluator::warn_of_closing(const std::string& name, double a) {
   warnings_.insert(
       {"W456", fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
@@ -243,112 +297,48 @@ void GrowthRateEvaluator::warn_of_closing(const std::string& name, double a) {
                            name, a)});
 }
 
-double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const results::TipResult& tip,
-                                        const base::Vec2& part) {
-  const double K = part.dot(intensity(tip));
+double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
+                                        const base::Vec2& part, const results::FrontResult& front,
+                                        const PlaceOnFront& place) {
+  const double K = part.dot(intensity(front, place));
   if (!continues_below_closing(model_)) {
     return K;
   }
-  const results::TipResult* free = tip_with_overlap(at.free, model_.growth->kmin.index(), tip.name);
+  const results::FrontResult* free =
+      tip_with_overlap(at.free, model_.growth->kmin.index(), front.name);
   if (free == nullptr) {
-    if (tip.closed) {
-      warn_of_closing(tip.name, tip.a);
+    if (front.points[place.from].closed) {
+      warn_of_closing(to.name, front.a);
     }
     return K;
   }
-  const double below = part.dot(base::Vec2(free->K1, free->K2));
+  const double below = part.dot(base::Vec2(free->tip().K1, free->tip().K2));
   // Above zero nothing overlaps, and K with contact is right.
   return below < 0.0 ? below : K;
 }
 
-bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const std::string& name,
-                                   bool straight, growth::TipStation& found) {
-  const results::Increment& increment = at.increment;
-  const results::TipResult* high =
-      results::find_tip(increment.steps[model_.growth->kmax.index()], name);
-  const results::TipResult* low =
-      results::find_tip(increment.steps[model_.growth->kmin.index()], name);
-  if (high == nullptr || low == nullptr || high->two_materials) {
-    return no_rate(
-        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
+bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlace& to,
+                                   const PlaceOnFront& place, growth::TipStation& found) {
+  const results::FrontResult& high =
+      at.increment.steps[model_.growth->kmax.index()].fronts[place.front];
+  const results::StepResult& smallest = at.increment.steps[model_.growth->kmin.index()];
+  const PlaceOnFront there = nearest_place(smallest.fronts, to.front, to.aim);
+  if (!there.found()) {
+    return no_rate(fmt::format("crack {} has no front to grow from", to.front));
   }
-  if (!high->invalid_reason.empty() && high->K1 > 0.0) {
-    warnings_.insert(
-        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", name, high->invalid_reason)});
+  const results::FrontResult& low = smallest.fronts[there.front];
+  if (high.is_tip()) {
+    warn_of_invalid_result(high, high.tip().K1);
   }
-  const base::Vec2 K = intensity(*high);
-  const base::Vec2 part = turn(K, straight, found);
+  const base::Vec2 K = intensity(high, place);
+  const base::Vec2 part = turn(K, to.straight, found);
   found.K_max = std::max(0.0, part.dot(K));
-  found.K_min = at_smallest(at, *low, part);
+  found.K_min = at_smallest(at, to, part, low, there);
   found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
-  look_at(name, K, low->K1 > high->K1 && low->K1 > 0.0);
-  return true;
-}
-
-base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
-                                                   const results::LoadPathTip& tip,
-                                                   const base::Vec2& part) {
-  base::PiecewiseLinear K = combined(tip, part);
-  // Without overlap anywhere both ways to K are one.
-  if (!(at.free || faces_touch(tip.K1)) || !continues_below_closing(model_)) {
-    return K;
-  }
-  const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
-  const results::LoadPathTip* free = at.free && path < at.free->paths.size()
-                                         ? results::find_tip(at.free->paths[path], tip.name)
-                                         : nullptr;
-  std::optional<base::PiecewiseLinear> below;
-  if (free != nullptr) {
-    below = continue_below_zero(K, combined(*free, part), spectrum_->highest());
-  }
-  if (!below) {
-    warn_of_closing(tip.name, tip.a);
-  }
-  return below ? std::move(*below) : std::move(K);
-}
-
-bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const std::string& name,
-                                      bool straight, growth::TipStation& found) {
-  const results::Increment& increment = at.increment;
-  const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
-  const results::LoadPathResult& path = *at.path;
-  const results::TipResult* at_end =
-      results::find_tip(increment.steps[largest_load_step(model_)], name);
-  const results::LoadPathTip* tip = results::find_tip(path, name);
-  if (at_end != nullptr && at_end->two_materials) {
-    return no_rate(
-        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
-  }
-  if (tip == nullptr || path.t.empty() || path.t.back() < spectrum_->highest()) {
-    return no_rate(
-        fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
-                    card.name, spectrum_->highest(), path.name, path.stopped));
-  }
-  if (model_.growth->corrected) {
-    for (const base::StepId step :
-         {model_.load_paths[card.path].from, model_.load_paths[card.path].to}) {
-      if (const auto* end = results::find_tip(increment.steps[step.index()], name)) {
-        has_bar(*end);
-      }
-    }
-  }
-  if (!tip->invalid_reason.empty()) {
-    warnings_.insert({"W508", fmt::format("{}: K on load path {} is in doubt: {}", name, path.name,
-                                          tip->invalid_reason)});
-  }
-  // The way on is that at the largest load; K of the whole path is then taken at the tip of that
-  // kink (growth.8).
-  const double peak = locate_maximum(tip->K1, spectrum_->lowest(), spectrum_->highest());
-  const base::Vec2 part = turn({tip->K1(peak), tip->K2(peak)}, straight, found);
-  const base::PiecewiseLinear K = on_path(at, *tip, part);
-  const auto [low, high] = spectrum_->extreme_K(K);
-  found.K_min = low;
-  found.K_max = std::max(0.0, high);
-  found.rate = spectrum_->growth_per_pass(law_, K);
-  counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
-  if (std::isnan(found.rate)) {
-    return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number at a = {:.6g}",
-                               card.name, tip->a));
+  if (high.is_tip()) {
+    look_at(to.name, K, low.tip().K1 > high.tip().K1 && low.tip().K1 > 0.0);
+  } else {
+    note_order(to.name, found.K_min > K[0] && found.K_min > 0.0);
   }
   return true;
 }

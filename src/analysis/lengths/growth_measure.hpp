@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/load_history.hpp"
+#include "analysis/lengths/place_on_front.hpp"
 #include "analysis/scene/free_faces.hpp"
 #include "base/outcome.hpp"
 #include "growth/ahead.hpp"
@@ -42,10 +43,6 @@ std::size_t largest_load_step(const model::Model& model);
 /// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
 std::optional<results::LoadPathResult> growth_load_path(const model::Model& model,
                                                         const results::Increment& increment);
-
-/// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
-std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPathResult& path,
-                                                const base::Vec3& x);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
 double locate_maximum(const base::PiecewiseLinear& K1, double low, double high);
@@ -98,35 +95,43 @@ public:
 private:
   /// Says why a state has no rate; false.
   bool no_rate(std::string why);
-  bool by_steps(const SolvedCrackState& at, const std::string& name, bool straight,
+  /// A tip that grows, and the place of a front where its K is taken.
+  struct GrowingPlace {
+    std::string name;                    ///< of the tip
+    std::string front;                   ///< its crack, in the plane the tip
+    base::Vec3 aim = base::Vec3::Zero(); ///< in space: the place is the nearest to it
+    bool straight = false;               ///< it cannot turn, on a line of symmetry
+  };
+  bool evaluate_place(const SolvedCrackState& at, const GrowingPlace& to,
+                      growth::TipStation& found);
+  /// What K along a front in space at KMAX means, however the law is given it.
+  void look_at_front(const SolvedCrackState& at, const GrowingPlace& to, const PlaceOnFront& place,
+                     growth::TipStation& found);
+  bool by_steps(const SolvedCrackState& at, const GrowingPlace& to, const PlaceOnFront& place,
                 growth::TipStation& found);
-  bool by_spectrum(const SolvedCrackState& at, const std::string& name, bool straight,
-                   growth::TipStation& found);
-  /// K of a tip on the path of the spectrum, with what the law wants where its faces close.
-  [[nodiscard]] base::PiecewiseLinear
-  on_path(const SolvedCrackState& at, const results::LoadPathTip& tip, const base::Vec2& part);
-  /// K_min by the tip at KMIN; `part` of its K1 and K2 counts.
-  [[nodiscard]] double at_smallest(const SolvedCrackState& at, const results::TipResult& tip,
-                                   const base::Vec2& part);
-  /// Of a tip in space, whose K is that of the place nearest to `aim`.
-  bool by_front(const SolvedCrackState& at, const growth::TrackedTip& tip, const base::Vec3& aim,
-                growth::TipStation& found);
-  bool by_front_spectrum(const SolvedCrackState& at, const std::string& crack,
-                         const base::Vec3& aim, growth::TipStation& found);
+  bool by_spectrum(const SolvedCrackState& at, const GrowingPlace& to, growth::TipStation& found);
+  bool by_history(const SolvedCrackState& at, const GrowingPlace& to, const PlaceOnFront& place,
+                  growth::TipStation& found);
+  /// K at a place on the path of the spectrum, with what the law wants where the faces close.
+  [[nodiscard]] base::PiecewiseLinear on_path(const SolvedCrackState& at,
+                                              const results::LoadPathFront& front,
+                                              const PlaceOnFront& place, const base::Vec2& part);
+  /// K_min by a place at KMIN; `part` of its K1 and K2 counts.
+  [[nodiscard]] double at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
+                                   const base::Vec2& part, const results::FrontResult& front,
+                                   const PlaceOnFront& place);
   /// Warns of K2 and K3 at KMAX that the growth does not follow.
   void look_at_shear(const std::string& crack, const base::Vec3& K);
   void warn_of_closing(const std::string& name, double a);
   /// `why` there is no error bar to correct K by; empty: there is one.
   void warn_of_no_bar(const std::string& name, const std::string& why);
-  /// Whether K of a tip has a bar at the end of a step; why not is a warning.
-  bool has_bar(const results::TipResult& tip);
-  bool by_history(const SolvedCrackState& at, const std::string& name, bool straight,
-                  growth::TipStation& found);
+  /// The same of the ends of the spectrum's path.
+  void warn_of_no_bar(const results::FrontResult& end);
+  void warn_of_bars_on_path(const SolvedCrackState& at, const GrowingPlace& to);
+  /// Of K at KMAX, where K1 is open.
+  void warn_of_invalid_result(const results::FrontResult& front, double K1);
   /// The K that the law is given, out of those of all tips [crack::KLayout].
   using KOfLaw = std::function<double(const base::Vector&)>;
-  /// Of a place of a front; `K1` takes that of the place.
-  bool by_front_history(const LoadHistoryResult& loads, const std::string& name, double a,
-                        const KOfLaw& K1, growth::TipStation& found);
   /// Rate and extremes of K in a pass of the spectrum that was followed.
   void of_pass(const LoadPassResult& pass, const KOfLaw& K, growth::TipStation& found) const;
   /// Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
@@ -138,7 +143,8 @@ private:
   void note_order(const std::string& name, bool upside_down);
   /// Warns of what a reader of a rate by KMAX and KMIN must know; K1 and K2 at KMAX.
   void look_at(const std::string& name, const base::Vec2& K, bool upside_down);
-  [[nodiscard]] base::Vec2 intensity(const results::TipResult& tip);
+  /// K1 and K2 of a place at the end of a step, corrected where the law is to have that.
+  [[nodiscard]] base::Vec2 intensity(const results::FrontResult& front, const PlaceOnFront& place);
   /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
   [[nodiscard]] base::Vec2 turn(const base::Vec2& K, bool straight,
                                 growth::TipStation& found) const;

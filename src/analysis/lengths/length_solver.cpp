@@ -231,16 +231,20 @@ bool CrackStateSolver::numbers_are_sound(const results::StepResult& result,
   return what.empty();
 }
 
-// The first solution with faces that overlap is K of faces that may.
+// The first solution with faces that overlap is K of faces that may; of tips alone, as the law is
+// given K_min = 0 of fronts in space whose faces touch.
 void CrackStateSolver::keep_free(const std::vector<std::size_t>& touching,
                                  results::Increment& increment) {
   const bool whole = increment.steps.size() == model_.steps.size();
-  if (touching.empty() || free_ || !whole || !continues_below_closing(model_)) {
+  const bool tips = std::ranges::all_of(increment.steps, [](const results::StepResult& step) {
+    return std::ranges::all_of(step.fronts, &results::FrontResult::is_tip);
+  });
+  if (touching.empty() || free_ || !whole || !tips || !continues_below_closing(model_)) {
     return;
   }
   free_.emplace();
   for (results::StepResult& step : increment.steps) {
-    free_->steps.push_back(std::move(step.tips));
+    free_->steps.push_back(std::move(step.fronts));
   }
   free_->paths = std::move(increment.paths);
 }

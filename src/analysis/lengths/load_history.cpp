@@ -13,36 +13,34 @@ namespace spricka::analysis {
 
 namespace {
 
-// Of all tips; along fronts the smooth ones.
+// Of all points, as smooth functions along their fronts.
 base::Vector intensities_of(const crack::KLayout& layout, const results::StepResult& result) {
   base::Vector K(layout.count());
   std::size_t point = 0;
   for (const results::FrontResult& front : result.fronts) {
     for (const results::FrontPointResult& place : front.points) {
-      layout.point_entries(K, point++) << place.smooth[0], place.smooth[1], place.smooth[2];
+      layout.point_entries(K, point++) = base::Vec3::Map(place.smooth.data()).head(layout.modes());
     }
-  }
-  for (std::size_t t = 0; t < result.tips.size(); ++t) {
-    K[layout.at(t, 1)] = result.tips[t].K1;
-    K[layout.at(t, 2)] = result.tips[t].K2;
   }
   return K;
 }
 
-// The largest difference of K along fronts, but for points where faces touch: there steps set more
-// of K to 0 than the law asks for.
-double apart_along_fronts(const crack::KLayout& layout, const base::Vector& K,
-                          const results::StepResult& own) {
+// The largest difference of K to that of a step, but for points where faces touch: there steps set
+// more of K to 0 than the law asks for (judge_faces).
+double apart_from_step(const crack::KLayout& layout, const base::Vector& K,
+                       const results::StepResult& own) {
   const base::Vector other = intensities_of(layout, own);
   double apart = 0.0;
   std::size_t point = 0;
   for (const results::FrontResult& front : own.fronts) {
     for (const results::FrontPointResult& place : front.points) {
-      if (!place.closed) {
-        apart =
-            std::max(apart, (layout.point_entries(K, point) - layout.point_entries(other, point))
-                                .cwiseAbs()
-                                .maxCoeff());
+      for (int mode = 1; mode <= layout.modes(); ++mode) {
+        const Eigen::Index at = layout.at(point, mode);
+        // K1 of a tip may be 0 for its sign alone.
+        const bool set = mode == 1 && front.is_tip() && other[at] == 0.0;
+        if (!place.closed && !front.two_materials && !set) {
+          apart = std::max(apart, std::abs(other[at] - K[at]));
+        }
       }
       ++point;
     }
@@ -173,17 +171,8 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out, base::Tro
   }
   const results::StepResult own =
       collect_results(model_, scene_, bodies_, model_.steps.front(), *state);
-  if (!own.fronts.empty() && largest_ > 0.0) {
-    out.mismatch = apart_along_fronts(layout, K, own) / largest_;
-  }
-  for (std::size_t t = 0; t < own.tips.size() && !shifted && largest_ > 0.0; ++t) {
-    const results::TipResult& tip = own.tips[t];
-    // check_crack_faces() may have set these to 0.
-    const bool judged = tip.closed || tip.two_materials || tip.K1 == 0.0;
-    const double apart =
-        std::max(judged ? 0.0 : std::abs(tip.K1 - K[layout.at(t, 1)]),
-                 tip.two_materials || tip.closed ? 0.0 : std::abs(tip.K2 - K[layout.at(t, 2)]));
-    out.mismatch = std::max(out.mismatch, apart / largest_);
+  if (!shifted && largest_ > 0.0) {
+    out.mismatch = apart_from_step(layout, K, own) / largest_;
   }
   return true;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
-#include "crack/k_layout.hpp"
 #include "life/rainflow.hpp"
 #include "model/model.hpp"
 
@@ -17,16 +16,12 @@ namespace {
 
 constexpr double worst_mismatch = 1e-6; // of K against that of recovered displacements
 
-base::Vec2 of_tip(const base::Vector& K, std::size_t tip) {
-  return crack::KLayout(tip + 1, 2).point_entries(K, tip);
-}
-
-// K1 and K2 where K1 is largest in a pass.
-base::Vec2 largest(const LoadPassResult& pass, std::size_t tip) {
+// K1 and K2 where K1 is largest in a pass, of the place that `K_of` takes them of.
+template <class KOf> base::Vec2 largest(const LoadPassResult& pass, const KOf& K_of) {
   base::Vec2 best(-std::numeric_limits<double>::infinity(), 0.0);
   const auto look = [&](const WayOfK& way) {
     for (const base::Vector& all : way) {
-      const base::Vec2 K = of_tip(all, tip);
+      const base::Vec2 K = K_of(all);
       best = K[0] > best[0] ? K : best;
     }
   };
@@ -106,42 +101,40 @@ void GrowthRateEvaluator::look_at(const LoadHistoryResult& loads, double a) {
   }
 }
 
-bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const std::string& name,
-                                     bool straight, growth::TipStation& found) {
+bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPlace& to,
+                                     const PlaceOnFront& place, growth::TipStation& found) {
   const LoadHistoryResult& loads = *at.followed;
-  const std::vector<results::TipResult>& tips = at.increment.steps[largest_load_step(model_)].tips;
-  const auto own = std::ranges::find(tips, name, &results::TipResult::name);
-  if (own == tips.end() || own->two_materials) {
-    return no_rate(
-        fmt::format("{} cannot grow, as it has no K: its tip lies between two materials", name));
-  }
-  const auto tip = static_cast<std::size_t>(own - tips.begin());
-  // The turn of the last pass holds for the first as well: both are told of one kink.
-  const base::Vec2 K =
-      spectrum_ ? largest(loads.last, tip) : of_tip(loads.last.marks[loads.grow_at], tip);
-  const base::Vec2 part = turn(K, straight, found);
+  const results::StepResult& step = at.increment.steps[largest_load_step(model_)];
+  const results::FrontResult& front = step.fronts[place.front];
+  const auto K_of = [K1 = K_at(step, place, 1), K2 = K_at(step, place, 2)](
+                        const base::Vector& all) { return base::Vec2(K1(all), K2(all)); };
+  const base::Vec2 grown = K_of(loads.last.marks[loads.grow_at]);
+  // The turn of the last pass holds for the first as well: both are told of one kink. In space the
+  // front turns by K of the steps.
+  const base::Vec2 K = !front.is_tip() ? intensity(front, place)
+                       : spectrum_     ? largest(loads.last, K_of)
+                                       : grown;
+  const base::Vec2 part = turn(K, to.straight, found);
   of_loads(
-      loads, [&](const base::Vector& all) { return part.dot(of_tip(all, tip)); }, found);
-  if (!spectrum_) {
-    look_at(name, K, found.K_min > found.K_max);
+      loads, [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
+  if (front.is_tip()) {
+    if (!spectrum_) {
+      look_at(to.name, K, found.K_min > found.K_max);
+    }
+    look_at(loads, at.increment.a);
+  } else {
+    found.K2_max = grown[1];
+    // Only faces that touch have K1 = 0 to the last bit.
+    if (continues_below_closing(model_) && found.K_min == 0.0) {
+      warn_of_closing(to.name, front.a);
+    }
+    if (!spectrum_) {
+      note_order(to.name, found.K_min > found.K_max && found.K_min > 0.0);
+    }
+    look_at(loads, front.a);
   }
-  look_at(loads, at.increment.a);
-  return !std::isnan(found.rate) || no_rate({});
-}
-
-bool GrowthRateEvaluator::by_front_history(const LoadHistoryResult& loads, const std::string& name,
-                                           double a, const KOfLaw& K1, growth::TipStation& found) {
-  of_loads(loads, K1, found);
-  // Only faces that touch have K1 = 0 to the last bit.
-  if (continues_below_closing(model_) && found.K_min == 0.0) {
-    warn_of_closing(name, a);
-  }
-  if (!spectrum_) {
-    note_order(name, found.K_min > found.K_max && found.K_min > 0.0);
-  }
-  look_at(loads, a);
   return !std::isnan(found.rate) ||
-         no_rate(fmt::format("the growth of a pass of the loads is not a number at {}", name));
+         no_rate(fmt::format("the growth of a pass of the loads is not a number at {}", to.name));
 }
 
 } // namespace spricka::analysis

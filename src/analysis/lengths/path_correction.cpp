@@ -2,6 +2,7 @@
 #include "analysis/lengths/path_correction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -21,13 +22,6 @@ bool monotone(const base::PiecewiseLinear& K, double at_end) {
     before = K.at_knot(k);
   }
   return way != 0.0 && (at_end - before) * way >= 0.0;
-}
-
-double error_of(const results::TipResult& tip, int mode) {
-  if (!tip.no_bar.empty() || tip.closed) {
-    return 0.0;
-  }
-  return mode == 1 ? tip.bar[0].best - tip.K1 : tip.bar[1].best - tip.K2;
 }
 
 bool touch_on(const base::PiecewiseLinear& K1, std::size_t segment) {
@@ -62,32 +56,28 @@ base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, 
   return {K.knots(), std::move(value), std::move(slope)};
 }
 
-double estimated_error(const results::FrontResult& front, std::size_t i) {
+double estimated_error(const results::FrontResult& front, std::size_t i, std::size_t mode) {
   const std::size_t last = front.points.size() - 1;
   const std::size_t near = !front.points[i].at_surface ? i : i == 0 ? 1 : i == last ? last - 1 : i;
-  const results::FrontPointResult& place = front.points[near];
-  const bool known = results::has_error_bar(front) && !front.points[i].closed && !place.closed;
-  return known ? place.bar[0].best - place.K1 : 0.0;
+  const results::FrontPointResult& point = front.points[near];
+  const bool known = front.has_error_bar() && !front.points[i].closed && !point.closed;
+  const std::array<double, 3> K{point.K1, point.K2, point.K3};
+  return known ? point.bar[mode].best - K[mode] : 0.0;
 }
 
 results::LoadPathResult corrected_path(results::LoadPathResult path,
                                        const results::StepResult& from,
                                        const results::StepResult& to) {
-  for (results::LoadPathTip& tip : path.tips) {
-    const results::TipResult* low = results::find_tip(from, tip.name);
-    const results::TipResult* high = results::find_tip(to, tip.name);
-    if (low != nullptr && high != nullptr) {
-      tip.K1 = correct_K(tip.K1, error_of(*low, 1), error_of(*high, 1));
-      tip.K2 = correct_K(tip.K2, error_of(*low, 2), error_of(*high, 2));
-    }
-  }
   for (std::size_t f = 0; f < path.fronts.size(); ++f) {
+    const std::size_t modes = from.fronts.at(f).is_tip() ? 2 : 1;
     for (std::size_t i = 0; i < path.fronts[f].points.size(); ++i) {
       results::LoadPathFrontPoint& point = path.fronts[f].points[i];
-      const double low = estimated_error(from.fronts.at(f), i);
-      const double high = estimated_error(to.fronts.at(f), i);
-      point.K[0] = correct_K(point.K[0], low, high);
-      point.smooth[0] = correct_K(point.smooth[0], low, high);
+      for (std::size_t mode = 0; mode < modes; ++mode) {
+        const double low = estimated_error(from.fronts.at(f), i, mode);
+        const double high = estimated_error(to.fronts.at(f), i, mode);
+        point.K[mode] = correct_K(point.K[mode], low, high);
+        point.smooth[mode] = correct_K(point.smooth[mode], low, high);
+      }
     }
   }
   return path;

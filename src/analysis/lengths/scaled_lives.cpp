@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/scaled_lives.hpp"
 
+#include "analysis/lengths/place_on_front.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "analysis/steps/step_factors.hpp"
 #include "model/model.hpp"
@@ -41,10 +42,8 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
 // In space K1 of the place where a tip stands; in the plane that of the only tip.
 std::optional<base::PiecewiseLinear> K1_of(const results::LoadPathResult& path,
                                            const growth::TipStation& tip) {
-  if (!path.fronts.empty()) {
-    return nearest_K1(path, {tip.x, tip.y, tip.z});
-  }
-  return path.tips.size() == 1 ? std::optional(path.tips.front().K1) : std::nullopt;
+  const bool several_tips = path.fronts.size() > 1 && path.fronts.front().points.size() == 1;
+  return several_tips ? std::nullopt : nearest_K1(path, {tip.x, tip.y, tip.z});
 }
 
 // Rates of all stations, whose K is on `paths` [station], with K on a line from K0 at t = 0 to the

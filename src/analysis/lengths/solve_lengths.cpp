@@ -33,14 +33,14 @@ void compare_extremes(const model::Model& model, results::RunResult& run) {
   const std::size_t high = model.growth->kmax.index();
   const std::size_t low = model.growth->kmin.index();
   results::Increment& last = run.increments.back();
-  for (const results::TipResult& tip : last.steps[high].tips) {
+  for (const results::FrontResult& tip : last.steps[high].fronts) {
     const auto upside_down = [&](const results::Increment& increment) {
-      const results::TipResult* most = results::find_tip(increment.steps[high], tip.name);
-      const results::TipResult* least = results::find_tip(increment.steps[low], tip.name);
+      const results::FrontResult* most = results::find_front(increment.steps[high], tip.name);
+      const results::FrontResult* least = results::find_front(increment.steps[low], tip.name);
       return most != nullptr && least != nullptr &&
-             most->K1 < least->K1 - clearly * std::abs(least->K1);
+             most->tip().K1 < least->tip().K1 - clearly * std::abs(least->tip().K1);
     };
-    if (std::ranges::all_of(run.increments, upside_down)) {
+    if (tip.is_tip() && std::ranges::all_of(run.increments, upside_down)) {
       last.steps[high].notes.push_back(results::questionable_note(
           fmt::format("K1 of {} is larger at KMIN, step {}, than at KMAX, step {}: are "
                       "the two steps exchanged?",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/finite_results.hpp"
 
+#include "results/k_quantities.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,15 +28,21 @@ bool all_good(const std::vector<results::Stress>& stresses) {
                              [](const results::Stress& s) { return all_good<results::Stress>(s); });
 }
 
-// All numbers that a record of tips or points keeps, by the table of its quantities.
+// All numbers that a record of points keeps, by the table of its quantities.
 template <class Record, class Quantities>
 bool members_good(const Record& record, const Quantities& quantities) {
   return std::ranges::all_of(
       quantities, [&](const auto& q) { return q.member == nullptr || good(record.*q.member); });
 }
 
-bool tips_good(const results::TipResult& t) {
-  return members_good(t, results::tip_quantities) && all_good(t.K1_domain);
+bool fronts_good(const results::FrontResult& front) {
+  return std::ranges::all_of(front.points, [](const results::FrontPointResult& point) {
+    return members_good(point, results::k_quantities) && all_good(point.K1_domain);
+  });
+}
+
+bool path_good(const base::PiecewiseLinear& K) {
+  return K.empty() || (good(K.lowest()) && good(K.highest()));
 }
 
 bool contacts_good(const results::ContactResult& c) {
@@ -62,7 +70,7 @@ std::string not_finite(const results::StepResult& step) {
   if (!all_good(step.reaction) || !good(step.energy)) {
     return words("forces or energies are");
   }
-  if (!std::ranges::all_of(step.tips, tips_good)) {
+  if (!std::ranges::all_of(step.fronts, fronts_good)) {
     return words("K or G is");
   }
   if (!std::ranges::all_of(step.contacts, contacts_good)) {
@@ -75,18 +83,9 @@ std::string not_finite(const results::StepResult& step) {
 }
 
 std::string not_finite(const results::LoadPathResult& path) {
-  for (const results::LoadPathTip& tip : path.tips) {
-    for (const base::PiecewiseLinear* K : {&tip.K1, &tip.K2}) {
-      if (!K->empty() && (!good(K->lowest()) || !good(K->highest()))) {
-        return words("K along the load path is");
-      }
-    }
-  }
   for (const results::LoadPathFront& front : path.fronts) {
     for (const results::LoadPathFrontPoint& point : front.points) {
-      if (std::ranges::any_of(point.K, [](const base::PiecewiseLinear& K) {
-            return !K.empty() && (!good(K.lowest()) || !good(K.highest()));
-          })) {
+      if (!std::ranges::all_of(point.K, path_good)) {
         return words("K along the load path is");
       }
     }

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/gather_fronts.hpp"
 
-#include "analysis/recover/judge_front.hpp"
+#include "analysis/recover/judge_faces.hpp"
 #include "analysis/scene/front_name.hpp"
 #include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 #include "base/tidy.hpp"
 #include "contact/space_tractions.hpp"
+#include "crack/load_jumps.hpp"
 #include "crack/space/front_intensity.hpp"
+#include "crack/stress_intensity.hpp"
 #include "mesh/tube/cracks_in_solids.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace spricka::analysis {
 
@@ -51,67 +59,139 @@ base::Vec3 without_round_off(const base::Vec3& x, double reach) {
   return (x.array().abs() > round_off * reach).select(x, base::Vec3::Zero());
 }
 
-results::FrontPointResult place_of(const model::CrackDefinition& crack,
-                                   const mesh::FrontPoint& point, const crack::StressIntensity& K) {
-  results::FrontPointResult place;
-  place.x = point.x;
-  place.growth = point.growth;
-  place.s = point.s;
-  place.phi =
-      crack.kind == model::CrackDefinitionKind::ellipse ? mesh::front_angle(crack, point.x) : 0.0;
-  place.K1 = K.K1;
-  place.K2 = K.K2;
-  place.K3 = K.K3;
-  place.G = K.G;
-  place.G_from_K = K.G_from_K;
-  place.T = K.T;
-  place.spread = K.spread;
-  place.at_surface = point.at_surface;
-  if (K.front) {
-    place.smooth = K.front->from_inside.value_or(K.front->smooth);
-    if (K.opening && K.front->opening_K3) {
-      place.opening = {(*K.opening)[0], (*K.opening)[1], *K.front->opening_K3};
+results::FrontPointResult point_of(const mesh::FrontPoint& point, const crack::StressIntensity& K) {
+  results::FrontPointResult result;
+  result.x = point.x;
+  result.direction = point.growth;
+  result.s = point.s;
+  result.K1 = K.K1;
+  result.K2 = K.K2;
+  result.K3 = K.K3;
+  result.G = K.G;
+  result.G_from_K = K.G_from_K;
+  result.T = K.T;
+  result.spread = K.spread;
+  result.at_surface = point.at_surface;
+  result.smooth =
+      K.front ? K.front->from_inside.value_or(K.front->smooth) : std::array{K.K1, K.K2, K.K3};
+  const std::optional<double> opening_K3 =
+      K.front ? K.front->opening_K3 : std::optional<double>(0.0);
+  if (K.opening && opening_K3) {
+    result.opening = {(*K.opening)[0], (*K.opening)[1], *opening_K3};
+  }
+  return result;
+}
+
+// A front with what is found at its points. K: [point].
+results::FrontResult front_of(const model::Model& model, const Discretisation& scene,
+                              const mesh::CrackFront& front,
+                              const std::vector<crack::StressIntensity>& K) {
+  results::FrontResult result;
+  result.name = front_name(model, scene, front);
+  result.a = base::remove_round_off(front.a);
+  result.length = front.points.back().s;
+  result.two_materials = std::ranges::any_of(K, &crack::StressIntensity::two_materials);
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    result.points.push_back(point_of(front.points[i], K[i]));
+    result.points.back().number = static_cast<int>(i) + 1;
+  }
+  return result;
+}
+
+// K1 of the domains of a tip that are a measure of each other; notes where the shift of nodes or
+// jumps of loads leave G less exact.
+void compare_domains(const std::vector<bool>& discontinuous, const crack::StressIntensity& K,
+                     results::FrontResult& result, results::StepResult& out) {
+  for (std::size_t d = 0; d < K.domains.size(); ++d) {
+    if (!discontinuous[d]) { // others are no measure of each other
+      result.tip().K1_domain.push_back(K.domains[d].K1);
     }
   }
-  return place;
+  if (K.shift_error && std::abs(*K.shift_error) > 2e-5) { // of G; 1e-5 of K (crack.15)
+    out.notes.push_back(
+        results::less_exact_note(fmt::format("{}: G by the finite shift is {:+.2g} of the analytic "
+                                             "one off, and K by half of that: the shift is too "
+                                             "large or lost in round-off; leave SHIFT of $VCE out",
+                                             result.name, *K.shift_error)));
+  }
+  if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainIntensity& d) {
+        return std::isnan(d.G);
+      })) {
+    out.notes.push_back(
+        results::note(fmt::format("{}: loads or temperatures jump within all domains of K, "
+                                  "which leave G to K: it is (K1^2 + K2^2)/E'",
+                                  result.name)));
+  }
+}
+
+void gather_tip(const model::Model& model, const Discretisation& scene, std::size_t t,
+                const StepState& state, results::StepResult& out) {
+  const mesh::CrackFront& front = scene.cracked.fronts[t];
+  crack::TipIntensityRequest request;
+  request.state = model.cracks[front.crack.index()].state;
+  if (const model::CrackExtensionSettings* vce = request_of(model, front.crack)) {
+    request.shift = vce->shift;
+    request.opening = vce->opening;
+  }
+  const std::optional<crack::CrackFaceForces> crack_faces = crack_face_forces(scene, front, state);
+  request.crack_faces = crack_faces ? &*crack_faces : nullptr;
+  const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
+  const crack::TipLoads loads = tip_loads(model, scene, fields, state.case_factor);
+  const std::vector<crack::StressIntensity> K{
+      crack::stress_intensity(model, scene.cracked, front, fields, request, state.u, loads)};
+  std::vector<bool> discontinuous;
+  if (!fields.empty()) {
+    discontinuous =
+        crack::load_jump_domains(crack::tip_setting(model, scene.cracked, front, fields, loads),
+                                 fields, std::hypot(K.front().K1, K.front().K2));
+  }
+  results::FrontResult result = front_of(model, scene, front, K);
+  compare_domains(discontinuous, K.front(), result, out);
+  judge_faces({model, scene, front, state, K, {}}, result, out);
+  out.fronts.push_back(std::move(result));
+}
+
+void gather_front(const model::Model& model, const Discretisation& scene,
+                  const FrontWithDomains& at, const StepState& state, results::StepResult& out) {
+  const mesh::CrackFront& front = at.front;
+  const model::CrackDefinition& crack = model.cracks[front.crack.index()];
+  const model::CrackExtensionSettings* vce = request_of(model, front.crack);
+  crack::FrontIntensityRequest request;
+  request.opening = vce != nullptr && vce->opening;
+  crack::FrontLoads loads;
+  loads.given = front_loads(model, scene, at.fields, state.case_factor);
+  loads.contact = contact_forces(scene, at.fields, state);
+  const std::vector<FrontFaces> faces = front_faces(scene, front, state);
+  for (const FrontFaces& point : faces) {
+    loads.across.push_back(0.0 - point.pressure);
+  }
+  const std::vector<crack::StressIntensity> K =
+      crack::front_intensity(model, scene.cracked, front, at.fields, request, state.u, loads);
+  results::FrontResult result = front_of(model, scene, front, K);
+  result.is_loop = at.fields.closed;
+  result.length = result.is_loop ? front.curve->length() : result.length;
+  result.has_angles = crack.kind == model::CrackDefinitionKind::ellipse;
+  double reach = 0.0;
+  for (const mesh::FrontPoint& point : front.points) {
+    reach = std::max(reach, point.x.cwiseAbs().maxCoeff());
+  }
+  for (results::FrontPointResult& point : result.points) {
+    point.phi = result.has_angles ? mesh::front_angle(crack, point.x) : 0.0;
+    point.x = without_round_off(point.x, reach);
+  }
+  judge_faces({model, scene, front, state, K, faces}, result, out);
+  out.fronts.push_back(std::move(result));
 }
 
 } // namespace
 
-void evaluate_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
-                     results::StepResult& out) {
+void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
+                   results::StepResult& out) {
+  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
+    gather_tip(model, scene, t, state, out);
+  }
   for (const FrontWithDomains& at : scene.fronts) {
-    const mesh::CrackFront& front = at.front;
-    const model::CrackDefinition& crack = model.cracks[front.crack.index()];
-    const model::CrackExtensionSettings* vce = request_of(model, front.crack);
-    crack::FrontIntensityRequest request;
-    request.opening = vce != nullptr && vce->opening;
-    crack::FrontLoads loads;
-    loads.given = front_loads(model, scene, at.fields, state.case_factor);
-    loads.contact = contact_forces(scene, at.fields, state);
-    const std::vector<FrontFaces> faces = front_faces(scene, front, state);
-    for (const FrontFaces& point : faces) {
-      loads.across.push_back(0.0 - point.pressure);
-    }
-    const std::vector<crack::StressIntensity> K =
-        crack::front_intensity(model, scene.cracked, front, at.fields, request, state.u, loads);
-    results::FrontResult result;
-    result.name = front_name(model, scene, front);
-    result.a = base::remove_round_off(front.a);
-    result.closed = at.fields.closed;
-    result.length = result.closed ? front.curve->length() : front.points.back().s;
-    result.angles = crack.kind == model::CrackDefinitionKind::ellipse;
-    double reach = 0.0;
-    for (const mesh::FrontPoint& point : front.points) {
-      reach = std::max(reach, point.x.cwiseAbs().maxCoeff());
-    }
-    for (std::size_t i = 0; i < front.points.size(); ++i) {
-      result.points.push_back(place_of(crack, front.points[i], K[i]));
-      result.points.back().x = without_round_off(front.points[i].x, reach);
-      result.points.back().number = static_cast<int>(i) + 1;
-    }
-    check_front_faces({model, scene, front, state, K, faces}, result, out);
-    out.fronts.push_back(std::move(result));
+    gather_front(model, scene, at, state, out);
   }
 }
 

@@ -6,8 +6,8 @@
 
 namespace spricka::analysis {
 
-/// VCE in space: K, G and T at the points of all fronts at the end of a step, into `out`.
-void evaluate_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
-                     results::StepResult& out);
+/// VCE: K, G and T of all fronts at the end of a step, into `out`.
+void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
+                   results::StepResult& out);
 
 } // namespace spricka::analysis

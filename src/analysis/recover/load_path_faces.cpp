@@ -144,12 +144,9 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
     value += rows_->of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
              solution.contact.lambda[static_cast<Eigen::Index>(i)];
   }
-  if (!scene_.fronts.empty()) {
-    return along_fronts(problem, solution, value);
-  }
   look_at_faces(value);
   base::Vector free; // without the forces between faces of cracks, all others as they are
-  if (continues_below_closing(model_)) {
+  if (scene_.fronts.empty() && continues_below_closing(model_)) {
     free = value;
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       if (between_faces(scene_, problem.rows[i])) {
@@ -158,50 +155,45 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
       }
     }
   }
+  smooth_fronts(value);
+  close_points(problem, solution, value);
   const crack::KLayout layout = scene_.k_layout();
-  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-    const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
-    const auto at = row ? std::ranges::find(problem.rows, *row) : problem.rows.end();
-    if (at != problem.rows.end() &&
-        solution.contact.closed[static_cast<std::size_t>(at - problem.rows.begin())]) {
-      // Faces that touch next to the tip do not part there: what is left is the error of the mesh.
-      value[layout.at(t, 1)] = 0.0;
-    }
-    if (free.size() > 0 && free[layout.at(t, 1)] < 0.0) {
+  for (std::size_t t = 0; t < layout.points() && free.size() > 0; ++t) {
+    if (free[layout.at(t, 1)] < 0.0) {
       layout.point_entries(value, t) = layout.point_entries(free, t);
     }
   }
   return value.head(layout.count());
 }
 
-// Smooth, and K1 is 0 where faces touch; what the mesh finds a little below 0 for faces in contact
-// is 0 as well, as in steps (judge_front).
-base::Vector LoadPathSolver::along_fronts(const contact::ContactSystem::IncrementProblem& problem,
-                                          const contact::ContactSystem::IncrementSolution& solution,
-                                          const base::Vector& value) const {
+// What the mesh finds a little below 0 for faces in contact is 0, as in steps (judge_faces).
+void LoadPathSolver::smooth_fronts(base::Vector& value) const {
   const crack::KLayout layout = scene_.k_layout();
-  base::Vector K(layout.count());
   std::size_t first = 0;
-  for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
-    const std::vector<std::optional<std::size_t>> rows = rows_behind(f, problem.rows);
-    const auto smooth = smooth_front_K(scene_.fronts[f], value, layout.first_index(first));
-    const base::CrackId crack = scene_.fronts[f].front.crack;
-    const bool bear = scene_.crack_face_pairs[crack.index()].has_value();
-    for (std::size_t i = 0; i < smooth.size(); ++i, ++first) {
-      const bool touches = i < rows.size() && rows[i] && solution.contact.closed[*rows[i]];
-      const double K1 = bear ? std::max(0.0, smooth[i][0]) : smooth[i][0];
-      layout.point_entries(K, first) << (touches ? 0.0 : K1), smooth[i][1], smooth[i][2];
+  for (const FrontWithDomains& at : scene_.fronts) {
+    const bool bear = scene_.crack_face_pairs[at.front.crack.index()].has_value();
+    const auto smooth = smooth_front_K(at, value, layout.first_index(first));
+    for (const std::array<double, 3>& K : smooth) {
+      layout.point_entries(value, first++) << (bear ? std::max(0.0, K[0]) : K[0]), K[1], K[2];
     }
   }
-  return K;
 }
 
-bool LoadPathSolver::close_tip(std::size_t t, const LoadPathEnd& end,
-                               const solve::SolutionPath& found, base::PiecewiseLinear& K1) const {
-  const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
-  const auto at = row ? std::ranges::find(end.problem.rows, *row) : end.problem.rows.end();
-  return at != end.problem.rows.end() &&
-         zero_where_closed(found, static_cast<std::size_t>(at - end.problem.rows.begin()), K1);
+// Faces that touch do not part there: what is left is the error of the mesh.
+void LoadPathSolver::close_points(const contact::ContactSystem::IncrementProblem& problem,
+                                  const contact::ContactSystem::IncrementSolution& solution,
+                                  base::Vector& value) const {
+  const crack::KLayout layout = scene_.k_layout();
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < scene_.front_count(); ++f) {
+    const std::vector<std::optional<std::size_t>> rows = rows_behind(f, problem.rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows[i] && solution.contact.closed[*rows[i]]) {
+        value[layout.at(first + i, 1)] = 0.0;
+      }
+    }
+    first += scene_.front(f).points.size();
+  }
 }
 
 } // namespace spricka::analysis

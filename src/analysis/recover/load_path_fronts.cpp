@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/recover/judge_front.hpp"
+#include "analysis/recover/judge_faces.hpp"
 #include "analysis/recover/load_paths.hpp"
 #include "analysis/recover/path_functions.hpp"
-#include "analysis/steps/solid_face_contact.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,32 +11,20 @@
 
 #include <fmt/format.h>
 
-/// K along fronts in space on load paths.
+/// K of fronts on load paths.
 namespace spricka::analysis {
 
 namespace {
 
-// K1, K2, K3 of a point that a front begins with.
-struct FrontStart {
-  const FrontWithDomains& at;
-  Eigen::Index first = 0; ///< among the functionals
-};
-
-results::LoadPathFront follow_front(const FrontStart& front, const solve::SolutionPath& found,
-                                    const results::FrontResult& is) {
-  results::LoadPathFront out;
-  out.is = is;
-  for (const results::FrontPointResult& place : is.points) {
-    out.points.emplace_back().is = place;
-  }
-  out.is.points.clear();
-  out.is.sensitivities = {};
-  const std::size_t n = out.points.size();
+// K1, K2, K3 of the points as a smooth curve along the front.
+void smooth_front(const FrontWithDomains& at, Eigen::Index first, const solve::SolutionPath& found,
+                  results::LoadPathFront& front) {
+  const std::size_t n = front.points.size();
   std::vector<std::array<std::vector<double>, 3>> value(n);
   std::vector<std::array<std::vector<double>, 3>> slope(n);
   for (const solve::PathSegment& s : found.segments) {
-    const auto values = smooth_front_K(front.at, s.value, front.first);
-    const auto slopes = smooth_front_K(front.at, s.slope, front.first);
+    const auto values = smooth_front_K(at, s.value, first);
+    const auto slopes = smooth_front_K(at, s.slope, first);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         value[i][k].push_back(values[i][k]);
@@ -44,15 +33,11 @@ results::LoadPathFront follow_front(const FrontStart& front, const solve::Soluti
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    results::LoadPathFrontPoint& point = out.points[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Index at = front.first + static_cast<Eigen::Index>(3 * i + k);
-      point.K[k] = path_functional(found, at);
-      point.smooth[k] =
+      front.points[i].smooth[k] =
           base::PiecewiseLinear(path_knots(found), std::move(value[i][k]), std::move(slope[i][k]));
     }
   }
-  return out;
 }
 
 // The lowest K1 of the points inside the body, and the largest of any mode, on the whole path.
@@ -75,8 +60,8 @@ FrontKRange range_of(const results::LoadPathFront& front) {
 
 // K1 is 0 where the faces of the crack touch, as steps have it; at how many points on some part of
 // the path. rows: [point] among those of the path's problem.
-std::size_t close_points(const std::vector<std::optional<std::size_t>>& rows,
-                         const solve::SolutionPath& found, results::LoadPathFront& front) {
+std::size_t close_path_points(const std::vector<std::optional<std::size_t>>& rows,
+                              const solve::SolutionPath& found, results::LoadPathFront& front) {
   std::size_t touching = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     results::LoadPathFrontPoint& point = front.points[i];
@@ -87,6 +72,57 @@ std::size_t close_points(const std::vector<std::optional<std::size_t>>& rows,
     zero_where_closed(found, *rows[i], point.smooth[0]);
   }
   return touching;
+}
+
+void tell_touching(std::size_t touching, bool tip, const results::LoadPathFront& front,
+                   results::LoadPathResult& path) {
+  if (touching > 0) {
+    const std::string where =
+        tip ? "at the tip"
+            : fmt::format("at {} of {} points of the front", touching, front.points.size());
+    path.notes.push_back(results::note(fmt::format(
+        "{}: the crack faces touch {} on a part of the path: K1 = 0 there", front.is.name, where)));
+  }
+}
+
+void tell_negative_tip(bool of_law, const results::LoadPathFront& front,
+                       results::LoadPathResult& path) {
+  const base::PiecewiseLinear& K1 = front.tip().K[0];
+  if (!(K1.lowest() < -1e-9 * K1.highest())) {
+    return;
+  }
+  path.notes.push_back(
+      of_law ? results::note(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
+                                         "lets the crack faces overlap: the law of $GROW knows it "
+                                         "as a K_min",
+                                         front.is.name))
+             : results::invalid_result_note(fmt::format(
+                   "{}: K1 is negative on a part of the path: there this K is not an "
+                   "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
+                   front.is.name)));
+}
+
+void tell_negative_front(bool bear, const FrontKRange& range, const results::LoadPathFront& front,
+                         results::LoadPathResult& path) {
+  const double allowed = bear ? worst_open_front : 1e-9;
+  if (front.is.invalid_reason.empty() && range.lowest < -allowed * range.largest) {
+    path.notes.push_back(results::invalid_result_note(fmt::format(
+        "{}: K1 is negative at some points on a part of the path: there this K is "
+        "not an answer ({})",
+        front.is.name, bear ? "the mesh at the front is too coarse" : "the crack faces overlap")));
+  }
+}
+
+// The front is in doubt where it is at an end of the path, but for K1 < 0 of a tip, which is
+// reported of the path.
+void mark_invalid_end(const results::FrontResult& end, results::LoadPathFront& front,
+                      results::LoadPathResult& path) {
+  const bool is_reported = end.is_tip() && end.tip().K1 < 0.0;
+  if (!end.invalid_reason.empty() && front.is.invalid_reason.empty() && !is_reported) {
+    front.is.invalid_reason = end.invalid_reason;
+    path.notes.push_back(results::invalid_result_note(
+        fmt::format("{}: at an end of the path {}", front.is.name, end.invalid_reason)));
+  }
 }
 
 // The largest difference to K of a step.
@@ -105,28 +141,56 @@ double apart_from(const results::LoadPathFront& front, double t, const results::
   return apart;
 }
 
+// Whether K is scaled to a G by nodes that are moved, which makes it no linear functional of u.
+bool is_shifted(const model::Model& model, base::CrackId crack) {
+  return std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
+    return vce.crack == crack && vce.shift.has_value();
+  });
+}
+
 } // namespace
 
 std::vector<std::optional<std::size_t>>
 LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
-  std::vector<std::optional<std::size_t>> out;
-  const mesh::CrackFront& front = scene_.fronts[f].front;
-  for (const std::optional<std::size_t>& row : rows_at_front(scene_, front)) {
-    std::optional<std::size_t>& place = out.emplace_back();
-    if (!row) {
-      continue;
-    }
-    const std::size_t pair = scene_.crack_face_pairs[front.crack.index()]->pair;
-    const auto at = std::ranges::find(in_force, scene_.table.first[pair] + *row);
-    if (at != in_force.end()) {
-      place = static_cast<std::size_t>(at - in_force.begin());
-    }
+  std::vector<std::optional<std::size_t>> rows = rows_behind_front(scene_, scene_.front(f));
+  for (std::optional<std::size_t>& row : rows) {
+    const auto at = row ? std::ranges::find(in_force, *row) : in_force.end();
+    row = at != in_force.end() ? std::optional(static_cast<std::size_t>(at - in_force.begin()))
+                               : std::nullopt;
   }
-  return out;
+  return rows;
 }
 
 base::Matrix LoadPathSolver::front_columns(Eigen::Index first, Eigen::Index most) const {
   return base::Matrix(front_rows_.middleCols(first, std::min(most, front_rows_.cols() - first)));
+}
+
+// K1, K2, K3 of the points of a front by t, which begin among the functionals at `first`.
+results::LoadPathFront LoadPathSolver::follow_front(std::size_t f, Eigen::Index first,
+                                                    const solve::SolutionPath& found,
+                                                    const results::FrontResult& is) const {
+  results::LoadPathFront out;
+  out.is = is;
+  out.is.points.clear();
+  out.is.sensitivities = {};
+  out.is.invalid_reason.clear();
+  const Eigen::Index modes = scene_.k_layout().modes();
+  const std::vector<double> zeros(found.segments.size(), 0.0);
+  for (std::size_t i = 0; i < is.points.size(); ++i) {
+    results::LoadPathFrontPoint& point = out.points.emplace_back();
+    point.is = is.points[i];
+    std::ranges::for_each(point.is.bar, [](results::KErrorBar& bar) { bar.of_element.clear(); });
+    point.K.fill({path_knots(found), zeros, zeros});
+    for (Eigen::Index k = 0; k < modes; ++k) {
+      point.K[static_cast<std::size_t>(k)] =
+          path_functional(found, first + modes * static_cast<Eigen::Index>(i) + k);
+    }
+    point.smooth = point.K;
+  }
+  if (!scene_.fronts.empty()) {
+    smooth_front(scene_.fronts[f], first, found, out);
+  }
+  return out;
 }
 
 void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd& from,
@@ -135,40 +199,42 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
   double apart = 0.0;
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
-  for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
-    results::LoadPathFront front =
-        follow_front({scene_.fronts[f], layout.first_index(first)}, found, from.result.fronts[f]);
+  for (std::size_t f = 0; f < scene_.front_count(); ++f) {
+    const results::FrontResult& is = from.result.fronts[f];
+    const base::CrackId crack = scene_.front(f).crack;
+    results::LoadPathFront front = follow_front(f, layout.first_index(first), found, is);
     first += front.points.size();
-    const std::size_t touching = close_points(rows_behind(f, from.problem.rows), found, front);
-    if (touching > 0) {
-      path.notes.push_back(results::note(fmt::format(
-          "{}: the crack faces touch at {} of {} points of the front on a part of the path: "
-          "K1 = 0 there",
-          front.is.name, touching, front.points.size())));
+    if (is.is_tip()) { // before its faces touch
+      const base::PiecewiseLinear& K1 = front.tip().K[0];
+      size = std::max({size, std::abs(K1.lowest()), std::abs(K1.highest())});
     }
-    const FrontKRange range = range_of(front);
-    size = std::max(size, range.largest);
-    front.is.invalid_reason.clear();
-    for (const LoadPathEnd* end : {&from, &to}) {
-      if (const std::string& invalid_reason = end->result.fronts[f].invalid_reason;
-          !invalid_reason.empty() && front.is.invalid_reason.empty()) {
-        front.is.invalid_reason = invalid_reason;
-        path.notes.push_back(results::invalid_result_note(
-            fmt::format("{}: at an end of the path {}", front.is.name, invalid_reason)));
-      }
+    tell_touching(close_path_points(rows_behind(f, from.problem.rows), found, front), is.is_tip(),
+                  front, path);
+    if (is.is_tip()) {
+      tell_negative_tip(model_.growth && model_.growth->spectrum &&
+                            !model_.cracks[crack.index()].faces_in_contact,
+                        front, path);
     }
-    const bool bear = scene_.crack_face_pairs[scene_.fronts[f].front.crack.index()].has_value();
-    const double allowed = bear ? worst_open_front : 1e-9;
-    if (front.is.invalid_reason.empty() && range.lowest < -allowed * range.largest) {
-      path.notes.push_back(results::invalid_result_note(
-          fmt::format("{}: K1 is negative at some points on a part of the path: there this K is "
-                      "not an answer ({})",
-                      front.is.name,
-                      bear ? "the mesh at the front is too coarse" : "the crack faces overlap")));
+    mark_invalid_end(from.result.fronts[f], front, path);
+    mark_invalid_end(to.result.fronts[f], front, path);
+    if (!is.is_tip()) {
+      const FrontKRange range = range_of(front);
+      size = std::max(size, range.largest);
+      tell_negative_front(scene_.crack_face_pairs[crack.index()].has_value(), range, front, path);
     }
-    for (const auto& [t, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
-      if (found.end >= t) {
-        apart = std::max(apart, apart_from(front, t, end->result.fronts[f]));
+    if (is_shifted(model_, crack)) {
+      path.notes.push_back(
+          results::note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
+                                    "of $VCE",
+                                    front.is.name)));
+    } else {
+      for (const auto& [t, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
+        if (found.end >= t) {
+          const results::FrontResult& own = end->result.fronts[f];
+          // What is below 0 has been reported already.
+          apart = std::max(apart, apart_from(front, t, own));
+          size = is.is_tip() ? std::max(size, std::abs(own.tip().K1)) : size;
+        }
       }
     }
     path.fronts.push_back(std::move(front));

@@ -34,13 +34,6 @@ crack::StressIntensity intensity(const model::Model& model, const Discretisation
                                  tip_loads(model, scene, scene.tips[t].fields, case_factor));
 }
 
-// Whether K is scaled to a G by nodes that are moved, which makes it no linear functional of u.
-bool shifted(const model::Model& model, base::CrackId crack) {
-  return std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
-    return vce.crack == crack && vce.shift.has_value();
-  });
-}
-
 std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solver) {
   switch (found.status) {
   case solve::PathStatus::complete:
@@ -79,7 +72,6 @@ void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
     end.problem = solver.contact_problem();
   }
   end.case_factor = solver.factors().case_factor;
-  end.result.tips = result.tips;
   end.result.fronts = result.fronts;
   end.result.contacts = result.contacts;
 }
@@ -209,66 +201,6 @@ bool LoadPathSolver::homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
   return rest.size() == 0 || rest.cwiseAbs().maxCoeff() <= 1e-12 * size;
 }
 
-void LoadPathSolver::tips(const solve::SolutionPath& found, const LoadPathEnd& from,
-                          const LoadPathEnd& to, results::LoadPathResult& path) const {
-  const crack::KLayout layout = scene_.k_layout();
-  double size = 0.0;
-  double apart = 0.0;
-  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-    results::LoadPathTip tip;
-    tip.name = from.result.tips[t].name;
-    tip.a = from.result.tips[t].a;
-    tip.K1 = path_functional(found, layout.at(t, 1));
-    tip.K2 = path_functional(found, layout.at(t, 2));
-    size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
-    if (close_tip(t, from, found, tip.K1)) {
-      path.notes.push_back(results::note(fmt::format(
-          "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name)));
-    }
-    const model::CrackDefinition& crack = model_.cracks[scene_.cracked.fronts[t].crack.index()];
-    const bool of_law = model_.growth && model_.growth->spectrum && !crack.faces_in_contact;
-    if (tip.K1.lowest() < -1e-9 * tip.K1.highest() && of_law) {
-      path.notes.push_back(
-          results::note(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
-                                    "lets the crack faces overlap: the law of $GROW knows it as "
-                                    "a K_min",
-                                    tip.name)));
-    } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
-      path.notes.push_back(results::invalid_result_note(
-          fmt::format("{}: K1 is negative on a part of the path: there this K is not an "
-                      "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
-                      tip.name)));
-    }
-    for (const LoadPathEnd* end : {&from, &to}) {
-      const results::TipResult& own = end->result.tips[t];
-      if (own.K1 >= 0.0 && !own.invalid_reason.empty() && tip.invalid_reason.empty()) {
-        tip.invalid_reason = own.invalid_reason;
-        path.notes.push_back(results::invalid_result_note(
-            fmt::format("{}: at an end of the path {}", tip.name, own.invalid_reason)));
-      }
-    }
-    if (shifted(model_, scene_.cracked.fronts[t].crack)) {
-      path.notes.push_back(
-          results::note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
-                                    "of $VCE",
-                                    tip.name)));
-    } else {
-      for (const auto& [at, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
-        if (found.end >= at) {
-          const results::TipResult& own = end->result.tips[t];
-          // what is below 0 has been told already
-          const double K1 = own.K1 == 0.0 ? std::max(0.0, tip.K1(at)) : tip.K1(at);
-          apart = std::max({apart, std::abs(K1 - own.K1), std::abs(tip.K2(at) - own.K2)});
-          size = std::max(size, std::abs(own.K1));
-        }
-      }
-    }
-    path.tips.push_back(std::move(tip));
-  }
-  path.mismatch = size > 0.0 ? apart / size : 0.0;
-  warn_of_mismatch(path);
-}
-
 void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
                               results::LoadPathResult& path) const {
   const std::vector<std::size_t>& rows = end.problem.rows;
@@ -381,11 +313,7 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
   out.t = path_knots(found);
   out.homogeneous = homogeneous(from, to, solver);
   look_at_faces(found);
-  if (scene_.fronts.empty()) {
-    tips(found, from, to, out);
-  } else {
-    fronts(found, from, to, out);
-  }
+  fronts(found, from, to, out);
   contacts(found, from, out);
   return out;
 }

@@ -64,9 +64,12 @@ private:
   /// [point of front f] its row among those in force, if faces bear behind it.
   [[nodiscard]] std::vector<std::optional<std::size_t>>
   rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const;
-  [[nodiscard]] base::Vector along_fronts(const contact::ContactSystem::IncrementProblem& problem,
-                                          const contact::ContactSystem::IncrementSolution& solution,
-                                          const base::Vector& value) const;
+  /// Smooth values along the fronts in space of those in `value` [K ..], in their place.
+  void smooth_fronts(base::Vector& value) const;
+  /// K1 = 0 at points behind which the faces touch.
+  void close_points(const contact::ContactSystem::IncrementProblem& problem,
+                    const contact::ContactSystem::IncrementSolution& solution,
+                    base::Vector& value) const;
   [[nodiscard]] base::Matrix front_columns(Eigen::Index first, Eigen::Index most) const;
   /// Of watches, from displacements [dim * node].
   [[nodiscard]] base::Vector watched(const base::Vector& u) const;
@@ -91,14 +94,13 @@ private:
                                              const StepSolver& solver);
   void contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
                 results::LoadPathResult& path) const;
-  void tips(const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
-            results::LoadPathResult& path) const;
-  /// K along fronts in space, and how far it is from that of the steps at the path's ends.
+  /// One front on a path, but for what its faces do.
+  [[nodiscard]] results::LoadPathFront follow_front(std::size_t f, Eigen::Index first,
+                                                    const solve::SolutionPath& found,
+                                                    const results::FrontResult& is) const;
+  /// K of all fronts, and how far it is from that of the steps at the path's ends.
   void fronts(const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
               results::LoadPathResult& path) const;
-  /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
-  bool close_tip(std::size_t t, const LoadPathEnd& end, const solve::SolutionPath& found,
-                 base::PiecewiseLinear& K1) const;
   [[nodiscard]] bool homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
                                  const StepSolver& solver) const;
 

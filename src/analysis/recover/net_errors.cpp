@@ -179,8 +179,7 @@ results::NetErrorEstimate error_of(const std::string& name, std::vector<base::El
 }
 
 bool has_bars(const results::StepResult& step) {
-  return std::ranges::any_of(step.tips, [](const auto& tip) { return tip.no_bar.empty(); }) ||
-         std::ranges::any_of(step.fronts, results::has_error_bar);
+  return std::ranges::any_of(step.fronts, &results::FrontResult::has_error_bar);
 }
 
 } // namespace

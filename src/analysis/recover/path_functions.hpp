@@ -3,7 +3,7 @@
 #include "results/load_path.hpp"
 #include "solve/parametric.hpp"
 
-/// What load paths of cracks in the plane and in space have in common.
+/// Functions of the parameter of a load path.
 namespace spricka::analysis {
 
 std::vector<double> path_knots(const solve::SolutionPath& found);

@@ -82,7 +82,7 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
   // (tolerance.4).
   const double factor = std::max(least_factor, std::sqrt(may / wide.bar.edge));
   const double ends = estimate::share_of_set_change * wide.bar.set_change;
-  for (const results::ContactResult& contact : wide.step.contacts) {
+  for (const results::ContactResult& contact : wide.at.step.contacts) {
     for (std::size_t i = 1; i < contact.points.size() && ends > least_share * may; ++i) {
       const results::ContactPoint& a = contact.points[i - 1];
       const results::ContactPoint& b = contact.points[i];
@@ -98,8 +98,8 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
       if (wide.bar.edge - ends > least_share * may) {
         places.push_back({.at = x.head<2>(),
                           .factor = factor,
-                          .crack = wide.crack,
-                          .patch = patch_size(wide.increment, x.head<2>())});
+                          .crack = wide.at.crack,
+                          .patch = patch_size(wide.at.increment, x.head<2>())});
       }
     }
   }

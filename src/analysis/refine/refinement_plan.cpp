@@ -2,7 +2,6 @@
 #include "analysis/refine/refinement_plan.hpp"
 
 #include "analysis/refine/contact_places.hpp"
-#include "analysis/refine/front_shortfall.hpp"
 #include "analysis/refine/wide_bars.hpp"
 #include "model/model.hpp"
 
@@ -30,6 +29,11 @@ constexpr double no_change = 0.95; // of a size: not worth a new mesh
 constexpr double peak = 0.04;        // of the host's error, in one element
 constexpr double most_of_sum = 0.5;  // of all error, in the peaks together
 constexpr double worth_a_mesh = 0.7; // of the size of single elements
+// Bars along fronts in space fall with about the square of the sizes of tube and patch (manual,
+// tolerance.5).
+constexpr double order_along = 2.0;
+constexpr double aim_along = 0.9;
+constexpr double most_in_round = 1.6; // elements of a patch grow with its cube
 
 /// Factors on the sizes of one increment's host elements and of the patches, from its bars.
 struct ElementSizeFactors {
@@ -105,7 +109,7 @@ void share_out(const ExcessiveErrorBar& wide, ElementSizeFactors& factors) {
   const double for_patch = std::clamp(share, least_share, 1.0 - least_share) * sum / over;
   const double for_host = sum / over - for_patch;
   if (patch > for_patch) {
-    double& finer = factors.patch[wide.crack.index()];
+    double& finer = factors.patch[wide.at.crack.index()];
     // (tolerance.3)
     finer = std::max(finer, std::min(std::pow(patch / for_patch, 1.0 / q), most_finer));
   }
@@ -195,7 +199,7 @@ Demands demands_of(const model::Model& model, const results::RunResult& run) {
   for (const results::Increment& increment : run.increments) {
     ElementSizeFactors factors{std::vector<double>(increment.kept, 1.0), demands.patch};
     for (const ExcessiveErrorBar& wide : bars) {
-      if (&wide.increment != &increment) {
+      if (&wide.at.increment != &increment) {
         continue;
       }
       if (wide.bar.edge <= wide.allowed) { // else eta, too, comes from contacts that are too coarse
@@ -208,6 +212,24 @@ Demands demands_of(const model::Model& model, const results::RunResult& run) {
     add_elements(model, increment, factors, demands);
   }
   return demands;
+}
+
+// By what sizes of each crack's tube and patch are to be divided, so that the part of its bars that
+// the mesh makes comes below what is left of its tolerance. [crack], >= 1
+std::vector<double> front_refinement(const model::Model& model, const results::RunResult& run) {
+  std::vector<double> finer(model.cracks.size(), 1.0);
+  for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
+    for (const results::FrontPointResult& point : at.front.points) {
+      for (std::size_t k = 0; k < 3 && !point.at_surface && at.front.has_error_bar(); ++k) {
+        const results::KErrorBar& bar = point.bar[k];
+        const double room = aim_along * (at.tolerance * at.K - bar.floor);
+        const double over = room > 0.0 ? bar.mesh / room : std::pow(most_in_round, order_along);
+        double& own = finer[at.crack.index()];
+        own = std::clamp(std::pow(over, 1.0 / order_along), own, most_in_round);
+      }
+    }
+  }
+  return finer;
 }
 
 } // namespace

@@ -14,11 +14,11 @@ namespace spricka::analysis {
 
 namespace {
 
-/// The crack that a tip's name begins with: "C1", or "C1.2" of two tips.
-base::CrackId crack_of(const model::Model& model, const std::string& tip) {
+/// The crack that a front's name begins with: "C1", or "C1.2" of two tips or parts.
+base::CrackId crack_of(const model::Model& model, const std::string& front) {
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     const std::string& name = model.cracks[c].name;
-    if (tip == name || tip.starts_with(name + ".")) {
+    if (front == name || front.starts_with(name + ".")) {
       return base::CrackId(c);
     }
   }
@@ -37,25 +37,41 @@ std::optional<double> tolerance_of(const model::Model& model, base::CrackId crac
 // K below this part of the largest of the run is what round-off leaves of unloaded steps.
 constexpr double no_K = 1e-9;
 
-template <class F>
-void for_each_tip(const model::Model& model, const results::RunResult& run, F&& f) {
-  double largest = 0.0;
+double largest_K(const results::FrontResult& front) {
+  double most = 0.0;
+  for (const results::FrontPointResult& point : front.points) {
+    // The plane takes two values: with three the last digit differs.
+    most = std::max(most, front.is_tip() ? std::hypot(point.K1, point.K2)
+                                         : std::hypot(point.K1, point.K2, point.K3));
+  }
+  return most;
+}
+
+template <class F> void for_each_front(const results::RunResult& run, F&& f) {
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        largest = std::max(largest, std::hypot(tip.K1, tip.K2));
+      for (const results::FrontResult& front : step.fronts) {
+        f(increment, step, front);
       }
     }
   }
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        const std::optional<double> tolerance = tolerance_of(model, crack_of(model, tip.name));
-        const bool loaded =
-            std::hypot(tip.K1, tip.K2) > no_K * largest || !tip.invalid_reason.empty();
-        if (tolerance && loaded) {
-          f(increment, step, tip, *tolerance);
-        }
+}
+
+// The bars of a front that are the furthest beyond what is allowed.
+void add_bars(const FrontWithTolerance& at, ToleranceShortfall& worst) {
+  for (const results::FrontPointResult& point : at.front.points) {
+    for (std::size_t k = 0; k < 3 && at.K > 0.0 && !point.at_surface; ++k) {
+      const double part = point.bar[k].size() / at.K;
+      // The floor of a bar falls with no mesh.
+      worst.below_floor = worst.below_floor || point.bar[k].floor >= at.tolerance * at.K;
+      if (part / at.tolerance > worst.ratio) {
+        const double a = at.front.a > 0.0 ? at.front.a : at.increment.a;
+        worst.ratio = part / at.tolerance;
+        worst.bar = part;
+        worst.wanted = at.tolerance;
+        worst.where = fmt::format("K{} of {}, step {}, {}", k + 1, at.front.name, at.step.step,
+                                  at.front.is_tip() ? fmt::format("a = {:.6g}", a)
+                                                    : fmt::format("point {}", point.number));
       }
     }
   }
@@ -63,56 +79,54 @@ void for_each_tip(const model::Model& model, const results::RunResult& run, F&& 
 
 } // namespace
 
+std::vector<FrontWithTolerance> fronts_with_tolerance(const model::Model& model,
+                                                      const results::RunResult& run) {
+  double largest = 0.0;
+  for_each_front(run, [&](const auto&, const auto&, const results::FrontResult& front) {
+    largest = std::max(largest, largest_K(front));
+  });
+  std::vector<FrontWithTolerance> list;
+  for_each_front(run, [&](const results::Increment& increment, const results::StepResult& step,
+                          const results::FrontResult& front) {
+    const base::CrackId crack = crack_of(model, front.name);
+    const std::optional<double> tolerance = tolerance_of(model, crack);
+    const double K = largest_K(front);
+    if (tolerance && (K > no_K * largest || !front.invalid_reason.empty())) {
+      list.push_back({increment, step, front, crack, K, *tolerance});
+    }
+  });
+  return list;
+}
+
 std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model,
                                                const results::RunResult& run) {
   std::vector<ExcessiveErrorBar> list;
-  for_each_tip(model, run,
-               [&](const results::Increment& increment, const results::StepResult& step,
-                   const results::TipResult& tip, double tolerance) {
-                 const double allowed = tolerance * std::hypot(tip.K1, tip.K2);
-                 for (std::size_t m = 0; m < 2 && tip.no_bar.empty(); ++m) {
-                   if (tip.bar[m].size() > allowed && allowed > 0.0) {
-                     list.push_back({.increment = increment,
-                                     .step = step,
-                                     .tip = tip,
-                                     .bar = tip.bar[m],
-                                     .mode = static_cast<int>(m) + 1,
-                                     .crack = crack_of(model, tip.name),
-                                     .allowed = allowed,
-                                     .wanted = tolerance});
-                   }
-                 }
-               });
+  for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
+    const double allowed = at.tolerance * at.K;
+    for (std::size_t m = 0; m < 2 && at.front.has_error_bar(); ++m) {
+      const results::KErrorBar& bar = at.front.tip().bar[m];
+      if (bar.size() > allowed && allowed > 0.0) {
+        list.push_back({at, bar, allowed});
+      }
+    }
+  }
   return list;
 }
 
 ToleranceShortfall shortfall(const model::Model& model, const results::RunResult& run) {
   ToleranceShortfall worst;
-  for_each_tip(model, run,
-               [&](const results::Increment& increment, const results::StepResult& step,
-                   const results::TipResult& tip, double tolerance) {
-                 if (!tip.no_bar.empty()) {
-                   worst.no_bar = fmt::format("{}, step {}: {}", tip.name, step.step, tip.no_bar);
-                   return;
-                 }
-                 if (const std::string parted = sense::describe_tip_mismatch(step, tip);
-                     !parted.empty()) {
-                   worst.parted = fmt::format("{}, step {}: {}", tip.name, step.step, parted);
-                 }
-                 const double K = std::hypot(tip.K1, tip.K2);
-                 for (std::size_t m = 0; m < 2 && K > 0.0; ++m) {
-                   const double part = tip.bar[m].size() / K;
-                   // The floor of a bar falls with no mesh.
-                   worst.below_floor = worst.below_floor || tip.bar[m].floor >= tolerance * K;
-                   if (part / tolerance > worst.ratio) {
-                     worst.ratio = part / tolerance;
-                     worst.bar = part;
-                     worst.wanted = tolerance;
-                     worst.where = fmt::format("K{} of {}, step {}, a = {:.6g}", m + 1, tip.name,
-                                               step.step, tip.a > 0.0 ? tip.a : increment.a);
-                   }
-                 }
-               });
+  for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
+    const std::string where = fmt::format("{}, step {}", at.front.name, at.step.step);
+    if (!at.front.has_error_bar()) {
+      worst.no_bar = fmt::format("{}: {}", where, at.front.no_bar);
+      continue;
+    }
+    if (at.front.is_tip()) {
+      const std::string parted = sense::describe_tip_mismatch(at.step, at.front);
+      worst.parted = parted.empty() ? worst.parted : fmt::format("{}: {}", where, parted);
+    }
+    add_bars(at, worst);
+  }
   return worst;
 }
 

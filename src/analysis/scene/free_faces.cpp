@@ -68,13 +68,13 @@ bool continues_below_closing(const model::Model& model) {
   return knows_R && std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
 }
 
-const results::TipResult* tip_with_overlap(const std::optional<OverlapResults>& free,
-                                           std::size_t step, const std::string& name) {
+const results::FrontResult* tip_with_overlap(const std::optional<OverlapResults>& free,
+                                             std::size_t step, const std::string& name) {
   if (!free || step >= free->steps.size()) {
     return nullptr;
   }
-  const std::vector<results::TipResult>& tips = free->steps[step];
-  const auto found = std::ranges::find(tips, name, &results::TipResult::name);
+  const std::vector<results::FrontResult>& tips = free->steps[step];
+  const auto found = std::ranges::find(tips, name, &results::FrontResult::name);
   return found == tips.end() || found->two_materials ? nullptr : &*found;
 }
 

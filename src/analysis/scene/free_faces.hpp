@@ -16,13 +16,13 @@ bool continues_below_closing(const model::Model& model);
 
 /// K of a state of the cracks whose faces may overlap, all other contacts as the deck has them.
 struct OverlapResults {
-  std::vector<std::vector<results::TipResult>> steps; ///< [step] tips
-  std::vector<results::LoadPathResult> paths;         ///< [load path]
+  std::vector<std::vector<results::FrontResult>> steps; ///< [step] tips
+  std::vector<results::LoadPathResult> paths;           ///< [load path]
 };
 
 /// Of a tip at a step; null: there is none.
-const results::TipResult* tip_with_overlap(const std::optional<OverlapResults>& free,
-                                           std::size_t step, const std::string& name);
+const results::FrontResult* tip_with_overlap(const std::optional<OverlapResults>& free,
+                                             std::size_t step, const std::string& name);
 
 /// K on a load path with `free` in its place where that is below 0. Empty: `free` does not reach as
 /// far as `to`.

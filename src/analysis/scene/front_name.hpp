@@ -3,19 +3,20 @@
 #include "analysis/scene/scene.hpp"
 #include "model/model.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace spricka::analysis {
 
-/// What a front in space is called: NAME, or NAME.1 and NAME.2 where a crack has several.
+/// What a front is called, in the plane a tip: its crack's name, or NAME.1 and NAME.2 where the
+/// crack has several.
 inline std::string front_name(const model::Model& model, const Discretisation& scene,
                               const mesh::CrackFront& front) {
   const std::string& name = model.cracks[front.crack.index()].name;
-  const auto of_crack = [&](const FrontWithDomains& f) { return f.front.crack == front.crack; };
-  return std::ranges::count_if(scene.fronts, of_crack) > 1
-             ? name + "." + std::to_string(front.number)
-             : name;
+  std::size_t of_crack = 0;
+  for (std::size_t f = 0; f < scene.front_count(); ++f) {
+    of_crack += scene.front(f).crack == front.crack ? 1 : 0;
+  }
+  return of_crack > 1 ? name + "." + std::to_string(front.number) : name;
 }
 
 } // namespace spricka::analysis

@@ -81,6 +81,11 @@ struct Discretisation {
   std::vector<std::shared_ptr<const fe::CaseTemperature>>
       case_heat; ///< [case] the same, and the rest
 
+  /// Fronts of cracks, in the plane their tips.
+  [[nodiscard]] std::size_t front_count() const { return cracked.fronts.size() + fronts.size(); }
+  [[nodiscard]] const mesh::CrackFront& front(std::size_t f) const {
+    return fronts.empty() ? cracked.fronts[f] : fronts[f].front;
+  }
   /// Where K of which tip, or point of a front, stands among functionals.
   [[nodiscard]] crack::KLayout k_layout() const {
     std::size_t points = tips.size();

@@ -164,6 +164,21 @@ std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::C
                 from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node).front());
 }
 
+std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& scene,
+                                                          const mesh::CrackFront& front) {
+  if (scene.fronts.empty()) {
+    const std::optional<std::size_t> row = row_at_tip(scene, front);
+    return row ? std::vector{row} : std::vector<std::optional<std::size_t>>();
+  }
+  std::vector<std::optional<std::size_t>> rows = rows_at_front(scene, front);
+  for (std::optional<std::size_t>& row : rows) {
+    if (row) {
+      *row += scene.table.first[scene.crack_face_pairs[front.crack.index()]->pair];
+    }
+  }
+  return rows;
+}
+
 base::Matrix K_from_face_forces(const model::Model& model, const Discretisation& scene) {
   const crack::KLayout layout = scene.k_layout();
   base::Matrix of_row =

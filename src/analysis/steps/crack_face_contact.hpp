@@ -35,6 +35,11 @@ TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
 /// The row of the table of the two nodes next to a tip; none where the faces are no pair.
 std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::CrackFront& front);
 
+/// [point of a front] the row of the table that holds the faces together behind it, in the plane
+/// that of the two nodes next to the tip, if there is one; empty: the faces are no pair.
+std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& scene,
+                                                          const mesh::CrackFront& front);
+
 /// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
 /// forces between the faces of cracks (crack.33). [crack::KLayout, table row]
 base::Matrix K_from_face_forces(const model::Model& model, const Discretisation& scene);

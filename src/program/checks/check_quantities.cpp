@@ -22,28 +22,6 @@ namespace spricka::program {
 
 namespace {
 
-double tip_quantity(const std::string& quantity, CheckArguments& args,
-                    const results::RunResult& run) {
-  const std::string tip = args.next_name("a crack");
-  const std::string step = args.next_name("a step");
-  const CheckedStep at = find_checked_step(run, step, args.next_number());
-  const results::TipResult* found = results::find_tip(*at.step, tip);
-  if (found == nullptr) {
-    const bool two = results::find_tip(*at.step, tip + ".1") != nullptr;
-    throw MissingQuantity(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
-                              : fmt::format("no tip {}", tip));
-  }
-  const results::TipQuantity& asked = *results::find_tip_quantity(quantity);
-  if (!found->invalid_reason.empty() &&
-      !(found->two_materials && asked.given == results::TipQuantityCondition::always)) {
-    throw MissingQuantity(found->invalid_reason);
-  }
-  if (asked.given == results::TipQuantityCondition::with_bar && !found->no_bar.empty()) {
-    throw MissingQuantity("no error bar: " + found->no_bar);
-  }
-  return asked.extract_value(*found);
-}
-
 double reaction(const model::Model& model, CheckArguments& args, const results::RunResult& run) {
   const std::string set = args.next_name("a set");
   const std::string step = args.next_name("a step");
@@ -91,52 +69,6 @@ double estimated_error(CheckArguments& args, const results::RunResult& run) {
   return found->part;
 }
 
-results::SensitivityParameter cause_of(const std::string& quantity) {
-  if (quantity.ends_with(".LOAD")) {
-    return results::SensitivityParameter::load;
-  }
-  if (quantity.ends_with(".FIT")) {
-    return results::SensitivityParameter::fit;
-  }
-  return quantity.ends_with(".E") ? results::SensitivityParameter::modulus
-                                  : results::SensitivityParameter::length;
-}
-
-// Value times derivative. At a change of contact there are two derivatives and no answer.
-double derivative(const std::string& quantity, CheckArguments& args,
-                  const results::RunResult& run) {
-  const results::SensitivityParameter cause = cause_of(quantity);
-  const std::string tip = args.next_name("a crack");
-  const std::string step = args.next_name("a step");
-  const std::string name =
-      cause == results::SensitivityParameter::length ? tip : args.next_name("a name");
-  const results::TipResult* found =
-      results::find_tip(*find_checked_step(run, step, args.next_number()).step, tip);
-  if (found == nullptr) {
-    throw MissingQuantity(fmt::format("no tip {}", tip));
-  }
-  if (!found->invalid_reason.empty()) {
-    throw MissingQuantity(found->invalid_reason);
-  }
-  const results::TipSensitivityResults& all = found->sensitivities;
-  const auto it = std::ranges::find_if(
-      all.of, [&](const results::Sensitivity& s) { return s.cause == cause && s.name == name; });
-  if (it == all.of.end()) {
-    throw MissingQuantity(all.notes.empty() ? fmt::format("{} has no value in that step", name)
-                                            : all.notes.front());
-  }
-  const std::size_t k = quantity.starts_with("DK1") ? 0 : 1;
-  if (!it->below || !it->above) {
-    throw MissingQuantity("on one side of this state nothing holds a body");
-  }
-  if (!it->slope()) {
-    throw MissingQuantity(
-        fmt::format("the contact changes at this very state: {:.7g} below, {:.7g} above",
-                    it->value * (*it->below)[k], it->value * (*it->above)[k]));
-  }
-  return it->value * (*it->slope())[k];
-}
-
 // Cycles until the first of the growing tips has a length, or to the end.
 double cycles(const std::string& quantity, CheckArguments& args, const results::RunResult& run) {
   if (!run.growth) {
@@ -170,14 +102,12 @@ struct CheckLine {
 
 using Reader = double (*)(CheckLine&);
 
-// Words that are not of a tip or a contact, by what stands in front of their first point.
+// Words that are not of a front or a contact, by what stands in front of their first point.
 struct QuantityFamily {
   std::string_view name;
   Reader read;
 };
 constexpr std::array families{
-    QuantityFamily{"DK1", [](CheckLine& l) { return derivative(l.word, l.args, l.run); }},
-    QuantityFamily{"DK2", [](CheckLine& l) { return derivative(l.word, l.args, l.run); }},
     QuantityFamily{"PATH", [](CheckLine& l) { return path_quantity(l.word, l.args, l.run); }},
     QuantityFamily{"TEST", [](CheckLine& l) { return test_quantity(l.word, l.args, l.run); }},
     QuantityFamily{"N", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
@@ -192,9 +122,6 @@ constexpr std::array families{
 };
 
 Reader reader_of(std::string_view word) {
-  if (results::find_tip_quantity(word) != nullptr) {
-    return [](CheckLine& l) { return tip_quantity(l.word, l.args, l.run); };
-  }
   if (is_front_quantity(word)) {
     return [](CheckLine& l) { return front_quantity(l.word, l.args, l.run); };
   }
@@ -216,24 +143,13 @@ double evaluate(const model::Model& model, const model::ResultCheck& check,
   return read(line);
 }
 
-// The word for the error bar of K: K1.AT becomes K1.BAR.AT, K is K1; empty: no K at one place.
-std::string bar_word(const std::string& word) {
-  if (word == "K") {
-    return "K1.BAR";
-  }
-  if (word.size() < 2 || word[0] != 'K' || word[1] < '1' || word[1] > '3') {
-    return {};
-  }
-  const std::string place = word.substr(2);
-  const bool one = place.empty() || place == ".AT" || place == ".PHI";
-  return one ? word.substr(0, 2) + ".BAR" + place : std::string();
-}
-
+// Of K at one place.
 double bar_of(const model::Model& model, const model::ResultCheck& check,
               const results::RunResult& run) {
   model::ResultCheck asked = check;
-  asked.quantity = bar_word(check.quantity);
-  if (!asked.quantity.empty() && is_checkable_quantity(asked.quantity)) {
+  asked.quantity = bar_part_word(check.quantity, "BAR");
+  const bool one_place = !asked.quantity.ends_with(".MIN") && !asked.quantity.ends_with(".MAX");
+  if (!asked.quantity.empty() && one_place) {
     try {
       return evaluate(model, asked, run);
     } catch (const MissingQuantity&) { // it has none here

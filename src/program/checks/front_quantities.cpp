@@ -3,14 +3,14 @@
 
 #include "mesh/polyline.hpp"
 #include "program/checks/path_quantities.hpp"
+#include "results/k_quantities.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,9 +21,10 @@ namespace {
 
 // "K1" and "AT" of "K1.AT".
 struct FrontWord {
-  const results::FrontQuantity* quantity = nullptr;
-  std::string_view where;
-  std::optional<results::SensitivityParameter> by; ///< a derivative: "DK1.LOAD.AT"
+  const results::KQuantity* quantity = nullptr;
+  std::string_view where; ///< of a front in space; empty: the word is of a tip in the plane
+  std::optional<results::SensitivityParameter> by; ///< a derivative: "DK1.LOAD"
+  bool on_path = false;                            ///< at a place t of a load path: "PATH.K1"
 };
 
 // Of the crack itself: no name tells which.
@@ -44,74 +45,86 @@ std::optional<results::SensitivityParameter> cause_named(std::string_view word) 
   return std::nullopt;
 }
 
-// "DK1.LOAD" of "DK1.LOAD.AT".
-FrontWord derivative_word(std::string_view of, std::string_view where) {
-  const std::size_t point = of.find('.');
-  if (point != 3 || (where != "AT" && where != "PHI")) {
-    return {};
-  }
-  const std::optional<results::SensitivityParameter> by = cause_named(of.substr(point + 1));
-  return by ? FrontWord{results::find_front_quantity(of.substr(1, 2)), where, by} : FrontWord{};
-}
-
-// On load paths there are K1, K2 and K3.
 constexpr std::string_view of_path = "PATH.";
 
 FrontWord front_word(std::string_view text) {
-  const bool on_path = text.starts_with(of_path);
-  const std::string_view word = on_path ? text.substr(of_path.size()) : text;
-  const std::size_t point = word.rfind('.');
-  if (point == std::string_view::npos) {
-    return {};
+  static constexpr std::array<std::string_view, 4> places{"AT", "PHI", "MIN", "MAX"};
+  FrontWord word;
+  word.on_path = text.starts_with(of_path);
+  text.remove_prefix(word.on_path ? of_path.size() : 0);
+  const std::size_t point = text.rfind('.');
+  const std::string_view last = point == std::string_view::npos ? "" : text.substr(point + 1);
+  if (std::ranges::find(places, last) != places.end()) {
+    word.where = last;
+    text = text.substr(0, point);
   }
-  const std::string_view where = word.substr(point + 1);
-  if (!on_path && word.starts_with("DK")) {
-    return derivative_word(word.substr(0, point), where);
+  const bool derivative = !word.on_path && text.starts_with("DK");
+  if (derivative) { // "DK1.LOAD"
+    word.by = text.find('.') == 3 ? cause_named(text.substr(4)) : std::nullopt;
+    if (!word.by || word.where == "MIN" || word.where == "MAX") {
+      return {};
+    }
+    text = text.substr(1, 2);
   }
-  const results::FrontQuantity* quantity = results::find_front_quantity(word.substr(0, point));
-  const bool known = where == "AT" || where == "PHI" || where == "MIN" || where == "MAX";
-  const bool follows = quantity != nullptr && (!on_path || quantity->name[0] == 'K');
-  return follows && quantity->checked && known ? FrontWord{quantity, where, {}} : FrontWord{};
+  word.quantity = results::find_k_quantity(text, word.where.empty() ? 2 : 3);
+  const bool of_K_alone = word.on_path || derivative;
+  return word.quantity != nullptr && (word.quantity->is_k() || !of_K_alone) ? word : FrontWord{};
 }
 
-using Fronts = std::vector<const results::FrontResult*>;
+using Fronts = std::vector<results::FrontResult>;
 
-// Fronts of a crack: one, or NAME.1, NAME.2 and so on.
-Fronts fronts_of(const std::vector<results::FrontResult>& all, const std::string& crack) {
+// Why there is none of that name.
+std::string missing_front(const Fronts& all, const FrontWord& word, const std::string& crack) {
+  if (!word.where.empty()) {
+    return fmt::format("no front of {}", crack);
+  }
+  const bool two =
+      !word.by && !word.on_path && std::ranges::any_of(all, [&](const results::FrontResult& front) {
+        return front.is_tip() && front.name == crack + ".1";
+      });
+  return two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", crack)
+             : fmt::format("no tip {}", crack);
+}
+
+// The tip of that name; in space fronts of the crack, one, or NAME.1, NAME.2 and so on.
+Fronts fronts_of(const Fronts& all, const FrontWord& word, const std::string& crack) {
+  const bool tip = word.where.empty();
   Fronts fronts;
   for (const results::FrontResult& front : all) {
-    if (front.name == crack || front.name.starts_with(crack + ".")) {
-      fronts.push_back(&front);
+    if (front.is_tip() == tip &&
+        (front.name == crack || (!tip && front.name.starts_with(crack + ".")))) {
+      fronts.push_back(front);
     }
   }
   if (fronts.empty()) {
-    throw MissingQuantity(fmt::format("no front of {}", crack));
+    throw MissingQuantity(missing_front(all, word, crack));
   }
-  for (const results::FrontResult* front : fronts) {
-    if (!front->invalid_reason.empty()) {
-      throw MissingQuantity(front->invalid_reason);
+  for (const results::FrontResult& front : fronts) {
+    const bool has_it =
+        front.two_materials && word.quantity->given == results::KQuantityCondition::always;
+    if (!front.invalid_reason.empty() && !has_it) {
+      throw MissingQuantity(front.invalid_reason);
     }
   }
   return fronts;
 }
 
-void refuse_without(const Fronts& fronts, const results::FrontQuantity& quantity) {
-  for (const results::FrontResult* front : fronts) {
-    if (quantity.given == nullptr || quantity.given(*front)) {
-      continue;
+void refuse_without_bar(const Fronts& fronts, const results::KQuantity& quantity) {
+  for (const results::FrontResult& front : fronts) {
+    if (quantity.given == results::KQuantityCondition::with_bar && !front.has_error_bar()) {
+      throw MissingQuantity(
+          front.is_tip() ? "no error bar: " + front.no_bar
+                         : fmt::format("K of {} has no error bar: {}", front.name, front.no_bar));
     }
-    throw MissingQuantity(
-        quantity.inside ? fmt::format("K of {} has no error bar: {}", front->name, front->no_bar)
-                        : fmt::format("{} has no {}", front->name, quantity.name));
   }
 }
 
 double extreme(const Fronts& fronts, const FrontWord& word) {
   const double sign = word.where == "MAX" ? 1.0 : -1.0;
   std::optional<double> best;
-  for (const results::FrontResult* front : fronts) {
-    for (const results::FrontPointResult& place : front->points) {
-      const double value = sign * word.quantity->extract_value(place);
+  for (const results::FrontResult& front : fronts) {
+    for (const results::FrontPointResult& place : front.points) {
+      const double value = sign * word.quantity->extract_value(front, place);
       if (!place.at_surface && (!best || value > *best)) {
         best = value;
       }
@@ -141,17 +154,17 @@ double length_of(const std::vector<base::Vec3>& line) {
 
 NearestFrontPlace nearest_of(const Fronts& fronts, const base::Vec3& x) {
   NearestFrontPlace nearest;
-  for (const results::FrontResult* front : fronts) {
+  for (const results::FrontResult& front : fronts) {
     std::vector<base::Vec3> line;
-    for (const results::FrontPointResult& place : front->points) {
+    for (const results::FrontPointResult& place : front.points) {
       line.push_back(place.x);
     }
-    if (front->closed) {
+    if (front.is_loop) {
       line.push_back(line.front());
     }
     const mesh::PolylinePosition on = mesh::nearest_on(line, x);
     if (on.distance < nearest.away) {
-      nearest = {front, on.interpolate(line), on.distance, length_of(line)};
+      nearest = {&front, on.interpolate(line), on.distance, length_of(line)};
     }
   }
   return nearest;
@@ -162,11 +175,11 @@ double at_place(const Fronts& fronts, const FrontWord& word, const base::Vec3& x
 }
 
 double at_angle(const Fronts& fronts, const FrontWord& word, double phi) {
-  for (const results::FrontResult* front : fronts) {
-    if (!front->angles) {
-      throw MissingQuantity(fmt::format("{} is no ellipse: its points have no angle", front->name));
+  for (const results::FrontResult& front : fronts) {
+    if (!front.has_angles) {
+      throw MissingQuantity(fmt::format("{} is no ellipse: its points have no angle", front.name));
     }
-    if (const auto value = results::front_value_at_angle(*front, *word.quantity, phi)) {
+    if (const auto value = results::front_value_at_angle(front, *word.quantity, phi)) {
       return *value;
     }
   }
@@ -174,61 +187,61 @@ double at_angle(const Fronts& fronts, const FrontWord& word, double phi) {
       fmt::format("the front has no point at {:.6g} degrees", phi * 180.0 / std::numbers::pi));
 }
 
-} // namespace
-
-bool is_front_quantity(std::string_view word) {
-  return front_word(word).quantity != nullptr;
-}
-
-namespace {
-
-// K1 < 0 is no answer, as at the end of a step; the place of t on the path.
-std::vector<results::FrontResult> fronts_at(const results::LoadPathResult& path, double t) {
-  std::vector<results::FrontResult> fronts;
-  for (const results::LoadPathFront& front : path.fronts) {
-    fronts.push_back(front.at(t));
-    for (const results::FrontPointResult& place : fronts.back().points) {
-      const double other = std::max(std::abs(place.K2), std::abs(place.K3));
-      if (!place.at_surface && place.K1 < 0.0 && std::abs(place.K1) > 1e-2 * other) {
-        fronts.back().invalid_reason =
-            "K1 is negative at some points there: the crack faces overlap";
-      }
+// The place of t on the path.
+Fronts fronts_at(const results::LoadPathResult& path, double t) {
+  Fronts fronts;
+  for (const results::LoadPathFront& along : path.fronts) {
+    results::FrontResult& front = fronts.emplace_back(along.at(t));
+    // That a tip is in doubt on the whole path comes first.
+    if (front.invalid_reason.empty() || !front.is_tip()) {
+      const std::string overlap = overlap_reason(front);
+      front.invalid_reason = overlap.empty() ? front.invalid_reason : overlap;
     }
   }
   return fronts;
 }
 
-} // namespace
-
-namespace {
+// Why there is no one derivative of K1, K2 or K3.
+std::string missing_derivative(const results::FrontResult& front, const results::Sensitivity& by,
+                               std::size_t mode) {
+  if (!front.is_tip()) {
+    return "the contact changes at this very state: there are two derivatives";
+  }
+  return by.below.empty() || by.above.empty()
+             ? "on one side of this state nothing holds a body"
+             : fmt::format("the contact changes at this very state: {:.7g} below, {:.7g} above",
+                           by.value * by.below.front()[mode], by.value * by.above.front()[mode]);
+}
 
 // Value times derivative in the place of K. At a change of contact there are two of them and no
 // answer.
-results::FrontResult derivative_of(const results::FrontResult& front,
-                                   results::SensitivityParameter cause, const std::string& name) {
+results::FrontResult derivative_of(const results::FrontResult& front, const FrontWord& word,
+                                   const std::string& name) {
   const auto& all = front.sensitivities.of;
   // Every front has the derivatives by the axes of all ellipses: its own crack's are asked for.
-  const auto named = [&](const results::FrontSensitivity& s) {
-    return is_of_crack(cause) ? front.name == s.name || front.name.starts_with(s.name + ".")
-                              : s.name == name;
+  const auto named = [&](const results::Sensitivity& s) {
+    return is_of_crack(*word.by) ? front.name == s.name || front.name.starts_with(s.name + ".")
+                                 : s.name == name;
   };
-  const auto it = std::ranges::find_if(
-      all, [&](const results::FrontSensitivity& s) { return s.cause == cause && named(s); });
-  if (it == all.end()) {
-    throw MissingQuantity(front.sensitivities.notes.empty()
-                              ? fmt::format("{} has no value in that step",
-                                            is_of_crack(cause) ? "the size of " + front.name : name)
-                              : front.sensitivities.notes.front());
+  const auto by = std::ranges::find_if(
+      all, [&](const results::Sensitivity& s) { return s.cause == *word.by && named(s); });
+  if (by == all.end()) {
+    throw MissingQuantity(
+        front.sensitivities.notes.empty()
+            ? fmt::format("{} has no value in that step",
+                          is_of_crack(*word.by) ? "the size of " + front.name : name)
+            : front.sensitivities.notes.front());
   }
-  if (!it->is_smooth()) {
-    throw MissingQuantity("the contact changes at this very state: there are two derivatives");
+  if (!by->is_smooth()) {
+    throw MissingQuantity(
+        missing_derivative(front, *by, static_cast<std::size_t>(word.quantity->mode)));
   }
   results::FrontResult out = front;
   for (std::size_t i = 0; i < out.points.size(); ++i) {
     results::FrontPointResult& place = out.points[i];
-    place.K1 = it->value * it->above[i][0];
-    place.K2 = it->value * it->above[i][1];
-    place.K3 = it->value * it->above[i][2];
+    place.K1 = by->value * by->below[i][0];
+    place.K2 = by->value * by->below[i][1];
+    place.K3 = by->value * by->below[i][2];
     place.smooth = {place.K1, place.K2, place.K3};
   }
   return out;
@@ -239,12 +252,10 @@ struct Asked {
   FrontWord word;
   base::Vec3 x = base::Vec3::Zero();
   double phi = 0.0;
-  std::vector<results::FrontResult> own; ///< made for this line: of a load path, derivatives
-  Fronts fronts;
+  Fronts fronts; ///< with derivatives in the place of K where these are asked for
 };
 
 Asked asked_of(const std::string& text, CheckArguments& args, const results::RunResult& run) {
-  const bool on_path = text.starts_with(of_path);
   Asked asked;
   asked.word = front_word(text);
   const FrontWord& word = asked.word;
@@ -252,27 +263,22 @@ Asked asked_of(const std::string& text, CheckArguments& args, const results::Run
   if (word.where == "AT") {
     asked.x = {args.required_number("x"), args.required_number("y"), args.required_number("z")};
   }
-  const std::string name = args.next_name(on_path ? "a load path" : "a step");
-  const double t = on_path ? args.required_number("a place t") : 0.0;
+  const std::string name = args.next_name(word.on_path ? "a load path" : "a step");
+  const double t = word.on_path ? args.required_number("a place t") : 0.0;
   const bool named = word.by && !is_of_crack(*word.by);
-  const std::string by = named ? args.next_name("a name") : std::string();
+  // K of a tip has a derivative by the length of each tip; empty: that of the crack.
+  const std::string by = named ? args.next_name("a name") : word.where.empty() ? crack : "";
   asked.phi = word.where == "PHI" ? args.required_number("an angle") : 0.0;
   const std::optional<double> a = args.next_number();
-  if (on_path) {
-    asked.own = fronts_at(find_load_path(run, name, t, a), t);
+  asked.fronts = word.on_path
+                     ? fronts_of(fronts_at(find_load_path(run, name, t, a), t), word, crack)
+                     : fronts_of(find_checked_step(run, name, a).step->fronts, word, crack);
+  refuse_without_bar(asked.fronts, *word.quantity);
+  for (results::FrontResult& front : asked.fronts) {
+    if (word.by) {
+      front = derivative_of(front, word, by);
+    }
   }
-  asked.fronts =
-      fronts_of(on_path ? asked.own : find_checked_step(run, name, a).step->fronts, crack);
-  if (!word.by) {
-    refuse_without(asked.fronts, *word.quantity);
-    return asked;
-  }
-  std::vector<results::FrontResult> derivatives; // `fronts` may point into `own`
-  for (const results::FrontResult* front : asked.fronts) {
-    derivatives.push_back(derivative_of(*front, *word.by, by));
-  }
-  asked.own = std::move(derivatives);
-  asked.fronts = fronts_of(asked.own, crack);
   return asked;
 }
 
@@ -282,9 +288,24 @@ constexpr double about = 0.05;
 
 } // namespace
 
+bool is_front_quantity(std::string_view word) {
+  return front_word(word).quantity != nullptr;
+}
+
+std::string bar_part_word(std::string_view word, std::string_view part) {
+  const FrontWord of = front_word(word);
+  if (of.quantity == nullptr || !of.quantity->is_k() || of.by || of.on_path) {
+    return {};
+  }
+  return fmt::format("{}.{}{}{}", of.quantity->name, part, of.where.empty() ? "" : ".", of.where);
+}
+
 double front_quantity(const std::string& text, CheckArguments& args,
                       const results::RunResult& run) {
   const Asked asked = asked_of(text, args, run);
+  if (asked.word.where.empty()) {
+    return asked.word.quantity->extract_value(asked.fronts.front());
+  }
   if (asked.word.where == "AT") {
     return at_place(asked.fronts, asked.word, asked.x);
   }

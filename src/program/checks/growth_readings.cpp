@@ -57,7 +57,8 @@ std::optional<AtLength> on_axis(const results::StepResult& at, const model::Mode
     for (const results::FrontPointResult& place : front.points) {
       points.push_back(place.x);
     }
-    const std::vector<results::FrontAxisEnd> ends = results::axis_ends(crack, points, front.closed);
+    const std::vector<results::FrontAxisEnd> ends =
+        results::axis_ends(crack, points, front.is_loop);
     const auto end = std::ranges::find(ends, !test.on_c, &results::FrontAxisEnd::on_a);
     if (end != ends.end()) {
       const auto [a, c] = results::half_axes(ends);
@@ -71,22 +72,22 @@ std::optional<AtLength> on_axis(const results::StepResult& at, const model::Mode
   return std::nullopt;
 }
 
-// The tip of a crack, the first of two. Empty where its K is none.
+// Of a tip, the first of two; in space of a place of the front. Empty where its K is none.
 std::optional<AtLength> found_at(const results::Increment& increment, base::StepId step,
                                  const model::Model& model, const model::GrowthTestReadings& test) {
   const results::StepResult* at = results::find_step(increment, model.steps[step.index()].name);
   if (at == nullptr) {
     return std::nullopt;
   }
-  if (model.mesh.dim == 3) {
+  const std::string& crack = model.cracks[test.crack.index()].name;
+  const results::FrontResult* tip = results::find_front(*at, crack);
+  tip = tip != nullptr ? tip : results::find_front(*at, crack + ".1");
+  if (tip == nullptr || !tip->is_tip()) {
     return on_axis(*at, model, test);
   }
-  const std::string& crack = model.cracks[test.crack.index()].name;
-  const results::TipResult* tip = results::find_tip(*at, crack);
-  tip = tip != nullptr ? tip : results::find_tip(*at, crack + ".1");
-  return tip == nullptr || !tip->invalid_reason.empty()
-             ? std::nullopt
-             : std::optional(AtLength{.tip = tip->name, .a = tip->a, .K1 = tip->K1});
+  return tip->invalid_reason.empty()
+             ? std::optional(AtLength{.tip = tip->name, .a = tip->a, .K1 = tip->tip().K1})
+             : std::nullopt;
 }
 
 /// K and R of the increments between their lengths.

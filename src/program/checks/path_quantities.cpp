@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/checks/path_quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spricka::program {
@@ -23,39 +24,35 @@ const results::LoadPathResult& path_of(const results::RunResult& run, const std:
                           : fmt::format("no results of load path {}", name));
 }
 
-const results::LoadPathTip& tip_of(const results::LoadPathResult& path, const std::string& name) {
-  const results::LoadPathTip* tip = results::find_tip(path, name);
-  if (tip == nullptr) {
+const results::LoadPathFront& tip_of(const results::LoadPathResult& path, const std::string& name) {
+  const results::LoadPathFront* tip = results::find_front(path, name);
+  if (tip == nullptr || !tip->is_tip()) {
     throw MissingQuantity(fmt::format("no tip {}", name));
   }
-  if (!tip->invalid_reason.empty()) {
-    throw MissingQuantity(tip->invalid_reason);
+  if (!tip->is.invalid_reason.empty()) {
+    throw MissingQuantity(tip->is.invalid_reason);
   }
   return *tip;
 }
 
-// K1 < 0 is no answer, as at the end of a step.
-void refuse_closed(double K1, double K2) {
-  if (K1 < 0.0 && std::abs(K1) > 1e-9 * std::abs(K2)) {
-    throw MissingQuantity(
-        "K1 is negative there: the crack faces overlap, or the mesh at the tip is too "
-        "coarse");
+void refuse_overlap(const results::LoadPathFront& tip, double t) {
+  if (const std::string reason = overlap_reason(tip.at(t)); !reason.empty()) {
+    throw MissingQuantity(reason);
   }
 }
 
-double at_place(const std::string& quantity, CheckArguments& args, const results::RunResult& run) {
+// dK1/dt, at a knot that behind it.
+double slope_at(CheckArguments& args, const results::RunResult& run) {
   const std::string tip_name = args.next_name("a crack");
   const std::string path_name = args.next_name("a load path");
   const double t = args.required_number("a place t");
   const results::LoadPathResult& path = find_load_path(run, path_name, t, args.next_number());
-  const results::LoadPathTip& tip = tip_of(path, tip_name);
-  refuse_closed(tip.K1(t), tip.K2(t));
-  if (quantity == "PATH.SLOPE") {
-    std::size_t s = tip.K1.find_segment(t);
-    s += s + 1 < tip.K1.segments() && tip.K1.knots()[s + 1] <= t ? 1 : 0;
-    return tip.K1.slope(s);
-  }
-  return quantity == "PATH.K2" ? tip.K2(t) : tip.K1(t);
+  const results::LoadPathFront& tip = tip_of(path, tip_name);
+  refuse_overlap(tip, t);
+  const base::PiecewiseLinear& K1 = tip.tip().K[0];
+  std::size_t s = K1.find_segment(t);
+  s += s + 1 < K1.segments() && K1.knots()[s + 1] <= t ? 1 : 0;
+  return K1.slope(s);
 }
 
 double of_two(CheckArguments& args, const results::RunResult& run) {
@@ -64,8 +61,8 @@ double of_two(CheckArguments& args, const results::RunResult& run) {
   const double from = args.required_number("a factor of FROM");
   const double to = args.required_number("a factor of TO");
   const results::LoadPathResult& path = path_of(run, path_name, args.next_number());
-  const results::LoadPathTip& tip = tip_of(path, tip_name);
-  const std::optional<double> K1 = results::k_at_load_combination(path, tip, 1, from, to);
+  const results::LoadPathFront& tip = tip_of(path, tip_name);
+  const std::optional<double> K1 = results::k_at_load_combination(path, tip.tip(), 1, from, to);
   if (!K1) {
     throw MissingQuantity(
         path.homogeneous
@@ -74,11 +71,26 @@ double of_two(CheckArguments& args, const results::RunResult& run) {
                           "factors must add up to 1",
                           path_name));
   }
-  refuse_closed(*K1, results::k_at_load_combination(path, tip, 2, from, to).value_or(0.0));
+  refuse_overlap(tip, to / (from + to));
   return *K1;
 }
 
 } // namespace
+
+std::string overlap_reason(const results::FrontResult& front) {
+  const double of_mesh = front.is_tip() ? 1e-9 : 1e-2; // over K2 and K3
+  const bool overlaps =
+      std::ranges::any_of(front.points, [&](const results::FrontPointResult& place) {
+        const double other = std::max(std::abs(place.K2), std::abs(place.K3));
+        return !place.at_surface && place.K1 < 0.0 && std::abs(place.K1) > of_mesh * other;
+      });
+  if (!overlaps) {
+    return {};
+  }
+  return front.is_tip() ? "K1 is negative there: the crack faces overlap, or the mesh at the tip "
+                          "is too coarse"
+                        : "K1 is negative at some points there: the crack faces overlap";
+}
 
 const results::LoadPathResult& find_load_path(const results::RunResult& run,
                                               const std::string& name, double t,
@@ -115,7 +127,7 @@ double path_quantity(const std::string& quantity, CheckArguments& args,
     }
     return *contact->opening;
   }
-  return at_place(quantity, args, run);
+  return slope_at(args, run);
 }
 
 } // namespace spricka::program

@@ -8,8 +8,8 @@
 
 namespace spricka::program {
 
-/// PATH.K1, PATH.OPENING and their like of $CHECK. What a path does not cover is Missing: nothing
-/// is extrapolated.
+/// PATH.SLOPE, PATH.OPENING and their like of $CHECK, but for K itself (front_quantities.hpp). What
+/// a path does not cover is Missing: nothing is extrapolated.
 double path_quantity(const std::string& quantity, CheckArguments& args,
                      const results::RunResult& run);
 
@@ -17,5 +17,9 @@ double path_quantity(const std::string& quantity, CheckArguments& args,
 const results::LoadPathResult& find_load_path(const results::RunResult& run,
                                               const std::string& name, double t,
                                               std::optional<double> a);
+
+/// Why K along a front, at a place of a load path, is no answer: K1 < 0, as at the end of a step.
+/// Empty: it is one.
+std::string overlap_reason(const results::FrontResult& front);
 
 } // namespace spricka::program

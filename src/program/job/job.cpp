@@ -23,7 +23,6 @@
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
 #include "sense/end_warnings.hpp"
-#include "sense/front_consistency.hpp"
 #include "sense/k_consistency.hpp"
 #include "solve/one_thread.hpp"
 
@@ -64,9 +63,6 @@ void add_warnings(const model::Model& model, const results::RunResult& run,
     list.warning({}, "W504", std::move(coarse));
   }
   for (std::string& parted : sense::k_consistency_warnings(run)) {
-    list.warning({}, "W570", std::move(parted));
-  }
-  for (std::string& parted : sense::front_consistency_warnings(run)) {
     list.warning({}, "W570", std::move(parted));
   }
   for (sense::RunWarning& warning : sense::find_run_warnings(model, run)) {
@@ -260,24 +256,21 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
 
 namespace {
 
-void print_tip(const std::string& before, const results::TipResult& tip,
-               const base::UnitSystem& units) {
-  if (tip.two_materials) { // stresses oscillate there: it has a G alone
-    to_stdout(fmt::format("{} {:<8} a = {:<10.6g} G = {:<12.7g} {}/{}\n", before, tip.name, tip.a,
-                          tip.G, units.force_name, units.length_name));
-    return;
+// K1 and K2 with their bars.
+std::string tip_text(const results::FrontResult& front, const base::UnitSystem& units) {
+  const results::FrontPointResult& tip = front.tip();
+  if (front.two_materials) { // stresses oscillate there: it has a G alone
+    return fmt::format("G = {:<12.7g} {}/{}", tip.G, units.force_name, units.length_name);
   }
   const auto bar = [&](std::size_t k) {
-    return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
+    return front.has_error_bar() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
   };
-  to_stdout(fmt::format("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}{}\n", before,
-                        tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
-                        units.stress_intensity_name(), tip.closed ? ", closed" : ""));
+  return fmt::format("K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}{}", tip.K1, bar(0), tip.K2, bar(1),
+                     units.stress_intensity_name(), tip.closed ? ", closed" : "");
 }
 
-// A line for each mode of a front that is not nothing: its ends and where they are.
-void print_front(const std::string& before, const results::FrontResult& front,
-                 const base::UnitSystem& units) {
+// The range of each mode that is not nothing at the points within the body; empty: there are none.
+std::string range_text(const results::FrontResult& front, const base::UnitSystem& units) {
   std::vector<const results::FrontPointResult*> inside;
   for (const results::FrontPointResult& place : front.points) {
     if (!place.at_surface) {
@@ -285,16 +278,15 @@ void print_front(const std::string& before, const results::FrontResult& front,
     }
   }
   if (inside.empty()) {
-    return;
+    return {};
   }
   const auto range = [&](double results::FrontPointResult::*K) {
     const auto [low, high] = std::ranges::minmax_element(
         inside, {}, [&](const results::FrontPointResult* place) { return place->*K; });
     return std::pair((*low)->*K, (*high)->*K);
   };
-  std::string text = fmt::format("{} {:<8} a = {:<10.6g}", before, front.name, front.a);
   const auto [low, high] = range(&results::FrontPointResult::K1);
-  text += fmt::format(" K1 = {:.7g} .. {:.7g}", low, high);
+  std::string text = fmt::format("K1 = {:.7g} .. {:.7g}", low, high);
   int mode = 2;
   for (const auto K : {&results::FrontPointResult::K2, &results::FrontPointResult::K3}) {
     const auto [least, most] = range(K);
@@ -304,12 +296,12 @@ void print_front(const std::string& before, const results::FrontResult& front,
     }
     ++mode;
   }
-  to_stdout(fmt::format("{} {} along {} points\n", text, units.stress_intensity_name(),
-                        front.points.size()));
+  return fmt::format("{} {} along {} points", text, units.stress_intensity_name(),
+                     front.points.size());
 }
 
-// A line for each tip: of a growth by a law at KMAX of each station, else of every step.
-void print_tips(const model::Model& model, const results::RunResult& run) {
+// A line for each front: of a growth by a law at KMAX of each station, else of every step.
+void print_fronts(const model::Model& model, const results::RunResult& run) {
   const std::string leading = run.growth ? report::leading_step(model) : std::string();
   const auto behind_the_end = [&](std::size_t i) { // its cycles are not lived
     return run.growth && i > 0 && i < run.growth->stations.size() &&
@@ -326,11 +318,12 @@ void print_tips(const model::Model& model, const results::RunResult& run) {
       const std::string before = run.growth && i < run.growth->stations.size()
                                      ? fmt::format("N = {:<11.6g}", run.growth->stations[i].cycles)
                                      : fmt::format("{:<12}", step.step);
-      for (const results::TipResult& tip : step.tips) {
-        print_tip(before, tip, model.units);
-      }
       for (const results::FrontResult& front : step.fronts) {
-        print_front(before, front, model.units);
+        const std::string K =
+            front.is_tip() ? tip_text(front, model.units) : range_text(front, model.units);
+        if (!K.empty()) {
+          to_stdout(fmt::format("{} {:<8} a = {:<10.6g} {}\n", before, front.name, front.a, K));
+        }
       }
     }
   }
@@ -343,7 +336,7 @@ void print_summary(const ReadyDeck& deck, const results::RunResult& run,
   for (const std::string& flaw : deck.flaws) {
     to_stdout(flaw + "\n");
   }
-  print_tips(*deck.model, run);
+  print_fronts(*deck.model, run);
   if (run.growth) {
     // That nothing grows is an answer, but N = 0 alone does not read like it.
     const bool stands = run.growth->ended == "THRESHOLD";

@@ -15,9 +15,8 @@ void InterimKTable::update_increment(const results::Increment& increment) {
   for (const results::StepResult& step : increment.steps) {
     results::StepResult& copy = shown.steps.emplace_back();
     copy.step = step.step;
-    copy.tips = step.tips;
     copy.fronts = step.fronts;
-    any = any || !step.tips.empty() || !step.fronts.empty();
+    any = any || !step.fronts.empty();
   }
   if (any) {
     folder_.write_interim_k(model_, run_);

@@ -59,7 +59,7 @@ std::vector<report::PvdEntry> write_step(const model::Model& model,
   if (shows_surfaces(step)) {
     add("contact", 1, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
   }
-  if (!step.fronts.empty()) {
+  if (!std::ranges::all_of(step.fronts, &results::FrontResult::is_tip)) {
     add("fronts", 2, [&](const fs::path& file) { report::write_front_vtu(file, model, step); });
   }
   return entries;

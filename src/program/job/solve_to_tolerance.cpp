@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/solve_to_tolerance.hpp"
 
-#include "analysis/refine/front_shortfall.hpp"
 #include "analysis/refine/refinement_plan.hpp"
 #include "analysis/refine/wide_bars.hpp"
 #include "base/clock.hpp"
@@ -34,8 +33,7 @@ std::size_t unknowns(const results::RunResult& run) {
 // Bars against what is asked for; `why_not` where no mesh can give it.
 results::ToleranceRound look_at(const model::Model& model, const results::RunResult& run,
                                 std::string& why_not) {
-  const analysis::ToleranceShortfall now =
-      model.mesh.dim == 3 ? analysis::front_shortfall(model, run) : analysis::shortfall(model, run);
+  const analysis::ToleranceShortfall now = analysis::shortfall(model, run);
   results::ToleranceRound round;
   round.unknowns = unknowns(run);
   round.worst = now.where;

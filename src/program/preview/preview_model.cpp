@@ -2,8 +2,6 @@
 #include "program/preview/preview_model.hpp"
 
 #include "analysis/scene/front_name.hpp"
-#include "analysis/scene/tip_name.hpp"
-
 #include "contact/survey.hpp"
 #include "mesh/measure_quality.hpp"
 #include "model/model.hpp"
@@ -175,7 +173,7 @@ results::CrackLengthPreview preview_length(const model::Model& model,
   length.notes = scene.notes;
   for (const mesh::CrackFront& front : cracked.fronts) {
     results::TipPreview preview;
-    preview.name = analysis::tip_name(model, cracked, front);
+    preview.name = analysis::front_name(model, scene, front);
     const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
     const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face();
     if (!crack_face.empty()) {

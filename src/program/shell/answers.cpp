@@ -149,21 +149,17 @@ std::string ShellSession::setting() const {
 
 void ShellSession::remember() {
   const results::StepResult& at = current_result();
-  if (at.tips.empty() && at.fronts.empty()) {
+  if (at.fronts.empty()) {
     return;
   }
-  TriedLengthResult known{setting(), run_results().increments.front().a, at.tips, {}};
-  if (!at.fronts.empty()) {
-    known.space = {crack_size(0), at.fronts};
-  }
+  TriedLengthResult known{
+      setting(), run_results().increments.front().a, {crack_size(0), at.fronts}};
   const auto same_size = [](const auto& one, const auto& other) {
     return one.a == other.a && one.length == other.length;
   };
   std::erase_if(known_, [&](const TriedLengthResult& k) {
     return k.setting == known.setting &&
-           std::ranges::equal(k.tips, known.tips,
-                              [](const auto& a, const auto& b) { return a.a == b.a; }) &&
-           std::ranges::equal(k.space.fronts, known.space.fronts, same_size);
+           std::ranges::equal(k.found.fronts, known.found.fronts, same_size);
   });
   known_.push_back(std::move(known));
 }
@@ -176,7 +172,7 @@ results::RunResult ShellSession::results_by_length() const {
       results::Increment& increment = out.increments.emplace_back();
       increment.a = known.a;
       increment.steps.emplace_back().step = "NOW";
-      increment.steps.back().tips = known.tips;
+      increment.steps.back().fronts = known.found.fronts;
     }
   }
   std::ranges::stable_sort(out.increments, {}, &results::Increment::a);
@@ -190,8 +186,8 @@ std::vector<ShellSession::FrontsAtSize> ShellSession::fronts_by_size() const {
   std::vector<FrontsAtSize> out;
   const std::string present = setting();
   for (const TriedLengthResult& known : known_) {
-    if (known.setting == present && !known.space.fronts.empty()) {
-      out.push_back(known.space);
+    if (known.setting == present) {
+      out.push_back(known.found);
     }
   }
   std::ranges::stable_sort(out, {},

@@ -236,7 +236,7 @@ base::Trouble InteractiveSolver::solve_further_step(const model::Step& step,
 
 base::Trouble InteractiveSolver::estimate_accuracy() {
   const analysis::Discretisation& scene = length_->discretisation();
-  if (estimated_ || (scene.cracked.fronts.empty() && scene.fronts.empty())) {
+  if (estimated_ || scene.front_count() == 0) {
     return {};
   }
   results::StepResult found = current_result();

@@ -3,7 +3,7 @@
 
 #include "base/diagnostics.hpp"
 #include "model/model.hpp"
-#include "program/shell/front_replies.hpp"
+#include "program/shell/k_replies.hpp"
 #include "program/shell/trouble.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/svg.hpp"
@@ -68,18 +68,14 @@ std::string path_picture(const ShellSession& session, const results::LoadPathRes
                                   : fmt::format("factor of {}", path.name);
   plot.y_name =
       fmt::format("K₁  [{}]", report::typeset_unit(session.model().units.stress_intensity_name()));
-  std::vector<MappedFrontPoint> curves = mapped_points(path);
-  for (const results::LoadPathTip& tip : path.tips) {
-    curves.push_back({tip.name, &tip.K1});
-  }
-  for (const MappedFrontPoint& curve : curves) {
+  for (const MappedFrontPoint& curve : mapped_points(path)) {
     report::PlotSeries series;
     series.name = curve.name;
     series.colour = report::palette_colour(plot.series.size());
     series.dash = report::dash_pattern(plot.series.size());
     for (std::size_t k = 0; k < path.t.size(); ++k) {
       series.points.push_back(
-          {range.from + (range.to - range.from) * path.t[k], curve.K1->at_knot(k)});
+          {range.from + (range.to - range.from) * path.t[k], curve.point->K[0].at_knot(k)});
     }
     plot.series.push_back(std::move(series));
   }
@@ -117,7 +113,8 @@ std::vector<std::string> picture_kinds() {
 }
 
 base::Trouble draw_picture(const ShellSession& session, const std::string& kind, std::string& svg) {
-  if (kind == "k" && !session.current_result().fronts.empty()) {
+  const std::vector<results::FrontResult>& fronts = session.current_result().fronts;
+  if (kind == "k" && !fronts.empty() && !fronts.front().is_tip()) {
     svg = stacked(k_along_fronts(session));
   } else if (kind == "k") {
     const std::optional<report::Figure> figure =
@@ -138,7 +135,7 @@ base::Trouble draw_picture(const ShellSession& session, const std::string& kind,
     svg = stacked(report::mesh_figures(session.displayed_model(), session.run_results()));
   } else if (kind == "path") {
     const results::LoadPathResult* path = session.last_mapped_path();
-    if (path == nullptr || (path->tips.empty() && path->fronts.empty())) {
+    if (path == nullptr || path->fronts.empty()) {
       return invalid_input("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }
     svg = stacked({{{path_picture(session, *path)}, {}, {}}});

@@ -3,6 +3,7 @@
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "program/shell/actions.hpp"
+#include "program/shell/k_replies.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/replies.hpp"
 #include "program/shell/trouble.hpp"
@@ -15,12 +16,8 @@ namespace spricka::program {
 
 namespace {
 
-// Tips of cracks in the plane, fronts of those in space.
 std::vector<std::string> names_with_k(const results::StepResult& step) {
   std::vector<std::string> names;
-  for (const results::TipResult& tip : step.tips) {
-    names.push_back(tip.name);
-  }
   for (const results::FrontResult& front : step.fronts) {
     names.push_back(front.name);
   }
@@ -219,11 +216,6 @@ base::Trouble do_sensitivity(const ShellCall& call) {
   for (const results::FrontResult& front : call.session.current_result().fronts) {
     for (const std::string& note : front.sensitivities.notes) {
       call.reply.messages += fmt::format("note: {}: {}\n", front.name, note);
-    }
-  }
-  for (const results::TipResult& tip : call.session.current_result().tips) {
-    for (const std::string& note : tip.sensitivities.notes) {
-      call.reply.messages += fmt::format("note: {}: {}\n", tip.name, note);
     }
   }
   return {};

@@ -2,9 +2,8 @@
 #include "program/shell/replies.hpp"
 
 #include "analysis/recover/closed_parts.hpp"
-#include "base/quantity.hpp"
 #include "model/model.hpp"
-#include "program/shell/front_replies.hpp"
+#include "program/shell/k_replies.hpp"
 #include "program/shell/known_names.hpp"
 #include "report/drawing/table.hpp"
 #include "report/topics/sensitivity_tables.hpp"
@@ -24,26 +23,6 @@ using report::ReportTable;
 
 std::string number(double value) {
   return fmt::format("{:.7g}", value);
-}
-
-std::string bar(const results::TipResult& tip, int mode) {
-  return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[static_cast<std::size_t>(mode)].size())
-                            : std::string("-");
-}
-
-std::vector<std::string> k_row(const results::TipResult& tip) {
-  std::vector<std::string> row{tip.name};
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (!q.appears_in(results::in_shell)) {
-      continue;
-    }
-    const bool given = q.is_given(tip);
-    row.push_back(given ? fmt::format("{:.{}g}", q.extract_value(tip), q.shell_digits) : "");
-    if (q.bar >= 0) {
-      row.push_back(given ? bar(tip, q.bar) : "");
-    }
-  }
-  return row;
 }
 
 std::string place(const results::ContactResult& contact, double at, const base::UnitSystem& units) {
@@ -82,59 +61,10 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
 
 } // namespace
 
-std::string k_reply(const ShellSession& session, const std::string& only) {
-  if (!session.current_result().fronts.empty()) {
-    return front_reply(session, only);
-  }
-  const base::UnitSystem& units = session.model().units;
-  ReportTable table{"", {{"tip", "", true}}, {}};
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.appears_in(results::in_shell)) {
-      table.columns.push_back({q.name, base::unit_name(units, q.kind), false});
-    }
-    if (q.appears_in(results::in_shell) && q.bar >= 0) {
-      table.columns.push_back({"+-", base::unit_name(units, q.kind), false});
-    }
-  }
-  for (const results::TipResult& tip : session.current_result().tips) {
-    if (is_of_crack(tip.name, only)) {
-      table.rows.push_back(k_row(tip));
-    }
-  }
-  return report::to_text(table);
-}
-
-std::string k_notes(const ShellSession& session, const std::string& only) {
-  std::string text;
-  for (const results::TipResult& tip : session.current_result().tips) {
-    if (!is_of_crack(tip.name, only)) {
-      continue;
-    }
-    if (!tip.invalid_reason.empty()) {
-      text += fmt::format("warning: {}: {}\n", tip.name, tip.invalid_reason);
-    }
-    if (tip.closed) {
-      text += fmt::format("note: {}: the crack's faces touch at the tip, K1 is 0\n", tip.name);
-    }
-    if (!tip.no_bar.empty()) {
-      text += fmt::format("note: {}: no error bar: {}\n", tip.name, tip.no_bar);
-    }
-  }
-  return text + front_notes(session, only);
-}
-
 std::string state_reply(const ShellSession& session) {
-  const base::UnitSystem& units = session.model().units;
-  std::string text;
-  for (const results::TipResult& tip : session.current_result().tips) {
-    text += tip.two_materials
-                ? fmt::format("{:<12} a = {:<10.6g} G = {:.7g}\n", tip.name, tip.a, tip.G)
-                : fmt::format("{:<12} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", tip.name,
-                              tip.a, tip.K1, tip.K2, units.stress_intensity_name());
-  }
-  text += fronts_state(session);
+  std::string text = k_state(session);
   for (const results::ContactResult& contact : session.current_result().contacts) {
-    text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, units));
+    text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, session.model().units));
   }
   return text;
 }
@@ -144,12 +74,7 @@ std::string state_notes(ShellSession& session) {
   for (const std::string& note : session.new_notes()) {
     text += note + "\n";
   }
-  for (const results::TipResult& tip : session.current_result().tips) {
-    if (!tip.invalid_reason.empty()) {
-      text += fmt::format("warning: {}: {}\n", tip.name, tip.invalid_reason);
-    }
-  }
-  return text + front_k_concerns(session);
+  return text + k_concerns(session);
 }
 
 std::string pressure_reply(const ShellSession& session, const results::ContactResult& contact) {
@@ -204,45 +129,6 @@ std::string arc_reply(const ShellSession& session, const results::ContactResult&
                         place(contact, parts[i][1], session.model().units));
   }
   return text;
-}
-
-std::string map_reply(const ShellSession& session) {
-  const results::LoadPathResult& path = *session.last_mapped_path();
-  const MapRange& range = session.map_range();
-  const std::string K = session.model().units.stress_intensity_name();
-  ReportTable table{"", {{range.what, "", false}}, {}};
-  for (const results::LoadPathTip& tip : path.tips) {
-    const std::string of = path.tips.size() > 1 ? " " + tip.name : "";
-    table.columns.push_back({"K1" + of, K, false});
-    table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
-    table.columns.push_back({"K2" + of, K, false});
-  }
-  const std::vector<MappedFrontPoint> points = mapped_points(path);
-  for (const MappedFrontPoint& point : points) {
-    table.columns.push_back({"K1 " + point.name, K, false});
-    table.columns.push_back({fmt::format("dK1/d{} {}", range.what, point.name), K, false});
-  }
-  for (const results::LoadPathContact& contact : path.contacts) {
-    table.columns.push_back({contact.name, "closed", false});
-  }
-  const double width = range.to - range.from;
-  for (std::size_t k = 0; k < path.t.size(); ++k) {
-    std::vector<std::string> row{number(range.from + width * path.t[k])};
-    for (const results::LoadPathTip& tip : path.tips) {
-      row.push_back(number(tip.K1.at_knot(k)));
-      row.push_back(number(tip.K1.slope_after(k) / width));
-      row.push_back(number(tip.K2.at_knot(k)));
-    }
-    for (const MappedFrontPoint& point : points) {
-      row.push_back(number(point.K1->at_knot(k)));
-      row.push_back(number(point.K1->slope_after(k) / width));
-    }
-    for (const results::LoadPathContact& contact : path.contacts) {
-      row.push_back(fmt::format("{}/{}", contact.closed[k], contact.rows));
-    }
-    table.rows.push_back(std::move(row));
-  }
-  return report::to_text(table);
 }
 
 std::string sensitivity_reply(const ShellSession& session) {

@@ -100,9 +100,9 @@ public:
   [[nodiscard]] const MapRange& map_range() const { return range_; }
 
   /// States with the present loads and fits at different lengths, ascending: each an increment
-  /// whose only step is NOW, tips only.
+  /// whose only step is NOW, fronts only.
   [[nodiscard]] results::RunResult results_by_length() const;
-  /// The same in space: the size of the first crack and all fronts.
+  /// The same by the size of the first crack, both axes of an ellipse.
   struct FrontsAtSize {
     CrackSize size;
     std::vector<results::FrontResult> fronts;
@@ -178,8 +178,7 @@ private:
   struct TriedLengthResult {
     std::string setting; ///< of all but lengths
     double a = 0.0;
-    std::vector<results::TipResult> tips;
-    FrontsAtSize space;
+    FrontsAtSize found;
   };
   std::vector<TriedLengthResult> known_;
   Defines given_; ///< by the command line

@@ -61,16 +61,8 @@ CrackSize ShellSession::crack_size(std::size_t crack) const {
   if (card.kind == model::CrackDefinitionKind::ellipse) {
     return {card.plane.a, card.plane.c};
   }
-  const auto is_its_own = [&](const std::string& tip) {
-    return tip == card.name || tip == card.name + ".1";
-  };
-  for (const results::TipResult& tip : current_result().tips) {
-    if (is_its_own(tip.name)) {
-      return {tip.a, 0.0};
-    }
-  }
   for (const results::FrontResult& front : current_result().fronts) {
-    if (is_its_own(front.name)) {
+    if (front.name == card.name || front.name == card.name + ".1") {
       return {front.a, 0.0};
     }
   }

@@ -3,6 +3,7 @@
 
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
+#include "program/checks/front_quantities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,18 +44,11 @@ std::optional<AnswerGroup> group_of(std::string_view quantity) {
 
 // "K1.BAR" for K and K1, "K2.BEST.PHI" for K2.PHI; empty where there is no such word.
 std::string with_part(std::string_view quantity, std::string_view part) {
-  const std::string stem(quantity == "K" ? "K1" : stem_of(quantity));
-  constexpr std::array of_K{"K1", "K2", "K3"};
-  const bool corrected = quantity.find(".BEST") != std::string_view::npos;
-  if (std::ranges::find(of_K, stem) == of_K.end() || corrected) {
-    return {};
+  std::string word = bar_part_word(quantity, part);
+  if (word.ends_with(".BAR.MIN")) {
+    word.replace(word.size() - 3, 3, "MAX"); // the smallest K may lie where the bar is widest
   }
-  const std::size_t point = quantity.find('.');
-  std::string_view place = point == std::string_view::npos ? "" : quantity.substr(point);
-  if (part == ".BAR" && place == ".MIN") {
-    place = ".MAX"; // the smallest K may lie where the bar is widest
-  }
-  return stem + std::string(part) + std::string(place);
+  return word;
 }
 
 /// Makes the questions that a deck has not asked.
@@ -65,11 +59,12 @@ public:
   std::vector<model::ResultCheck> of_cracks() {
     for (const results::Increment* increment : shown_increments()) {
       for (const results::StepResult& step : increment->steps) {
-        for (const results::TipResult& tip : step.tips) {
-          of_tip(step.step, tip);
-        }
         for (const results::FrontResult& front : step.fronts) {
-          of_front(step.step, front);
+          if (front.is_tip()) {
+            of_tip(step.step, front);
+          } else {
+            of_places(step.step, front);
+          }
         }
       }
     }
@@ -105,24 +100,21 @@ private:
     return shown;
   }
 
-  void of_tip(const std::string& step, const results::TipResult& tip) {
-    if (!tip.invalid_reason.empty()) {
+  void of_tip(const std::string& step, const results::FrontResult& front) {
+    if (!front.invalid_reason.empty()) {
       return;
     }
+    const results::FrontPointResult& tip = front.tip();
     const double K = std::hypot(tip.K1, tip.K2);
     constexpr double least = 1e-3; // of K, that a mode is asked for
     for (const auto& [word, value] : {std::pair{"K1", tip.K1}, std::pair{"K2", tip.K2}}) {
       if (std::abs(value) > least * K) {
-        CheckArguments arguments{tip.name, step};
-        if (run_.increments.size() > 1) {
-          arguments.emplace_back(tip.a);
-        }
-        add(word, std::move(arguments), false);
+        add_K(word, {front.name, step}, front.a);
       }
     }
   }
 
-  void of_front(const std::string& step, const results::FrontResult& front) {
+  void of_places(const std::string& step, const results::FrontResult& front) {
     std::vector<const results::FrontPointResult*> places;
     for (const results::FrontPointResult& place : front.points) {
       if (!place.at_surface) {
@@ -132,13 +124,17 @@ private:
     constexpr std::size_t wanted = 8;
     const std::size_t count = std::min(wanted, places.size());
     for (std::size_t i = 0; i < count; ++i) {
-      const results::FrontPointResult& place = *places[(2 * i + 1) * places.size() / (2 * count)];
-      CheckArguments arguments{front.name, place.x.x(), place.x.y(), place.x.z(), step};
-      if (run_.increments.size() > 1) {
-        arguments.emplace_back(front.a);
-      }
-      add("K1.AT", std::move(arguments), false);
+      const base::Vec3& x = places[(2 * i + 1) * places.size() / (2 * count)]->x;
+      add_K("K1.AT", {front.name, x.x(), x.y(), x.z(), step}, front.a);
     }
+  }
+
+  // Of several lengths that one.
+  void add_K(std::string word, CheckArguments arguments, double a) {
+    if (run_.increments.size() > 1) {
+      arguments.emplace_back(a);
+    }
+    add(std::move(word), std::move(arguments), false);
   }
 
   void add(std::string word, CheckArguments arguments, bool relative) {
@@ -239,9 +235,9 @@ std::vector<AnswerReading> read_answers(const model::Model& model,
   for (const Answer& answer : answers) {
     value.push_back(answer.check);
     bar.push_back(answer.check);
-    bar.back().quantity = with_part(answer.check.quantity, ".BAR");
+    bar.back().quantity = with_part(answer.check.quantity, "BAR");
     best.push_back(answer.check);
-    best.back().quantity = with_part(answer.check.quantity, ".BEST");
+    best.back().quantity = with_part(answer.check.quantity, "BEST");
   }
   const std::vector<double> values = values_of(asked, value, run);
   const std::vector<double> bars = values_of(asked, bar, run);

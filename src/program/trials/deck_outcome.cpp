@@ -34,7 +34,6 @@ DeckOutcome read_results(const fs::path& file) {
                                                               : std::vector<std::string>(),
                       .unknowns = 0,
                       .k = table_of(root, "k"),
-                      .fronts = table_of(root, "fronts"),
                       .pressure = table_of(root, "pressure")};
   const results::StoreGroup increments = root.group("increments");
   for (const std::string& name : increments.names()) {

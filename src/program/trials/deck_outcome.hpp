@@ -20,9 +20,9 @@ struct DeckOutcome {
   std::vector<results::CheckResult> checks;
   std::vector<std::string> warnings;
   std::size_t unknowns = 0; ///< of the largest of its increments
-  /// The tables `k`, `fronts` and `pressure` of results.h5 (manual/results_file.md); without
-  /// columns where there is none.
-  results::ColumnTable k, fronts, pressure;
+  /// The tables `k`, in space `fronts`, and `pressure` of results.h5 (manual/results_file.md);
+  /// without columns where there is none.
+  results::ColumnTable k, pressure;
 };
 
 /// The outcome in a run folder, or one for each point of the folder of a sweep, in order; those

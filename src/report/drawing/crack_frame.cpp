@@ -60,11 +60,11 @@ std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& fron
   FittedFrontPlane frame;
   for (const results::FrontPointResult& p : front.points) {
     frame.centre += p.x / static_cast<double>(n);
-    frame.growth += p.growth / static_cast<double>(n);
+    frame.growth += p.direction / static_cast<double>(n);
   }
   for (std::size_t i = 0; i + 1 < n; ++i) { // b = t x m
     const base::Vec3 t = front.points[i + 1].x - front.points[i].x;
-    frame.normal += t.cross(front.points[i].growth + front.points[i + 1].growth);
+    frame.normal += t.cross(front.points[i].direction + front.points[i + 1].direction);
   }
   if (frame.normal.norm() == 0.0) {
     return std::nullopt;
@@ -75,9 +75,9 @@ std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& fron
   }
   const bool plane = std::ranges::all_of(front.points, [&](const results::FrontPointResult& p) {
     return std::abs(frame.normal.dot(p.x - frame.centre)) < in_plane * frame.size &&
-           std::abs(frame.normal.dot(p.growth)) < 1e-3;
+           std::abs(frame.normal.dot(p.direction)) < 1e-3;
   });
-  if (front.closed) {
+  if (front.is_loop) {
     frame.growth.setZero();
   }
   return plane ? std::optional(frame) : std::nullopt;

@@ -160,7 +160,7 @@ std::vector<DrawingPoint> front_line(const CrackView& view, const Eye& eye,
   for (const results::FrontPointResult& p : view.front->points) {
     line.push_back(window(eye(p.x)));
   }
-  if (view.front->closed) {
+  if (view.front->is_loop) {
     line.push_back(line.front());
   }
   return line;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace spricka::report {
 namespace {
@@ -66,6 +67,10 @@ ReportTable untitled(ReportTable table) {
 
 std::string six_digits(double value) {
   return fmt::format("{:.6g}", value);
+}
+
+std::string six_digits_beside(double value, double scale) {
+  return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
 }
 
 std::string escape_xml(std::string_view text) {

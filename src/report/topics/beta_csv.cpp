@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -76,93 +75,101 @@ std::string factor_cells(const BetaCsvFactors& factors) {
   return text;
 }
 
-std::string k_cells(double a, double K1, double K2) {
-  return fmt::format(",{},{},{}\n", K1, K2, K1 / std::sqrt(std::numbers::pi * a));
-}
-
 std::size_t step_index(const model::Model& model, std::string_view name) {
   const auto found = std::ranges::find(model.steps, name, &model::Step::name);
   return static_cast<std::size_t>(found - model.steps.begin());
 }
 
-// Empty cells where there is none.
-std::array<std::string, 2> sizes_of(const std::vector<FrontAxisEnd>& ends) {
-  const std::array<double, 2> half = results::half_axes(ends);
-  const auto cell = [](double size) { return size > 0.0 ? fmt::format("{}", size) : ""; };
-  return {cell(half[0]), cell(half[1])};
-}
-
-/// One line of the table in space.
-struct SpaceRow {
-  int increment = 0;
-  const FrontAxisEnd& end;
-  const std::array<std::string, 2>& sizes;
-  std::string where, factors;
-  double K1 = 0.0, K2 = 0.0;
+/// A moment of a step or of a load path: where it is and under which factors.
+struct BetaMoment {
+  std::string where; ///< "step," or "path,t"
+  std::string factors;
 };
 
-std::string line_of(const SpaceRow& row) {
-  return fmt::format("{},{},{},{},{}{},{},{},{}\n", row.increment, row.end.tip, row.sizes[0],
-                     row.sizes[1], row.where, row.factors, row.K1, row.K2,
-                     row.K1 / std::sqrt(std::numbers::pi * row.end.size));
+// A tip by its own length; in space the ends of both axes, which cracks drawn by points have not.
+std::vector<FrontAxisEnd> ends_of(const model::Model& model, const results::FrontResult& front,
+                                  const std::vector<Vec3>& points) {
+  if (points.size() == 1) {
+    return {{.tip = front.name, .size = front.a}};
+  }
+  const model::CrackDefinition* crack = results::find_crack_by_front(model, front.name);
+  if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front || points.empty()) {
+    return {};
+  }
+  return results::axis_ends(*crack, points, front.is_loop);
 }
 
-// K as the smooth function along the front: at the surface what goes on from inside.
-std::string front_rows(int increment, const model::Model& model, const results::StepResult& step,
-                       const std::string& factors) {
+// "a", in space "a,c"; empty cells where there is none.
+std::string size_cells(const std::vector<FrontAxisEnd>& ends, bool tip) {
+  if (tip) {
+    return fmt::format("{}", ends.front().size);
+  }
+  const std::array<double, 2> half = results::half_axes(ends);
+  const auto cell = [](double size) { return size > 0.0 ? fmt::format("{}", size) : ""; };
+  return cell(half[0]) + "," + cell(half[1]);
+}
+
+// K_at: K of a mode (0, 1) at a point and at one of the moments.
+template <class KAt>
+std::string beta_rows(int increment, const model::Model& model, const results::FrontResult& front,
+                      const std::vector<Vec3>& points, const std::vector<BetaMoment>& moments,
+                      const KAt& K_at) {
+  const std::vector<FrontAxisEnd> ends = ends_of(model, front, points);
+  const std::string sizes = size_cells(ends, points.size() == 1);
   std::string text;
-  for (const results::FrontResult& front : step.fronts) {
-    const model::CrackDefinition* crack = results::find_crack_by_front(model, front.name);
-    if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front ||
-        front.points.size() < 2) {
-      continue;
-    }
-    std::vector<Vec3> points;
-    for (const results::FrontPointResult& place : front.points) {
-      points.push_back(place.x);
-    }
-    const std::vector<FrontAxisEnd> ends = results::axis_ends(*crack, points, front.closed);
-    const std::array<std::string, 2> sizes = sizes_of(ends);
-    for (const FrontAxisEnd& end : ends) {
+  for (const FrontAxisEnd& end : ends) {
+    for (std::size_t k = 0; k < moments.size(); ++k) {
       const auto K = [&](std::size_t mode) {
-        return end.interpolate(front.points[end.from].smooth.at(mode),
-                               front.points[end.to].smooth.at(mode));
+        return end.interpolate(K_at(end.from, mode, k), K_at(end.to, mode, k));
       };
-      text += line_of({increment, end, sizes, step.step + ",", factors, K(0), K(1)});
+      const double K1 = K(0);
+      text +=
+          fmt::format("{},{},{},{}{},{},{},{}\n", increment, end.tip, sizes, moments[k].where,
+                      moments[k].factors, K1, K(1), K1 / std::sqrt(std::numbers::pi * end.size));
     }
   }
   return text;
 }
 
-std::string path_rows(int increment, const model::Model& model, const results::LoadPathResult& path,
-                      const std::array<const BetaCsvFactors*, 2>& directions) {
+// K as the smooth function along the front: at the surface what goes on from inside.
+std::string step_rows(int increment, const model::Model& model, const results::StepResult& step,
+                      const BetaCsvFactors& factors) {
+  const std::vector<BetaMoment> end{{step.step + ",", factor_cells(factors)}};
   std::string text;
-  for (const results::LoadPathFront& front : path.fronts) {
-    const model::CrackDefinition* crack = results::find_crack_by_front(model, front.is.name);
-    if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front ||
-        front.points.size() < 2) {
+  for (const results::FrontResult& front : step.fronts) {
+    if (front.two_materials) {
       continue;
     }
+    std::vector<Vec3> points;
+    for (const results::FrontPointResult& point : front.points) {
+      points.push_back(point.x);
+    }
+    text += beta_rows(increment, model, front, points, end,
+                      [&](std::size_t i, std::size_t mode, std::size_t /*moment*/) {
+                        return front.points[i].smooth.at(mode);
+                      });
+  }
+  return text;
+}
+
+std::string path_rows(int increment, const model::Model& model, const results::LoadPathResult& path,
+                      const BetaCsvFactors& from, const BetaCsvFactors& to) {
+  std::vector<BetaMoment> knots;
+  for (const double t : path.t) {
+    knots.push_back({fmt::format("{},{}", path.name, t), factor_cells(between(from, to, t))});
+  }
+  std::string text;
+  for (const results::LoadPathFront& front : path.fronts) {
     std::vector<Vec3> points;
     for (const results::LoadPathFrontPoint& point : front.points) {
       points.push_back(point.is.x);
     }
-    const std::vector<FrontAxisEnd> ends = results::axis_ends(*crack, points, front.is.closed);
-    const std::array<std::string, 2> sizes = sizes_of(ends);
-    for (const FrontAxisEnd& end : ends) {
-      for (std::size_t k = 0; k < path.t.size(); ++k) {
-        const auto at = [&](std::size_t i, std::size_t mode) {
-          const results::LoadPathFrontPoint& point = front.points[i];
-          return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(k);
-        };
-        const auto K = [&](std::size_t mode) {
-          return end.interpolate(at(end.from, mode), at(end.to, mode));
-        };
-        text +=
-            line_of({increment, end, sizes, fmt::format("{},{}", path.name, path.t[k]),
-                     factor_cells(between(*directions[0], *directions[1], path.t[k])), K(0), K(1)});
-      }
-    }
+    text +=
+        beta_rows(increment, model, front.is, points, knots,
+                  [&](std::size_t i, std::size_t mode, std::size_t knot) {
+                    const results::LoadPathFrontPoint& point = front.points[i];
+                    return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(knot);
+                  });
   }
   return text;
 }
@@ -190,29 +197,11 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
   const std::vector<BetaCsvFactors> factors = factors_of_steps(model);
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      text += front_rows(increment.number, model, step,
-                         factor_cells(factors[step_index(model, step.step)]));
-      for (const results::TipResult& tip : step.tips) {
-        if (!tip.two_materials) {
-          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, step.step, "") +
-                  factor_cells(factors[step_index(model, step.step)]) +
-                  k_cells(tip.a, tip.K1, tip.K2);
-        }
-      }
+      text += step_rows(increment.number, model, step, factors[step_index(model, step.step)]);
     }
     for (const results::LoadPathResult& path : increment.paths) {
-      text +=
-          path_rows(increment.number, model, path,
-                    {&factors[step_index(model, path.from)], &factors[step_index(model, path.to)]});
-      for (const results::LoadPathTip& tip : path.tips) {
-        for (std::size_t k = 0; k < path.t.size(); ++k) {
-          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, path.name,
-                              path.t[k]) +
-                  factor_cells(between(factors[step_index(model, path.from)],
-                                       factors[step_index(model, path.to)], path.t[k])) +
-                  k_cells(tip.a, tip.K1.at_knot(k), tip.K2.at_knot(k));
-        }
-      }
+      text += path_rows(increment.number, model, path, factors[step_index(model, path.from)],
+                        factors[step_index(model, path.to)]);
     }
   }
   write_file(file, text);

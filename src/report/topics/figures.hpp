@@ -61,6 +61,9 @@ std::vector<Figure> pressure_figures(const model::Model& model, const results::R
 /// law.
 std::vector<Figure> growth_figures(const model::Model& model, const results::RunResult& run);
 
+/// Half width of the error bar of K1 at a tip, as plots have it.
+double drawn_k1_bar(const results::FrontResult& tip);
+
 /// At most `limit` increments, evenly chosen, first and last among them.
 std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,
                                                          std::size_t limit);

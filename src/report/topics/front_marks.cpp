@@ -27,7 +27,7 @@ std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increme
     for (const results::FrontPointResult& place : front.points) {
       points.push_back(place.x);
     }
-    if (front.closed && !points.empty()) {
+    if (front.is_loop && !points.empty()) {
       points.push_back(points.front());
     }
   }

@@ -4,7 +4,6 @@
 #include "model/model.hpp"
 #include "report/drawing/crack_picture.hpp"
 #include "report/drawing/plot.hpp"
-#include "report/topics/k_bars.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -19,117 +18,30 @@
 namespace spricka::report {
 namespace {
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+constexpr double degrees_of_front = 180.0 / std::numbers::pi;
 
 constexpr double nothing_beside = 5e-3; // of the largest K: not worth a curve
 
-double largest_K(const results::FrontResult& front) {
-  double largest = 0.0;
-  for (const results::FrontPointResult& place : front.points) {
-    largest = std::max({largest, std::abs(place.K1), std::abs(place.K2), std::abs(place.K3)});
-  }
-  return largest;
-}
-
-/// Of all fronts and steps of an increment.
-double largest_K(const results::Increment& increment) {
-  double largest = 0.0;
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      largest = std::max(largest, largest_K(front));
-    }
-  }
-  return largest;
-}
-
-bool shows(const results::FrontQuantity& q, const results::FrontResult& front) {
-  return q.listed && (q.given == nullptr || q.given(front));
-}
-
 constexpr std::array front_modes{&results::FrontPointResult::K1, &results::FrontPointResult::K2,
                                  &results::FrontPointResult::K3};
-
-std::string front_cell(const results::FrontQuantity& q, const results::FrontPointResult& place,
-                       double scale) {
-  const double value = q.extract_value(place);
-  switch (q.kind) {
-  case base::Quantity::angle:
-    return fmt::format("{:.2f}", std::round(value * degrees_per_radian * 100.0) / 100.0 + 0.0);
-  case base::Quantity::number:
-    return fmt::format("{:.2g}", value);
-  case base::Quantity::stress_intensity:
-    return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
-  default:
-    return six_digits(value);
-  }
-}
-
-/// Which K a column is.
-std::optional<std::size_t> mode_of(const results::FrontQuantity& q) {
-  const auto found = std::ranges::find(front_modes, q.member);
-  return found == front_modes.end()
-             ? std::nullopt
-             : std::optional<std::size_t>(std::distance(front_modes.begin(), found));
-}
-
-ReportTable front_table(const model::Model& model, const results::Increment& increment,
-                        const results::FrontResult& first) {
-  ReportTable table{fmt::format("Stress intensity factors along the front of {}", first.name),
-                    {{"step", "", true}, {"point", "", false}},
-                    {}};
-  for (const results::FrontQuantity& q : results::front_quantities) {
-    if (shows(q, first)) {
-      const bool angle = q.kind == base::Quantity::angle;
-      const std::string unit = angle ? "deg" : base::unit_name(model.units, q.kind);
-      table.columns.push_back({q.name, unit, false});
-      if (mode_of(q) && first.no_bar.empty()) {
-        table.columns.push_back({fmt::format("+- {}", q.name), unit, false});
-      }
-    }
-  }
-  table.columns.push_back({"", "", true});
-  const double scale = largest_K(increment);
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      if (front.name != first.name || largest_K(front) <= 1e-9 * scale) {
-        continue;
-      }
-      for (const results::FrontPointResult& place : front.points) {
-        std::vector<std::string> row{step.step, std::to_string(place.number)};
-        for (const results::FrontQuantity& q : results::front_quantities) {
-          if (shows(q, front)) {
-            row.push_back(front_cell(q, place, scale));
-            if (mode_of(q) && first.no_bar.empty()) {
-              const bool given = front.no_bar.empty() && !place.at_surface;
-              row.push_back(given ? format_error_bar(place.bar[*mode_of(q)].size()) : "");
-            }
-          }
-        }
-        row.emplace_back(place.at_surface ? "surface" : place.closed ? "closed" : "");
-        table.rows.push_back(std::move(row));
-      }
-    }
-  }
-  return table;
-}
 
 /// Where each point stands on the axis: its length along the front, or its angle, ascending and
 /// from -180 degrees on where a whole turn does not fit in.
 std::vector<double> abscissas(const results::FrontResult& front) {
   std::vector<double> at;
   for (const results::FrontPointResult& place : front.points) {
-    if (!front.angles) {
+    if (!front.has_angles) {
       at.push_back(place.s);
       continue;
     }
-    const double phi = place.phi * degrees_per_radian;
+    const double phi = place.phi * degrees_of_front;
     // Angles go on over half a turn.
     at.push_back(at.empty() ? phi : at.back() + std::remainder(phi - at.back(), 360.0));
   }
-  if (front.angles && !at.empty()) {
+  if (front.has_angles && !at.empty()) {
     const double low = *std::ranges::min_element(at);
     const double turns =
-        front.closed ? std::ceil(-low / 360.0 - 1e-9) : std::ceil((-180.0 - low) / 360.0 - 1e-9);
+        front.is_loop ? std::ceil(-low / 360.0 - 1e-9) : std::ceil((-180.0 - low) / 360.0 - 1e-9);
     std::ranges::for_each(at, [&](double& phi) { phi += 360.0 * turns; });
   }
   return at;
@@ -150,15 +62,15 @@ FrontKCurve curve_along(const results::FrontResult& front, std::size_t mode) {
     }
   }
   std::ranges::sort(points, {}, [](const auto& p) { return p.first.x; });
-  if (front.closed && !points.empty()) { // once round
-    const double round = front.angles ? 360.0 : front.length;
+  if (front.is_loop && !points.empty()) { // once round
+    const double round = front.has_angles ? 360.0 : front.length;
     points.push_back(points.front());
     points.back().first.x += round;
   }
   FrontKCurve curve;
   for (const auto& [point, bar] : points) {
     curve.points.push_back(point);
-    if (front.no_bar.empty()) {
+    if (front.has_error_bar()) {
       curve.bars.push_back(bar);
     }
   }
@@ -197,28 +109,7 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::I
   return figure;
 }
 
-std::vector<const results::FrontResult*> first_of_each(const results::Increment& increment) {
-  std::vector<const results::FrontResult*> fronts;
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      if (std::ranges::none_of(fronts, [&](const auto* f) { return f->name == front.name; })) {
-        fronts.push_back(&front);
-      }
-    }
-  }
-  return fronts;
-}
-
 } // namespace
-
-std::vector<ReportTable> front_tables(const model::Model& model,
-                                      const results::Increment& increment) {
-  std::vector<ReportTable> tables;
-  for (const results::FrontResult* front : first_of_each(increment)) {
-    tables.push_back(front_table(model, increment, *front));
-  }
-  return tables;
-}
 
 Figure front_figure(const model::Model& model, const results::Increment& increment,
                     const std::string& name) {
@@ -235,7 +126,7 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
         continue;
       }
       a = front.a;
-      plot.x_name = front.angles
+      plot.x_name = front.has_angles
                         ? "angle φ along the front, degrees"
                         : fmt::format("length along the front, {}", model.units.length_name);
       for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
@@ -269,7 +160,7 @@ std::vector<Figure> front_figures(const model::Model& model, const results::RunR
   if (run.increments.empty()) {
     return figures;
   }
-  for (const results::FrontResult* front : first_of_each(run.increments.back())) {
+  for (const results::FrontResult* front : fronts_in_space(run.increments.back())) {
     figures.push_back(front_figure(model, run.increments.back(), front->name));
     if (std::optional<Figure> figure = crack_pictures(model, run.increments.back(), front->name)) {
       figures.push_back(std::move(*figure));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "model/forward.hpp"
-#include "report/drawing/table.hpp"
 #include "report/topics/figures.hpp"
+#include "report/topics/k_tables.hpp"
 #include "results/results.hpp"
 
 #include <string>
@@ -10,11 +10,6 @@
 
 /// K along the fronts of cracks in space.
 namespace spricka::report {
-
-/// A table for each front: K at its points, of all steps of an increment in which it is not nothing
-/// but round-off.
-std::vector<ReportTable> front_tables(const model::Model& model,
-                                      const results::Increment& increment);
 
 /// K1, K2 and K3 over the angle (of an ellipse) or the length along the front of that name, steps
 /// of the increment as curves.

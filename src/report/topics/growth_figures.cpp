@@ -5,6 +5,7 @@
 #include "report/topics/figures.hpp"
 #include "report/topics/front_marks.hpp"
 #include "report/topics/growth_tables.hpp"
+#include "report/topics/load_path_tables.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -85,10 +86,11 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
   const results::Increment& increment = run.increments[run.increments.size() / 2];
   const results::LoadPathResult& path = increment.paths.at(spectrum.path);
   const double top = largest_place(spectrum);
-  if (path.tips.size() != 1 || path.t.empty() || top > path.t.back()) {
+  if (path.fronts.size() != 1 || !path.fronts.front().is_tip() || path.t.empty() ||
+      top > path.t.back()) {
     return {};
   }
-  const base::PiecewiseLinear& K1 = path.tips.front().K1;
+  const base::PiecewiseLinear& K1 = path.fronts.front().tip().K[0];
   Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
                         model.units.length_name),
             fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),
@@ -162,10 +164,10 @@ double bar_at(const model::Model& model, const results::RunResult& run,
     const results::StepResult* const step = increment.number == station.increment
                                                 ? results::find_step(increment, leading_step(model))
                                                 : nullptr;
-    const results::TipResult* const tip =
-        step == nullptr ? nullptr : results::find_tip(*step, name);
+    const results::FrontResult* const tip =
+        step == nullptr ? nullptr : results::find_front(*step, name);
     if (tip != nullptr) {
-      return tip->no_bar.empty() ? tip->bar[0].size() : no_bar;
+      return tip->is_tip() ? drawn_k1_bar(*tip) : no_bar;
     }
   }
   return no_bar;

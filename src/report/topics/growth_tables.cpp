@@ -54,7 +54,10 @@ bool closes_at_smallest(const model::Model& model, const results::RunResult& run
   return std::ranges::any_of(run.increments, [&](const results::Increment& increment) {
     const std::size_t smallest = model.growth->kmin.index();
     return smallest < increment.steps.size() &&
-           std::ranges::any_of(increment.steps[smallest].tips, &results::TipResult::closed);
+           std::ranges::any_of(increment.steps[smallest].fronts,
+                               [](const results::FrontResult& front) {
+                                 return front.is_tip() && front.tip().closed;
+                               });
   });
 }
 
@@ -237,7 +240,7 @@ std::string mesh_words(const model::Model& model, const results::RunResult& run)
   for (const results::FrontResult& front :
        run.increments[0].steps[model.growth->kmax.index()].fronts) {
     for (const results::FrontPointResult& place : front.points) {
-      if (front.no_bar.empty() && !place.at_surface && place.K1 > 0.0) {
+      if (!front.is_tip() && front.has_error_bar() && !place.at_surface && place.K1 > 0.0) {
         sum += place.bar[0].size() / place.K1;
         ++count;
       }

@@ -35,16 +35,20 @@ std::string k_bar_lines(const results::Increment& increment) {
   std::size_t step_width = 0;
   std::size_t tip_width = 0;
   for (const results::StepResult& step : increment.steps) {
-    for (const results::TipResult& tip : step.tips) {
+    for (const results::FrontResult& front : step.fronts) {
       step_width = std::max(step_width, step.step.size());
-      tip_width = std::max(tip_width, tip.name.size());
+      tip_width = std::max(tip_width, front.name.size());
     }
   }
   std::string lines;
   for (const results::StepResult& step : increment.steps) {
-    for (const results::TipResult& tip : step.tips) {
-      for (std::size_t k = 0; k < 2 && tip.no_bar.empty(); ++k) {
-        lines += fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", step.step, step_width, tip.name,
+    for (const results::FrontResult& front : step.fronts) {
+      if (!front.is_tip() || !front.has_error_bar()) {
+        continue;
+      }
+      const results::FrontPointResult& tip = front.tip();
+      for (std::size_t k = 0; k < 2; ++k) {
+        lines += fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", step.step, step_width, front.name,
                              tip_width, k + 1, k_with_bar(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
       }
     }

@@ -13,7 +13,7 @@ std::string k_with_bar(double K, const results::KErrorBar& bar);
 /// Half width of an error bar, two digits that count: "290", "0.053", "1.2e-05".
 std::string format_error_bar(double size);
 
-/// A line for K1 and one for K2 of every tip and step; empty without bars.
+/// A line for K1 and one for K2 of every tip and step; empty without bars and in space.
 std::string k_bar_lines(const results::Increment& increment);
 
 } // namespace spricka::report

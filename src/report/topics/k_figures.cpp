@@ -28,9 +28,9 @@ std::vector<std::string> tip_names(const results::RunResult& run) {
   std::vector<std::string> names;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        if (std::find(names.begin(), names.end(), tip.name) == names.end()) {
-          names.push_back(tip.name);
+      for (const results::FrontResult& front : step.fronts) {
+        if (std::find(names.begin(), names.end(), front.name) == names.end()) {
+          names.push_back(front.name);
         }
       }
     }
@@ -48,10 +48,11 @@ KLengthCurve history(const results::RunResult& run, std::string_view step, std::
   KLengthCurve curve;
   for (const results::Increment& increment : run.increments) {
     const results::StepResult* const at = results::find_step(increment, step);
-    const results::TipResult* const found = at == nullptr ? nullptr : results::find_tip(*at, tip);
+    const results::FrontResult* const found =
+        at == nullptr ? nullptr : results::find_front(*at, tip);
     if (found != nullptr) {
-      curve.points.push_back({found->a, found->K1});
-      curve.bars.push_back(found->no_bar.empty() ? found->bar[0].size() : no_bar);
+      curve.points.push_back({found->a, found->tip().K1});
+      curve.bars.push_back(drawn_k1_bar(*found));
     }
   }
   return curve;
@@ -227,16 +228,16 @@ std::vector<KReference> k_references(const model::Model& model, const results::R
     const double* const a =
         check.arguments.size() > 2 ? std::get_if<double>(&check.arguments[2]) : nullptr;
     // A check without a length speaks of the first one.
-    const results::TipResult* const found =
-        results::find_tip_at(run, *step, *tip, a == nullptr ? 0.0 : *a);
-    if (found != nullptr) {
+    const results::FrontResult* const found =
+        results::find_front_at(run, *step, *tip, a == nullptr ? 0.0 : *a);
+    if (found != nullptr && found->is_tip()) {
       references.push_back({.tip = *tip,
                             .step = *step,
                             .a = a == nullptr ? found->a : *a,
                             .wanted = check.value,
-                            .found = found->K1,
+                            .found = found->tip().K1,
                             .source = check.source,
-                            .bar = found->no_bar.empty() ? found->bar[0].size() : 0.0});
+                            .bar = found->has_error_bar() ? found->tip().bar[0].size() : 0.0});
     }
   }
   return references;
@@ -332,6 +333,10 @@ ReportTable reference_table(const model::Model& model, const results::RunResult&
                           fmt::format("{:.5g}", r.wanted), percent(r), r.source});
   }
   return table;
+}
+
+double drawn_k1_bar(const results::FrontResult& tip) {
+  return tip.has_error_bar() ? tip.tip().bar[0].size() : no_bar;
 }
 
 std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,

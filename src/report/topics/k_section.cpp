@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/k_section.hpp"
 
+#include "report/topics/k_tables.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -27,8 +28,8 @@ void add(NameTable& names, const std::string& name) {
   }
 }
 
-double size_of(const results::TipResult& tip) {
-  return std::hypot(tip.K1, tip.K2) + (tip.two_materials ? std::abs(tip.G) : 0.0);
+double size_of(const results::FrontResult& front) {
+  return largest_K(front) + (front.two_materials ? std::abs(front.tip().G) : 0.0);
 }
 
 /// Steps in order, with the largest K of each.
@@ -40,8 +41,8 @@ std::vector<std::pair<std::string, double>> largest_of_steps(const results::RunR
       if (at == steps.end()) {
         at = steps.insert(at, {step.step, 0.0});
       }
-      for (const results::TipResult& tip : step.tips) {
-        at->second = std::max(at->second, size_of(tip));
+      for (const results::FrontResult& front : step.fronts) {
+        at->second = std::max(at->second, size_of(front));
       }
     }
   }
@@ -63,32 +64,29 @@ std::string ranges_of(const std::set<int>& numbers) {
   return text;
 }
 
-/// Where K has no bar for one reason.
-struct MissingBarReason {
-  std::string why;
-  std::set<int> increments;
-  NameTable steps;
-  NameTable tips;
-  std::size_t count = 0;
-};
-
-/// All that there is, to say "everywhere" where it is so.
+/// Results for K: all that there are, to say "everywhere" where it is so, or some of them.
 struct KResultExtent {
   std::set<int> increments;
   NameTable steps;
   NameTable tips;
   std::size_t count = 0;
+
+  void add_result(const results::Increment& increment, const results::StepResult& step,
+                  const results::FrontResult& front) {
+    increments.insert(increment.number);
+    add(steps, step.step);
+    add(tips, front.name);
+    ++count;
+  }
 };
 
-void extend(KResultExtent& all, const results::Increment& increment,
-            const results::StepResult& step, const results::TipResult& tip) {
-  all.increments.insert(increment.number);
-  add(all.steps, step.step);
-  add(all.tips, tip.name);
-  ++all.count;
-}
+/// Where K has no bar for one reason.
+struct MissingBarReason {
+  std::string why;
+  KResultExtent where;
+};
 
-std::string place_of(const MissingBarReason& gap, const KResultExtent& all) {
+std::string place_of(const KResultExtent& gap, const KResultExtent& all) {
   NameTable parts;
   if (gap.increments != all.increments) {
     parts.push_back(fmt::format("increment{} {}", gap.increments.size() > 1 ? "s" : "",
@@ -111,7 +109,7 @@ std::string place_of(const MissingBarReason& gap, const KResultExtent& all) {
 }
 
 std::string words_of(const std::string& why) {
-  return why == results::TipResult().no_bar
+  return why == results::FrontResult().no_bar
              ? "it was not computed (a life has error bars at its first length only, unless the "
                "deck asks for more by $CHECK, TOL on $TIPNET or CORRECT=YES)"
              : why;
@@ -137,29 +135,27 @@ std::vector<std::string> missing_bars(const results::RunResult& run, const NameT
   KResultExtent all;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        if (tip.two_materials || !has(steps, step.step)) {
+      for (const results::FrontResult& front : step.fronts) {
+        if (front.two_materials || !has(steps, step.step)) {
           continue; // it has no K
         }
-        extend(all, increment, step, tip);
-        if (tip.no_bar.empty()) {
+        all.add_result(increment, step, front);
+        if (front.has_error_bar()) {
           continue;
         }
-        auto gap = std::ranges::find(gaps, tip.no_bar, &MissingBarReason::why);
+        auto gap = std::ranges::find(gaps, front.no_bar, &MissingBarReason::why);
         if (gap == gaps.end()) {
-          gap = gaps.insert(gap, MissingBarReason{tip.no_bar, {}, {}, {}, 0});
+          gap = gaps.insert(gap, MissingBarReason{front.no_bar, {}});
         }
-        gap->increments.insert(increment.number);
-        add(gap->steps, step.step);
-        add(gap->tips, tip.name);
-        ++gap->count;
+        gap->where.add_result(increment, step, front);
       }
     }
   }
   std::vector<std::string> words;
   words.reserve(gaps.size());
   for (const MissingBarReason& gap : gaps) {
-    words.push_back(fmt::format("No error bar {}: {}.", place_of(gap, all), words_of(gap.why)));
+    words.push_back(
+        fmt::format("No error bar {}: {}.", place_of(gap.where, all), words_of(gap.why)));
   }
   return words;
 }

@@ -42,6 +42,19 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& p
   return text;
 }
 
+// The first modes of K at a knot, then their slopes before and behind it.
+template <class Out>
+void add_k_at_knot(Out out, const results::LoadPathFrontPoint& point, std::size_t modes,
+                   std::size_t knot) {
+  for (std::size_t mode = 0; mode < modes; ++mode) {
+    fmt::format_to(out, ",{}", point.K[mode].at_knot(knot));
+  }
+  for (std::size_t mode = 0; mode < modes; ++mode) {
+    fmt::format_to(out, ",{},{}", point.K[mode].slope_before(knot),
+                   point.K[mode].slope_after(knot));
+  }
+}
+
 struct PathPlace {
   std::size_t knot = 0;
   bool space = false;
@@ -53,14 +66,12 @@ void add_row(std::string& text, const std::vector<std::string>& contacts,
   const std::size_t k = at.knot;
   auto out = std::back_inserter(text);
   for (const std::string& name : tips) {
-    const results::LoadPathTip* tip = results::find_tip(path, name);
+    const results::LoadPathFront* tip = results::find_front(path, name);
     if (tip == nullptr) {
       text += ",,,,,,";
       continue;
     }
-    fmt::format_to(out, ",{},{},{},{},{},{}", tip->K1.at_knot(k), tip->K2.at_knot(k),
-                   tip->K1.slope_before(k), tip->K1.slope_after(k), tip->K2.slope_before(k),
-                   tip->K2.slope_after(k));
+    add_k_at_knot(out, tip->tip(), 2, k);
   }
   for (const std::string& name : contacts) {
     const results::LoadPathContact* contact = results::find_contact(path, name);
@@ -86,14 +97,11 @@ void add_front(Out out, int increment, const results::LoadPathResult& path,
   for (const results::LoadPathFrontPoint& point : front.points) {
     fmt::format_to(out, "{},{},{},{},{},{:d},{},", increment, path.name, path.t[k], front.is.name,
                    point.is.number, point.is.at_surface, point.is.s);
-    if (front.is.angles) {
+    if (front.is.has_angles) {
       fmt::format_to(out, "{}", point.is.phi * degrees_of_place);
     }
-    fmt::format_to(out, ",{},{},{},{},{},{}", point.is.x.x(), point.is.x.y(), point.is.x.z(),
-                   point.K[0].at_knot(k), point.K[1].at_knot(k), point.K[2].at_knot(k));
-    for (const base::PiecewiseLinear& K : point.K) {
-      fmt::format_to(out, ",{},{}", K.slope_before(k), K.slope_after(k));
-    }
+    fmt::format_to(out, ",{},{},{}", point.is.x.x(), point.is.x.y(), point.is.x.z());
+    add_k_at_knot(out, point, point.K.size(), k);
     fmt::format_to(out, "\n");
   }
 }
@@ -102,9 +110,9 @@ std::vector<std::string> path_tip_names(const results::RunResult& run) {
   std::vector<std::string> names;
   for (const results::Increment& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
-      for (const results::LoadPathTip& tip : path.tips) {
-        if (std::ranges::find(names, tip.name) == names.end()) {
-          names.push_back(tip.name);
+      for (const results::LoadPathFront& front : path.fronts) {
+        if (front.is_tip() && std::ranges::find(names, front.is.name) == names.end()) {
+          names.push_back(front.is.name);
         }
       }
     }

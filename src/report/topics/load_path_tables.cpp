@@ -27,11 +27,15 @@ struct Shown {
   std::string name;
   double a = 0.0;
   const base::PiecewiseLinear* K1 = nullptr;
-  const results::LoadPathTip* tip = nullptr; ///< null: of a front
+  const results::LoadPathFront* tip = nullptr; ///< null: of a front
 };
 
-// Of each front the points with the largest and the smallest K1 at the path's end.
-void add_extremes(const results::LoadPathFront& front, std::vector<Shown>& shown) {
+// Of a front in space the points with the largest and the smallest K1 at the path's end.
+void add_curves(const results::LoadPathFront& front, std::vector<Shown>& shown) {
+  if (front.is_tip()) {
+    shown.push_back({front.is.name, front.is.a, front.tip().K.data(), &front});
+    return;
+  }
   const results::LoadPathFrontPoint* low = nullptr;
   const results::LoadPathFrontPoint* high = nullptr;
   const auto end = [](const results::LoadPathFrontPoint* p) {
@@ -54,11 +58,8 @@ void add_extremes(const results::LoadPathFront& front, std::vector<Shown>& shown
 
 std::vector<Shown> shown_curves(const results::LoadPathResult& path) {
   std::vector<Shown> shown;
-  for (const results::LoadPathTip& tip : path.tips) {
-    shown.push_back({tip.name, tip.a, &tip.K1, &tip});
-  }
   for (const results::LoadPathFront& front : path.fronts) {
-    add_extremes(front, shown);
+    add_curves(front, shown);
   }
   return shown;
 }
@@ -110,21 +111,20 @@ std::vector<DrawingPoint> values(const base::PiecewiseLinear& K) {
 
 // Error bars of K1 at the ends of the path, which are ends of steps: elsewhere none is worked out.
 PlotSeries end_bars(const results::Increment& increment, const results::LoadPathResult& path,
-                    const results::LoadPathTip& tip, const std::string& colour) {
+                    const results::LoadPathFront& tip, const std::string& colour) {
   PlotSeries series;
   series.joined = false;
   series.colour = colour;
-  for (const DrawingPoint& point : values(tip.K1)) {
+  for (const DrawingPoint& point : values(tip.tip().K[0])) {
     if (point.x != 0.0 && point.x != 1.0) {
       continue;
     }
     const results::StepResult* const at =
         results::find_step(increment, point.x == 0.0 ? path.from : path.to);
-    const results::TipResult* const found =
-        at == nullptr ? nullptr : results::find_tip(*at, tip.name);
+    const results::FrontResult* const found =
+        at == nullptr ? nullptr : results::find_front(*at, tip.is.name);
     series.points.push_back(point);
-    series.bars.push_back(found != nullptr && found->no_bar.empty() ? found->bar[0].size()
-                                                                    : no_bar);
+    series.bars.push_back(found != nullptr ? drawn_k1_bar(*found) : no_bar);
   }
   return series;
 }

@@ -7,25 +7,26 @@ namespace spricka::report {
 
 ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form) {
   const std::string moment = form.force_unit + " " + form.length_unit;
+  const int first_moment = form.dim == 3 ? 0 : 2; // in the plane about z alone
   ReportTable table{
       "Load cases: totals with factor 1 (moments about the origin; without loads on crack faces)",
-      {{"case", "", true}, {"Fx", form.force_unit, false}, {"Fy", form.force_unit, false}},
+      {{"case", "", true}},
       {}};
-  if (form.dim == 3) {
-    table.columns.push_back({"Fz", form.force_unit, false});
-    table.columns.push_back({"Mx", moment, false});
-    table.columns.push_back({"My", moment, false});
+  for (int d = 0; d < form.dim; ++d) {
+    table.columns.push_back({fmt::format("F{}", "xyz"[d]), form.force_unit, false});
   }
-  table.columns.push_back({"Mz", moment, false});
+  for (int d = first_moment; d < 3; ++d) {
+    table.columns.push_back({fmt::format("M{}", "xyz"[d]), moment, false});
+  }
   const auto number = [](double v) { return fmt::format("{:.6g}", v); };
   for (const results::LoadTotal& load : loads) {
-    std::vector<std::string> row{load.load_case, number(load.force.x()), number(load.force.y())};
-    if (form.dim == 3) {
-      row.push_back(number(load.force.z()));
-      row.push_back(number(load.moment.x()));
-      row.push_back(number(load.moment.y()));
+    std::vector<std::string> row{load.load_case};
+    for (int d = 0; d < form.dim; ++d) {
+      row.push_back(number(load.force[d]));
     }
-    row.push_back(number(load.moment.z()));
+    for (int d = first_moment; d < 3; ++d) {
+      row.push_back(number(load.moment[d]));
+    }
     table.rows.push_back(std::move(row));
   }
   return table;

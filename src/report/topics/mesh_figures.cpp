@@ -86,8 +86,9 @@ void set_window(MeshView& view, const base::Vec3& centre, double half) {
 }
 
 std::string tip_drawing(const model::Model& model, const results::Increment& increment,
-                        const results::TipResult& tip, bool close) {
-  const TipMeshPlace place = find_tip_place(increment.mesh, tip.x);
+                        const results::FrontResult& tip, bool close) {
+  const results::FrontPointResult& end = tip.tip();
+  const TipMeshPlace place = find_tip_place(increment.mesh, end.x);
   MeshView view;
   view.mesh = &increment.mesh;
   view.id = fmt::format("mesh-{}-{}-{}", tip.name, increment.number, close ? "tip" : "crack");
@@ -95,8 +96,8 @@ std::string tip_drawing(const model::Model& model, const results::Increment& inc
   view.length_name = model.units.length_name;
   view.title = fmt::format("{}{}, a = {:.4g} {}", tip.name, close ? ", the tip" : "", tip.a,
                            model.units.length_name);
-  const base::Vec3 middle = tip.x - 0.45 * tip.a * tip.direction;
-  set_window(view, close ? tip.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
+  const base::Vec3 middle = end.x - 0.45 * tip.a * end.direction;
+  set_window(view, close ? end.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
   if (const results::StepResult* const step = leading(model, increment)) {
     deform(view, *step, place.node);
   }
@@ -135,9 +136,9 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
   view.marks = &model;
   std::string cracks;
   if (const results::StepResult* const step = leading(model, increment)) {
-    for (const results::TipResult& tip : step->tips) {
-      if (!tip.direction.isZero()) {
-        view.labels.push_back({{tip.x[0], tip.x[1]}, tip.name});
+    for (const results::FrontResult& tip : step->fronts) {
+      if (const results::FrontPointResult& end = tip.tip(); !end.direction.isZero()) {
+        view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
         cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; " : ", ", tip.name, tip.a,
                               model.units.length_name);
       }
@@ -293,12 +294,12 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
                                    const std::string& name) {
   Figure figure;
   const results::Increment* last = nullptr;
-  const results::TipResult* last_tip = nullptr;
+  const results::FrontResult* last_tip = nullptr;
   for (const results::Increment* const increment : chosen_increments(run, 2)) {
     const results::StepResult* const step = leading(model, *increment);
-    const results::TipResult* const tip =
-        step == nullptr ? nullptr : results::find_tip(*step, name);
-    if (tip != nullptr && !tip->direction.isZero() && tip->a > 0.0) {
+    const results::FrontResult* const tip =
+        step == nullptr ? nullptr : results::find_front(*step, name);
+    if (tip != nullptr && !tip->tip().direction.isZero() && tip->a > 0.0) {
       figure.drawings.push_back(tip_drawing(model, *increment, *tip, false));
       last = increment;
       last_tip = tip;
@@ -357,7 +358,7 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::RunRe
     figures.push_back(std::move(*figure));
   }
   if (const results::StepResult* const step = leading(model, last)) {
-    for (const results::TipResult& tip : step->tips) {
+    for (const results::FrontResult& tip : step->fronts) {
       if (std::optional<Figure> figure = crack_figure(model, run, tip.name)) {
         figures.push_back(std::move(*figure));
       }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/result_tables.hpp"
 
-#include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "report/drawing/round_off.hpp"
-#include "report/topics/k_bars.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace spricka::report {
 namespace {
@@ -35,8 +34,9 @@ std::vector<std::size_t> directions(const model::Model& model,
   if (model::axisymmetric(model)) {
     return {1};
   }
-  return increment.mesh.dim == 3 ? std::vector<std::size_t>{0, 1, 2}
-                                 : std::vector<std::size_t>{0, 1};
+  std::vector<std::size_t> all(static_cast<std::size_t>(increment.mesh.dim));
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 using Directions = std::vector<std::size_t>;
@@ -48,84 +48,9 @@ void add_columns(ReportTable& table, const char* what, const Directions& along,
   }
 }
 
-/// A number of which nothing but round-off is left beside `scale` is shown as 0.
-std::string rounded(double value, double scale) {
-  return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
-}
-
 void add_cells(Row& row, const base::Vec3& force, const Directions& along, double scale) {
   for (const std::size_t i : along) {
-    row.push_back(rounded(force[static_cast<Eigen::Index>(i)], scale));
-  }
-}
-
-bool shows_opening(const model::Model& model) {
-  return std::ranges::any_of(model.vces,
-                             [](const model::CrackExtensionSettings& vce) { return vce.opening; });
-}
-
-/// Whether the listing has a quantity of tips: those by opening where the deck asks for them.
-bool lists(const model::Model& model, const results::TipQuantity& q) {
-  return q.appears_in(results::in_listing) &&
-         (q.given != results::TipQuantityCondition::with_opening || shows_opening(model));
-}
-
-void add_k_columns(ReportTable& table, const model::Model& model) {
-  table.columns.push_back({"tip", "", true});
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (!lists(model, q)) {
-      continue;
-    }
-    const std::string unit = base::unit_name(model.units, q.kind);
-    table.columns.push_back({q.heading.empty() ? q.name : std::string(q.heading), unit, false});
-    if (q.bar >= 0) {
-      table.columns.push_back({fmt::format("+- {}", q.name), unit, false});
-    }
-  }
-}
-
-/// Half width of the error bar; empty where there is none.
-std::string bar_cell(const results::TipResult& tip, int bar) {
-  return tip.no_bar.empty() ? format_error_bar(tip.bar[static_cast<std::size_t>(bar)].size())
-                            : std::string();
-}
-
-/// The largest K and the largest G of a run or an increment.
-struct CrackScale {
-  double K = 0.0;
-  double G = 0.0;
-
-  void add(const results::Increment& increment) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        K = std::max(K, std::hypot(tip.K1, tip.K2));
-        G = std::max(G, 1e-9 * std::abs(tip.G)); // it goes with the square of K
-      }
-    }
-  }
-};
-
-std::string digits(const results::TipQuantity& q, double value, const CrackScale& scale) {
-  if (q.digits == results::TipQuantityDigits::two) {
-    return small(value);
-  }
-  const bool plain = q.digits == results::TipQuantityDigits::six;
-  return plain ? six_digits(value)
-               : rounded(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
-}
-
-void add_k_cells(Row& row, const model::Model& model, const results::TipResult& tip,
-                 const CrackScale& scale) {
-  row.push_back(tip.name);
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (!lists(model, q)) {
-      continue;
-    }
-    const bool given = q.is_given(tip);
-    row.push_back(given ? digits(q, q.extract_value(tip), scale) : "");
-    if (q.bar >= 0) {
-      row.push_back(given ? bar_cell(tip, q.bar) : "");
-    }
+    row.push_back(six_digits_beside(force[static_cast<Eigen::Index>(i)], scale));
   }
 }
 
@@ -163,9 +88,9 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   }
   row.push_back(fmt::format("{}/{}", contact.closed, contact.rows));
   row.push_back(small(contact.max_penetration));
-  row.push_back(rounded(contact.min_pressure, scale.pressure));
-  row.push_back(rounded(contact.mean_pressure, scale.pressure));
-  row.push_back(rounded(contact.max_pressure, scale.pressure));
+  row.push_back(six_digits_beside(contact.min_pressure, scale.pressure));
+  row.push_back(six_digits_beside(contact.mean_pressure, scale.pressure));
+  row.push_back(six_digits_beside(contact.max_pressure, scale.pressure));
   add_cells(row, contact.force_on_slave, along, scale.force);
   if (contact.space) {
     row.push_back(six_digits(contact.area));
@@ -179,43 +104,6 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
 }
 
 } // namespace
-
-ReportTable k_table(const model::Model& model, const results::Increment& increment) {
-  ReportTable table{"Stress intensity factors", {{"step", "", true}}, {}};
-  add_k_columns(table, model);
-  CrackScale scale;
-  scale.add(increment);
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::TipResult& tip : step.tips) {
-      Row row{step.step};
-      add_k_cells(row, model, tip, scale);
-      table.rows.push_back(std::move(row));
-    }
-  }
-  return table;
-}
-
-ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
-                            std::string_view step) {
-  ReportTable table{fmt::format("Stress intensity factors at the end of step {}", step),
-                    {{"increment", "", false}},
-                    {}};
-  add_k_columns(table, model);
-  CrackScale scale;
-  std::ranges::for_each(run.increments, [&](const auto& increment) { scale.add(increment); });
-  for (const results::Increment& increment : run.increments) {
-    const results::StepResult* const at = results::find_step(increment, step);
-    if (at == nullptr) {
-      continue;
-    }
-    for (const results::TipResult& tip : at->tips) {
-      Row row{fmt::format("{}", increment.number)};
-      add_k_cells(row, model, tip, scale);
-      table.rows.push_back(std::move(row));
-    }
-  }
-  return table;
-}
 
 ReportTable contact_table(const model::Model& model, const results::Increment& increment) {
   const base::UnitSystem& units = model.units;
@@ -351,7 +239,7 @@ ReportTable resultants(const model::Model& model, const results::Increment& incr
         add_cells(row, b.tie, along, scale);
       }
       row.push_back(small((b.applied + b.reaction + b.contact + b.tie).norm()));
-      row.push_back(rounded(b.energy, most));
+      row.push_back(six_digits_beside(b.energy, most));
       table.rows.push_back(std::move(row));
     }
   }

@@ -9,14 +9,6 @@
 /// The tables of listing and page, made from the results.
 namespace spricka::report {
 
-/// The quantities of tips that the listing has (results/tip_result.hpp), for each step and tip of
-/// one increment.
-ReportTable k_table(const model::Model& model, const results::Increment& increment);
-
-/// The same at the end of one step, one row for each increment and tip.
-ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
-                            std::string_view step);
-
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
 ReportTable contact_table(const model::Model& model, const results::Increment& increment);
 

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -22,7 +21,22 @@ namespace {
 using results::Sensitivity;
 using results::SensitivityParameter;
 
-using Side = std::optional<std::array<double, 2>>;
+/// A point of a front that tables and pictures show.
+struct SensitivePoint {
+  const results::FrontResult& front;
+  std::size_t index = 0;
+
+  [[nodiscard]] const results::FrontPointResult& result() const { return front.points[index]; }
+  [[nodiscard]] std::string name() const {
+    return front.is_tip() ? front.name : fmt::format("{} point {}", front.name, result().number);
+  }
+  // By the value, above it or below; empty: nothing holds a body there.
+  [[nodiscard]] std::optional<double> derivative(const Sensitivity& s, std::size_t mode,
+                                                 bool above) const {
+    const std::vector<std::array<double, 3>>& side = above ? s.above : s.below;
+    return side.empty() ? std::nullopt : std::optional(side[index][mode]);
+  }
+};
 
 // 1 %, or one micrometre of a fit, in the unit of the value.
 double small_change(const model::Model& model, const Sensitivity& s) {
@@ -49,78 +63,61 @@ std::string words_of(const Sensitivity& s) {
 }
 
 // What K1 or K2 changes by with the small change up or down.
-std::optional<double> effect(const model::Model& model, const Sensitivity& s, std::size_t mode,
-                             bool up) {
-  const Side& side = up ? s.above : s.below;
+std::optional<double> effect(const model::Model& model, const SensitivePoint& point,
+                             const Sensitivity& s, std::size_t mode, bool up) {
+  const std::optional<double> slope = point.derivative(s, mode, up);
   const double by = small_change(model, s);
-  return side ? std::optional((up ? by : -by) * (*side)[mode]) : std::nullopt;
+  return slope ? std::optional((up ? by : -by) * *slope) : std::nullopt;
 }
 
-double strength(const model::Model& model, const Sensitivity& s) {
+double strength(const model::Model& model, const SensitivePoint& point, const Sensitivity& s) {
   double most = 0.0;
   for (const bool up : {false, true}) {
-    most = std::max(most, std::abs(effect(model, s, 0, up).value_or(0.0)));
+    most = std::max(most, std::abs(effect(model, point, s, 0, up).value_or(0.0)));
   }
   return most;
 }
 
-std::vector<const Sensitivity*> sorted(const model::Model& model, const results::TipResult& tip) {
+std::vector<const Sensitivity*> sorted(const model::Model& model, const SensitivePoint& point) {
   std::vector<const Sensitivity*> order;
-  for (const Sensitivity& s : tip.sensitivities.of) {
+  for (const Sensitivity& s : point.front.sensitivities.of) {
     order.push_back(&s);
   }
   std::ranges::stable_sort(order, std::ranges::greater{},
-                           [&](const Sensitivity* s) { return strength(model, *s); });
+                           [&](const Sensitivity* s) { return strength(model, point, *s); });
   return order;
 }
 
-Side of_point(const std::vector<std::array<double, 3>>& along, std::size_t point) {
-  return along.empty() ? Side() : Side({along[point][0], along[point][1]});
-}
-
-// The point inside with the largest K1, as a tip of its own; empty: K there is not known to depend
-// on anything.
-std::optional<results::TipResult> tip_of(const results::FrontResult& front) {
-  std::optional<std::size_t> most;
-  for (std::size_t i = 0; i < front.points.size(); ++i) {
-    if (!front.points[i].at_surface && (!most || front.points[i].K1 > front.points[*most].K1)) {
-      most = i;
-    }
-  }
-  if (!most || front.sensitivities.of.empty()) {
-    return std::nullopt;
-  }
-  results::TipResult tip;
-  tip.name = fmt::format("{} point {}", front.name, front.points[*most].number);
-  tip.a = front.a;
-  tip.K1 = front.points[*most].K1;
-  tip.K2 = front.points[*most].K2;
-  tip.invalid_reason = front.invalid_reason;
-  for (const results::FrontSensitivity& s : front.sensitivities.of) {
-    tip.sensitivities.of.push_back(
-        {s.cause, s.name, s.value, of_point(s.below, *most), of_point(s.above, *most), s.range});
-  }
-  return tip;
-}
-
-std::vector<results::TipResult> tips_of(const results::StepResult& step) {
-  std::vector<results::TipResult> tips = step.tips;
+// Of each front the point inside with the largest K1; none where K is not known to depend on
+// anything.
+std::vector<SensitivePoint> leading_points(const results::StepResult& step) {
+  std::vector<SensitivePoint> leading;
   for (const results::FrontResult& front : step.fronts) {
-    if (std::optional<results::TipResult> tip = tip_of(front)) {
-      tips.push_back(std::move(*tip));
+    std::optional<std::size_t> most;
+    for (std::size_t i = 0; i < front.points.size(); ++i) {
+      if (!front.points[i].at_surface && (!most || front.points[i].K1 > front.points[*most].K1)) {
+        most = i;
+      }
+    }
+    if (most && !front.sensitivities.of.empty()) {
+      leading.push_back({front, *most});
     }
   }
-  return tips;
+  return leading;
 }
 
 // One number where both sides agree, else both.
-std::string both(const Sensitivity& s, const std::function<std::optional<double>(bool)>& value,
-                 const char* form) {
+std::string both(const SensitivePoint& point, const Sensitivity& s,
+                 const std::function<std::optional<double>(bool)>& value, const char* form) {
   const auto text = [&](bool up) {
     const std::optional<double> v = value(up);
     return v ? fmt::format(fmt::runtime(form), *v) : std::string("-");
   };
-  return s.slope() ? text(true) : text(false) + " | " + text(true);
+  bool same = !s.below.empty() && !s.above.empty();
+  for (const std::size_t mode : {0U, 1U}) {
+    same = same && point.derivative(s, mode, false) == point.derivative(s, mode, true);
+  }
+  return same ? text(true) : text(false) + " | " + text(true);
 }
 
 std::string bound(double value) {
@@ -132,88 +129,81 @@ std::optional<double> clean(std::optional<double> value, double scale) {
   return value && std::abs(*value) < 1e-9 * scale ? std::optional(0.0) : value;
 }
 
-std::vector<std::string> row_of(const model::Model& model, const results::TipResult& tip,
+std::vector<std::string> row_of(const model::Model& model, const SensitivePoint& point,
                                 const Sensitivity& s) {
-  const double K = std::hypot(tip.K1, tip.K2);
+  const double K1 = point.result().K1;
+  const double K = std::hypot(K1, point.result().K2);
   const auto times_value = [&](bool up) {
-    const Side& side = up ? s.above : s.below;
-    return clean(side ? std::optional(s.value * (*side)[0]) : std::nullopt, K);
+    const std::optional<double> slope = point.derivative(s, 0, up);
+    return clean(slope ? std::optional(s.value * *slope) : std::nullopt, K);
   };
   const auto percent = [&](bool up) {
-    const std::optional<double> dK = effect(model, s, 0, up);
+    const std::optional<double> dK = effect(model, point, s, 0, up);
     const double sign = up ? 100.0 : -100.0; // of the change upwards
-    return clean(dK && tip.K1 != 0.0 ? std::optional(sign * *dK / std::abs(tip.K1)) : std::nullopt,
+    return clean(dK && K1 != 0.0 ? std::optional(sign * *dK / std::abs(K1)) : std::nullopt,
                  K > 0.0 ? 1.0 : 0.0);
   };
   const auto of_mode_2 = [&](bool up) {
-    const std::optional<double> dK = effect(model, s, 1, up);
+    const std::optional<double> dK = effect(model, point, s, 1, up);
     return clean(dK ? std::optional(up ? *dK : -*dK) : std::nullopt, K);
   };
-  return {tip.name,
+  return {point.name(),
           words_of(s),
           fmt::format("{:.6g}{}", s.value, unit_of(model, s.cause)),
-          s.value == 0.0 ? "" : both(s, times_value, "{:.5g}"),
+          s.value == 0.0 ? "" : both(point, s, times_value, "{:.5g}"),
           s.cause == SensitivityParameter::fit ? "1 um" : "1 %",
-          both(s, percent, "{:+.4f}"),
-          both(s, of_mode_2, "{:+.4g}"),
+          both(point, s, percent, "{:+.4f}"),
+          both(point, s, of_mode_2, "{:+.4g}"),
           s.range ? bound((*s.range)[0]) : "",
           s.range ? bound((*s.range)[1]) : ""};
 }
 
-std::string cell(const Side& side, std::size_t mode) {
-  return side ? fmt::format("{}", (*side)[mode]) : std::string();
-}
-
-TornadoChart tornado_of(const model::Model& model, const results::TipResult& tip,
-                        std::string title) {
+TornadoChart tornado_of(const model::Model& model, const SensitivePoint& point, std::string title) {
+  const double K1 = point.result().K1;
   TornadoChart out;
   out.title = std::move(title);
-  for (const Sensitivity* s : sorted(model, tip)) {
-    const double up = clean(effect(model, *s, 0, true), tip.K1).value_or(0.0);
-    const double down = clean(effect(model, *s, 0, false), tip.K1).value_or(0.0);
+  for (const Sensitivity* s : sorted(model, point)) {
+    const double up = clean(effect(model, point, *s, 0, true), K1).value_or(0.0);
+    const double down = clean(effect(model, point, *s, 0, false), K1).value_or(0.0);
     if (up == 0.0 && down == 0.0) {
       continue;
     }
     out.bars.push_back(
         {fmt::format("{} {}", words_of(*s), s->cause == SensitivityParameter::fit ? "1 µm" : "1 %"),
-         100.0 * up / std::abs(tip.K1), 100.0 * down / std::abs(tip.K1),
+         100.0 * up / std::abs(K1), 100.0 * down / std::abs(K1),
          static_cast<std::size_t>(s->cause)});
   }
   return out;
 }
 
-} // namespace
-
-namespace {
-
-// One row for each point of a front and each cause.
-void write_fronts(const std::filesystem::path& file, const model::Model& model,
-                  const results::RunResult& run) {
-  const base::UnitSystem& units = model.units;
-  std::string text = fmt::format(
-      "# units: a, s and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2 dK3 [{2}] "
-      "over "
-      "the unit of the value\n"
-      "increment,step,crack,a,point,at_surface,s,cause,name,value,dK1,dK2,dK3,from,to\n",
-      units.length_name, units.stress_name(), units.stress_intensity_name());
-  auto out = std::back_inserter(text);
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::FrontResult& front : step.fronts) {
-        for (const results::FrontSensitivity& s : front.sensitivities.of) {
-          for (std::size_t i = 0; i < s.above.size(); ++i) {
-            const results::FrontPointResult& place = front.points[i];
-            fmt::format_to(out, "{},{},{},{},{},{:d},{},{},{},{},{},{},{},{},{}\n",
-                           increment.number, step.step, front.name, front.a, place.number,
-                           place.at_surface, place.s, results::display_word(s.cause), s.name,
-                           s.value, s.above[i][0], s.above[i][1], s.above[i][2], cell(s.range, 0),
-                           cell(s.range, 1));
-          }
-        }
-      }
+// "value,": of a tip K1 and K2 below and above, of a point in space all three above.
+std::string derivative_cells(const SensitivePoint& point, const Sensitivity& s) {
+  std::string text;
+  const bool tip = point.front.is_tip();
+  for (std::size_t mode = 0; mode < (tip ? 2U : 3U); ++mode) {
+    for (const bool above : {false, true}) {
+      const std::optional<double> slope = point.derivative(s, mode, above);
+      text += !tip && !above ? "" : slope ? fmt::format("{},", *slope) : ",";
     }
   }
-  write_file(file, text);
+  return text;
+}
+
+// Rows of one cause: one for each point, in space none where nothing holds a body above the value.
+std::string rows_of_cause(const std::string& begin, const results::FrontResult& front,
+                          const Sensitivity& s) {
+  std::string text;
+  for (std::size_t i = 0; i < (front.is_tip() ? 1 : s.above.size()); ++i) {
+    const SensitivePoint point{front, i};
+    const results::FrontPointResult& at = point.result();
+    text += fmt::format("{},{},{},{}{},{},{},{}{},{}\n", begin, front.name, front.a,
+                        front.is_tip() ? ""
+                                       : fmt::format("{},{:d},{},", at.number, at.at_surface, at.s),
+                        results::display_word(s.cause), s.name, s.value, derivative_cells(point, s),
+                        s.range ? fmt::format("{}", (*s.range)[0]) : "",
+                        s.range ? fmt::format("{}", (*s.range)[1]) : "");
+  }
+  return text;
 }
 
 } // namespace
@@ -223,24 +213,21 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   if (model.cracks.empty()) {
     return;
   }
-  if (model.mesh.dim == 3) {
-    write_fronts(file, model, run);
-    return;
-  }
+  const bool space = model.mesh.dim == 3;
   const base::UnitSystem& units = model.units;
   std::string text = fmt::format(
-      "# units: a and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2 [{2}] over the "
-      "unit of the value\n"
-      "increment,step,crack,a,cause,name,value,dK1_below,dK1_above,dK2_below,dK2_above,from,to\n",
-      units.length_name, units.stress_name(), units.stress_intensity_name());
+      "# units: a{3} and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2{4} [{2}] over "
+      "the unit of the value\n"
+      "increment,step,crack,a,{5}cause,name,value,{6},from,to\n",
+      units.length_name, units.stress_name(), units.stress_intensity_name(), space ? ", s" : "",
+      space ? " dK3" : "", space ? "point,at_surface,s," : "",
+      space ? "dK1,dK2,dK3" : "dK1_below,dK1_above,dK2_below,dK2_above");
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        for (const Sensitivity& s : tip.sensitivities.of) {
-          text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", increment.number,
-                              step.step, tip.name, tip.a, results::display_word(s.cause), s.name,
-                              s.value, cell(s.below, 0), cell(s.above, 0), cell(s.below, 1),
-                              cell(s.above, 1), cell(s.range, 0), cell(s.range, 1));
+      const std::string begin = fmt::format("{},{}", increment.number, step.step);
+      for (const results::FrontResult& front : step.fronts) {
+        for (const Sensitivity& s : front.sensitivities.of) {
+          text += rows_of_cause(begin, front, s);
         }
       }
     }
@@ -267,9 +254,9 @@ ReportTable sensitivity_table(const model::Model& model, const results::Incremen
   if (found == nullptr) {
     return table;
   }
-  for (const results::TipResult& tip : tips_of(*found)) {
-    for (const Sensitivity* s : sorted(model, tip)) {
-      table.rows.push_back(row_of(model, tip, *s));
+  for (const SensitivePoint& point : leading_points(*found)) {
+    for (const Sensitivity* s : sorted(model, point)) {
+      table.rows.push_back(row_of(model, point, *s));
     }
   }
   return table;
@@ -279,19 +266,13 @@ std::vector<std::string> sensitivity_notes(const model::Model& model,
                                            const results::Increment& increment) {
   std::vector<std::string> notes;
   const results::StepResult* found = results::find_step(increment, leading_step(model));
-  const auto add = [&](const std::vector<std::string>& more) {
-    for (const std::string& note : more) {
-      if (std::ranges::find(notes, note) == notes.end()) {
-        notes.push_back(note);
-      }
-    }
-  };
   if (found != nullptr) {
-    for (const results::TipResult& tip : found->tips) {
-      add(tip.sensitivities.notes);
-    }
     for (const results::FrontResult& front : found->fronts) {
-      add(front.sensitivities.notes);
+      for (const std::string& note : front.sensitivities.notes) {
+        if (std::ranges::find(notes, note) == notes.end()) {
+          notes.push_back(note);
+        }
+      }
     }
   }
   return notes;
@@ -302,12 +283,13 @@ std::vector<Figure> sensitivity_figures(const model::Model& model, const results
   Figure figure;
   for (const results::Increment* increment : chosen_increments(run, 3)) {
     const results::StepResult* found = results::find_step(*increment, step);
-    for (const results::TipResult& tip :
-         found != nullptr ? tips_of(*found) : std::vector<results::TipResult>()) {
-      if (tip.invalid_reason.empty() && tip.K1 > 0.0 && !tip.sensitivities.of.empty()) {
-        figure.drawings.push_back(draw_svg(tornado_of(
-            model, tip,
-            fmt::format("{}, a = {:.4g} {}", tip.name, tip.a, model.units.length_name))));
+    for (const SensitivePoint& point :
+         found != nullptr ? leading_points(*found) : std::vector<SensitivePoint>()) {
+      if (point.front.invalid_reason.empty() && point.result().K1 > 0.0) {
+        figure.drawings.push_back(
+            draw_svg(tornado_of(model, point,
+                                fmt::format("{}, a = {:.4g} {}", point.name(), point.front.a,
+                                            model.units.length_name))));
       }
     }
   }

@@ -16,7 +16,9 @@ namespace spricka::report {
 /// sensitivity.csv:
 /// increment,step,crack,a,cause,name,value,dK1_below,dK1_above,dK2_below,dK2_above, from,to;
 /// derivatives by the value, below and above it, and the values between which the contact stays as
-/// it is. Not written without cracks.
+/// it is. In space a row for each point, by the value above it:
+/// increment,step,crack,a,point,at_surface,s,cause,name,value,dK1,dK2,dK3,from,to. Not written
+/// without cracks.
 void write_sensitivity_csv(const std::filesystem::path& file, const model::Model& model,
                            const results::RunResult& run);
 

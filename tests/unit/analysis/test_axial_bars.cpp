@@ -113,11 +113,11 @@ TEST(AxialBars, HoldTheClosedFormsOfPennies) {
     const auto exact = penny_K();
     ASSERT_EQ(steps.size(), exact.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const results::TipResult& tip = steps[i].tips.at(0);
-      ASSERT_EQ(tip.no_bar, "");
+      const results::FrontResult& front = steps[i].fronts.at(0);
+      ASSERT_EQ(front.no_bar, "");
       const double size = std::hypot(exact[i][0], exact[i][1]);
-      tally.add(tip.K1 - exact[i][0], tip.bar[0].size(), size);
-      tally.add(tip.K2 - exact[i][1], tip.bar[1].size(), size);
+      tally.add(front.tip().K1 - exact[i][0], front.tip().bar[0].size(), size);
+      tally.add(front.tip().K2 - exact[i][1], front.tip().bar[1].size(), size);
     }
   }
   std::printf("%d of %d inside, %d of %d within 1 to 4\n", tally.inside, tally.all, tally.tight,
@@ -168,12 +168,12 @@ TEST(AxialBars, HoldTheTruthOfAPressedShaft) {
     for (const auto& [n, size] : {std::pair{1, 0.5}, {2, 0.5}, {2, 0.25}}) {
       const auto solved = solve_text(shaft(n, size, rise));
       ASSERT_TRUE(solved);
-      const results::TipResult& tip = solved->step(1).tips.at(0);
-      const results::TipResult& truth = fine->step(1).tips.at(0);
-      ASSERT_EQ(tip.no_bar, "");
+      const results::FrontResult& front = solved->step(1).fronts.at(0);
+      const results::FrontPointResult& truth = fine->step(1).fronts.at(0).tip();
+      ASSERT_EQ(front.no_bar, "");
       const double scale = std::hypot(truth.K1, truth.K2);
-      tally.add(tip.K1 - truth.K1, tip.bar[0].size(), scale);
-      tally.add(tip.K2 - truth.K2, tip.bar[1].size(), scale);
+      tally.add(front.tip().K1 - truth.K1, front.tip().bar[0].size(), scale);
+      tally.add(front.tip().K2 - truth.K2, front.tip().bar[1].size(), scale);
     }
   }
   EXPECT_EQ(tally.inside, tally.all);

@@ -48,8 +48,8 @@ const std::string pressed = "$FREEDOM CLASS=SUPPRESSED DOF=X\n  P.XMAX\n"
                             "$LOAD CASE=T TYPE=FACES\n  C 2\n";
 const std::string transition = "$MPC TYPE=TRANSITION SLAVE=P.YMIN MASTER=Q.YMAX\n" + pull;
 
-const results::TipResult& tip(const std::optional<Solved>& solved) {
-  return solved->step().tips.at(0);
+const results::FrontResult& front(const std::optional<Solved>& solved) {
+  return solved->step().fronts.at(0);
 }
 
 // A body whose edges are long against the distance of the tip beside it follows the crack too
@@ -58,7 +58,7 @@ TEST(PartnerSurfaces, TakeTheBarWhereTheyAreTooCoarse) {
   for (const std::string& joint : {bonded, pressed, transition}) {
     const auto found = solve_text(two_blocks(joint, 16, 0.03));
     ASSERT_TRUE(found) << joint;
-    EXPECT_NE(tip(found).no_bar.find("long"), std::string::npos) << joint << tip(found).no_bar;
+    EXPECT_NE(front(found).no_bar.find("long"), std::string::npos) << joint << front(found).no_bar;
     EXPECT_TRUE(std::ranges::any_of(found->step().notes, [](const results::Note& note) {
       return note.kind == base::ResultConcern::less_exact &&
              note.text.starts_with("K of C: edges of");
@@ -66,7 +66,7 @@ TEST(PartnerSurfaces, TakeTheBarWhereTheyAreTooCoarse) {
   }
   const auto tolerated = solve_text(two_blocks(bonded, 16, 0.03, "$TIPNET CRACK=C TOL=1e-3\n"));
   ASSERT_TRUE(tolerated);
-  EXPECT_NE(tip(tolerated).no_bar, "");
+  EXPECT_NE(front(tolerated).no_bar, "");
 }
 
 // Where they are finer the bar is there and holds what much finer ones give; a TRANSITION between
@@ -82,10 +82,11 @@ TEST(PartnerSurfaces, LeaveTheBarWhereTheyAreFine) {
     const auto fine = solve_text(two_blocks(c.limit, 128, c.gap));
     const auto found = solve_text(two_blocks(c.joint, c.n, c.gap));
     ASSERT_TRUE(fine && found) << c.joint;
-    ASSERT_EQ(tip(found).no_bar, "") << c.joint;
-    const std::array<double, 2> K{tip(found).K1, tip(found).K2};
+    ASSERT_EQ(front(found).no_bar, "") << c.joint;
+    const std::array<double, 2> K{front(found).tip().K1, front(found).tip().K2};
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_LE(std::abs(K[k] - tip(fine).bar[k].best), tip(found).bar[k].size()) << c.joint << k;
+      EXPECT_LE(std::abs(K[k] - front(fine).tip().bar[k].best), front(found).tip().bar[k].size())
+          << c.joint << k;
     }
   }
 }
@@ -97,7 +98,7 @@ TEST(PartnerSurfaces, LeaveCracksThatStartInThem) {
   away.replace(away.find("A0=0.2 ANGLE=0\n  -1 0"), 21, "A0=0.04 ANGLE=90[deg]\n  0 0");
   const auto found = solve_text(away);
   ASSERT_TRUE(found);
-  EXPECT_EQ(tip(found).no_bar.find("edges of"), std::string::npos) << tip(found).no_bar;
+  EXPECT_EQ(front(found).no_bar.find("edges of"), std::string::npos) << front(found).no_bar;
 }
 
 // A block on a longer one, or a rigid part of its side, ends beside the crack: stresses have no
@@ -127,9 +128,13 @@ TEST(PartnerSurfaces, EndsOfTiesAreInTheBar) {
     const auto fine = solve_text(deck(6, rigid));
     const auto coarse = solve_text(deck(1, rigid));
     ASSERT_TRUE(fine && coarse);
-    ASSERT_EQ(tip(coarse).no_bar, "");
-    EXPECT_LE(std::abs(tip(coarse).K1 - tip(fine).bar[0].best), tip(coarse).bar[0].size()) << rigid;
-    EXPECT_LE(std::abs(tip(coarse).K2 - tip(fine).bar[1].best), tip(coarse).bar[1].size()) << rigid;
+    ASSERT_EQ(front(coarse).no_bar, "");
+    EXPECT_LE(std::abs(front(coarse).tip().K1 - front(fine).tip().bar[0].best),
+              front(coarse).tip().bar[0].size())
+        << rigid;
+    EXPECT_LE(std::abs(front(coarse).tip().K2 - front(fine).tip().bar[1].best),
+              front(coarse).tip().bar[1].size())
+        << rigid;
   }
 }
 

@@ -44,15 +44,15 @@ TEST(CornerBars, HoldBesideClampedCornersAndEndsOfSupports) {
         solve_text(block(8, "QUAMC9") + rest(c.nu, c.supports, beside) +
                    "$TIPNET CRACK=C SIZE=0.004 RADIUS=0.04 RINGS=8 SECTORS=32\n$END\n");
     ASSERT_TRUE(fine);
-    const results::TipResult& truth = fine->step().tips.at(0);
+    const results::FrontPointResult& truth = fine->step().fronts.at(0).tip();
     for (const char* type : {"QUAMC8", "TRIMC6"}) {
       const auto coarse = solve_text(block(2, type) + rest(c.nu, c.supports, beside) + "$END\n");
       ASSERT_TRUE(coarse);
-      const results::TipResult& tip = coarse->step().tips.at(0);
-      ASSERT_EQ(tip.no_bar, "");
-      const double error = std::abs(truth.bar[0].best - tip.K1);
-      EXPECT_LE(error, tip.bar[0].size()) << c.nu << ' ' << type;
-      EXPECT_GE(3.0 * error, tip.bar[0].size()) << c.nu << ' ' << type;
+      const results::FrontResult& front = coarse->step().fronts.at(0);
+      ASSERT_EQ(front.no_bar, "");
+      const double error = std::abs(truth.bar[0].best - front.tip().K1);
+      EXPECT_LE(error, front.tip().bar[0].size()) << c.nu << ' ' << type;
+      EXPECT_GE(3.0 * error, front.tip().bar[0].size()) << c.nu << ' ' << type;
     }
   }
 }
@@ -67,14 +67,14 @@ TEST(CornerBars, AreRefusedWhereKHangsOnSingleNodes) {
   const std::string crack = "$CRACK NAME=C\n  0.75 0\n  0.75 0.3\n";
   const auto held = solve_text(block(2, "QUAMC8") + rest(0.3, three, crack) + "$END\n");
   ASSERT_TRUE(held);
-  EXPECT_NE(held->step().tips.at(0).no_bar.find("single node"), std::string::npos);
+  EXPECT_NE(held->step().fronts.at(0).no_bar.find("single node"), std::string::npos);
   const std::string two =
       "$NSET NAME=A WHERE=(abs(y) < 1e-9 and abs(x-0.5) < 1e-9)\n"
       "$NSET NAME=B WHERE=(abs(y) < 1e-9 and abs(x-1.5) < 1e-9)\n"
       "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  A\n$FREEDOM CLASS=SUPPRESSED DOF=Y\n  B\n";
   const auto stands = solve_text(block(2, "QUAMC8") + rest(0.3, two, crack) + "$END\n");
   ASSERT_TRUE(stands);
-  EXPECT_EQ(stands->step().tips.at(0).no_bar, "");
+  EXPECT_EQ(stands->step().fronts.at(0).no_bar, "");
 }
 
 std::string two_bodies(const std::string& loads) {
@@ -97,11 +97,11 @@ TEST(CornerBars, ABodyThatNothingLoadsHasKOfZero) {
       two_bodies("$STEP NAME=BOTH\n  LOAD T 1\n$STEP NAME=ONE\n  LOAD T 0\n  LOAD U 1\n"));
   ASSERT_TRUE(solved);
   const results::StepResult& one = solved->run.increments.front().steps.at(1);
-  const results::TipResult& idle = one.tips.at(1);
-  EXPECT_EQ(idle.K1, 0.0);
-  EXPECT_EQ(idle.K2, 0.0);
+  const results::FrontResult& idle = one.fronts.at(1);
+  EXPECT_EQ(idle.tip().K1, 0.0);
+  EXPECT_EQ(idle.tip().K2, 0.0);
   EXPECT_EQ(idle.no_bar, "");
-  EXPECT_EQ(idle.bar[1].size(), 0.0);
+  EXPECT_EQ(idle.tip().bar[1].size(), 0.0);
   for (const std::string& note : results::text_with_code(one.notes)) {
     EXPECT_EQ(note.find("warning"), std::string::npos) << note;
   }
@@ -123,14 +123,14 @@ TEST(CornerBars, ASmallNegativeK1BesideK2HasOne) {
   };
   const auto hardly = solve_text(plate(5e-5));
   ASSERT_TRUE(hardly);
-  const results::TipResult& tip = hardly->step().tips.at(0);
-  EXPECT_LT(tip.K1, 0.0);
-  EXPECT_GT(tip.K1, -2e-4 * std::abs(tip.K2));
-  EXPECT_EQ(tip.no_bar, "");
-  EXPECT_GE(tip.bar[0].size(), 1e-4 * std::abs(tip.K2));
+  const results::FrontResult& front = hardly->step().fronts.at(0);
+  EXPECT_LT(front.tip().K1, 0.0);
+  EXPECT_GT(front.tip().K1, -2e-4 * std::abs(front.tip().K2));
+  EXPECT_EQ(front.no_bar, "");
+  EXPECT_GE(front.tip().bar[0].size(), 1e-4 * std::abs(front.tip().K2));
   const auto much = solve_text(plate(0.1));
   ASSERT_TRUE(much);
-  EXPECT_NE(much->step().tips.at(0).invalid_reason, "");
+  EXPECT_NE(much->step().fronts.at(0).invalid_reason, "");
 }
 
 } // namespace

@@ -41,19 +41,19 @@ $END
 TEST(CrackFaceOverlap, LeavesAnOpenCrackAlone) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.6, "CONTACT"));
   ASSERT_TRUE(solved);
-  EXPECT_TRUE(solved->step().tips[0].invalid_reason.empty());
-  EXPECT_TRUE(solved->step().tips[1].invalid_reason.empty());
+  EXPECT_TRUE(solved->step().fronts[0].invalid_reason.empty());
+  EXPECT_TRUE(solved->step().fronts[1].invalid_reason.empty());
   for (const std::string& note : results::text_with_code(solved->step().notes)) {
     EXPECT_EQ(note.find("overlap"), std::string::npos) << note;
   }
-  EXPECT_NEAR(solved->step().tips[0].K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);
-  EXPECT_NEAR(solved->step().tips[1].K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
+  EXPECT_NEAR(solved->step().fronts[0].tip().K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);
+  EXPECT_NEAR(solved->step().fronts[1].tip().K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
 }
 
 TEST(CrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.0, "FREE"));
   ASSERT_TRUE(solved);
-  EXPECT_TRUE(solved->step().tips[1].invalid_reason.empty());
+  EXPECT_TRUE(solved->step().fronts[1].invalid_reason.empty());
   EXPECT_FALSE(solved->step().notes.empty());
 }
 

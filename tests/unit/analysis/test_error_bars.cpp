@@ -49,8 +49,8 @@ std::string whole(const std::string& type) {
   return text;
 }
 
-const results::TipResult& tip_of(const Solved& solved) {
-  return solved.step().tips.at(0);
+const results::FrontResult& front_of(const Solved& solved) {
+  return solved.step().fronts.at(0);
 }
 
 class Bars : public testing::TestWithParam<const char*> {};
@@ -60,19 +60,21 @@ class Bars : public testing::TestWithParam<const char*> {};
 TEST_P(Bars, DoNotSeeAJointOfMatchingMeshes) {
   const auto one = solve_text(whole(GetParam()));
   ASSERT_TRUE(one);
-  const results::TipResult& tip = tip_of(*one);
-  ASSERT_EQ(tip.no_bar, "");
-  EXPECT_GT(tip.bar[0].mesh, 1e-5 * tip.K1);
+  const results::FrontResult& front = front_of(*one);
+  ASSERT_EQ(front.no_bar, "");
+  EXPECT_GT(front.tip().bar[0].mesh, 1e-5 * front.tip().K1);
   for (const char* joint : {"$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX TYPE=BONDED GAP=0\n",
                             "$CONTACT NAME=J SLAVE=LOW.YMAX MASTER=TOP.YMIN TYPE=BONDED GAP=0 "
                             "PAIRING=NODE\n",
                             "$MPC TYPE=TRANSITION SLAVE=TOP.YMIN MASTER=LOW.YMAX\n"}) {
     const auto two = solve_text(strip(GetParam(), 4, joint));
     ASSERT_TRUE(two);
-    const results::TipResult& other = tip_of(*two);
+    const results::FrontResult& other = front_of(*two);
     ASSERT_EQ(other.no_bar, "") << joint;
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(other.bar[k].eta, tip.bar[k].eta, 0.01 * std::abs(tip.bar[0].eta)) << joint;
+      EXPECT_NEAR(other.tip().bar[k].eta, front.tip().bar[k].eta,
+                  0.01 * std::abs(front.tip().bar[0].eta))
+          << joint;
     }
   }
 }
@@ -89,11 +91,15 @@ TEST_P(Bars, HoldTheTruthOfAFinerMesh) {
     const auto found = solve_text(strip(
         GetParam(), top, "$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX TYPE=BONDED GAP=0\n"));
     ASSERT_TRUE(found);
-    const results::TipResult& tip = tip_of(*found);
-    EXPECT_LT(std::abs(tip.K1 - tip_of(*truth).bar[0].best), tip.bar[0].size()) << top;
-    EXPECT_LT(std::abs(tip.K2 - tip_of(*truth).bar[1].best), tip.bar[1].size()) << top;
-    EXPECT_LT(std::abs(tip.bar[0].best - tip_of(*truth).bar[0].best),
-              0.5 * std::abs(tip.K1 - tip_of(*truth).bar[0].best))
+    const results::FrontResult& front = front_of(*found);
+    EXPECT_LT(std::abs(front.tip().K1 - front_of(*truth).tip().bar[0].best),
+              front.tip().bar[0].size())
+        << top;
+    EXPECT_LT(std::abs(front.tip().K2 - front_of(*truth).tip().bar[1].best),
+              front.tip().bar[1].size())
+        << top;
+    EXPECT_LT(std::abs(front.tip().bar[0].best - front_of(*truth).tip().bar[0].best),
+              0.5 * std::abs(front.tip().K1 - front_of(*truth).tip().bar[0].best))
         << top;
   }
 }
@@ -115,11 +121,15 @@ TEST_P(Bars, HoldTheTruthOfAPressedJoint) {
   for (const int top : {4, 9}) {
     const auto found = solve_text(bent(top));
     ASSERT_TRUE(found);
-    const results::TipResult& tip = tip_of(*found);
-    ASSERT_EQ(tip.no_bar, "");
-    EXPECT_GT(tip.bar[0].edge, 0.0);
-    EXPECT_LT(std::abs(tip.K1 - tip_of(*truth).bar[0].best), tip.bar[0].size()) << top;
-    EXPECT_LT(std::abs(tip.K2 - tip_of(*truth).bar[1].best), tip.bar[1].size()) << top;
+    const results::FrontResult& front = front_of(*found);
+    ASSERT_EQ(front.no_bar, "");
+    EXPECT_GT(front.tip().bar[0].edge, 0.0);
+    EXPECT_LT(std::abs(front.tip().K1 - front_of(*truth).tip().bar[0].best),
+              front.tip().bar[0].size())
+        << top;
+    EXPECT_LT(std::abs(front.tip().K2 - front_of(*truth).tip().bar[1].best),
+              front.tip().bar[1].size())
+        << top;
   }
 }
 
@@ -132,9 +142,9 @@ TEST(TipErrorBars, AreTheSameOnAnyNumberOfThreads) {
   const auto three = solve_text(deck, 3);
   ASSERT_TRUE(one && three);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(tip_of(*one).bar[k].size(), tip_of(*three).bar[k].size());
-    EXPECT_EQ(tip_of(*one).bar[k].best, tip_of(*three).bar[k].best);
-    EXPECT_EQ(tip_of(*one).bar[k].of_element, tip_of(*three).bar[k].of_element);
+    EXPECT_EQ(front_of(*one).tip().bar[k].size(), front_of(*three).tip().bar[k].size());
+    EXPECT_EQ(front_of(*one).tip().bar[k].best, front_of(*three).tip().bar[k].best);
+    EXPECT_EQ(front_of(*one).tip().bar[k].of_element, front_of(*three).tip().bar[k].of_element);
   }
 }
 
@@ -148,7 +158,7 @@ TEST(TipErrorBars, AreRefusedWithTheirReasonOnce) {
                  "$PROPERTY ESET=SIDE.BODY MATERIAL=M STATE=STRAIN\n$PROPERTY");
   const auto found = solve_text(linear);
   ASSERT_TRUE(found);
-  EXPECT_EQ(tip_of(*found).no_bar, "some elements are linear");
+  EXPECT_EQ(front_of(*found).no_bar, "some elements are linear");
   const auto told = [](const Solved& solved) {
     int count = 0;
     for (const std::string& note : results::text_with_code(solved.step().notes)) {
@@ -162,8 +172,8 @@ TEST(TipErrorBars, AreRefusedWithTheirReasonOnce) {
   rubs.replace(rubs.find("0.2  1"), 6, "0  (1.4-4.8*x)"); // bends the crack open
   const auto rubbing = solve_text(rubs);
   ASSERT_TRUE(rubbing);
-  EXPECT_GT(tip_of(*rubbing).K1, 0.0);
-  EXPECT_NE(tip_of(*rubbing).no_bar.find("rub"), std::string::npos) << tip_of(*rubbing).no_bar;
+  EXPECT_GT(front_of(*rubbing).tip().K1, 0.0);
+  EXPECT_NE(front_of(*rubbing).no_bar.find("rub"), std::string::npos) << front_of(*rubbing).no_bar;
   EXPECT_EQ(told(*rubbing), 1);
 }
 
@@ -172,9 +182,9 @@ TEST(TipErrorBars, AreQuantitiesOfChecks) {
   const std::string deck = whole("QUAMC9");
   const auto first = solve_text(deck);
   ASSERT_TRUE(first);
-  const results::KErrorBar& bar = tip_of(*first).bar[0];
+  const results::KErrorBar& bar = front_of(*first).tip().bar[0];
   EXPECT_NEAR(bar.size(), bar.mesh + bar.edge + bar.floor, 1e-15);
-  EXPECT_NE(bar.best, tip_of(*first).K1);
+  EXPECT_NE(bar.best, front_of(*first).tip().K1);
   const std::string check =
       fmt::format("$CHECK\n  K1.BAR(C,PULL) = {:.12g} REL 1e-9\n  K1.BEST(C,PULL) = {:.12g} REL "
                   "1e-9\n  K2.BAR(C,PULL) = 0 ABS 1\n$END\n",

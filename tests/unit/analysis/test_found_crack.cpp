@@ -101,7 +101,7 @@ TEST(ExistingCrack, HasTheKOfItsStrip) {
     EXPECT_NEAR(place.K1, K, 0.005 * K);
     EXPECT_NEAR(place.K2, 0.0, 1e-6 * K);
     EXPECT_NEAR(place.G, place.G_from_K, 0.005 * place.G);
-    EXPECT_NEAR(place.growth.x(), 1.0, 1e-9);
+    EXPECT_NEAR(place.direction.x(), 1.0, 1e-9);
   }
 }
 

@@ -36,10 +36,10 @@ std::optional<test::Solved> solved_with(const Values& v) {
                           v.E));
 }
 
-const results::FrontSensitivity* find(const results::FrontResult& front,
+const results::Sensitivity* find(const results::FrontResult& front,
                                       results::SensitivityParameter cause,
                                       const std::string& name) {
-  for (const results::FrontSensitivity& s : front.sensitivities.of) {
+  for (const results::Sensitivity& s : front.sensitivities.of) {
     if (s.cause == cause && s.name == name) {
       return &s;
     }
@@ -48,7 +48,7 @@ const results::FrontSensitivity* find(const results::FrontResult& front,
 }
 
 // dK = value * derivative times the small part against (K(+) - K(-)) / 2.
-void compare(const results::FrontResult& at, const results::FrontSensitivity* s, double part,
+void compare(const results::FrontResult& at, const results::Sensitivity* s, double part,
              const Values& up, const Values& down) {
   ASSERT_NE(s, nullptr);
   const auto ahead = solved_with(up);
@@ -72,7 +72,7 @@ void compare(const results::FrontResult& at, const results::FrontSensitivity* s,
   }
 }
 
-TEST(FrontSensitivity, AgreesWithDifferences) {
+TEST(Sensitivity, AgreesWithDifferences) {
   const auto solved = solved_with({});
   ASSERT_TRUE(solved);
   const results::FrontResult& front = solved->step().fronts[0];
@@ -88,7 +88,7 @@ TEST(FrontSensitivity, AgreesWithDifferences) {
           {.E = 1000.0 * (1.0 + part)}, {.E = 1000.0 * (1.0 - part)});
 }
 
-TEST(FrontSensitivity, OfAFitAgreesWithDifferences) {
+TEST(Sensitivity, OfAFitAgreesWithDifferences) {
   const auto solved = solved_with({.held = true});
   ASSERT_TRUE(solved);
   const results::FrontResult& front = solved->step().fronts[0];
@@ -136,7 +136,7 @@ Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) 
 // A mesh that goes along with a longer axis, solved: by an axis the derivative is that of the
 // discrete K, with the mouth in a contact that presses, under tension and under pressure on the
 // faces.
-TEST(FrontSensitivity, OfAxesAgreesWithDifferences) {
+TEST(Sensitivity, OfAxesAgreesWithDifferences) {
   const std::string text = test::pressed_mouth(
       "$LOAD CASE=INSIDE TYPE=FACES\n  C (1 + y)\n$STEP NAME=S\n  FIT ON 1\n  LOAD PULL 1\n"
       "  LOAD PRESS 1\n  LOAD TILT 0.4\n  LOAD INSIDE 1\n");
@@ -147,7 +147,7 @@ TEST(FrontSensitivity, OfAxesAgreesWithDifferences) {
   const Grown now = grown(text, {});
   for (const analysis::EllipseAxis axis : {analysis::EllipseAxis::a, analysis::EllipseAxis::c}) {
     const Grown more = grown(text, axis);
-    const results::FrontSensitivity* s =
+    const results::Sensitivity* s =
         find(front,
              axis == analysis::EllipseAxis::a ? results::SensitivityParameter::length
                                               : results::SensitivityParameter::axis,
@@ -172,7 +172,7 @@ TEST(FrontSensitivity, OfAxesAgreesWithDifferences) {
 // K of an embedded ellipse (Irwin 1962), here of the circle: an axis alone, and both, which make K1
 // grow as the root of the radius does, and in this block by 1.5 % more: (K(1.1) - K(0.9)) / 0.2 of
 // solutions, means along the front, is 0.573.
-TEST(FrontSensitivity, OfAxesIsThatOfAnEllipse) {
+TEST(Sensitivity, OfAxesIsThatOfAnEllipse) {
   const auto solved = test::solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=B
   $MESH SHAPE=BLOCK TYPE=TET10 X0=-8 Y0=-8 Z0=-8 LX=16 LY=16 LZ=16 NX=3 NY=3 NZ=3
@@ -198,8 +198,8 @@ $END
 )");
   ASSERT_TRUE(solved);
   const results::FrontResult& front = solved->step().fronts[0];
-  const results::FrontSensitivity* a = find(front, results::SensitivityParameter::length, "C");
-  const results::FrontSensitivity* c = find(front, results::SensitivityParameter::axis, "C");
+  const results::Sensitivity* a = find(front, results::SensitivityParameter::length, "C");
+  const results::Sensitivity* c = find(front, results::SensitivityParameter::axis, "C");
   ASSERT_TRUE(a != nullptr && c != nullptr);
   const double K = 2.0 / std::sqrt(std::numbers::pi);
   for (std::size_t i = 0; i < front.points.size(); ++i) {
@@ -212,13 +212,13 @@ $END
 }
 
 // K is the sum of what loads and fits do to it.
-TEST(FrontSensitivity, LoadsAndFitsAddUpToK) {
+TEST(Sensitivity, LoadsAndFitsAddUpToK) {
   const auto solved = solved_with({});
   ASSERT_TRUE(solved);
   const results::FrontResult& front = solved->step().fronts[0];
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     double sum = 0.0;
-    for (const results::FrontSensitivity& s : front.sensitivities.of) {
+    for (const results::Sensitivity& s : front.sensitivities.of) {
       if (s.cause == results::SensitivityParameter::load ||
           s.cause == results::SensitivityParameter::fit) {
         sum += s.value * s.above[i][0];

@@ -78,18 +78,19 @@ void compare_with_steps(const Solved& solved) {
   for (std::size_t k = 0; k < up->t.size(); ++k) { // the way back
     EXPECT_NEAR(up->t[k], 1.55 * (1.0 - down->t[down->t.size() - 1 - k]), 1e-9);
   }
-  for (const results::LoadPathTip& tip : up->tips) {
-    const double size = tip.K1.highest();
+  for (const results::LoadPathFront& front : up->fronts) {
+    const results::LoadPathFrontPoint& tip = front.tip();
+    const double size = tip.K[0].highest();
     for (std::size_t s = 0; s < increment.steps.size(); ++s) {
       const double t = static_cast<double>(s) / 20.0;
-      const results::TipResult* at = results::find_tip(increment.steps[s], tip.name);
-      EXPECT_NEAR(tip.K1(t), at->K1, 1e-11 * size) << tip.name << " at " << t;
-      EXPECT_NEAR(tip.K2(t), at->K2, 1e-11 * size) << tip.name << " at " << t;
+      const results::FrontResult* at = results::find_front(increment.steps[s], front.is.name);
+      EXPECT_NEAR(tip.K[0](t), at->tip().K1, 1e-11 * size) << front.is.name << " at " << t;
+      EXPECT_NEAR(tip.K[1](t), at->tip().K2, 1e-11 * size) << front.is.name << " at " << t;
     }
     // the sum of two states of proportional data
-    EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.3, 0.7).value(), tip.K1(0.7),
+    EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.3, 0.7).value(), tip.K[0](0.7),
                 1e-12 * size);
-    EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.6, 1.4).value(), 2.0 * tip.K1(0.7),
+    EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.6, 1.4).value(), 2.0 * tip.K[0](0.7),
                 1e-12 * size);
     EXPECT_FALSE(
         results::k_at_load_combination(*up, tip, 1, -2.0, 3.0).has_value()); // beyond the path
@@ -132,11 +133,11 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   const results::LoadPathResult& path = increment.paths.front();
   EXPECT_TRUE(path.homogeneous);
   EXPECT_LT(path.mismatch, 1e-11);
-  const results::LoadPathTip& tip = path.tips.front();
+  const results::LoadPathFrontPoint& tip = path.fronts.front().tip();
   EXPECT_NEAR(results::k_at_load_combination(path, tip, 1, 0.6, 0.8).value(),
-              increment.steps[1].tips[0].K1, 1e-11 * tip.K1.highest());
+              increment.steps[1].fronts[0].tip().K1, 1e-11 * tip.K[0].highest());
   EXPECT_NEAR(results::k_at_load_combination(path, tip, 2, 0.6, 0.8).value(),
-              increment.steps[1].tips[0].K2, 1e-11 * tip.K1.highest());
+              increment.steps[1].fronts[0].tip().K2, 1e-11 * tip.K[0].highest());
 }
 
 TEST(LoadPathSolver, AClearanceThatNoFitScalesIsAThirdParameter) {
@@ -153,8 +154,10 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   ASSERT_TRUE(solved);
   const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_FALSE(path.homogeneous);
-  EXPECT_FALSE(results::k_at_load_combination(path, path.tips.front(), 1, 1.0, 1.0).has_value());
-  EXPECT_TRUE(results::k_at_load_combination(path, path.tips.front(), 1, 0.5, 0.5).has_value());
+  EXPECT_FALSE(
+      results::k_at_load_combination(path, path.fronts.front().tip(), 1, 1.0, 1.0).has_value());
+  EXPECT_TRUE(
+      results::k_at_load_combination(path, path.fronts.front().tip(), 1, 0.5, 0.5).has_value());
   EXPECT_LT(path.mismatch, 1e-11);
   // contact spreads: pairs close, none opens
   EXPECT_FALSE(path.contacts.front().opening.has_value());
@@ -185,17 +188,18 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   ASSERT_TRUE(solved);
   const results::Increment& increment = solved->run.increments.front();
   const results::LoadPathResult& through = increment.paths[0];
-  const results::LoadPathTip& tip = through.tips.front();
+  const results::LoadPathFrontPoint& tip = through.fronts.front().tip();
   EXPECT_TRUE(through.stopped.empty()) << through.stopped;
   EXPECT_LT(through.mismatch, 1e-11);
-  EXPECT_NEAR(tip.K1(0.5), 0.0, 1e-9 * tip.K1.highest());
+  EXPECT_NEAR(tip.K[0](0.5), 0.0, 1e-9 * tip.K[0].highest());
   ASSERT_FALSE(through.notes.empty());
   EXPECT_NE(through.notes.front().text.find("at t = 0.5 nothing holds a body"), std::string::npos);
   // a pin that rests somewhere until it is loaded
   const results::LoadPathResult& up = increment.paths[1];
   EXPECT_TRUE(up.stopped.empty()) << up.stopped;
   EXPECT_LT(up.mismatch, 1e-11);
-  EXPECT_NEAR(up.tips[0].K1(0.125), increment.steps[3].tips[0].K1, 1e-11 * tip.K1.highest());
+  EXPECT_NEAR(up.fronts[0].tip().K[0](0.125), increment.steps[3].fronts[0].tip().K1,
+              1e-11 * tip.K[0].highest());
 }
 
 TEST(LoadPathSolver, ABodyThatComesLooseEndsThePath) {
@@ -259,7 +263,8 @@ TEST(LoadPathSolver, WithoutContactKIsOneLine) {
   const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_EQ(path.t.size(), 2U);
   EXPECT_LT(path.mismatch, 1e-11);
-  EXPECT_NEAR(path.tips[0].K1(2.5), 2.5 * solved->step(1).tips[0].K1, 1e-10 * path.tips[0].K1(2.5));
+  EXPECT_NEAR(path.fronts[0].tip().K[0](2.5), 2.5 * solved->step(1).fronts[0].tip().K1,
+              1e-10 * path.fronts[0].tip().K[0](2.5));
 }
 
 TEST(LoadPathSolver, ClosedCracksHaveNoK1) {

@@ -92,7 +92,7 @@ TEST(PartOfAPlate, ThatIsTheWholeIsTheWhole) {
   const auto whole =
       solve_text(hung_plate("QUAMC8", "x > 1", "$LOAD CASE=L TYPE=BODY\n  BODY 0 -5"));
   ASSERT_TRUE(part && whole);
-  EXPECT_EQ(part->step().tips[0].K1, whole->step().tips[0].K1);
+  EXPECT_EQ(part->step().fronts[0].tip().K1, whole->step().fronts[0].tip().K1);
 }
 
 // Two parts that make the whole: K adds up, as do the two shares of every element.
@@ -101,11 +101,11 @@ TEST(PartOfAPlate, AndItsRestMakeTheWhole) {
   const auto of = [&](const std::string& lines) {
     const auto solved = solve_text(hung_plate("QUAMC8", "x < 0.4 and abs(y) < 0.6",
                                               rest + "$LOAD CASE=L TYPE=BODY\n" + lines));
-    return solved ? solved->step().tips[0] : results::TipResult();
+    return solved ? solved->step().fronts[0].tip() : results::FrontPointResult();
   };
-  const results::TipResult one = of("  PART 3 -5\n");
-  const results::TipResult other = of("  REST 3 -5\n");
-  const results::TipResult all = of("  BODY 3 -5\n");
+  const results::FrontPointResult one = of("  PART 3 -5\n");
+  const results::FrontPointResult other = of("  REST 3 -5\n");
+  const results::FrontPointResult all = of("  BODY 3 -5\n");
   ASSERT_NE(all.K1, 0.0);
   EXPECT_NEAR(one.K1 + other.K1, all.K1, 1e-7 * std::abs(all.K1));
   EXPECT_NEAR(one.K2 + other.K2, all.K2, 1e-7 * std::abs(all.K1));
@@ -143,14 +143,14 @@ const std::string step_at = "max(0,{0}-x)/(abs(x-{0})+1e-12)";
 TEST(PressureFront, IsWhereItIs) {
   const auto K = [](const std::string& pressure) {
     const auto solved = solve_text(pressed_crack("NX=10 NY=40", pressure));
-    return solved ? solved->step().tips[0] : results::TipResult();
+    return solved ? solved->step().fronts[0].tip() : results::FrontPointResult();
   };
   // K of a front is the integral of a smooth weight function: that up to s by pieces of it.
   double sum = 0.0;
   double before = 0.0;
   for (const double s : {0.03, 0.0517, 0.1, 0.1711, 0.24, 0.2999, 0.3}) {
-    const results::TipResult upto = K(fmt::format(fmt::runtime(step_at), s));
-    const results::TipResult piece =
+    const results::FrontPointResult upto = K(fmt::format(fmt::runtime(step_at), s));
+    const results::FrontPointResult piece =
         K(fmt::format("min({0}, {1})", fmt::format(fmt::runtime(step_at), s),
                       fmt::format("max(0,x-{0})/(abs(x-{0})+1e-12)", before)));
     sum += piece.K1;
@@ -166,7 +166,7 @@ TEST(PressureFront, IsWhereItIs) {
 TEST(PressureFront, AThinSkinIsAForce) {
   const auto K = [](const std::string& pressure) {
     const auto solved = solve_text(pressed_crack("NX=10 NY=40", pressure));
-    return solved ? solved->step().tips[0].K1 : 0.0;
+    return solved ? solved->step().fronts[0].tip().K1 : 0.0;
   };
   const double one = K("exp(-x/0.0003)/0.0003");
   const double other = K("2/sqrt(pi)*exp(-(x/0.0002)^2)/0.0002");

@@ -62,13 +62,15 @@ TEST_P(ShortCracks, AreAnsweredWithinTheirBars) {
   ASSERT_TRUE(solved);
   const results::StepResult& press = solved->step(0);
   const results::StepResult& load = solved->step(1);
-  ASSERT_EQ(load.tips.size(), 2U);
+  ASSERT_EQ(load.fronts.size(), 2U);
   for (std::size_t tip : {0U, 1U}) {
     const double side = tip == 0 ? 1.0 : -1.0;
-    ASSERT_TRUE(load.tips[tip].no_bar.empty()) << load.tips[tip].no_bar;
-    EXPECT_NEAR(load.tips[tip].K1, 434.769, load.tips[tip].bar[0].size() + 5e-4 * 434.769);
-    EXPECT_NEAR(load.tips[tip].K2, side * -7.684, load.tips[tip].bar[1].size() + 0.05);
-    EXPECT_GT(press.tips[tip].K1, 0.0);
+    ASSERT_TRUE(load.fronts[tip].no_bar.empty()) << load.fronts[tip].no_bar;
+    EXPECT_NEAR(load.fronts[tip].tip().K1, 434.769,
+                load.fronts[tip].tip().bar[0].size() + 5e-4 * 434.769);
+    EXPECT_NEAR(load.fronts[tip].tip().K2, side * -7.684,
+                load.fronts[tip].tip().bar[1].size() + 0.05);
+    EXPECT_GT(press.fronts[tip].tip().K1, 0.0);
   }
 }
 

@@ -56,8 +56,8 @@ TEST(PatchJoins, LinearFieldsPassATiedRim) {
       worst = std::max(worst, (solved->u(n) - exact).norm());
     }
     EXPECT_LT(worst, 1e-12 * 2e-2);
-    for (const auto& tip : solved->step().tips) {
-      EXPECT_LT(std::hypot(tip.K1, tip.K2), 1e-9);
+    for (const auto& front : solved->step().fronts) {
+      EXPECT_LT(std::hypot(front.tip().K1, front.tip().K2), 1e-9);
     }
   }
 }
@@ -68,9 +68,9 @@ TEST(PatchJoins, KDoesNotDependOnTheJoin) {
     const auto tied = solve_text(plate(middle + transition, 0.0, 1.0, 1.0, n));
     ASSERT_TRUE(edge && tied);
     for (std::size_t t = 0; t < 2; ++t) {
-      const double K = edge->step().tips.at(t).K1;
+      const double K = edge->step().fronts.at(t).tip().K1;
       EXPECT_GT(K, std::sqrt(std::numbers::pi * 1.3));
-      EXPECT_NEAR(tied->step().tips.at(t).K1, K, 1e-3 * K);
+      EXPECT_NEAR(tied->step().fronts.at(t).tip().K1, K, 1e-3 * K);
     }
   }
 }
@@ -80,8 +80,8 @@ TEST(PatchJoins, KOfATiedPatchGoesWithTheRootOfTheUnit) {
   const auto thousand = solve_text(plate(middle + transition, 0.3, 1.0, 1000.0));
   ASSERT_TRUE(one && thousand);
   for (std::size_t t = 0; t < 2; ++t) {
-    const double K = one->step().tips.at(t).K1;
-    EXPECT_NEAR(thousand->step().tips.at(t).K1, K * std::sqrt(1000.0),
+    const double K = one->step().fronts.at(t).tip().K1;
+    EXPECT_NEAR(thousand->step().fronts.at(t).tip().K1, K * std::sqrt(1000.0),
                 1e-9 * K * std::sqrt(1000.0));
   }
 }
@@ -92,11 +92,11 @@ TEST(PatchJoins, MirroredCracksInOnePatchHaveOneK) {
                              "$CRACK NAME=D\n  0 (4.3*u)\n  (2*u) (4.5*u)\n";
   const auto solved = solve_text(plate(cracks, 0.0, 1.0));
   ASSERT_TRUE(solved);
-  const auto& tips = solved->step().tips;
-  ASSERT_EQ(tips.size(), 2U);
-  EXPECT_GT(tips[0].K1, 1.0);
-  EXPECT_NEAR(tips[0].K1, tips[1].K1, 5e-4 * tips[0].K1);
-  EXPECT_NEAR(tips[0].K2, -tips[1].K2, 5e-4 * tips[0].K1);
+  const auto& fronts = solved->step().fronts;
+  ASSERT_EQ(fronts.size(), 2U);
+  EXPECT_GT(fronts[0].tip().K1, 1.0);
+  EXPECT_NEAR(fronts[0].tip().K1, fronts[1].tip().K1, 5e-4 * fronts[0].tip().K1);
+  EXPECT_NEAR(fronts[0].tip().K2, -fronts[1].tip().K2, 5e-4 * fronts[0].tip().K1);
 }
 
 // Any number of threads, the same bits.
@@ -105,7 +105,7 @@ TEST(PatchJoins, ThreadsChangeNothing) {
   const auto one = solve_text(deck, 1);
   const auto four = solve_text(deck, 4);
   ASSERT_TRUE(one && four);
-  EXPECT_EQ(one->step().tips.at(0).K1, four->step().tips.at(0).K1);
+  EXPECT_EQ(one->step().fronts.at(0).tip().K1, four->step().fronts.at(0).tip().K1);
   EXPECT_EQ(one->step().u, four->step().u);
 }
 

@@ -20,10 +20,11 @@ using results::SensitivityParameter;
 using test::SolvedScene;
 
 using Pair = std::array<double, 2>;
+using Modes = std::array<double, 3>;
 
-const Sensitivity& find(const results::TipResult& tip, SensitivityParameter cause,
+const Sensitivity& find(const results::FrontResult& front, SensitivityParameter cause,
                         const std::string& name) {
-  for (const Sensitivity& s : tip.sensitivities.of) {
+  for (const Sensitivity& s : front.sensitivities.of) {
     if (s.cause == cause && s.name == name) {
       return s;
     }
@@ -39,7 +40,11 @@ base::Vec2 K_of(const std::string& deck, const SolvedScene::Changes& changes) {
     solved.solve(s);
   }
   const std::optional<results::StepResult> last = solved.found(steps - 1);
-  return last ? base::Vec2(last->tips[0].K1, last->tips[0].K2) : base::Vec2::Zero();
+  if (!last) {
+    return base::Vec2::Zero();
+  }
+  const results::FrontPointResult& tip = last->fronts[0].tip();
+  return {tip.K1, tip.K2};
 }
 
 // Central difference of both by a change of `by` [1 or -1] times h.
@@ -49,8 +54,8 @@ base::Vec2 difference(const std::string& deck, double h,
 }
 
 void expect_slope(const Sensitivity& s, const base::Vec2& wanted, double tolerance) {
-  ASSERT_TRUE(s.slope()) << s.name;
-  const base::Vec2 found((*s.slope())[0], (*s.slope())[1]);
+  ASSERT_TRUE(s.is_smooth()) << s.name;
+  const base::Vec2 found(s.below.at(0)[0], s.below.at(0)[1]);
   EXPECT_LT((found - wanted).norm(), tolerance * wanted.norm())
       << results::display_word(s.cause) << " " << s.name << ": " << found.transpose() << " against "
       << wanted.transpose();
@@ -73,8 +78,8 @@ void compare_with_differences(const std::string& deck, double h) {
     last = solved.found(s);
     ASSERT_TRUE(last);
   }
-  const results::TipResult& tip = last->tips[0];
-  for (const Sensitivity& s : tip.sensitivities.of) {
+  const results::FrontResult& front = last->fronts[0];
+  for (const Sensitivity& s : front.sensitivities.of) {
     if (s.value == 0.0) {
       continue;
     }
@@ -175,25 +180,25 @@ TEST(Sensitivity, AddsUp) {
     for (const std::size_t step : {0U, 1U}) {
       const std::optional<results::StepResult> found = solved.found(step);
       ASSERT_TRUE(found);
-      const results::TipResult& tip = found->tips[0];
+      const results::FrontResult& front = found->fronts[0];
       Pair loads{0.0, 0.0};
       Pair fits{0.0, 0.0};
       Pair moduli{0.0, 0.0};
-      for (const Sensitivity& s : tip.sensitivities.of) {
-        ASSERT_TRUE(s.slope());
+      for (const Sensitivity& s : front.sensitivities.of) {
+        ASSERT_TRUE(s.is_smooth());
         for (const std::size_t k : {0U, 1U}) {
-          const double part = s.value * (*s.slope())[k];
+          const double part = s.value * s.below.at(0)[k];
           loads[k] += s.cause == SensitivityParameter::load ? part : 0.0;
           fits[k] += s.cause == SensitivityParameter::fit ? part : 0.0;
           moduli[k] += s.cause == SensitivityParameter::modulus ? part : 0.0;
         }
       }
-      const Pair K{tip.K1, tip.K2};
+      const Pair K{front.tip().K1, front.tip().K2};
       for (const std::size_t k : {0U, 1U}) {
-        EXPECT_NEAR(loads[k] + fits[k], K[k], 1e-11 * std::abs(tip.K1));
-        EXPECT_NEAR(moduli[k], fits[k], 1e-10 * std::abs(tip.K1));
+        EXPECT_NEAR(loads[k] + fits[k], K[k], 1e-11 * std::abs(front.tip().K1));
+        EXPECT_NEAR(moduli[k], fits[k], 1e-10 * std::abs(front.tip().K1));
       }
-      EXPECT_GT(std::abs(fits[0]), 0.01 * tip.K1);
+      EXPECT_GT(std::abs(fits[0]), 0.01 * front.tip().K1);
     }
   }
 }
@@ -206,7 +211,7 @@ void compare_with_moved_nodes(const std::string& deck) {
     last = solved.found(s);
     ASSERT_TRUE(last);
   }
-  const results::TipResult& tip = last->tips[0];
+  const results::FrontResult& front = last->fronts[0];
   std::vector<int> left_out;
   const int wide = solved.scene().tips[0].fields.back().rings + 1;
   const estimate::TipMotion motion =
@@ -226,7 +231,7 @@ void compare_with_moved_nodes(const std::string& deck) {
         }};
   };
   const base::Vec2 wanted = difference(deck, 10.0, moved) / motion.step; // ten steps of the motion
-  expect_slope(find(tip, SensitivityParameter::length, "C"), wanted, 1e-5);
+  expect_slope(find(front, SensitivityParameter::length, "C"), wanted, 1e-5);
 }
 
 TEST(Sensitivity, ByLengthIsThatOfTheMovedMesh) {
@@ -241,7 +246,10 @@ TEST(Sensitivity, ByLengthAgreesWithNewPatches) {
     for (std::size_t s = 0; s < solved.model().steps.size(); ++s) {
       last = solved.found(s);
     }
-    return (*find(last->tips[0], SensitivityParameter::length, last->tips[0].name).slope())[0];
+    const results::FrontResult& front = last->fronts[0];
+    const Sensitivity& slope = find(front, SensitivityParameter::length, front.name);
+    EXPECT_TRUE(slope.is_smooth());
+    return slope.below.at(0)[0];
   };
   const double da = 0.2;
   const double wanted = (K_of(strip(7.0 + da), {})[0] - K_of(strip(7.0 - da), {})[0]) / (2.0 * da);
@@ -261,7 +269,7 @@ TEST(Sensitivity, WithDisplacementsAndWeightAgreesWithDifferences) {
   SolvedScene solved(deck);
   const std::optional<results::StepResult> last = solved.found(0);
   ASSERT_TRUE(last);
-  const results::TipResult& tip = last->tips[0];
+  const results::FrontResult& front = last->fronts[0];
   for (const std::size_t a : {0U, 1U, 2U}) {
     const auto& action = std::get<model::ApplyLoad>(solved.model().steps[0].actions[a]);
     const base::Vec2 wanted = difference(deck, 1e-3, [a](double by) {
@@ -270,14 +278,14 @@ TEST(Sensitivity, WithDisplacementsAndWeightAgreesWithDifferences) {
                                   },
                                   {}};
     });
-    expect_slope(
-        find(tip, SensitivityParameter::load, solved.model().cases[action.load_case.index()].name),
-        wanted, 1e-9);
+    expect_slope(find(front, SensitivityParameter::load,
+                      solved.model().cases[action.load_case.index()].name),
+                 wanted, 1e-9);
   }
   const base::Vec2 wanted = difference(deck, 1e-4, [](double by) {
     return SolvedScene::Changes{[by](model::Model& m) { m.materials[0].E *= 1.0 + by; }, {}};
   });
-  expect_slope(find(tip, SensitivityParameter::modulus, "M"), wanted / 70000.0, 1e-6);
+  expect_slope(find(front, SensitivityParameter::modulus, "M"), wanted / 70000.0, 1e-6);
 }
 
 // A load path knows all breakpoints: between two of them they are the range, on one of them the
@@ -297,23 +305,23 @@ $LOADPATH NAME=UP FROM=PRESS TO=PULLED
     SolvedScene solved(rings(fmt::format("$STEP NAME=P\n  FIT FIT 1\n  LOAD PULL {:.17g}\n", t)));
     std::optional<results::StepResult> found = solved.found(0);
     EXPECT_TRUE(found);
-    return find(found->tips[0], SensitivityParameter::load, "PULL");
+    return find(found->fronts[0], SensitivityParameter::load, "PULL");
   };
-  const base::PiecewiseLinear& K1 = path.tips[0].K1;
-  const base::PiecewiseLinear& K2 = path.tips[0].K2;
+  const base::PiecewiseLinear& K1 = path.fronts[0].tip().K[0];
+  const base::PiecewiseLinear& K2 = path.fronts[0].tip().K[1];
   const double size = std::abs(K1.slope(k));
   const Sensitivity inside = at(0.5 * (path.t[k] + path.t[k + 1]));
-  ASSERT_TRUE(inside.slope() && inside.range);
-  EXPECT_NEAR((*inside.slope())[0], K1.slope(k), 1e-9 * size);
-  EXPECT_NEAR((*inside.slope())[1], K2.slope(k), 1e-9 * size);
+  ASSERT_TRUE(inside.is_smooth() && inside.range);
+  EXPECT_NEAR(inside.below.at(0)[0], K1.slope(k), 1e-9 * size);
+  EXPECT_NEAR(inside.below.at(0)[1], K2.slope(k), 1e-9 * size);
   EXPECT_NEAR((*inside.range)[0], path.t[k], 1e-9);
   EXPECT_NEAR((*inside.range)[1], path.t[k + 1], 1e-9);
   const Sensitivity corner = at(path.t[k]);
-  ASSERT_TRUE(corner.below && corner.above && corner.range);
-  EXPECT_FALSE(corner.slope());
+  ASSERT_TRUE(!corner.below.empty() && !corner.above.empty() && corner.range);
+  EXPECT_FALSE(corner.is_smooth());
   EXPECT_GT(std::abs(K1.slope(k) - K1.slope(k - 1)), 1e-5 * size); // it is a corner
-  EXPECT_NEAR((*corner.below)[0], K1.slope(k - 1), 1e-9 * size);
-  EXPECT_NEAR((*corner.above)[0], K1.slope(k), 1e-9 * size);
+  EXPECT_NEAR(corner.below[0][0], K1.slope(k - 1), 1e-9 * size);
+  EXPECT_NEAR(corner.above[0][0], K1.slope(k), 1e-9 * size);
   EXPECT_NEAR((*corner.range)[0], path.t[k - 1], 1e-7);
   EXPECT_NEAR((*corner.range)[1], path.t[k + 1], 1e-7);
 }
@@ -372,11 +380,11 @@ $END
                                    temperature));
     const std::optional<results::StepResult> found = solved.found(0);
     EXPECT_TRUE(found);
-    return found->tips[0].sensitivities;
+    return found->fronts[0].sensitivities;
   };
-  const auto given = [](const results::TipSensitivityResults& all) {
+  const auto given = [](const results::SensitivityResults& all) {
     return std::ranges::any_of(all.of, [](const Sensitivity& s) {
-      return s.cause == SensitivityParameter::length && s.slope().has_value();
+      return s.cause == SensitivityParameter::length && s.is_smooth();
     });
   };
   const auto singular = by_length("100*sqrt(sqrt((x-0.5)^2+y^2))");
@@ -394,13 +402,13 @@ TEST(Sensitivity, OfANetFitBeforeItIsLoaded) {
   SolvedScene solved(deck);
   const std::optional<results::StepResult> none = solved.found(0);
   ASSERT_TRUE(none);
-  const Sensitivity& pull = find(none->tips[0], SensitivityParameter::load, "PULL");
-  ASSERT_TRUE(pull.below && pull.above);
+  const Sensitivity& pull = find(none->fronts[0], SensitivityParameter::load, "PULL");
+  ASSERT_TRUE(!pull.below.empty() && !pull.above.empty());
   for (const double sign : {1.0, -1.0}) {
     std::string loaded = deck;
     loaded.replace(loaded.find("LOAD PULL 0"), 11, fmt::format("LOAD PULL {}", sign));
     const base::Vec2 K = K_of(loaded, {}); // a net fit: proportional to the load
-    const Pair& side = sign > 0.0 ? *pull.above : *pull.below;
+    const Modes& side = sign > 0.0 ? pull.above[0] : pull.below[0];
     EXPECT_NEAR(sign * side[0], K[0], 1e-9 * K.norm());
     EXPECT_NEAR(sign * side[1], K[1], 1e-9 * K.norm());
   }

@@ -250,7 +250,7 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
       EXPECT_NEAR(found.points[i].K3, place.K3, 1e-6) << s << " point " << i;
       EXPECT_EQ(place.bar[0].size() == 0.0, place.closed) << s << " point " << i;
       EXPECT_EQ(place.bar[0].best == 0.0, place.closed);
-      for (const results::FrontSensitivity& cause : own.sensitivities.of) {
+      for (const results::Sensitivity& cause : own.sensitivities.of) {
         EXPECT_TRUE(!place.closed || cause.below[i][0] == 0.0) << cause.name;
         EXPECT_TRUE(place.closed || place.at_surface || cause.name != "UP" ||
                     cause.below[i][0] > 0.0);

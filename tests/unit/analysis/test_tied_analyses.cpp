@@ -69,11 +69,11 @@ TEST(TiedAnalyses, CrackInOneOfThreeNets) {
   for (std::size_t i = 0; i < 3; ++i) {
     const results::StepResult& a = whole->run.increments[i].steps.at(0);
     const results::StepResult& b = pieces->run.increments[i].steps.at(0);
-    ASSERT_EQ(a.tips.size(), 1U);
-    ASSERT_EQ(b.tips.size(), 1U);
-    EXPECT_GT(a.tips[0].K1, 0.0);
-    EXPECT_NEAR(b.tips[0].K1, a.tips[0].K1, 1e-10 * a.tips[0].K1);
-    EXPECT_NEAR(b.tips[0].K2, a.tips[0].K2, 1e-10 * a.tips[0].K1);
+    ASSERT_EQ(a.fronts.size(), 1U);
+    ASSERT_EQ(b.fronts.size(), 1U);
+    EXPECT_GT(a.fronts[0].tip().K1, 0.0);
+    EXPECT_NEAR(b.fronts[0].tip().K1, a.fronts[0].tip().K1, 1e-10 * a.fronts[0].tip().K1);
+    EXPECT_NEAR(b.fronts[0].tip().K2, a.fronts[0].tip().K2, 1e-10 * a.fronts[0].tip().K1);
     EXPECT_NEAR(b.energy, a.energy, 1e-10 * a.energy);
   }
 }

@@ -15,14 +15,14 @@ using test::run_text;
 using test::solve_text;
 using test::Solved;
 
-const results::TipResult& tip(const Solved& solved, const std::string& step,
-                              const std::string& name) {
+const results::FrontPointResult& tip(const Solved& solved, const std::string& step,
+                                     const std::string& name) {
   const results::StepResult* s = results::find_step(solved.run.increments.front(), step);
-  const results::TipResult* found = s == nullptr ? nullptr : results::find_tip(*s, name);
+  const results::FrontResult* found = s == nullptr ? nullptr : results::find_front(*s, name);
   if (found == nullptr) {
     throw std::runtime_error("no tip " + name);
   }
-  return *found;
+  return found->tip();
 }
 
 // A round plate with an oblique crack in it, turned by an angle, in other units; l and f are the
@@ -77,8 +77,8 @@ TEST(TipLoads, KAndTDoNotDependOnUnitsAndTurns) {
   const double p = 1e3; // MPa in kN/m^2
   for (const char* step : {"A", "B", "C", "D"}) {
     for (const char* name : {"C.1", "C.2"}) {
-      const results::TipResult& one = tip(*plain, step, name);
-      const results::TipResult& other = tip(*turned, step, name);
+      const results::FrontPointResult& one = tip(*plain, step, name);
+      const results::FrontPointResult& other = tip(*turned, step, name);
       const double K = std::hypot(one.K1, one.K2);
       EXPECT_NEAR(other.K1 / (p * std::sqrt(1e-3)), one.K1, 1e-9 * K);
       EXPECT_NEAR(other.K2 / (p * std::sqrt(1e-3)), one.K2, 1e-9 * K);
@@ -134,8 +134,8 @@ $END
     const double cy = 2.0 / std::sqrt(13.0);
     const double along = 100.0 * cx * cx + 60.0 * cy * cy + 60.0 * cx * cy;
     for (const char* name : {"C.1", "C.2"}) {
-      const results::TipResult& round = tip(*solved, "ROUND", name);
-      const results::TipResult& crack_faces = tip(*solved, "LIPS", name);
+      const results::FrontPointResult& round = tip(*solved, "ROUND", name);
+      const results::FrontPointResult& crack_faces = tip(*solved, "LIPS", name);
       EXPECT_GT(round.K1, 50.0);
       EXPECT_NEAR(crack_faces.K1, round.K1, 1e-7 * round.K1); // quadrature of the near-tip fields
       EXPECT_NEAR(crack_faces.K2, round.K2, 1e-7 * round.K1);
@@ -184,11 +184,12 @@ $LOAD CASE=PULL TYPE=RESULTANT
   const results::LoadPathResult* path = results::find_path(solved->run.increments.front(), "UP");
   ASSERT_NE(path, nullptr);
   ASSERT_TRUE(path->stopped.empty());
-  const double largest = std::max(path->tips[0].K1.highest(), -path->tips[0].K1.lowest());
+  const double largest =
+      std::max(path->fronts[0].tip().K[0].highest(), -path->fronts[0].tip().K[0].lowest());
   for (int k = 0; k <= 4; ++k) {
-    const results::TipResult& point = tip(*solved, fmt::format("S{}", k), "C");
-    EXPECT_NEAR(path->tips[0].K1(0.25 * k), point.K1, 1e-11 * largest) << k;
-    EXPECT_NEAR(path->tips[0].K2(0.25 * k), point.K2, 1e-11 * largest) << k;
+    const results::FrontPointResult& point = tip(*solved, fmt::format("S{}", k), "C");
+    EXPECT_NEAR(path->fronts[0].tip().K[0](0.25 * k), point.K1, 1e-11 * largest) << k;
+    EXPECT_NEAR(path->fronts[0].tip().K[1](0.25 * k), point.K2, 1e-11 * largest) << k;
   }
 }
 
@@ -252,7 +253,7 @@ TEST(TipLoads, DomainsKeepClearOfForcesButNotOfRimsOfHeat) {
       solve_text(half(own + "$ESET NAME=HOT WHERE=(x > 7)\n$LOAD CASE=L TYPE=TEMPERATURE\n"
                             "  HOT 10\n"));
   ASSERT_TRUE(heated);
-  const results::TipResult& warm = tip(*heated, "S", "C");
+  const results::FrontPointResult& warm = tip(*heated, "S", "C");
   ASSERT_EQ(warm.K1_domain.size(), 3U);
   EXPECT_LT(warm.spread, 2e-3);
   EXPECT_NEAR(warm.G, warm.G_from_K, 0.01 * warm.G_from_K);
@@ -265,10 +266,10 @@ TEST(TipLoads, DomainsKeepClearOfForcesButNotOfRimsOfHeat) {
 TEST(TipLoads, OpeningComesNearK) {
   const auto solved = solve_text(half("$VCE CRACK=C CHECK=OPENING\n"));
   ASSERT_TRUE(solved);
-  const results::TipResult& found = tip(*solved, "S", "C");
-  ASSERT_TRUE(found.K_opening.has_value());
-  EXPECT_NEAR((*found.K_opening)[0], found.K1, 0.02 * found.K1);
-  EXPECT_NE((*found.K_opening)[0], found.K1);
+  const results::FrontPointResult& found = tip(*solved, "S", "C");
+  ASSERT_TRUE(found.opening.has_value());
+  EXPECT_NEAR((*found.opening)[0], found.K1, 0.02 * found.K1);
+  EXPECT_NE((*found.opening)[0], found.K1);
 }
 
 } // namespace

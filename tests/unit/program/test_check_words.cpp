@@ -4,8 +4,8 @@
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "results/contact_result.hpp"
+#include "results/k_quantities.hpp"
 #include "results/results.hpp"
-#include "results/tip_result.hpp"
 
 #include <string>
 #include <utility>
@@ -33,14 +33,28 @@ void expect_in_catalogue(const std::string& word, const Quantity& q, std::string
 }
 
 TEST(CheckWords, OfTipsAndContactsSayTheSameInTheCatalogue) {
-  for (const results::TipQuantity& q : results::tip_quantities) {
-    if (q.appears_in(results::in_check)) {
+  for (const results::KQuantity& q : results::k_quantities) {
+    if (q.appears_in(results::in_check, 2)) {
       expect_in_catalogue(q.check_word(), q, "cs?aa");
     }
   }
   for (const results::ContactQuantity& q : results::contact_quantities) {
     if (!q.check.empty()) {
       expect_in_catalogue(std::string(q.check), q, "ps?a");
+    }
+  }
+}
+
+// What is checked of fronts in space has its places in the catalogue, and nothing else has.
+TEST(CheckWords, OfFrontsAreInTheCatalogueByTheirPlaces) {
+  for (const results::KQuantity& q : results::k_quantities) {
+    for (const char* place : {".AT", ".PHI", ".MIN", ".MAX"}) {
+      const std::string word = q.check_word() + place;
+      const grammar::ResultQuantity* const listed = grammar::find_quantity(word);
+      ASSERT_EQ(listed != nullptr, q.appears_in(results::in_check, 3)) << word;
+      if (listed != nullptr) {
+        EXPECT_EQ(listed->quantity, q.kind) << word;
+      }
     }
   }
 }
@@ -61,7 +75,7 @@ TEST(CheckWords, DerivativesByAnAxisAreOfTheCrackThatIsNamed) {
       point.s = x;
     }
     for (const auto& [cause, slope] : {std::pair("C1", 10.0), std::pair("C2", 20.0)}) {
-      results::FrontSensitivity& by = front.sensitivities.of.emplace_back();
+      results::Sensitivity& by = front.sensitivities.of.emplace_back();
       by.cause = results::SensitivityParameter::length;
       by.name = cause;
       by.value = 2.0;

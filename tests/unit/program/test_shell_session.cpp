@@ -26,7 +26,8 @@ base::Vec2 k_of_run(const std::string& deck) {
   if (!solved) {
     return base::Vec2::Zero();
   }
-  const results::TipResult& tip = solved->run.increments.back().steps.back().tips.front();
+  const results::FrontPointResult& tip =
+      solved->run.increments.back().steps.back().fronts.front().tip();
   return {tip.K1, tip.K2};
 }
 
@@ -105,12 +106,12 @@ TEST(ShellSession, LengthOfAGrowthRunToTheBit) {
   ASSERT_TRUE(run);
   const ShellOnText shell(deck);
   for (const int i : {0, 2, 1, 0}) {
-    const results::TipResult& wanted =
-        run->run.increments[static_cast<std::size_t>(i)].steps.back().tips.front();
+    const results::FrontResult& wanted =
+        run->run.increments[static_cast<std::size_t>(i)].steps.back().fronts.front();
     good(shell->set_crack_length("C", wanted.a));
     good(shell->go_to_step("PULLED"));
-    EXPECT_EQ(shell.K1(), wanted.K1) << wanted.a;
-    EXPECT_EQ(shell.K2(), wanted.K2) << wanted.a;
+    EXPECT_EQ(shell.K1(), wanted.tip().K1) << wanted.a;
+    EXPECT_EQ(shell.K2(), wanted.tip().K2) << wanted.a;
   }
 }
 
@@ -123,7 +124,7 @@ TEST(ShellSession, ChangesStayAcrossLengths) {
   good(shell->go_to_step("PRESS"));
   const std::optional<Solved> run = solve_text(cracked_hub("A0=6"));
   ASSERT_TRUE(run);
-  EXPECT_NEAR(shell.K1(), run->step(0).tips.front().K1, 1e-10 * shell.K1());
+  EXPECT_NEAR(shell.K1(), run->step(0).fronts.front().tip().K1, 1e-10 * shell.K1());
 }
 
 TEST(ShellSession, InterferenceAndParameterAreThoseOfARun) {
@@ -174,7 +175,9 @@ TEST(ShellSession, MapAgreesWithSolutions) {
   for (const double t : {0.0, 0.21, 0.5, 0.83, 1.0}) {
     good(shell->set_load_factor("PULL", 6.0 * t));
     good(shell->solve());
-    EXPECT_NEAR(path.tips.front().K1(t), shell.K1(), 1e-9 * path.tips.front().K1.highest()) << t;
+    EXPECT_NEAR(path.fronts.front().tip().K[0](t), shell.K1(),
+                1e-9 * path.fronts.front().tip().K[0].highest())
+        << t;
   }
   EXPECT_EQ(shell->last_mapped_path(), nullptr); // of another state
 }
@@ -191,7 +194,7 @@ TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
   double value = 0.0;
   check.arguments = {std::string("C"), std::string("PRESS")};
   good(shell->evaluate(check, value));
-  EXPECT_NEAR(value, run->step(0).tips.front().K1, 1e-10 * value);
+  EXPECT_NEAR(value, run->step(0).fronts.front().tip().K1, 1e-10 * value);
   check.arguments = {std::string("C"), std::string("NOW")};
   good(shell->evaluate(check, value));
   EXPECT_EQ(value, shell.K1()); // what was pending is solved
@@ -211,10 +214,10 @@ TEST(ShellSession, ErrorBarsAreThoseOfARun) {
   good(shell->estimate_accuracy());
   good(shell->go_to_step("PULLED"));
   good(shell->estimate_accuracy());
-  const results::TipResult& wanted = run->step(1).tips.front();
-  const results::TipResult& found = shell->current_result().tips.front();
+  const results::FrontResult& wanted = run->step(1).fronts.front();
+  const results::FrontResult& found = shell->current_result().fronts.front();
   ASSERT_EQ(found.no_bar, wanted.no_bar);
-  EXPECT_NEAR(found.bar[0].size(), wanted.bar[0].size(), 1e-8 * wanted.K1);
+  EXPECT_NEAR(found.tip().bar[0].size(), wanted.tip().bar[0].size(), 1e-8 * wanted.tip().K1);
   ASSERT_EQ(found.sensitivities.of.size(), wanted.sensitivities.of.size());
 }
 
@@ -406,9 +409,9 @@ TEST(ShellSave, NamesAMountThatNoStepNamed) {
   const std::optional<Solved> before = solve_text(held_hub());
   const std::optional<Solved> after = solve_text(text);
   ASSERT_TRUE(before && after);
-  const double pressed = before->step(0).tips.front().K1;
+  const double pressed = before->step(0).fronts.front().tip().K1;
   EXPECT_GT(std::abs(pressed), 0.0);
-  EXPECT_NEAR(after->step(0).tips.front().K1, pressed, 1e-12 * std::abs(pressed));
+  EXPECT_NEAR(after->step(0).fronts.front().tip().K1, pressed, 1e-12 * std::abs(pressed));
 }
 
 // A fit that no step names is 1 from the beginning and stays so in the earlier steps.
@@ -423,8 +426,8 @@ TEST(ShellSave, NamesAFitThatNoStepNamed) {
   const std::optional<Solved> before = solve_text(deck);
   const std::optional<Solved> after = solve_text(text);
   ASSERT_TRUE(before && after);
-  EXPECT_NEAR(after->step(0).tips.front().K1, before->step(0).tips.front().K1,
-              1e-10 * before->step(0).tips.front().K1);
+  EXPECT_NEAR(after->step(0).fronts.front().tip().K1, before->step(0).fronts.front().tip().K1,
+              1e-10 * before->step(0).fronts.front().tip().K1);
 }
 
 TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {

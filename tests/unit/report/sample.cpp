@@ -193,11 +193,13 @@ results::StepResult make_step(const model::Mesh& mesh, const std::string& name, 
       s *= factor;
     }
   }
-  results::TipResult tip;
-  tip.name = "C1";
-  tip.a = a;
+  results::FrontResult front;
+  front.name = "C1";
+  front.a = a;
+  results::FrontPointResult& tip = front.points.emplace_back();
   tip.K1 = factor * k1(a);
   tip.K2 = -0.05 * tip.K1;
+  tip.smooth = {tip.K1, tip.K2, 0.0};
   tip.G = (tip.K1 * tip.K1 + tip.K2 * tip.K2) / youngs;
   tip.G_from_K = tip.G;
   tip.spread = 1e-4;
@@ -205,7 +207,7 @@ results::StepResult make_step(const model::Mesh& mesh, const std::string& name, 
   tip.x = {0.0, bore + a, 0.0};
   tip.direction = base::Vec3::UnitY();
   if (factor > 0.0) { // no load, no bar
-    tip.no_bar.clear();
+    front.no_bar.clear();
     for (std::size_t k = 0; k < 2; ++k) {
       const double K = k == 0 ? tip.K1 : tip.K2;
       const double eta = 1e-3 * K;
@@ -221,7 +223,7 @@ results::StepResult make_step(const model::Mesh& mesh, const std::string& name, 
                                         eta / static_cast<double>(mesh.element_count()))};
     }
   }
-  step.tips = {tip};
+  step.fronts = {front};
   step.contacts = {make_contact(mesh, factor, a)};
   step.contacts.front().mounted = factor > 0.0;
   step.balance = {{"SLEEVE", {97100.0 * factor, 0, 0}, {0, 0, 0}, {-97100.0 * factor, 1e-9, 0}}};

@@ -19,7 +19,7 @@ results::FrontResult arc(double from, double to, int points) {
     const double w = to + (from - to) * i / (points - 1);
     results::FrontPointResult place;
     place.x = base::Vec3(std::cos(w), std::sin(w), 0.0);
-    place.growth = place.x;
+    place.direction = place.x;
     front.points.push_back(place);
   }
   return front;

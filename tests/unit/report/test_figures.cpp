@@ -100,7 +100,7 @@ TEST(KFigure, NeedsTwoLengths) {
 TEST(KFigure, NamesCurvesThatCoincideOnce) {
   test::Sample sample = test::make_sample();
   for (results::Increment& increment : sample.run.increments) {
-    increment.steps[2].tips = increment.steps[0].tips; // UNLOAD ends where PRESS did
+    increment.steps[2].fronts = increment.steps[0].fronts; // UNLOAD ends where PRESS did
   }
   const std::string drawing = k_figure(sample.model, sample.run)->drawings.front();
   EXPECT_NE(drawing.find(">PRESS, UNLOAD<"), std::string::npos);

@@ -38,14 +38,15 @@ TEST(KBars, AreListedForTipsThatHaveThem) {
   results::Increment increment;
   results::StepResult step;
   step.step = "LOAD";
-  results::TipResult tip;
-  tip.name = "C.1";
-  step.tips.push_back(tip); // not estimated
-  tip.name = "C";
-  tip.no_bar.clear();
+  results::FrontResult front;
+  front.name = "C.1";
+  results::FrontPointResult& tip = front.points.emplace_back();
+  step.fronts.push_back(front); // not estimated
+  front.name = "C";
+  front.no_bar.clear();
   tip.K1 = 10.0;
-  tip.bar = {bar_of(0.1, 0.0, 0.01, 10.05), bar_of(0.0, 0.0, 0.01, 0.0)};
-  step.tips.push_back(tip);
+  tip.bar = {bar_of(0.1, 0.0, 0.01, 10.05), bar_of(0.0, 0.0, 0.01, 0.0), {}};
+  step.fronts.push_back(front);
   increment.steps.push_back(step);
   EXPECT_EQ(report::k_bar_lines(increment),
             "  LOAD  C    K1 = 10.00 +- 0.11 (mesh 0.10, contact edge 0.00, floor 0.01); best "

@@ -87,7 +87,7 @@ TEST(KSection, OfManyLengthsShowsTheLeadingStepAndNamesTheOthers) {
 TEST(KSection, ShowsRoundOffAsZero) {
   test::Sample sample = test::make_sample();
   sample.run.increments.resize(1);
-  results::TipResult& tip = sample.run.increments[0].steps[2].tips[0];
+  results::FrontPointResult& tip = sample.run.increments[0].steps[2].fronts[0].tip();
   tip.K1 = 1e-12;
   tip.G = tip.G_from_K = 1e-30;
   const std::vector<std::string> row = k_section(sample.model, sample.run).tables[0].rows[2];
@@ -100,13 +100,13 @@ TEST(MissingBars, AreGroupedByTheirReason) {
   const std::vector<std::string> both{"PRESS", "LOAD"};
   EXPECT_TRUE(missing_bars(sample.run, both).empty());
   for (results::StepResult& step : sample.run.increments[1].steps) {
-    step.tips[0].no_bar = "it is too hot";
+    step.fronts[0].no_bar = "it is too hot";
   }
   std::vector<std::string> words = missing_bars(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
   EXPECT_EQ(words[0], "No error bar for increment 2: it is too hot.");
   for (results::StepResult& step : sample.run.increments[0].steps) {
-    step.tips[0].no_bar = "it is too hot";
+    step.fronts[0].no_bar = "it is too hot";
   }
   words = missing_bars(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
@@ -125,9 +125,9 @@ TEST(HtmlPage, NamesTheLengthsOfItsForces) {
   test::Sample sample = test::make_sample();
   EXPECT_TRUE(contains(page_of(sample), "At the last length, a = 18 mm."));
   results::StepResult& last = sample.run.increments.back().steps.back();
-  last.tips.push_back(last.tips.front());
-  last.tips.back().name = "C2";
-  last.tips.back().a = 2.0;
+  last.fronts.push_back(last.fronts.front());
+  last.fronts.back().name = "C2";
+  last.fronts.back().a = 2.0;
   EXPECT_TRUE(contains(page_of(sample), "C1: a = 18 mm, C2: a = 2 mm."));
 }
 
@@ -274,7 +274,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   failed.error = "it is singular";
   sweep.points.push_back(failed);
   const std::string page = sweep_page(sample.sources, sample.model, sweep);
-  const results::TipResult& tip = sample.run.increments[0].steps[1].tips[0];
+  const results::FrontPointResult& tip = sample.run.increments[0].steps[1].fronts[0].tip();
   EXPECT_TRUE(contains(page, "At the end of step LOAD"));
   EXPECT_TRUE(contains(page, "3 of 4 passed"));
   EXPECT_TRUE(

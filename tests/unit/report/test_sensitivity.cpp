@@ -23,17 +23,17 @@ test::Sample with_sensitivities() {
   for (results::Increment& increment : sample.run.increments) {
     const auto step =
         std::ranges::find(increment.steps, leading_step(sample.model), &results::StepResult::step);
-    results::TipResult& tip = step->tips.front();
-    tip.K1 = 500.0;
+    results::FrontResult& front = step->fronts.front();
+    front.tip().K1 = 500.0;
     Sensitivity weak{
-        SensitivityParameter::modulus, "AL", 70000.0, {{{1e-3, 0.0}}}, {{{1e-3, 0.0}}}, {}};
+        SensitivityParameter::modulus, "AL", 70000.0, {{1e-3, 0.0, 0.0}}, {{1e-3, 0.0, 0.0}}, {}};
     constexpr double never = std::numeric_limits<double>::infinity();
-    Sensitivity load{SensitivityParameter::load, "F",           2.0, {{{250.0, 5.0}}},
-                     {{{250.0, 5.0}}},           {{1.5, never}}};
-    Sensitivity corner{SensitivityParameter::fit, "BUSH",  0.0, {{{-1000.0, 7.0}}},
-                       {{{-2000.0, 8.0}}},        {{0, 0}}};
-    tip.sensitivities.of = {weak, load, corner};
-    tip.sensitivities.notes = {"no length"};
+    Sensitivity load{SensitivityParameter::load, "F",           2.0, {{250.0, 5.0, 0.0}},
+                     {{250.0, 5.0, 0.0}},        {{1.5, never}}};
+    Sensitivity corner{SensitivityParameter::fit, "BUSH",  0.0, {{-1000.0, 7.0, 0.0}},
+                       {{-2000.0, 8.0, 0.0}},     {{0, 0}}};
+    front.sensitivities.of = {weak, load, corner};
+    front.sensitivities.notes = {"no length"};
   }
   return sample;
 }

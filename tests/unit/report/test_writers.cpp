@@ -64,13 +64,15 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
   std::size_t row = 2;
   for (const results::Increment& increment : sample.run.increments) {
     for (const results::StepResult& step : increment.steps) {
-      const results::TipResult& tip = step.tips.front();
+      const results::FrontResult& front = step.fronts.front();
+      ASSERT_TRUE(front.is_tip());
+      const results::FrontPointResult& tip = front.tip();
       const auto& cells = rows[row++];
-      ASSERT_GE(cells.size(), tip.no_bar.empty() ? names.size() : names.size() - 1); // ends empty
+      ASSERT_GE(cells.size(), front.no_bar.empty() ? names.size() : names.size() - 1); // ends empty
       EXPECT_EQ(cells[0], std::to_string(increment.number));
       EXPECT_EQ(cells[1], step.step);
-      EXPECT_EQ(cells[2], tip.name);
-      EXPECT_EQ(number(cells[3]), tip.a);
+      EXPECT_EQ(cells[2], front.name);
+      EXPECT_EQ(number(cells[3]), front.a);
       EXPECT_EQ(number(cells[4]), tip.K1);
       EXPECT_EQ(number(cells[5]), tip.K2);
       EXPECT_EQ(number(cells[6]), tip.G);
@@ -78,7 +80,7 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
       EXPECT_EQ(number(cells[8]), tip.T);
       for (std::size_t k = 0; k < 2; ++k) {
         const std::size_t at = 9 + 5 * k;
-        if (!tip.no_bar.empty()) {
+        if (!front.no_bar.empty()) {
           EXPECT_EQ(cells[at] + cells[at + 3], "");
           continue;
         }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual describes the columns that there are, in their order, and says where else they stand.
 #include "results/contact_result.hpp"
-#include "results/front_result.hpp"
-#include "results/tip_result.hpp"
+#include "results/k_quantities.hpp"
 #include "tests/places.hpp"
 
 #include <algorithm>
@@ -95,8 +94,9 @@ template <class Quantities> const auto* find_by_name(const Quantities& all, std:
 }
 
 // Every row says the places of its columns; "as K1" is left to a test of its own.
-template <class Quantities>
-void expect_places(const std::vector<ManualRow>& rows, const Quantities& all, unsigned own,
+template <class Quantities, class Places>
+void expect_places(const std::vector<ManualRow>& rows, const Quantities& all,
+                   const Places& places_of, unsigned own,
                    const std::map<std::string, unsigned>& words) {
   for (const ManualRow& row : rows) {
     unsigned places = own;
@@ -108,22 +108,27 @@ void expect_places(const std::vector<ManualRow>& rows, const Quantities& all, un
     for (const std::string& name : row.names) {
       const auto* const q = find_by_name(all, name);
       if (q != nullptr && !row.also_in.starts_with("as ")) {
-        EXPECT_EQ(q->places, places) << name << " in the manual: " << row.also_in;
+        EXPECT_EQ(places_of(*q), places) << name << " in the manual: " << row.also_in;
       }
     }
   }
 }
 
-TEST(Columns, of_k_csv_are_those_of_the_manual) {
-  Words columns{"increment", "step", "crack"};
-  for (const TipQuantity& q : tip_quantities) {
-    if (q.appears_in(in_k_csv)) {
-      columns.emplace_back(q.name);
+// Names of what a place has in `dim` dimensions, in the order of the table; `front` of them first.
+Words k_columns(KOutput place, int dim, Words front = {}) {
+  for (const KQuantity& q : k_quantities) {
+    if (q.appears_in(place, dim)) {
+      front.emplace_back(q.name);
     }
   }
+  return front;
+}
+
+TEST(Columns, of_k_csv_are_those_of_the_manual) {
+  const Words columns = k_columns(in_k_csv, 2, {"increment", "step", "crack"});
   const std::vector<ManualRow> rows = manual_rows("k.csv");
   EXPECT_EQ(manual_names(rows, columns), columns);
-  expect_places(rows, tip_quantities, in_k_csv,
+  expect_places(rows, k_quantities, [](const KQuantity& q) { return q.tip_places; }, in_k_csv,
                 {{"results.h5", in_results_h5},
                  {"listing", in_listing},
                  {"shell", in_shell},
@@ -134,19 +139,64 @@ TEST(Columns, of_k_csv_are_those_of_the_manual) {
 }
 
 TEST(Columns, of_k_csv_in_space_are_those_of_the_manual) {
-  Words columns{"increment", "step", "crack", "a", "point", "at_surface", "closed"};
-  for (const FrontQuantity& q : front_quantities) {
-    columns.emplace_back(q.name);
-  }
+  const Words columns = k_columns(in_k_csv, 3, {"increment", "step", "crack"});
   const std::vector<ManualRow> rows = manual_rows("k.csv of cracks in space");
   EXPECT_EQ(manual_names(rows, columns), columns);
   for (const ManualRow& row : rows) {
     for (const std::string& name : row.names) {
-      if (const auto* const q = find_by_name(front_quantities, name)) {
-        EXPECT_EQ(q->listed, row.also_in.find("listing") != std::string::npos) << name;
-        EXPECT_EQ(q->checked, row.also_in.find("`$CHECK`") != std::string::npos) << name;
+      if (const auto* const q = find_by_name(k_quantities, name)) {
+        EXPECT_EQ(q->appears_in(in_listing, 3), row.also_in.find("listing") != std::string::npos)
+            << name;
+        EXPECT_EQ(q->appears_in(in_check, 3), row.also_in.find("`$CHECK`") != std::string::npos)
+            << name;
       }
     }
+  }
+}
+
+// Readers count columns: those of the plane stand as they did when tips had a table of their own.
+TEST(Columns, of_tips_have_kept_their_order) {
+  EXPECT_EQ(k_columns(in_k_csv, 2),
+            (Words{"a", "K1", "K2", "G", "spread", "T", "K1_bar", "K1_best", "K1_eta", "K1_sum",
+                   "K1_flip", "K2_bar", "K2_best", "K2_eta", "K2_sum", "K2_flip", "K1_opening",
+                   "K2_opening"}));
+  EXPECT_EQ(k_columns(in_results_h5, 2), (Words{"a", "x", "y", "z", "K1", "K2", "G", "spread", "T",
+                                                "K1_bar", "K1_best", "K2_bar", "K2_best"}));
+  EXPECT_EQ(k_columns(in_listing, 2),
+            (Words{"a", "K1", "K2", "G", "G_from_K", "spread", "T", "K1_opening", "K2_opening"}));
+  EXPECT_EQ(k_columns(in_shell, 2), (Words{"a", "K1", "K2", "G", "T"}));
+  EXPECT_EQ(k_columns(in_output, 2),
+            (Words{"a", "K1", "K2", "G", "K1_bar", "K1_best", "K2_bar", "K2_best"}));
+  EXPECT_EQ(k_columns(in_sweep, 2), (Words{"K1", "K2", "G", "K1_bar", "K2_bar"}));
+  EXPECT_EQ(k_columns(in_check, 2),
+            (Words{"K1", "K2", "G", "T", "K1_bar", "K1_best", "K2_bar", "K2_best"}));
+  const std::set<std::string> judge{"spread", "K1_bar", "K1_best", "K2_bar", "K2_best"};
+  for (const KQuantity& q : k_quantities) {
+    if (q.appears_in(in_results_h5, 2)) {
+      EXPECT_EQ(q.judges, judge.contains(q.name)) << q.name << " behind the others in results.h5";
+    }
+  }
+}
+
+// K by the opening of the faces stands with the points of the steps' fronts alone. What a deck may
+// ask of a front it may have in a table.
+TEST(Columns, of_fronts_are_those_of_their_points) {
+  EXPECT_EQ(
+      k_columns(in_k_csv, 3),
+      (Words{"a",      "point",   "at_surface", "closed",    "s",         "phi",    "x",
+             "y",      "z",       "K1",         "K2",        "K3",        "G",      "G_from_K",
+             "spread", "T",       "K1_smooth",  "K2_smooth", "K3_smooth", "K1_bar", "K1_best",
+             "K2_bar", "K2_best", "K3_bar",     "K3_best"}));
+  EXPECT_EQ(k_columns(in_listing, 3),
+            (Words{"s", "phi", "x", "y", "z", "K1", "K2", "K3", "G", "spread", "T"}));
+  EXPECT_EQ(k_columns(in_check, 3), (Words{"K1", "K2", "K3", "G", "T", "K1_bar", "K1_best",
+                                           "K2_bar", "K2_best", "K3_bar", "K3_best"}));
+  EXPECT_EQ(k_columns(in_output, 3), k_columns(in_check, 3));
+  EXPECT_EQ(k_columns(in_results_h5, 3), k_columns(in_k_csv, 3));
+  for (const char* name : {"K1_opening", "K2_opening"}) {
+    const KQuantity* const q = find_by_name(k_quantities, name);
+    ASSERT_NE(q, nullptr) << name;
+    EXPECT_EQ(q->front_places, 0U) << name;
   }
 }
 
@@ -161,18 +211,36 @@ TEST(Columns, of_pressure_csv_are_those_of_the_manual) {
   }
   const std::vector<ManualRow> rows = manual_rows("pressure.csv");
   EXPECT_EQ(manual_names(rows, columns), columns);
-  expect_places(rows, point_quantities, in_pressure_csv,
+  expect_places(rows, point_quantities, [](const ContactPointQuantity& q) { return q.places; },
+                in_pressure_csv,
                 {{"results.h5", in_pressure_h5}, {"`$OUTPUT`", in_pressure_output}});
 }
 
 TEST(Columns, of_K2_are_where_those_of_K1_are) {
-  for (const TipQuantity& q : tip_quantities) {
+  for (const KQuantity& q : k_quantities) {
     if (std::string name = q.name; name.starts_with("K1")) {
       name[1] = '2';
-      const TipQuantity* const other = find_by_name(tip_quantities, name);
+      const KQuantity* const other = find_by_name(k_quantities, name);
       ASSERT_NE(other, nullptr) << name;
-      EXPECT_EQ(other->places, q.places) << name;
+      EXPECT_EQ(other->tip_places, q.tip_places) << name;
+      EXPECT_EQ(other->front_places, q.front_places) << name;
       EXPECT_EQ(other->given, q.given) << name;
+      EXPECT_EQ(other->mode, q.mode < 0 ? -1 : 1) << name;
+    }
+  }
+}
+
+// In space; the plane has no K3.
+TEST(Columns, of_K3_are_where_those_of_K1_are) {
+  for (const KQuantity& q : k_quantities) {
+    if (std::string name = q.name; name.starts_with("K1") && q.front_places != 0) {
+      name[1] = '3';
+      const KQuantity* const other = find_by_name(k_quantities, name);
+      ASSERT_NE(other, nullptr) << name;
+      EXPECT_EQ(other->tip_places, 0U) << name;
+      EXPECT_EQ(other->front_places, q.front_places) << name;
+      EXPECT_EQ(other->given, q.given) << name;
+      EXPECT_EQ(other->mode, q.mode < 0 ? -1 : 2) << name;
     }
   }
 }
@@ -186,9 +254,9 @@ template <class Quantities> void expect_sound(const Quantities& all) {
 }
 
 TEST(Columns, have_one_source_each) {
-  expect_sound(tip_quantities);
+  expect_sound(k_quantities);
   expect_sound(point_quantities);
-  for (const TipQuantity& q : tip_quantities) {
+  for (const KQuantity& q : k_quantities) {
     EXPECT_NE(q.member != nullptr, q.computed != nullptr) << q.name;
   }
   for (const ContactPointQuantity& q : point_quantities) {
@@ -196,9 +264,29 @@ TEST(Columns, have_one_source_each) {
         (q.member != nullptr ? 1 : 0) + (q.computed != nullptr ? 1 : 0) + (q.is_word() ? 1 : 0), 1)
         << q.name;
   }
-  EXPECT_EQ(find_tip_quantity("K"), find_tip_quantity("K1"));
-  EXPECT_EQ(std::string(find_tip_quantity("K2.BEST")->name), "K2_best");
-  EXPECT_EQ(find_tip_quantity("A"), nullptr);
+}
+
+TEST(Columns, are_found_by_their_words_of_checks) {
+  for (const int dim : {2, 3}) {
+    std::set<std::string> words;
+    for (const KQuantity& q : k_quantities) {
+      if (q.appears_in(in_check, dim)) {
+        EXPECT_TRUE(words.insert(q.check_word()).second) << q.check_word() << " twice in " << dim;
+        EXPECT_EQ(find_k_quantity(q.check_word(), dim), &q) << q.check_word();
+      }
+    }
+    ASSERT_NE(find_k_quantity("K", dim), nullptr);
+    EXPECT_EQ(find_k_quantity("K", dim), find_k_quantity("K1", dim));
+    ASSERT_NE(find_k_quantity("K2.BEST", dim), nullptr);
+    EXPECT_EQ(std::string(find_k_quantity("K2.BEST", dim)->name), "K2_best");
+    for (const char* word : {"A", "S", "SPREAD", "K1.SMOOTH", "K1.OPENING", "K2_BEST", ""}) {
+      EXPECT_EQ(find_k_quantity(word, dim), nullptr) << word;
+    }
+  }
+  for (const char* word : {"K3", "K3.BAR", "K3.BEST"}) {
+    EXPECT_EQ(find_k_quantity(word, 2), nullptr) << word;
+    EXPECT_NE(find_k_quantity(word, 3), nullptr) << word;
+  }
 }
 
 } // namespace

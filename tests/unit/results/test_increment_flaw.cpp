@@ -10,7 +10,7 @@
 namespace spricka::results::test_increment_flaw {
 namespace {
 
-// A square of one element with a tip, a contact and a path.
+// A square of one element with a tip with a derivative, a contact and a path.
 Increment sound() {
   Increment increment;
   model::Mesh& mesh = increment.mesh;
@@ -29,7 +29,9 @@ Increment sound() {
   step.u = base::Vector::Zero(8);
   step.stress.resize(4);
   step.element_stress.resize(1);
-  step.tips.emplace_back().bar[0].of_element = {0.5};
+  FrontResult& front = step.fronts.emplace_back();
+  front.points.emplace_back().bar[0].of_element = {0.5};
+  front.sensitivities.of.emplace_back().below.resize(1); // above nothing holds a body
   ContactResult& contact = step.contacts.emplace_back();
   contact.points.resize(3);
   for (ContactPoint& point : contact.points) {
@@ -39,6 +41,7 @@ Increment sound() {
   step.errors.emplace_back().worst = {base::ElementId(std::size_t{0})};
   LoadPathResult& path = increment.paths.emplace_back();
   path.t = {0.0, 1.0};
+  path.fronts.emplace_back().points.emplace_back();
   LoadPathContact& part = path.contacts.emplace_back();
   part.from = {0.0, 0.0};
   part.to = {1.0, 1.0};
@@ -70,7 +73,8 @@ TEST(IncrementFlaw, EachIsFound) {
       [](Increment& i) { i.steps[0].u.resize(6); },
       [](Increment& i) { i.steps[0].stress.resize(3); },
       [](Increment& i) { i.steps[0].element_stress.resize(2); },
-      [](Increment& i) { i.steps[0].tips[0].bar[0].of_element.resize(2); },
+      [](Increment& i) { i.steps[0].fronts[0].tip().bar[0].of_element.resize(2); },
+      [](Increment& i) { i.steps[0].fronts[0].tip().bar[2].of_element.resize(3); },
       [](Increment& i) { i.steps[0].contacts[0].points[1].node.value = 2147483647; },
       [](Increment& i) { i.steps[0].contacts[0].points[1].state = static_cast<ContactState>(9); },
       [](Increment& i) { i.steps[0].contacts[0].corners[2] = 3; },
@@ -84,6 +88,43 @@ TEST(IncrementFlaw, EachIsFound) {
     wrong[w](increment);
     EXPECT_NE(find_increment_flaw(increment), "") << w;
   }
+}
+
+// What reads a front takes its first point, and derivatives by the number of a point.
+TEST(IncrementFlaw, FrontsHaveAllOfTheirPoints) {
+  Increment increment = sound();
+  FrontResult& front = increment.steps[0].fronts[0];
+  front.name = "C.1";
+  front.points.clear();
+  EXPECT_EQ(find_increment_flaw(increment), "points of front C.1");
+  front.sensitivities.of.clear();
+  EXPECT_EQ(find_increment_flaw(increment), "points of front C.1");
+  increment = sound();
+  increment.steps[0].fronts.emplace_back().name = "D"; // a second one
+  EXPECT_EQ(find_increment_flaw(increment), "points of front D");
+  increment = sound();
+  increment.paths[0].name = "UP";
+  increment.paths[0].fronts[0].is.name = "C.1";
+  increment.paths[0].fronts[0].points.clear();
+  EXPECT_EQ(find_increment_flaw(increment), "points of front C.1 on path UP");
+}
+
+TEST(IncrementFlaw, DerivativesAreOfThePointsThereAre) {
+  for (const auto side : {&Sensitivity::below, &Sensitivity::above}) {
+    for (const std::size_t points : {2U, 3U, 4U}) {
+      Increment increment = sound();
+      FrontResult& front = increment.steps[0].fronts[0];
+      front.name = "C";
+      front.points.resize(3);
+      Sensitivity& derivative = front.sensitivities.of[0];
+      derivative.below.clear();
+      (derivative.*side).resize(points);
+      EXPECT_EQ(find_increment_flaw(increment), points == 3 ? "" : "points of front C") << points;
+    }
+  }
+  Increment increment = sound();
+  increment.steps[0].fronts[0].sensitivities.of[0].cause = static_cast<SensitivityParameter>(5);
+  EXPECT_NE(find_increment_flaw(increment), "");
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sense/front_consistency.hpp"
+#include "sense/k_consistency.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ results::StepResult step_with_front() {
 std::vector<std::string> warnings_of(const std::vector<results::StepResult>& steps) {
   results::RunResult run;
   run.increments.emplace_back().steps = steps;
-  return sense::front_consistency_warnings(run);
+  return sense::k_consistency_warnings(run);
 }
 
 TEST(WaysAlongFronts, AgreeOnSoundMeshes) {

@@ -13,18 +13,19 @@ results::StepResult step_with(double bar) {
   results::StepResult step;
   step.step = "LOAD";
   step.u = base::Vector::Constant(2, 1e-2);
-  results::TipResult tip;
-  tip.name = "C";
-  tip.a = 1.0;
+  results::FrontResult front;
+  front.name = "C";
+  front.a = 1.0;
+  front.no_bar = "";
+  results::FrontPointResult& tip = front.points.emplace_back();
   tip.K1 = 3.0;
   tip.K2 = 4.0;
   tip.G = tip.G_from_K = 25.0 / E;
   tip.K1_domain = {3.0, 3.0, 3.0};
-  tip.no_bar = "";
-  for (results::KErrorBar& one : tip.bar) {
-    one.mesh = 5.0 * bar / 1.4; // (3 + 4) of it over 5
+  for (const std::size_t k : {0U, 1U}) {
+    tip.bar[k].mesh = 5.0 * bar / 1.4; // (3 + 4) of it over 5
   }
-  step.tips = {tip};
+  step.fronts = {front};
   return step;
 }
 
@@ -37,13 +38,13 @@ std::vector<std::string> warnings_of(const results::StepResult& step) {
 TEST(TwoWays, AgreeWithinTheBar) {
   results::StepResult step = step_with(0.01);
   EXPECT_TRUE(warnings_of(step).empty());
-  step.tips[0].G *= 1.018; // 0.9 % of K
+  step.fronts[0].tip().G *= 1.018; // 0.9 % of K
   EXPECT_TRUE(warnings_of(step).empty());
 }
 
 TEST(TwoWays, PartByMoreThanTheBar) {
   results::StepResult step = step_with(0.01);
-  step.tips[0].G *= 1.03;
+  step.fronts[0].tip().G *= 1.03;
   const std::vector<std::string> told = warnings_of(step);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("G = 0.02575 and (K1^2 + K2^2)/E' = 0.025"), std::string::npos) << told[0];
@@ -52,27 +53,27 @@ TEST(TwoWays, PartByMoreThanTheBar) {
 
 TEST(TwoWays, DomainsThatPartAreTold) {
   results::StepResult step = step_with(1e-4);
-  step.tips[0].K1_domain = {2.9, 3.0, 3.1};
+  step.fronts[0].tip().K1_domain = {2.9, 3.0, 3.1};
   const std::vector<std::string> told = warnings_of(step);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("goes from 2.9 to 3.1, 4 % of K apart"), std::string::npos) << told[0];
-  step.tips[0].closed = true; // K1 is 0, whatever the domains say
+  step.fronts[0].tip().closed = true; // K1 is 0, whatever the domains say
   EXPECT_TRUE(warnings_of(step).empty());
 }
 
 // The opening is coarse, but not that coarse.
 TEST(TwoWays, TheOpeningMayBeSomePercentOff) {
   results::StepResult step = step_with(1e-4);
-  step.tips[0].K_opening = {3.1, 4.2};
+  step.fronts[0].tip().opening = {3.1, 4.2, 0.0};
   EXPECT_TRUE(warnings_of(step).empty());
-  step.tips[0].K_opening = {4.0, 4.0};
+  step.fronts[0].tip().opening = {4.0, 4.0, 0.0};
   EXPECT_EQ(warnings_of(step).size(), 1U);
 }
 
 // What round-off leaves of a body that only moves is no K.
 TEST(TwoWays, RoundOffIsNotCompared) {
   results::StepResult step = step_with(1e-4);
-  step.tips[0].G = -1.0;
+  step.fronts[0].tip().G = -1.0;
   ASSERT_EQ(warnings_of(step).size(), 1U);
   step.u.setConstant(1e6);
   EXPECT_TRUE(warnings_of(step).empty());

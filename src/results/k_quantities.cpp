@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "results/front_result.hpp"
+#include "results/k_quantities.hpp"
+
+#include "results/output_word.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,7 @@ constexpr double beside = 1e-6; // of the range: round-off beyond the last point
 // Pieces between neighbouring points; the last one of a closed front joins its ends.
 std::size_t piece_count(const FrontResult& front) {
   const std::size_t n = front.points.size();
-  return front.closed ? n : n - std::min<std::size_t>(n, 1);
+  return front.is_loop ? n : n - std::min<std::size_t>(n, 1);
 }
 
 // Which of K1, K2, K3, that have a smooth curve, or of these with their estimated error taken out.
@@ -29,16 +31,15 @@ struct CurveOf {
   }
 };
 
-std::optional<CurveOf> curve_of(const FrontQuantity& quantity) {
-  static constexpr std::array modes{&FrontPointResult::K1, &FrontPointResult::K2,
-                                    &FrontPointResult::K3};
+std::optional<CurveOf> curve_of(const KQuantity& quantity) {
   static constexpr std::array<std::string_view, 3> best{"K1_best", "K2_best", "K3_best"};
-  for (std::size_t mode = 0; mode < modes.size(); ++mode) {
-    if (quantity.member == modes[mode] || quantity.name == best[mode]) {
-      return CurveOf{mode, quantity.name == best[mode]};
-    }
+  if (quantity.is_k()) {
+    return CurveOf{static_cast<std::size_t>(quantity.mode), false};
   }
-  return std::nullopt;
+  const auto* const found = std::ranges::find(best, quantity.name);
+  return found == best.end()
+             ? std::nullopt
+             : std::optional<CurveOf>({static_cast<std::size_t>(found - best.begin()), true});
 }
 
 // The cubic through the smooth values of the two points on either side of a place (fewer on a front
@@ -48,7 +49,8 @@ double on_curve(const FrontResult& front, const CurveOf& curve, std::size_t piec
   const std::size_t n = front.points.size();
   const std::size_t count = std::min<std::size_t>(n, 4);
   // The first of them, counted from 1 so that a closed front may begin before its first point.
-  const std::size_t first = front.closed ? piece : std::clamp<std::size_t>(piece, 1, n - count + 1);
+  const std::size_t first =
+      front.is_loop ? piece : std::clamp<std::size_t>(piece, 1, n - count + 1);
   std::array<double, 4> s{};
   std::array<double, 4> value{};
   for (std::size_t k = 0; k < count; ++k) {
@@ -71,29 +73,53 @@ double on_curve(const FrontResult& front, const CurveOf& curve, std::size_t piec
   return sum;
 }
 
-double between(const FrontResult& front, const FrontQuantity& quantity, std::size_t piece,
+double between(const FrontResult& front, const KQuantity& quantity, std::size_t piece,
                double part) {
   if (const auto curve = curve_of(quantity)) {
     return on_curve(front, *curve, piece, part);
   }
   const FrontPointResult& from = front.points[piece];
   const FrontPointResult& to = front.points[(piece + 1) % front.points.size()];
-  return (1.0 - part) * quantity.extract_value(from) + part * quantity.extract_value(to);
+  return (1.0 - part) * quantity.extract_value(front, from) +
+         part * quantity.extract_value(front, to);
 }
 
 } // namespace
 
-const FrontQuantity* find_front_quantity(std::string_view name) {
-  const std::string_view word = name == "K" ? "K1" : name;
-  const auto* const found = std::ranges::find_if(
-      front_quantities, [&](const FrontQuantity& q) { return word == q.name || word == q.word; });
-  return found == front_quantities.end() ? nullptr : found;
+bool KQuantity::is_given(const FrontResult& front) const {
+  switch (given) {
+  case KQuantityCondition::in_one_material:
+    return !front.two_materials;
+  case KQuantityCondition::with_bar:
+    return front.has_error_bar();
+  case KQuantityCondition::with_opening:
+    return std::ranges::all_of(
+        front.points, [](const FrontPointResult& point) { return point.opening.has_value(); });
+  case KQuantityCondition::with_angles:
+    return front.has_angles;
+  case KQuantityCondition::always:
+    break;
+  }
+  return true;
 }
 
-double front_value_near(const FrontResult& front, const FrontQuantity& quantity,
-                        const base::Vec3& x) {
+std::string KQuantity::check_word() const {
+  std::string word = output_column_name(name);
+  std::ranges::replace(word, '_', '.');
+  return word;
+}
+
+const KQuantity* find_k_quantity(std::string_view check_word, int dim) {
+  const std::string_view word = check_word == "K" ? "K1" : check_word;
+  const auto* const found = std::ranges::find_if(k_quantities, [&](const KQuantity& q) {
+    return q.appears_in(in_check, dim) && q.check_word() == word;
+  });
+  return found == k_quantities.end() ? nullptr : found;
+}
+
+double front_value_near(const FrontResult& front, const KQuantity& quantity, const base::Vec3& x) {
   double least = std::numeric_limits<double>::max();
-  double value = quantity.extract_value(front.points.front());
+  double value = quantity.extract_value(front, front.points.front());
   for (std::size_t i = 0; i < piece_count(front); ++i) {
     const base::Vec3& from = front.points[i].x;
     const base::Vec3 along = front.points[(i + 1) % front.points.size()].x - from;
@@ -107,9 +133,9 @@ double front_value_near(const FrontResult& front, const FrontQuantity& quantity,
   return value;
 }
 
-std::optional<double> front_value_at_angle(const FrontResult& front, const FrontQuantity& quantity,
+std::optional<double> front_value_at_angle(const FrontResult& front, const KQuantity& quantity,
                                            double phi) {
-  for (std::size_t i = 0; front.angles && i < piece_count(front); ++i) {
+  for (std::size_t i = 0; front.has_angles && i < piece_count(front); ++i) {
     const double from = front.points[i].phi;
     // Pieces are short: the smaller of the two ways round.
     const double step =
@@ -123,7 +149,7 @@ std::optional<double> front_value_at_angle(const FrontResult& front, const Front
   return std::nullopt;
 }
 
-std::optional<double> front_value_at_length(const FrontResult& front, const FrontQuantity& quantity,
+std::optional<double> front_value_at_length(const FrontResult& front, const KQuantity& quantity,
                                             double s) {
   for (std::size_t i = 0; i < piece_count(front); ++i) {
     const double from = front.points[i].s;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/error_bar_analysis.hpp"
+
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+ErrorBarAnalysis::ErrorBarAnalysis(const model::Model& model, const Discretisation& scene)
+    : model_(model), scene_(scene), case_load_(model.cases.size()) {}
+
+void ErrorBarAnalysis::give_bars(
+    const std::string& why_not, results::StepResult& step,
+    const std::function<void(std::size_t, std::size_t, results::FrontResult&)>& estimate) {
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < step.fronts.size(); ++f) {
+    results::FrontResult& front = step.fronts[f];
+    front.no_bar = front.invalid_reason.empty() ? why_not : front.invalid_reason;
+    if (front.no_bar.empty()) {
+      estimate(f, first, front);
+    }
+    if (!front.no_bar.empty()) {
+      tell_once(
+          results::note(fmt::format("K of {} has no error bar: {}", front.name, front.no_bar)),
+          step);
+    }
+    first += front.points.size();
+  }
+}
+
+base::Vector
+ErrorBarAnalysis::sum_case_loads(const base::Vector& case_factor, Eigen::Index freedoms,
+                                 const std::function<base::Vector(std::size_t)>& of_case) {
+  base::Vector f = base::Vector::Zero(freedoms);
+  for (std::size_t c = 0; c < case_load_.size(); ++c) {
+    const double factor = case_factor[static_cast<Eigen::Index>(c)];
+    if (factor == 0.0) {
+      continue;
+    }
+    if (!case_load_[c]) {
+      // Cases that no step has applied are never integrated.
+      case_load_[c] = of_case(c);
+    }
+    f += factor * *case_load_[c];
+  }
+  return f;
+}
+
+void ErrorBarAnalysis::tell_once(results::Note note, results::StepResult& step) {
+  if (std::ranges::find(reported_, note) == reported_.end()) {
+    reported_.push_back(note);
+    step.notes.push_back(std::move(note));
+  }
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/parameter_derivatives.hpp"
+
+#include "analysis/scene/scene_heat.hpp"
+#include "analysis/steps/row_opening.hpp"
+#include "base/index.hpp"
+#include "estimate/modulus.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+using base::index;
+
+ParameterDerivative derivative_by(const KDependence& K, results::SensitivityParameter cause,
+                                  std::string name, double value) {
+  ParameterDerivative out;
+  out.is.cause = cause;
+  out.is.name = std::move(name);
+  out.is.value = value;
+  out.direct = base::Vector::Zero(K.of_loads.rows());
+  return out;
+}
+
+void add_load_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes) {
+  const Discretisation& scene = K.scene;
+  for (std::size_t c = 0; c < K.model.cases.size(); ++c) {
+    ParameterDerivative one =
+        derivative_by(K, results::SensitivityParameter::load, K.model.cases[c].name,
+                      K.solver.factors().case_factor[index(c)]);
+    one.load = K.case_load.col(index(c));
+    one.direct = K.of_loads.col(index(c));
+    const base::Vector given = scene.case_displacement.col(index(c));
+    // Prescribed displacements pull at the body, open rows and move nodes that K takes
+    // (sensitivity.7).
+    if ((given.array() != 0.0).any()) {
+      one.gap.resize(index(scene.table.size()));
+      for (std::size_t r = 0; r < scene.table.size(); ++r) {
+        one.gap[index(r)] = row_opening(scene.contact_row(r), scene.cracked.mesh.dim, given);
+      }
+      one.direct += K.of_displacements(given);
+    }
+    causes.push_back(std::move(one));
+  }
+}
+
+void add_fit_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes) {
+  const Discretisation& scene = K.scene;
+  for (std::size_t c = 0; c < K.model.contacts.size(); ++c) {
+    const model::Contact& contact = K.model.contacts[c];
+    if (!contact.gap || !K.solver.factors().mounted[c]) {
+      continue;
+    }
+    // An interference is a negative gap (sensitivity.7).
+    const double interference = -*contact.gap * K.solver.factors().fit[c];
+    ParameterDerivative one = derivative_by(K, results::SensitivityParameter::fit, contact.name,
+                                            interference == 0.0 ? 0.0 : interference);
+    one.gap = base::Vector::Zero(index(scene.table.size()));
+    for (std::size_t i = 0; i < scene.pairs[c].normal.size(); ++i) {
+      one.gap[index(scene.table.first[c] + i)] = -scene.pairs[c].normal[i].area;
+    }
+    causes.push_back(std::move(one));
+  }
+}
+
+// Thermal loads less internal forces, f^T - K_m u (sensitivity.8). [dim * node, material]
+base::Matrix loads_by_materials(const KDependence& K) {
+  base::Matrix loads = -K.state.internal;
+  if (K.state.temperature.size() > 0) {
+    const model::Mesh& mesh = K.scene.cracked.mesh;
+    loads += estimate::thermal_loads(K.model, mesh, K.state.temperature);
+    for (const fe::ScaledTemperature& acting : acting_heat(K.scene, K.state.case_factor)) {
+      for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
+        base::Vector f = base::Vector::Zero(loads.rows());
+        fe::add_residual_load(K.model, mesh, acting, base::MaterialId(m), f);
+        loads.col(index(m)) += f;
+      }
+    }
+  }
+  return loads;
+}
+
+} // namespace
+
+std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K) {
+  std::vector<ParameterDerivative> causes;
+  add_load_derivatives(K, causes);
+  add_fit_derivatives(K, causes);
+  return causes;
+}
+
+void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes) {
+  const base::Matrix loads = loads_by_materials(K);
+  // What displacements make of K goes with the modulus at the point.
+  const base::Vector own = K.of_displacements(K.state.u);
+  const crack::KLayout layout = K.scene.k_layout();
+  for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
+    const double E = K.model.materials[m].E;
+    ParameterDerivative one =
+        derivative_by(K, results::SensitivityParameter::modulus, K.model.materials[m].name, E);
+    one.load = loads.col(index(m)) / E;
+    if (std::ranges::find(K.material, m) != K.material.end()) {
+      const base::Vector constant = K.of_modulus(m);
+      for (std::size_t p = 0; p < K.material.size(); ++p) {
+        if (K.material[p] == m) {
+          layout.point_entries(one.direct, p) =
+              (layout.point_entries(own, p) + layout.point_entries(constant, p)) / E;
+        }
+      }
+    }
+    causes.push_back(std::move(one));
+  }
+}
+
+base::Matrix collect_columns(std::span<const ParameterDerivative> causes,
+                             base::Vector ParameterDerivative::*part, Eigen::Index size) {
+  base::Matrix columns = base::Matrix::Zero(size, index(causes.size()));
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    if ((causes[i].*part).size() > 0) {
+      columns.col(index(i)) = causes[i].*part;
+    }
+  }
+  return columns;
+}
+
+void add_sensitivity_note(const std::string& text, results::StepResult& result) {
+  for (results::FrontResult& front : result.fronts) {
+    std::vector<std::string>& notes = front.sensitivities.notes;
+    if (std::ranges::find(notes, text) == notes.end()) {
+      notes.push_back(text);
+    }
+  }
+}
+
+LinearRanges endless_ranges(std::size_t causes) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  return LinearRanges(causes, std::array{-never, never});
+}
+
+void list_causes(const std::vector<ParameterDerivative>& causes, results::StepResult& result) {
+  for (results::FrontResult& front : result.fronts) {
+    for (const ParameterDerivative& one : causes) {
+      front.sensitivities.of.push_back(one.is);
+    }
+  }
+}
+
+void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,
+                      std::vector<std::array<double, 3>> results::Sensitivity::*side,
+                      results::StepResult& result) {
+  std::size_t point = 0;
+  for (results::FrontResult& front : result.fronts) {
+    std::vector<std::array<double, 3>>& values = front.sensitivities.of[cause].*side;
+    for (std::size_t p = 0; p < front.points.size(); ++p) {
+      const Eigen::Index first = layout.first_index(point++);
+      std::array<double, 3>& own = values.emplace_back();
+      for (Eigen::Index k = 0; k < layout.modes(); ++k) {
+        own[base::at(k)] = dK[first + k];
+      }
+    }
+  }
+}
+
+void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
+                       const LinearRanges& reach, results::StepResult& result) {
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    store_derivative(layout, dK.col(index(i)), i, &results::Sensitivity::below, result);
+    for (results::FrontResult& front : result.fronts) {
+      results::Sensitivity& one = front.sensitivities.of[i];
+      one.above = one.below;
+      if (reach[i]) {
+        one.range = {one.value + (*reach[i])[0], one.value + (*reach[i])[1]};
+      }
+    }
+  }
+}
+
+} // namespace spricka::analysis

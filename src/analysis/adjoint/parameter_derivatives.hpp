@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "results/results.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// What K of tips and fronts depends on, and how results come by their derivatives; [K] is by
+/// crack::KLayout.
+namespace spricka::analysis {
+
+/// One thing that K depends on: loads, gaps and a part of K that it changes by itself.
+struct ParameterDerivative {
+  results::Sensitivity is; ///< without its derivatives
+  base::Vector load;       ///< [dim * node] by its value; empty: none
+  base::Vector gap;        ///< [table row] by its value; empty: none
+  base::Vector direct;     ///< [K] dK by its value with u kept
+};
+
+/// K of the step that `solver` solved last as a function of loads and displacements.
+struct KDependence {
+  const model::Model& model;
+  const Discretisation& scene;
+  const StepSolver& solver;
+  const StepState& state;
+  const base::Matrix& case_load;     ///< [dim * node, case] with the pull of supports
+  const base::Matrix& of_loads;      ///< [K, case] what loads add to K themselves
+  std::vector<std::size_t> material; ///< [point] whose modulus K goes with
+  /// [K] of displacements [dim * node].
+  std::function<base::Vector(const base::Vector&)> of_displacements;
+  /// [K] E d/dE of what the loads of the step add to K, at points in that material.
+  std::function<base::Vector(std::size_t)> of_modulus;
+};
+
+/// The derivatives by loads, then those by fits.
+std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K);
+void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes);
+
+/// Loads or gaps of the causes, each of that size; zero where a cause has none. [size, cause]
+base::Matrix collect_columns(std::span<const ParameterDerivative> causes,
+                             base::Vector ParameterDerivative::*part, Eigen::Index size);
+
+/// A note on derivatives for all fronts, once.
+void add_sensitivity_note(const std::string& text, results::StepResult& result);
+
+/// [cause] how far down and up its value goes until the contact changes; empty: not known.
+using LinearRanges = std::vector<std::optional<std::array<double, 2>>>;
+/// Of causes that no contact ends.
+LinearRanges endless_ranges(std::size_t causes);
+
+/// Gives the fronts all causes, without their derivatives.
+void list_causes(const std::vector<ParameterDerivative>& causes, results::StepResult& result);
+/// Gives the points of the fronts dK [K] of a listed cause on one side of its value, `below` or
+/// `above`.
+void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,
+                      std::vector<std::array<double, 3>> results::Sensitivity::*side,
+                      results::StepResult& result);
+/// The same on both sides alike, dK [K, cause], and the ranges.
+void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
+                       const LinearRanges& reach, results::StepResult& result);
+
+} // namespace spricka::analysis

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_measure.hpp"
+#include "analysis/lengths/path_correction.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+/// Growth by K on the load path of a spectrum.
+namespace spricka::analysis {
+
+double locate_maximum(const base::PiecewiseLinear& K1, double low, double high) {
+  double best = K1(high) >= K1(low) ? high : low;
+  for (const double t : K1.knots()) {
+    best = t > low && t < high && K1(t) > K1(best) ? t : best;
+  }
+  return best;
+}
+
+base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
+                                                   const results::LoadPathFront& front,
+                                                   const PlaceOnFront& place,
+                                                   const base::Vec2& part) {
+  base::PiecewiseLinear K = K_on_path(front, place, part);
+  // Without overlap anywhere both ways to K are one.
+  if (!(at.free || faces_touch(front.points[place.from].smooth[0])) ||
+      !continues_below_closing(model_)) {
+    return K;
+  }
+  const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
+  const results::LoadPathFront* free =
+      at.free && path < at.free->paths.size()
+          ? results::find_front(at.free->paths[path], front.is.name)
+          : nullptr;
+  std::optional<base::PiecewiseLinear> below;
+  if (free != nullptr) {
+    below = continue_below_zero(K, K_on_path(*free, place, part), spectrum_->highest());
+  }
+  if (!below) {
+    warn_of_closing(front.is.name, front.is.a);
+  }
+  return below ? std::move(*below) : std::move(K);
+}
+
+void GrowthRateEvaluator::warn_of_bars_on_path(const SolvedCrackState& at, const GrowingPlace& to) {
+  const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
+  const model::LoadPathDefinition& path = model_.load_paths[card.path];
+  for (const base::StepId step : {path.from, path.to}) {
+    for (const results::FrontResult& end : at.increment.steps[step.index()].fronts) {
+      // In space look_at_front() has told of the largest load.
+      if (end.is_tip() ? end.name == to.front : step == path.from) {
+        warn_of_no_bar(end);
+      }
+    }
+  }
+}
+
+bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingPlace& to,
+                                      growth::TipStation& found) {
+  const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
+  const results::LoadPathResult& path = *at.path;
+  const PlaceOnFront place = nearest_place(path.fronts, to.front, to.aim);
+  if (!place.found() || path.t.empty() || path.t.back() < spectrum_->highest()) {
+    return no_rate(
+        fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
+                    card.name, spectrum_->highest(), path.name, path.stopped));
+  }
+  if (model_.growth->corrected) {
+    warn_of_bars_on_path(at, to);
+  }
+  const results::LoadPathFront& front = path.fronts[place.front];
+  const bool tip = front.points.size() == 1;
+  if (tip && !front.is.invalid_reason.empty()) {
+    warnings_.insert({"W508", fmt::format("{}: K on load path {} is in doubt: {}", to.name,
+                                          path.name, front.is.invalid_reason)});
+  }
+  // The way on is that at the largest load; K of the whole path is then taken at the tip of that
+  // kink (growth.8).
+  const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
+  const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});
+  const double peak = locate_maximum(K1, spectrum_->lowest(), spectrum_->highest());
+  const base::Vec2 part = turn({K1(peak), K2(peak)}, to.straight, found);
+  const base::PiecewiseLinear K = on_path(at, front, place, part);
+  const auto [low, high] = spectrum_->extreme_K(K);
+  found.K_min = low;
+  found.K_max = std::max(0.0, high);
+  found.rate = spectrum_->growth_per_pass(law_, K);
+  counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
+  if (std::isnan(found.rate)) {
+    return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number {}", card.name,
+                               tip ? fmt::format("at a = {:.6g}", front.is.a)
+                                   : fmt::format("on crack {}", to.front)));
+  }
+  return true;
+}
+
+} // namespace spricka::analysis

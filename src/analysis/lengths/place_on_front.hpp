@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/piecewise_linear.hpp"
+#include "base/vec.hpp"
+#include "results/load_path.hpp"
+#include "results/results.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// K at places of fronts, which lie between their points or are tips.
+namespace spricka::analysis {
+
+/// A place between two points of a front, or nothing.
+struct PlaceOnFront {
+  std::size_t front = 0, from = 0, to = 0;
+  double part = 0.0; ///< of the way from one to the other
+  double away = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool found() const { return std::isfinite(away); }
+};
+
+/// The place that is nearest to x, of the fronts of a crack, or the tip of that name; no name: of
+/// any.
+PlaceOnFront nearest_place(const std::vector<results::FrontResult>& fronts, const std::string& name,
+                           const base::Vec3& x);
+PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
+                           const std::string& name, const base::Vec3& x);
+
+/// A place on the curve through the points, not on its chords.
+base::Vec3 place_on_curve(const results::FrontResult& front, const PlaceOnFront& at);
+
+/// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K1
+/// taken out.
+base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected);
+
+/// part[0] K1 + part[1] K2 on the path, smooth along the front.
+base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const PlaceOnFront& at,
+                                const base::Vec2& part);
+
+/// K1 (mode 1) or K2 at a place of a step's fronts out of the K of all points of all its fronts
+/// [crack::KLayout].
+std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
+                                                const PlaceOnFront& place, int mode);
+
+/// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
+std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPathResult& path,
+                                                const base::Vec3& x);
+
+} // namespace spricka::analysis

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/forward.hpp"
+#include "report/drawing/table.hpp"
+#include "results/results.hpp"
+
+#include <string_view>
+#include <vector>
+
+/// Tables of K at the points of fronts: the quantities that the listing has
+/// (results/k_quantities.hpp).
+namespace spricka::report {
+
+/// For each step and tip of one increment; no rows in space.
+ReportTable k_table(const model::Model& model, const results::Increment& increment);
+
+/// The same at the end of one step, one row for each increment and tip.
+ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
+                            std::string_view step);
+
+/// A table for each front in space: its points, of all steps of an increment in which K is not
+/// nothing but round-off.
+std::vector<ReportTable> front_tables(const model::Model& model,
+                                      const results::Increment& increment);
+
+/// The largest K of a front; of a tip K1 and K2 together.
+double largest_K(const results::FrontResult& front);
+/// Of all fronts and steps.
+double largest_K(const results::Increment& increment);
+
+/// The fronts in space of an increment, each as its first step has it.
+std::vector<const results::FrontResult*> fronts_in_space(const results::Increment& increment);
+
+} // namespace spricka::report

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/quantity.hpp"
+#include "results/front_result.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// A row for each quantity of a front's point, from which all that shows, keeps or checks them is
+/// made (manual, new_result.md).
+namespace spricka::results {
+
+/// When a point has a quantity.
+enum class KQuantityCondition {
+  always,
+  in_one_material, ///< not on the border of two
+  with_bar,        ///< and within the body: points at the surface have none of their own
+  with_opening,    ///< where `$VCE CHECK=OPENING` asks for it
+  with_angles      ///< on an ellipse
+};
+
+/// Where a quantity is found, to be added up.
+enum KOutput : unsigned {
+  in_k_csv = 1,
+  in_results_h5 = 2, ///< its table k
+  in_listing = 4,    ///< and in report.html
+  in_shell = 8,      ///< the answer to `k`
+  in_output = 16,    ///< what $OUTPUT FORMAT=CSV writes for K
+  in_sweep = 32,
+  in_check = 64,
+  in_files = in_k_csv | in_results_h5,
+  everywhere = 127
+};
+
+/// How the listing writes a quantity: six digits, these but 0 where only round-off is left beside
+/// the largest, or two digits.
+enum class KQuantityDigits { six, six_beside_largest, two };
+
+/// One quantity of a point of a front.
+struct KQuantity {
+  const char* name; ///< as columns have it: "K1_bar"; $OUTPUT K1_BAR, $CHECK K1.BAR
+  base::Quantity kind;
+  std::string_view doc;
+  double FrontPointResult::*member = nullptr; ///< where the record has it, or
+  /// how it follows from the records.
+  double (*computed)(const FrontResult&, const FrontPointResult&) = nullptr;
+  unsigned tip_places = 0;   ///< where it is found of a tip in the plane
+  unsigned front_places = 0; ///< where it is found of a front in space
+  KQuantityCondition given = KQuantityCondition::always;
+  bool judges = false; ///< tells how good another is: in results.h5 behind those that do not
+  int mode = -1;       ///< 0, 1, 2: K1, K2, K3 or its smooth curve; -1: another quantity
+  std::string_view heading = {}; ///< in the listing, where it is not the name
+  KQuantityDigits digits = KQuantityDigits::six;
+  int shell_digits = 7;
+
+  /// Whether runs in `dim` dimensions have it there.
+  [[nodiscard]] bool appears_in(KOutput place, int dim) const {
+    return ((dim == 2 ? tip_places : front_places) & place) != 0;
+  }
+  [[nodiscard]] double extract_value(const FrontResult& front,
+                                     const FrontPointResult& point) const {
+    return member != nullptr ? point.*member : computed(front, point);
+  }
+  /// Of a tip.
+  [[nodiscard]] double extract_value(const FrontResult& front) const {
+    return extract_value(front, front.tip());
+  }
+  /// Whether a front has it, at some points at least.
+  [[nodiscard]] bool is_given(const FrontResult& front) const;
+  [[nodiscard]] bool is_given(const FrontResult& front, const FrontPointResult& point) const {
+    return is_given(front) && !(given == KQuantityCondition::with_bar && point.at_surface);
+  }
+  /// Given, or the 0 that K is between two materials.
+  [[nodiscard]] bool is_number(const FrontResult& front) const {
+    return is_given(front) || given == KQuantityCondition::in_one_material;
+  }
+  /// K1, K2 or K3 itself, which an error bar goes with.
+  [[nodiscard]] bool is_k() const { return member != nullptr && mode >= 0; }
+  [[nodiscard]] std::string check_word() const; ///< "K1.BAR"
+};
+
+template <std::size_t k>
+double error_bar_size(const FrontResult& /*front*/, const FrontPointResult& point) {
+  return point.bar[k].size();
+}
+template <std::size_t k, double KErrorBar::*part>
+double error_bar_part(const FrontResult& /*front*/, const FrontPointResult& point) {
+  return point.bar[k].*part;
+}
+
+/// The error bar of K1, K2 or K3, or a part of it.
+constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
+                                       double (*computed)(const FrontResult&,
+                                                          const FrontPointResult&),
+                                       unsigned tip_places, unsigned front_places) {
+  return {.name = name,
+          .kind = base::Quantity::stress_intensity,
+          .doc = doc,
+          .computed = computed,
+          .tip_places = tip_places,
+          .front_places = front_places,
+          .given = KQuantityCondition::with_bar,
+          .judges = true};
+}
+
+/// In the order of k.csv: what tells front, point and increment stands before them.
+inline constexpr std::array k_quantities{
+    KQuantity{.name = "a",
+              .kind = base::Quantity::length,
+              .doc = "crack length",
+              .computed = [](const FrontResult& front, const FrontPointResult&) { return front.a; },
+              .tip_places = everywhere & ~(in_sweep | in_check),
+              .front_places = in_files},
+    KQuantity{
+        .name = "point",
+        .kind = base::Quantity::number,
+        .doc = "number of the point along the front",
+        .computed = [](const FrontResult&,
+                       const FrontPointResult& point) { return static_cast<double>(point.number); },
+        .front_places = in_files},
+    KQuantity{
+        .name = "at_surface",
+        .kind = base::Quantity::number,
+        .doc = "1 where the front ends at a surface",
+        .computed = [](const FrontResult&,
+                       const FrontPointResult& point) { return point.at_surface ? 1.0 : 0.0; },
+        .front_places = in_files},
+    KQuantity{.name = "closed",
+              .kind = base::Quantity::number,
+              .doc = "1 where the faces behind the front touch",
+              .computed = [](const FrontResult&,
+                             const FrontPointResult& point) { return point.closed ? 1.0 : 0.0; },
+              .front_places = in_files},
+    KQuantity{.name = "s",
+              .kind = base::Quantity::length,
+              .doc = "length along the front",
+              .member = &FrontPointResult::s,
+              .front_places = in_files | in_listing},
+    KQuantity{.name = "phi",
+              .kind = base::Quantity::angle,
+              .doc = "parametric angle of an ellipse",
+              .member = &FrontPointResult::phi,
+              .front_places = in_files | in_listing,
+              .given = KQuantityCondition::with_angles},
+    KQuantity{
+        .name = "x",
+        .kind = base::Quantity::length,
+        .doc = "place",
+        .computed = [](const FrontResult&, const FrontPointResult& point) { return point.x.x(); },
+        .tip_places = in_results_h5,
+        .front_places = in_files | in_listing},
+    KQuantity{
+        .name = "y",
+        .kind = base::Quantity::length,
+        .doc = "place",
+        .computed = [](const FrontResult&, const FrontPointResult& point) { return point.x.y(); },
+        .tip_places = in_results_h5,
+        .front_places = in_files | in_listing},
+    KQuantity{
+        .name = "z",
+        .kind = base::Quantity::length,
+        .doc = "place",
+        .computed = [](const FrontResult&, const FrontPointResult& point) { return point.x.z(); },
+        .tip_places = in_results_h5,
+        .front_places = in_files | in_listing},
+    KQuantity{.name = "K1",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "stress intensity of mode I",
+              .member = &FrontPointResult::K1,
+              .tip_places = everywhere,
+              .front_places = in_files | in_listing | in_shell | in_output | in_check,
+              .given = KQuantityCondition::in_one_material,
+              .mode = 0,
+              .digits = KQuantityDigits::six_beside_largest},
+    KQuantity{.name = "K2",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "stress intensity of mode II",
+              .member = &FrontPointResult::K2,
+              .tip_places = everywhere,
+              .front_places = in_files | in_listing | in_shell | in_output | in_check,
+              .given = KQuantityCondition::in_one_material,
+              .mode = 1,
+              .digits = KQuantityDigits::six_beside_largest},
+    KQuantity{.name = "K3",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "stress intensity of mode III",
+              .member = &FrontPointResult::K3,
+              .front_places = in_files | in_listing | in_shell | in_output | in_check,
+              .given = KQuantityCondition::in_one_material,
+              .mode = 2,
+              .digits = KQuantityDigits::six_beside_largest},
+    KQuantity{.name = "G",
+              .kind = base::Quantity::energy_release,
+              .doc = "energy release rate",
+              .member = &FrontPointResult::G,
+              .tip_places = everywhere,
+              .front_places = in_files | in_listing | in_output | in_check,
+              .digits = KQuantityDigits::six_beside_largest},
+    KQuantity{.name = "G_from_K",
+              .kind = base::Quantity::energy_release,
+              .doc = "energy release rate that K stands for",
+              .member = &FrontPointResult::G_from_K,
+              .tip_places = in_listing,
+              .front_places = in_files,
+              .given = KQuantityCondition::in_one_material,
+              .heading = "(K1^2+K2^2)/E'",
+              .digits = KQuantityDigits::six_beside_largest},
+    KQuantity{.name = "spread",
+              .kind = base::Quantity::number,
+              .doc = "largest less smallest K1 of the domains over K",
+              .member = &FrontPointResult::spread,
+              .tip_places = in_files | in_listing,
+              .front_places = in_files | in_listing,
+              .given = KQuantityCondition::in_one_material,
+              .judges = true,
+              .digits = KQuantityDigits::two},
+    KQuantity{.name = "T",
+              .kind = base::Quantity::stress,
+              .doc = "stress along the crack at the tip",
+              .member = &FrontPointResult::T,
+              .tip_places = everywhere & ~(in_output | in_sweep),
+              .front_places = in_files | in_listing | in_output | in_check,
+              .given = KQuantityCondition::in_one_material,
+              .shell_digits = 5},
+    KQuantity{.name = "K1_smooth",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "K1 as a smooth function along the front",
+              .computed = [](const FrontResult&,
+                             const FrontPointResult& point) { return point.smooth[0]; },
+              .front_places = in_files,
+              .mode = 0},
+    KQuantity{.name = "K2_smooth",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "K2 as a smooth function along the front",
+              .computed = [](const FrontResult&,
+                             const FrontPointResult& point) { return point.smooth[1]; },
+              .front_places = in_files,
+              .mode = 1},
+    KQuantity{.name = "K3_smooth",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "K3 as a smooth function along the front",
+              .computed = [](const FrontResult&,
+                             const FrontPointResult& point) { return point.smooth[2]; },
+              .front_places = in_files,
+              .mode = 2},
+    error_bar_quantity("K1_bar", "error bar of K1, half its width", error_bar_size<0>,
+                       everywhere & ~(in_listing | in_shell), in_files | in_output | in_check),
+    error_bar_quantity(
+        "K1_best", "K1 with its estimated error taken out", error_bar_part<0, &KErrorBar::best>,
+        everywhere & ~(in_listing | in_shell | in_sweep), in_files | in_output | in_check),
+    error_bar_quantity("K1_eta", "estimated error of K1", error_bar_part<0, &KErrorBar::eta>,
+                       in_k_csv, 0),
+    error_bar_quantity("K1_sum", "sum of the elements' parts of it without signs",
+                       error_bar_part<0, &KErrorBar::sum>, in_k_csv, 0),
+    error_bar_quantity("K1_flip", "largest change of K1 by one pair beside the end of a contact",
+                       error_bar_part<0, &KErrorBar::set_change>, in_k_csv, 0),
+    error_bar_quantity("K2_bar", "error bar of K2", error_bar_size<1>,
+                       everywhere & ~(in_listing | in_shell), in_files | in_output | in_check),
+    error_bar_quantity(
+        "K2_best", "K2 with its estimated error taken out", error_bar_part<1, &KErrorBar::best>,
+        everywhere & ~(in_listing | in_shell | in_sweep), in_files | in_output | in_check),
+    error_bar_quantity("K2_eta", "estimated error of K2", error_bar_part<1, &KErrorBar::eta>,
+                       in_k_csv, 0),
+    error_bar_quantity("K2_sum", "sum of the elements' parts of it without signs",
+                       error_bar_part<1, &KErrorBar::sum>, in_k_csv, 0),
+    error_bar_quantity("K2_flip", "largest change of K2 by one pair beside the end of a contact",
+                       error_bar_part<1, &KErrorBar::set_change>, in_k_csv, 0),
+    error_bar_quantity("K3_bar", "error bar of K3", error_bar_size<2>, 0,
+                       in_files | in_output | in_check),
+    error_bar_quantity("K3_best", "K3 with its estimated error taken out",
+                       error_bar_part<2, &KErrorBar::best>, 0, in_files | in_output | in_check),
+    KQuantity{.name = "K1_opening",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "K1 by the opening of the faces behind the tip",
+              .computed = [](const FrontResult&,
+                             const FrontPointResult& point) { return (*point.opening)[0]; },
+              .tip_places = in_k_csv | in_listing,
+              .given = KQuantityCondition::with_opening,
+              .judges = true,
+              .heading = "K1 by opening"},
+    KQuantity{.name = "K2_opening",
+              .kind = base::Quantity::stress_intensity,
+              .doc = "K2 by the opening of the faces behind the tip",
+              .computed = [](const FrontResult&,
+                             const FrontPointResult& point) { return (*point.opening)[1]; },
+              .tip_places = in_k_csv | in_listing,
+              .given = KQuantityCondition::with_opening,
+              .judges = true,
+              .heading = "K2 by opening"},
+};
+
+/// The quantity that $CHECK calls so ("K1.BAR"; "K" is K1) in `dim` dimensions, or null.
+const KQuantity* find_k_quantity(std::string_view check_word, int dim);
+
+/// What a quantity is at a place of the front, linear between its points (K and its best values on
+/// a smooth curve); the nearest to x.
+double front_value_near(const FrontResult& front, const KQuantity& quantity, const base::Vec3& x);
+
+/// The same at an angle phi [rad], counted modulo a full turn; empty where the front has none of
+/// it.
+std::optional<double> front_value_at_angle(const FrontResult& front, const KQuantity& quantity,
+                                           double phi);
+
+/// The same at a length s along the front; empty where it has none of it.
+std::optional<double> front_value_at_length(const FrontResult& front, const KQuantity& quantity,
+                                            double s);
+
+} // namespace spricka::results
