@@ -70,7 +70,7 @@ private:
                 ? nowhere()
                 : fmt::format("{},{},{},{}", point.number, point.x.x(), point.x.y(), point.x.z());
         for (const results::KQuantity& q : results::k_quantities) {
-          if (q.appears_in(results::in_output, dim) && (!front.is_tip() || q.is_number(front))) {
+          if (q.appears_in(results::in_output, dim) && q.is_number(front, point)) {
             row(where, results::output_column_name(q.name), q.extract_value(front, point));
           }
         }

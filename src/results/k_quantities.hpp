@@ -76,6 +76,9 @@ struct KQuantity {
   [[nodiscard]] bool is_number(const FrontResult& front) const {
     return is_given(front) || given == KQuantityCondition::in_one_material;
   }
+  [[nodiscard]] bool is_number(const FrontResult& front, const FrontPointResult& point) const {
+    return is_given(front, point) || given == KQuantityCondition::in_one_material;
+  }
   /// K1, K2 or K3 itself, which an error bar goes with.
   [[nodiscard]] bool is_k() const { return member != nullptr && mode >= 0; }
   [[nodiscard]] std::string check_word() const; ///< "K1.BAR"
