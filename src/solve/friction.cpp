@@ -5,6 +5,7 @@
 #include "solve/blas.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/friction_cones.hpp"
+#include "solve/friction_proximal_points.hpp"
 #include "solve/friction_rest.hpp"
 #include "solve/friction_search.hpp"
 #include "solve/held_problem.hpp"
@@ -136,6 +137,9 @@ void solve_round_cones(const FrictionProblem& problem, const ControllableProblem
     start.expected_alpha = anchor_at(problem.expected.alpha, held, split);
   }
   RoundFrictionState found = solve_round_friction(scaled, start);
+  if (!(found.residual < accepted_residual)) {
+    found = solve_by_proximal_points(scaled, start.alpha, found);
+  }
   ContactSolution& c = answer.contact;
   c.block_iterations = found.newton_steps;
   c.pivots = found.sweeps;

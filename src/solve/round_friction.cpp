@@ -21,7 +21,6 @@ constexpr int most_steps = 25;    // of Newton's method in a round
 constexpr int few_steps = 12;     // of it from forces expected: as many as from sweeps
 constexpr int local_steps = 20;   // at one contact point
 constexpr double arrived = 1e-12; // a residual that no step makes smaller
-constexpr double near_enough = 1e-9;
 
 using NeglectedShearK = Eigen::Vector2d; // zero where there is no second tangent
 
@@ -32,11 +31,8 @@ public:
   RoundFrictionState solve(const RoundFrictionStart& start) {
     int steps = 0;
     if (start.expected.size() > 0) {
-      s_.lambda = start.expected;
-      s_.alpha = start.expected_alpha;
-      find_gaps();
-      steps = newton(few_steps);
-      s_.newton_steps = steps;
+      approach({.lambda = start.expected, .alpha = start.expected_alpha}, few_steps, 0.0);
+      steps = s_.newton_steps;
       if (s_.residual < near_enough) {
         return s_;
       }
@@ -45,6 +41,14 @@ public:
     s_.alpha = start.alpha;
     find_gaps();
     return solve_anew(steps);
+  }
+
+  RoundFrictionState approach(const ExpectedForces& near, int most, double enough) {
+    s_.lambda = near.lambda;
+    s_.alpha = near.alpha;
+    find_gaps();
+    s_.newton_steps = newton(most, enough);
+    return s_;
   }
 
 private:
@@ -63,7 +67,7 @@ private:
       all_sweeps += sweeps;
       find_gaps();
       swept = s_;
-      steps += newton(most_steps);
+      steps += newton(most_steps, 0.0);
       if (s_.residual < best.residual) {
         best = s_;
       }
@@ -174,10 +178,10 @@ private:
     return p_.W(i, k) + p_.B.row(i).dot(p_.B.row(k));
   }
 
-  int newton(int most) {
+  int newton(int most, double enough) {
     RoundFrictionState best = s_;
     int steps = 0;
-    for (; steps < most && s_.residual > 0.0; ++steps) {
+    for (; steps < most && s_.residual > enough; ++steps) {
       if (!newton_step()) {
         break;
       }
@@ -384,6 +388,11 @@ RoundFriction round_friction(const ControllableProblem& held,
 RoundFrictionState solve_round_friction(const RoundFriction& problem,
                                         const RoundFrictionStart& start) {
   return RoundSolver(problem).solve(start);
+}
+
+RoundFrictionState approach_round_friction(const RoundFriction& problem, const ExpectedForces& near,
+                                           int most, double enough) {
+  return RoundSolver(problem).approach(near, most, enough);
 }
 
 } // namespace spricka::solve

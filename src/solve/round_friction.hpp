@@ -45,6 +45,8 @@ struct RoundFrictionState {
   int sweeps = 0;
 };
 
+inline constexpr double near_enough = 1e-9; ///< a residual that asks for no other attempt
+
 /// Where an increment begins.
 struct RoundFrictionStart {
   base::Vector alpha;               ///< [m]
@@ -59,5 +61,10 @@ struct RoundFrictionStart {
 /// Newton needs no sweeps and fewer steps.
 RoundFrictionState solve_round_friction(const RoundFriction& problem,
                                         const RoundFrictionStart& start);
+
+/// Newton's method of it alone, at most so many steps and until the residual is small enough; with
+/// none, the gaps, states and residual of these forces and motions.
+RoundFrictionState approach_round_friction(const RoundFriction& problem, const ExpectedForces& near,
+                                           int most, double enough);
 
 } // namespace spricka::solve
