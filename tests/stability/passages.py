@@ -41,9 +41,9 @@ def drawn(text, points, x, y):
 
 
 def smooth_K(rows):
-    """(x, y, z, K1) of the last increment at the largest load."""
+    """(x, y, z, K1, whether at a surface) of the last increment at the largest load."""
     last = max(int(row["increment"]) for row in rows)
-    return [tuple(float(row[name]) for name in ("x", "y", "z", "K1_smooth"))
+    return [tuple(float(row[name]) for name in ("x", "y", "z", "K1_smooth", "at_surface"))
             for row in rows if int(row["increment"]) == last and row["step"] == "FULL"]
 
 
@@ -62,14 +62,19 @@ def compare(program, case):
     other = smooth_K(numbers(again.out / "k.csv"))
     mean = sum(p[3] for p in front) / len(front)
     most = total = 0.0
-    for x, y, z, K in front[1:-1]:
-        # linear between the two points of the other front that are nearest
+    compared = 0
+    for x, y, z, K, _ in front[1:-1]:
+        # Linear between the two points of the other front that are nearest; not beside the surface, where K is a number
+        # of the mesh.
         near = sorted(other, key=lambda p: (p[0] - x)**2 + (p[1] - y)**2 + (p[2] - z)**2)[:2]
+        if any(p[4] for p in near):
+            continue
+        compared += 1
         ways = [((p[0] - x)**2 + (p[1] - y)**2 + (p[2] - z)**2)**0.5 for p in near]
         part = ways[0] / (ways[0] + ways[1]) if sum(ways) > 0 else 0.0
         off = (K - (1 - part) * near[0][3] - part * near[1][3]) / mean
         most, total = max(most, abs(off)), total + off
-    return abs(total) / (len(front) - 2), most
+    return abs(total) / compared, most
 
 
 def main():
