@@ -9,4 +9,9 @@ using Vec3 = Eigen::Vector3d;
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
+/// A vector of the plane z = 0.
+inline Vec3 to_space(const Vec2& x) {
+  return {x.x(), x.y(), 0.0};
+}
+
 } // namespace spricka::base

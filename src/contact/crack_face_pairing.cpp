@@ -93,7 +93,7 @@ PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& me
     if (push.norm() <= no_area * largest) {
       continue; // the corner of a quadratic edge on the axis
     }
-    append_node_rows(NodePair{id, other->second, {push.x(), push.y(), 0.0}, push.norm(), 0.0},
+    append_node_rows(NodePair{id, other->second, base::to_space(push), push.norm(), 0.0},
                      friction && !half, pair);
   }
   return pair;

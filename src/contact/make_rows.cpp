@@ -10,22 +10,23 @@ namespace {
 constexpr double least_cover = 0.2; // rows covered by less go to a neighbour
 
 // Adds c times what the point p moves along a direction, the target before the contact surface.
-void add_motion(const MortarPoint& p, const ContactFacet& facet, const ContactFacet* target,
-                double c, const base::Vec3& along, ConstraintRowBuilder& row) {
-  const FacetValues N = facet_N(facet, p.r);
+void add_motion(const MortarPoint& p, const geometry::ElementSide& facet,
+                const geometry::ElementSide* target, double c, const base::Vec3& along,
+                ConstraintRowBuilder& row) {
+  const geometry::SideValues N = facet.N(p.r);
   for (std::size_t k = 0; k < facet.nodes.size(); ++k) {
-    row.add_contribution(facet.nodes[k], -c * N[k] * along);
+    row.add_contribution(facet.nodes[k], -c * N[static_cast<Eigen::Index>(k)] * along);
   }
   if (target != nullptr) {
-    const FacetValues M = facet_N(*target, p.s);
+    const geometry::SideValues M = target->N(p.s);
     for (std::size_t k = 0; k < target->nodes.size(); ++k) {
-      row.add_contribution(target->nodes[k], c * M[k] * along);
+      row.add_contribution(target->nodes[k], c * M[static_cast<Eigen::Index>(k)] * along);
     }
   }
 }
 
-void add_point(const MortarPoint& p, const ContactFacet& facet, const ContactFacet* target,
-               int tangents, RowsByNode& rows) {
+void add_point(const MortarPoint& p, const geometry::ElementSide& facet,
+               const geometry::ElementSide* target, int tangents, RowsByNode& rows) {
   const FacetValues phi = facet_hats(facet, p.r);
   for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
     const double c = p.weight * phi[i];
@@ -52,12 +53,13 @@ bool is_covered(const ConstraintRowBuilder& row) {
 
 } // namespace
 
-RowsByNode integrate_mortar_rows(const MortarPoints& points, std::span<const ContactFacet> contact,
-                                 std::span<const ContactFacet> targets, int tangents) {
+RowsByNode integrate_mortar_rows(const MortarPoints& points,
+                                 std::span<const geometry::ElementSide> contact,
+                                 std::span<const geometry::ElementSide> targets, int tangents) {
   RowsByNode rows;
   // The area of each function over all of its edges, paired or not: the measure of its cover.
   for (const SurfaceQuadraturePoint& p : points.surface) {
-    const ContactFacet& facet = contact[p.facet];
+    const geometry::ElementSide& facet = contact[p.facet];
     const FacetValues phi = facet_hats(facet, p.r);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
       rows[facet.nodes[i]].normal.whole += p.weight * phi[i];

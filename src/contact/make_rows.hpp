@@ -21,8 +21,9 @@ using RowsByNode = std::map<base::NodeId, NodalRowSums>;
 /// Weights the motion of the two surfaces at each point by the hats of the contact facet, node by
 /// node. `targets` is empty where the target is rigid; `tangents`: how many of the points' tangents
 /// make rows as well.
-RowsByNode integrate_mortar_rows(const MortarPoints& points, std::span<const ContactFacet> contact,
-                                 std::span<const ContactFacet> targets, int tangents);
+RowsByNode integrate_mortar_rows(const MortarPoints& points,
+                                 std::span<const geometry::ElementSide> contact,
+                                 std::span<const geometry::ElementSide> targets, int tangents);
 
 /// The nodes of a contact surface in the order in which rows are merged and stand; after the last
 /// the first one follows where it is closed.

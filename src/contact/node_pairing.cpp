@@ -128,10 +128,7 @@ void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool t
     }
     const Vec2 push = node.area * n;
     append_node_rows(
-        NodePair{id,
-                 other->node,
-                 {push.x(), push.y(), 0.0},
-                 node.area,
+        NodePair{id, other->node, base::to_space(push), node.area,
                  declared_gap.value_or(zero_round_off(other->gap, node.x.cwiseAbs().maxCoeff()))},
         tangents, pair);
   }

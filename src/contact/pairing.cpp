@@ -79,19 +79,18 @@ MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
   const SurfaceProjection projection(surface, target);
   std::vector<bool> seen(surface.faces.size(), false);
   for (const SurfaceTriangle& t : surface.triangles) {
-    const SolidFace& face = surface.faces[t.face];
-    const Vec2 middle = (node_local_coordinates(face.shape, t.node[0]) +
-                         node_local_coordinates(face.shape, t.node[1]) +
-                         node_local_coordinates(face.shape, t.node[2])) /
+    const geometry::ElementSide& face = surface.faces[t.face];
+    const Vec2 middle = (face.node_coordinates(t.node[0]) + face.node_coordinates(t.node[1]) +
+                         face.node_coordinates(t.node[2])) /
                         3.0;
-    const SolidFacePoint at = point_on(face, middle);
+    const geometry::SidePoint at = face.point(middle);
     seen[t.face] =
         seen[t.face] || projection.project_along_normal(at.x, surface_normal(surface, t.face, at));
   }
   MetFaces found;
   for (std::size_t f = 0; f < seen.size(); ++f) {
     found.faces += seen[f] ? 1 : 0;
-    found.area += seen[f] ? face_area(surface.faces[f]) : 0.0;
+    found.area += seen[f] ? surface.faces[f].area() : 0.0;
   }
   return found;
 }

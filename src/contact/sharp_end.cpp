@@ -99,7 +99,7 @@ std::vector<SingularContactEdge> find_singular_edges(const PairConstraints& pair
       // less.
       if (own_ends ? !other_ends && !pair.rigid : other_ends) {
         const Vec2 x = point_on(*own.edge, xi);
-        add_end(ends, pair.contact, {{x.x(), x.y(), 0.0}, nodes_at(*own.edge, xi), false});
+        add_end(ends, pair.contact, {base::to_space(x), nodes_at(*own.edge, xi), false});
       }
     }
   }

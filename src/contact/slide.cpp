@@ -142,11 +142,11 @@ private:
     // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
     // is of second order, and no row counts it.
     found_.places.push_back(
-        {.x = {place.x(), place.y(), 0.0},
+        {.x = base::to_space(place),
          .thrust = thrust,
          .gap = counted,
          .unseen = now ? std::optional(*now - counted) : std::nullopt,
-         .normal = {n.x(), n.y(), 0.0},
+         .normal = base::to_space(n),
          .relative_motions = relative_motions(motions_, [&](const base::Vector& motion) {
            const Vec2 own = shift_at(edge, xi, motion);
            return eta ? Vec2(shift_at(targets_[s.target_edge], *eta, motion) - own) : Vec2(-own);

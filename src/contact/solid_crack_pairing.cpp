@@ -12,8 +12,9 @@ namespace {
 
 // Where the function of each front node of a face goes: that of a corner to the next node of an
 // edge that leaves the front (a quarter point), that of a middle on the front across the face.
-void find_behind(const SolidFace& face, const std::set<base::NodeId>& front, NodesBehind& behind) {
-  const auto corners = static_cast<std::size_t>(base::element_info(face.shape).corners);
+void find_behind(const geometry::ElementSide& face, const std::set<base::NodeId>& front,
+                 NodesBehind& behind) {
+  const auto corners = static_cast<std::size_t>(face.corners());
   const bool quadratic = face.nodes.size() > corners;
   const auto on_front = [&](std::size_t n) { return front.contains(face.nodes[n]); };
   for (std::size_t c = 0; c < corners; ++c) {
@@ -50,7 +51,7 @@ PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& m
     }
   }
   NodesBehind behind;
-  for (const SolidFace& face : pair.contact.space.faces) {
+  for (const geometry::ElementSide& face : pair.contact.space.faces) {
     find_behind(face, front, behind);
   }
   fill_space_mortar_rows(pair, 0.0, friction, behind);

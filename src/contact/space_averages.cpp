@@ -42,13 +42,11 @@ std::vector<base::Vec3> centres_of(const PairConstraints& pair,
   std::vector<base::Vec3> moment(pair.functions.size(), base::Vec3::Zero());
   base::Vector area = base::Vector::Zero(index(pair.functions.size()));
   for (const SurfaceTriangle& t : surface.triangles) {
-    const SolidFace& face = surface.faces[t.face];
-    const std::array<Vec2, 3> r{node_local_coordinates(face.shape, t.node[0]),
-                                node_local_coordinates(face.shape, t.node[1]),
-                                node_local_coordinates(face.shape, t.node[2])};
+    const geometry::ElementSide& face = surface.faces[t.face];
+    const std::array<Vec2, 3> r = corner_coordinates(face, t.node);
     for (const auto& [q, weight] : shape::triangle_rule(hat_degree)) {
       const std::array<double, 3> hat{1.0 - q[0] - q[1], q[0], q[1]};
-      const SolidFacePoint at = point_on(face, hat[0] * r[0] + hat[1] * r[1] + hat[2] * r[2]);
+      const geometry::SidePoint at = face.point(hat[0] * r[0] + hat[1] * r[1] + hat[2] * r[2]);
       for (std::size_t k = 0; k < hat.size(); ++k) {
         const std::size_t i = faces[t.face][static_cast<std::size_t>(t.node[k])];
         const double w = weight * at.area_vector().norm() * hat[k];
@@ -108,18 +106,18 @@ public:
 
 private:
   [[nodiscard]] std::size_t corners_of(std::size_t f) const {
-    return static_cast<std::size_t>(base::element_info(pair_.contact.space.faces[f].shape).corners);
+    return static_cast<std::size_t>(pair_.contact.space.faces[f].corners());
   }
 
   void look_at(std::size_t f, const std::vector<bool>& closed) {
-    const SolidFace& face = pair_.contact.space.faces[f];
+    const geometry::ElementSide& face = pair_.contact.space.faces[f];
     // Corners of node pairs on faces of 6 nodes open and close at random: nothing acts there.
     const bool all = !pair_.segments || std::ranges::all_of(faces_[f], [&](std::size_t i) {
       const MultiplierFunction& own = pair_.functions[i];
       return closed[i] && !own.joined && own.area >= all_covered * own.whole &&
              !sharp_.contains(own.node);
     });
-    const base::Vec3 normal = point_on(face, centre_local_coordinates(face.shape)).area_vector();
+    const base::Vec3 normal = face.area_vector(face.centre());
     for (std::size_t c = 0; c < corners_of(f); ++c) {
       const std::size_t corner = faces_[f][c];
       sound_[corner] = sound_[corner] && all;

@@ -3,11 +3,10 @@
 
 #include "base/index.hpp"
 #include "contact/row_builder.hpp"
-#include "contact/space/box_tree.hpp"
 #include "contact/space/frames.hpp"
 #include "contact/space/opposite.hpp"
+#include "geometry/box_tree.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/reference_element.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,28 +36,24 @@ struct PartNodeArea {
 using PartNodes = std::map<std::pair<std::size_t, base::NodeId>, PartNodeArea>;
 
 // Integrals of the shape functions of a face.
-FaceValues shape_areas(const SolidFace& face) {
-  const shape::ReferenceDomain domain = shape::reference_element<2>(face.shape).domain;
-  FaceValues area = FaceValues::Zero(index(face.nodes.size()));
-  for (const auto& [r, weight] : shape::quadrature<2>(domain, node_degree)) {
-    area += weight * point_on(face, r).area_vector().norm() * face_N(face.shape, r);
-  }
+geometry::SideValues shape_areas(const geometry::ElementSide& face) {
+  geometry::SideValues area = geometry::SideValues::Zero(index(face.nodes.size()));
+  face.for_quadrature_points(node_degree, [&](const Vec2& r, double weight) {
+    area += weight * face.area_vector(r).norm() * face.N(r);
+  });
   return area;
 }
 
 // Integrals of the hats on its triangles.
-FaceValues hat_areas(const SolidFace& face) {
-  FaceValues area = FaceValues::Zero(index(face.nodes.size()));
-  for (const FaceTriangle& t : face_triangles(face.shape)) {
-    const std::array<Vec2, 3> r{node_local_coordinates(face.shape, t[0]),
-                                node_local_coordinates(face.shape, t[1]),
-                                node_local_coordinates(face.shape, t[2])};
+geometry::SideValues hat_areas(const geometry::ElementSide& face) {
+  geometry::SideValues area = geometry::SideValues::Zero(index(face.nodes.size()));
+  for (const FaceTriangle& t : face_triangles(face)) {
+    const std::array<Vec2, 3> r = corner_coordinates(face, t);
     const Vec2 a = r[1] - r[0];
     const Vec2 b = r[2] - r[0];
     const double r_area2 = a.x() * b.y() - a.y() * b.x();
     for (const auto& [q, weight] : shape::triangle_rule(node_degree)) {
-      const double w =
-          weight * r_area2 * point_on(face, r[0] + q[0] * a + q[1] * b).area_vector().norm();
+      const double w = weight * r_area2 * face.area_vector(r[0] + q[0] * a + q[1] * b).norm();
       area[t[0]] += w * (1.0 - q[0] - q[1]);
       area[t[1]] += w * q[0];
       area[t[2]] += w * q[1];
@@ -70,13 +65,11 @@ FaceValues hat_areas(const SolidFace& face) {
 PartNodes nodes_by_part(const SpaceSurface& surface) {
   PartNodes all;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    const SolidFace& face = surface.faces[f];
-    const FaceValues area =
-        face.shape == base::ElementType::trimc6 ? hat_areas(face) : shape_areas(face);
+    const geometry::ElementSide& face = surface.faces[f];
+    const geometry::SideValues area = face.nodes.size() == 6 ? hat_areas(face) : shape_areas(face);
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       PartNodeArea& node = all[{surface.part[f], face.nodes[i]}];
-      const SolidFacePoint at =
-          point_on(face, node_local_coordinates(face.shape, static_cast<int>(i)));
+      const geometry::SidePoint at = face.point(face.node_coordinates(static_cast<int>(i)));
       node.x = face.X.col(index(i));
       node.normal += surface_normal(surface, f, at);
       node.area += area[index(i)];
@@ -87,20 +80,20 @@ PartNodes nodes_by_part(const SpaceSurface& surface) {
 
 bool has_faces_of_8(const SpaceSurface& surface) {
   return std::ranges::any_of(
-      surface.faces, [](const SolidFace& face) { return face.shape == base::ElementType::quamc8; });
+      surface.faces, [](const geometry::ElementSide& face) { return face.nodes.size() == 8; });
 }
 
 // The target's nodes in a tree, to find the one before another node.
 class Targets {
 public:
   Targets(const SpaceSurface& surface, double reach, double across)
-      : reach_(reach), across_(across), tree_({}) {
-    std::vector<ContactBoundingBox> boxes;
+      : reach_(reach), across_(across) {
+    std::vector<geometry::Box<3>> boxes;
     for (const auto& [key, node] : nodes_by_part(surface)) {
       nodes_.emplace_back(key.second, node);
       boxes.push_back({node.x, node.x});
     }
-    tree_ = BoxTree(boxes);
+    tree_ = geometry::BoxTree<3>(boxes);
   }
 
   struct OppositeNode {
@@ -108,12 +101,9 @@ public:
     double gap = 0.0;
   };
   [[nodiscard]] std::optional<OppositeNode> before(const Vec3& x, const Vec3& n) const {
-    const Vec3 more = Vec3::Constant(across_);
-    const Vec3 up = x + reach_ * n;
-    const Vec3 down = x - reach_ * n;
+    const std::array<Vec3, 2> ends{x + reach_ * n, x - reach_ * n};
     std::optional<OppositeNode> found;
-    for (const std::size_t i :
-         tree_.overlapping_boxes({up.cwiseMin(down) - more, up.cwiseMax(down) + more})) {
+    for (const std::size_t i : tree_.boxes_meeting(geometry::Box<3>::around(ends).grown(across_))) {
       const auto& [node, other] = nodes_[i];
       const Vec3 d = other.x - x;
       const double along = d.dot(n);
@@ -128,7 +118,7 @@ public:
 private:
   double reach_, across_;
   std::vector<std::pair<base::NodeId, PartNodeArea>> nodes_;
-  BoxTree tree_;
+  geometry::BoxTree<3> tree_;
 };
 
 } // namespace

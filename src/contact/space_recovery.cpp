@@ -127,7 +127,7 @@ std::vector<base::Vec3> shear_on_slave(const PairConstraints& pair, const base::
 
 std::map<base::NodeId, base::Vec3> places_of_nodes(const SpaceSurface& surface) {
   std::map<base::NodeId, base::Vec3> x;
-  for (const SolidFace& face : surface.faces) {
+  for (const geometry::ElementSide& face : surface.faces) {
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       x[face.nodes[i]] = face.X.col(index(i));
     }

@@ -30,7 +30,7 @@ using PartNode = std::pair<std::size_t, base::NodeId>;
 
 // Integrals of a triangle's three hats times what the two surfaces move along one direction.
 struct HatMotionIntegrals {
-  using OfHats = std::array<NodePlaces, 3>; ///< [hat] by face node
+  using OfHats = std::array<geometry::SidePositions, 3>; ///< [hat] by face node
   OfHats own;
   std::vector<OfHats> target;
 };
@@ -90,7 +90,7 @@ private:
   [[nodiscard]] HatIntegrals integrate(const SurfaceTriangle& triangle,
                                        const ProjectedTriangle& projection) const {
     HatIntegrals sum;
-    const SolidFace& face = own_.faces[triangle.face];
+    const geometry::ElementSide& face = own_.faces[triangle.face];
     const auto nodes = static_cast<Eigen::Index>(face.nodes.size());
     for (int k = 0; k < directions_; ++k) {
       for (auto& own : sum.motion[static_cast<std::size_t>(k)].own) {
@@ -109,8 +109,8 @@ private:
           }
         }
       }
-      const FaceValues N = face_N(face.shape, p.r);
-      const FaceValues M = rigid ? FaceValues() : face_N(other_.faces[p.target].shape, p.s);
+      const geometry::SideValues N = face.N(p.r);
+      const geometry::SideValues M = rigid ? geometry::SideValues() : other_.faces[p.target].N(p.s);
       const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.face], p.normal);
       const Eigen::Vector3d w = p.weight * p.hat;
       sum.moment += w * p.hat.transpose();

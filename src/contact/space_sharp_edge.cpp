@@ -3,6 +3,7 @@
 
 #include "base/index.hpp"
 #include "contact/space/surface_projection.hpp"
+#include "geometry/polyline.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,8 +35,8 @@ struct PartBoundaryEdge {
 };
 
 PartBoundaryEdge rim_of(const SpaceSurface& surface, std::size_t f, int corner) {
-  const SolidFace& face = surface.faces[f];
-  const int corners = base::element_info(face.shape).corners;
+  const geometry::ElementSide& face = surface.faces[f];
+  const int corners = face.corners();
   const int next = (corner + 1) % corners;
   PartBoundaryEdge rim;
   rim.face = f;
@@ -44,12 +45,10 @@ PartBoundaryEdge rim_of(const SpaceSurface& surface, std::size_t f, int corner) 
   if (static_cast<int>(face.nodes.size()) >= 2 * corners) {
     rim.nodes.push_back(face.nodes[static_cast<std::size_t>(corners + corner)]);
   }
-  const Vec2 middle =
-      0.5 * (node_local_coordinates(face.shape, corner) + node_local_coordinates(face.shape, next));
-  rim.x = {face.X.col(corner), point_on(face, middle).x, face.X.col(next)};
+  const Vec2 middle = 0.5 * (face.node_coordinates(corner) + face.node_coordinates(next));
+  rim.x = {face.X.col(corner), face.position(middle), face.X.col(next)};
   rim.length = (rim.x[2] - rim.x[0]).norm();
-  const SolidFacePoint at =
-      point_on(face, middle + lifted * (centre_local_coordinates(face.shape) - middle));
+  const geometry::SidePoint at = face.point(middle + lifted * (face.centre() - middle));
   rim.inside = at.x;
   rim.normal = surface_normal(surface, f, at);
   return rim;
@@ -60,7 +59,7 @@ std::vector<PartBoundaryEdge> rims_of(const SpaceSurface& surface) {
   std::map<std::tuple<std::size_t, base::NodeId, base::NodeId>, int> met;
   const auto each_side = [&](const auto& visit) {
     for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-      const int corners = base::element_info(surface.faces[f].shape).corners;
+      const int corners = surface.faces[f].corners();
       for (int i = 0; i < corners; ++i) {
         const auto [a, b] =
             std::minmax(surface.faces[f].nodes[static_cast<std::size_t>(i)],
@@ -79,12 +78,6 @@ std::vector<PartBoundaryEdge> rims_of(const SpaceSurface& surface) {
   return rims;
 }
 
-double distance_to_line(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const Vec3 way = b - a;
-  const double t = std::clamp((x - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  return (x - a - t * way).norm();
-}
-
 // The rims of a surface in a tree, to ask whether it ends at a place.
 class PartBoundaryTree {
 public:
@@ -92,25 +85,24 @@ public:
       : rims_(rims), tree_(boxes(rims)) {}
 
   [[nodiscard]] bool at(const Vec3& x, double near) const {
-    const Vec3 more = Vec3::Constant(near);
-    return std::ranges::any_of(tree_.overlapping_boxes({x - more, x + more}), [&](std::size_t i) {
+    return std::ranges::any_of(tree_.boxes_within(x, near), [&](std::size_t i) {
       const std::array<Vec3, 3>& y = rims_[i].x;
-      return std::min(distance_to_line(x, y[0], y[1]), distance_to_line(x, y[1], y[2])) < near;
+      return std::min(geometry::distance_to_segment(x, y[0], y[1]),
+                      geometry::distance_to_segment(x, y[1], y[2])) < near;
     });
   }
 
 private:
-  static std::vector<ContactBoundingBox> boxes(const std::vector<PartBoundaryEdge>& rims) {
-    std::vector<ContactBoundingBox> all;
+  static std::vector<geometry::Box<3>> boxes(const std::vector<PartBoundaryEdge>& rims) {
+    std::vector<geometry::Box<3>> all;
     all.reserve(rims.size());
     for (const PartBoundaryEdge& rim : rims) {
-      all.push_back({rim.x[0].cwiseMin(rim.x[1]).cwiseMin(rim.x[2]),
-                     rim.x[0].cwiseMax(rim.x[1]).cwiseMax(rim.x[2])});
+      all.push_back(geometry::Box<3>::around(rim.x));
     }
     return all;
   }
   const std::vector<PartBoundaryEdge>& rims_;
-  BoxTree tree_;
+  geometry::BoxTree<3> tree_;
 };
 
 // Nodes of the contact surface whose pressure acts at an edge of one of the two.

@@ -29,7 +29,7 @@ Vec3 motion_of(base::NodeId node, const base::Vector& u) {
 
 // The surface where displacements have taken it; its normals are those of its faces.
 SpaceSurface moved(SpaceSurface surface, const base::Vector& u) {
-  for (SolidFace& face : surface.faces) {
+  for (geometry::ElementSide& face : surface.faces) {
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       face.X.col(index(i)) += motion_of(face.nodes[i], u);
     }
@@ -39,8 +39,8 @@ SpaceSurface moved(SpaceSurface surface, const base::Vector& u) {
 }
 
 // The displacement of a point of a face.
-Vec3 shift_at(const SolidFace& face, const Vec2& r, const base::Vector& u) {
-  const FaceValues N = face_N(face.shape, r);
+Vec3 shift_at(const geometry::ElementSide& face, const Vec2& r, const base::Vector& u) {
+  const geometry::SideValues N = face.N(r);
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < face.nodes.size(); ++i) {
     sum += N[index(i)] * motion_of(face.nodes[i], u);
@@ -68,11 +68,11 @@ public:
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       largest_ = std::max(largest_, lambda[index(i)]);
     }
-    for (const SolidFace& face : own_.faces) {
-      own_size_.push_back(std::sqrt(face_area(face)));
+    for (const geometry::ElementSide& face : own_.faces) {
+      own_size_.push_back(std::sqrt(face.area()));
     }
-    for (const SolidFace& face : other_.faces) {
-      other_size_.push_back(std::sqrt(face_area(face)));
+    for (const geometry::ElementSide& face : other_.faces) {
+      other_size_.push_back(std::sqrt(face.area()));
     }
   }
 
@@ -110,17 +110,15 @@ private:
 
   [[nodiscard]] std::vector<ProjectionPoint> looked_at(const SurfaceTriangle& t,
                                                        const SurfaceProjection& drawn) const {
-    const SolidFace& face = own_.faces[t.face];
-    const std::array<Vec2, 3> r{node_local_coordinates(face.shape, t.node[0]),
-                                node_local_coordinates(face.shape, t.node[1]),
-                                node_local_coordinates(face.shape, t.node[2])};
+    const geometry::ElementSide& face = own_.faces[t.face];
+    const std::array<Vec2, 3> r = corner_coordinates(face, t.node);
     const Vec2 a = r[1] - r[0];
     const Vec2 b = r[2] - r[0];
     const double r_area2 = std::abs(a.x() * b.y() - a.y() * b.x());
     std::vector<ProjectionPoint> points;
     for (const auto& [q, weight] : shape::triangle_rule(rule_degree)) {
       const Vec2 at = r[0] + q[0] * a + q[1] * b;
-      const SolidFacePoint here = point_on(face, at);
+      const geometry::SidePoint here = face.point(at);
       if (std::optional<ProjectionPoint> met =
               drawn.project_along_normal(here.x, surface_normal(own_, t.face, here))) {
         met->hat = {1.0 - q[0] - q[1], q[0], q[1]};
@@ -151,7 +149,7 @@ private:
     Vec3 relative = -shift_at(own_.faces[triangle.face], at.r, u_);
     double facet = own_size_[triangle.face];
     std::optional<double> now;
-    const SolidFacePoint here = point_on(moved_own_.faces[triangle.face], at.r);
+    const geometry::SidePoint here = moved_own_.faces[triangle.face].point(at.r);
     Vec3 place = here.x;
     if (pair_.rigid_shape) {
       const AnalyticShape& shape = *pair_.rigid_shape;
@@ -164,7 +162,7 @@ private:
               projection_.project_along_normal(here.x, here.area_vector().normalized())) {
         now = met->gap;
       }
-      place = point_on(moved_other_.faces[at.target], at.s).x;
+      place = moved_other_.faces[at.target].position(at.s);
     }
     const double counted = at.gap + at.normal.dot(relative);
     // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more

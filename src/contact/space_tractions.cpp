@@ -4,6 +4,7 @@
 #include "contact/space/frames.hpp"
 #include "contact/space_dual.hpp"
 #include "contact/space_rows.hpp"
+#include "model/mesh_side.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,10 +38,10 @@ public:
       : pair_(pair), own_(pair.contact.space), other_(pair.target.space), frames_(own_),
         rows_(rows_along(pair)), functions_(functions_by_face(pair)) {
     for (std::size_t f = 0; f < own_.faces.size(); ++f) {
-      own_wanted_.push_back(wanted(own_.faces[f].face));
+      own_wanted_.push_back(wanted(model::face_of(own_.faces[f])));
     }
-    for (const SolidFace& face : other_.faces) {
-      other_wanted_.push_back(wanted(face.face));
+    for (const geometry::ElementSide& face : other_.faces) {
+      other_wanted_.push_back(wanted(model::face_of(face)));
     }
   }
 
@@ -86,14 +87,14 @@ private:
         }
       }
       if (own_wanted_[triangle.face]) {
-        UnitTractionPoint& point =
-            points_[own_.faces[triangle.face].face].emplace_back(UnitTractionPoint{p.r, forces});
+        UnitTractionPoint& point = points_[model::face_of(own_.faces[triangle.face])].emplace_back(
+            UnitTractionPoint{p.r, forces});
         for (UnitTractionPoint::RowForce& one : point.rows) {
           one.force = -one.force;
         }
       }
       if (!pair_.rigid && other_wanted_[p.target]) {
-        points_[other_.faces[p.target].face].push_back({p.s, std::move(forces)});
+        points_[model::face_of(other_.faces[p.target])].push_back({p.s, std::move(forces)});
       }
     }
   }

@@ -2,6 +2,7 @@
 #include "contact/surface.hpp"
 
 #include "mesh/boundary.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ ContactSurface solid_surface(const model::Model& model, const model::Mesh& mesh,
   for (const model::Face& face : faces) {
     const double E = model.element_material(mesh, face.element).E;
     surface.stiffness = surface.facets.empty() ? E : std::min(surface.stiffness, E);
-    surface.facets.push_back(make_facet(mesh, face));
+    surface.facets.push_back(model::element_side(mesh, face));
   }
   return surface;
 }
@@ -115,7 +116,7 @@ ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
       const double t = model.element_property(mesh, face.element).thickness;
       surface.thickness = count == 0 ? t : std::min(surface.thickness, t);
       ++count;
-      surface.facets.push_back(make_facet(mesh, face));
+      surface.facets.push_back(model::element_side(mesh, face));
       surface.plane.edges.push_back(edge);
     }
   }

@@ -22,7 +22,7 @@ struct SurfaceCircle {
 };
 
 struct ContactSurface {
-  std::vector<ContactFacet> facets;
+  std::vector<geometry::ElementSide> facets;
   PlanarEdgeChains plane; ///< order of the facets; none in space
   SpaceSurface space;     ///< no faces in the plane
   std::optional<SurfaceCircle> circle;

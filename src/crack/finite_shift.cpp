@@ -116,7 +116,7 @@ double face_work(const Shift& shift, const ActingLoad& acting, const model::Face
   double work = 0.0;
   for (const auto& point : fe::load_rule<1>(side.shape, side.X, *acting.load, scale).points) {
     const SideValues N = side.shape.N(point.r);
-    const base::Vec2 area = fe::area_vector<1>(side.shape, side.X, point.r).head<2>();
+    const base::Vec2 area = side.area_vector({point.r[0], 0.0}).head<2>();
     const base::Vec2 x = side.X.topRows<2>() * N;
     work += point.weight * area.norm() * shift.set.relative_depth(x) *
             traction(acting, x, area.normalized()).dot(base::Vec2(U * N));

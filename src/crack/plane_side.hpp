@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "fe/face.hpp"
+#include "fe/jacobian.hpp"
+#include "model/mesh_side.hpp"
 
 #include <vector>
 
@@ -11,8 +12,11 @@ using SideValues = fe::NodeValues<fe::AnyElement<1>>;
 using SideVectors = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, shape::most_nodes<1>>;
 
 /// A side of an element of a section.
-struct PlaneSide : fe::ElementSide<1> {
-  using fe::ElementSide<1>::ElementSide;
+struct PlaneSide : geometry::ElementSide {
+  const fe::AnyElement<1>& shape; ///< of one local coordinate
+
+  PlaneSide(const model::Mesh& mesh, const model::Face& face)
+      : ElementSide(model::element_side(mesh, face)), shape(reference<1>()) {}
 
   /// Nodes as seen from the tip: of points much nearer to it than sixteen digits of their
   /// coordinates tell, as a rule has them where a load jumps at the tip, the distance is right even

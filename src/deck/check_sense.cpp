@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/unit_warnings.hpp"
+#include "geometry/polyline.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/mouth.hpp"
 #include "model/model.hpp"
@@ -103,14 +104,7 @@ void crack_states(DeckContext& c) {
 }
 
 double length_of(const model::CrackDefinition& crack) {
-  if (crack.a0) {
-    return *crack.a0;
-  }
-  double sum = 0.0;
-  for (std::size_t i = 1; i < crack.points.size(); ++i) {
-    sum += (crack.points[i] - crack.points[i - 1]).norm();
-  }
-  return sum;
+  return crack.a0 ? *crack.a0 : geometry::polyline_length(crack.points);
 }
 
 // A start inside, but by a small part of the length: of an edge crack whose mouth missed the edge.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "geometry/polyline.hpp"
 #include "model/model.hpp"
 #include "shape/topology.hpp"
 
@@ -180,10 +181,8 @@ private:
       bool opposite = false;
       for (const model::Face& other : auxiliary) {
         const std::vector<base::NodeId> ends = nodes_of(other);
-        const base::Vec3& from = mesh_.x[ends[0].index()];
-        const base::Vec3 along = mesh_.x[ends[1].index()] - from;
-        const double t = std::clamp((x - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        const double distance = (from + t * along - x).norm();
+        const auto [t, distance] =
+            geometry::nearest_point(x, mesh_.x[ends[0].index()], mesh_.x[ends[1].index()]);
         if (distance < nearest) {
           nearest = distance;
           opposite = (t > 0.0 && t < 1.0) || sides.at(ends[t > 0.5 ? 1 : 0]) > 1;

@@ -18,7 +18,7 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
   for (const contact::MortarPoint& p :
        contact::mortar_points(pair.contact, pair.target, std::nullopt).points) {
-    const contact::ContactFacet& facet = pair.contact.facets[p.facet];
+    const geometry::ElementSide& facet = pair.contact.facets[p.facet];
     const contact::Edge& target = pair.target.plane.edges[p.target];
     const std::optional<std::size_t> at = find_edge(index, target);
     if (!at) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/space_enrichment.hpp"
 
-#include "fe/face.hpp"
 #include "fe/load_points.hpp"
+#include "fe/load_rule.hpp"
 #include "model/model.hpp"
 #include "shape/side_place.hpp"
 #include "shape/topology.hpp"

@@ -2,7 +2,7 @@
 #include "fe/bearing.hpp"
 
 #include "fe/circle_fit.hpp"
-#include "fe/face.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
 #include <Eigen/LU>
@@ -62,20 +62,20 @@ struct Pin {
   model::BearingShape shape = model::BearingShape::cosine;
 };
 
-Vec2 place_on(const ElementSide<1>& edge, const shape::Point<1>& r) {
-  return Vec3(edge.X * edge.shape.N(r)).head<2>();
+Vec2 place_on(const geometry::ElementSide& edge, double r) {
+  return edge.position({r, 0.0}).head<2>();
 }
 
 // Calls visit(t, main, across) at points of a piece of an edge: the forces of the two unit
 // pressures p = cos(theta) or 1, and p = sin(theta).
 template <class Visit>
-void for_piece(const Pin& pin, const ElementSide<1>& edge, double from, double to, double thickness,
-               Visit&& visit) {
+void for_piece(const Pin& pin, const geometry::ElementSide& edge, double from, double to,
+               double thickness, Visit&& visit) {
   const Vec2 across(-pin.d.y(), pin.d.x());
   for (const auto& point : shape::line_rule(pressure_degree)) {
-    const shape::Point<1> r(0.5 * (from + to) + 0.5 * (to - from) * point.r[0]);
+    const double r = 0.5 * (from + to) + 0.5 * (to - from) * point.r[0];
     const Vec2 arm = place_on(edge, r) - pin.bore.centre;
-    const Vec2 tangent = Vec3(edge.X * edge.shape.dN(r)).head<2>();
+    const Vec2 tangent = edge.tangents({r, 0.0}).col(0).head<2>();
     const double distance = arm.norm();
     const Vec2 m = (pin.bore.side / distance) * arm; // the way the pressure pushes
     // Length of the exact arc: R dtheta.
@@ -87,16 +87,14 @@ void for_piece(const Pin& pin, const ElementSide<1>& edge, double from, double t
     }
     const double p = pin.shape == model::BearingShape::cosine ? cosine : 1.0;
     const Vec2 force = point.weight * thickness * ds * m;
-    visit(r[0], Vec2(p * force), Vec2(m.dot(across) * force));
+    visit(r, Vec2(p * force), Vec2(m.dot(across) * force));
   }
 }
 
 template <class Visit>
-void for_edge(const Pin& pin, const ElementSide<1>& edge, double thickness, Visit&& visit) {
+void for_edge(const Pin& pin, const geometry::ElementSide& edge, double thickness, Visit&& visit) {
   // Along the load from the centre: its zeros are where |theta| = 90 degrees.
-  const auto distance = [&](double r) {
-    return (place_on(edge, shape::Point<1>(r)) - pin.bore.centre).dot(pin.d);
-  };
+  const auto distance = [&](double r) { return (place_on(edge, r) - pin.bore.centre).dot(pin.d); };
   const Cuts cuts = cut_edge(distance(-1.0), distance(0.0), distance(1.0));
   for (std::size_t k = 0; k + 1 < cuts.count; ++k) {
     if (pin.bore.side * distance(0.5 * (cuts.at[k] + cuts.at[k + 1])) > 0.0) {
@@ -111,7 +109,7 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
   std::vector<WeightedPoint> points;
   for (const model::Face& face : faces) {
-    for (const base::NodeId n : collect_face_nodes(mesh, face)) {
+    for (const base::NodeId n : model::side_nodes(mesh, face)) {
       points.push_back({mesh.x[n.index()].head<2>(), 1.0});
     }
   }
@@ -122,10 +120,9 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
 
   double inward = 0.0; // outer normals of a bore point to its centre
   for (const model::Face& face : faces) {
-    const ElementSide<1> edge(mesh, face);
-    const shape::Point<1> middle(0.0);
-    const Vec3 normal = area_vector<1>(edge.shape, edge.X, middle);
-    inward += normal.head<2>().dot(bore.centre - place_on(edge, middle));
+    const geometry::ElementSide edge = model::element_side(mesh, face);
+    const Vec3 normal = edge.area_vector(Vec2::Zero());
+    inward += normal.head<2>().dot(bore.centre - place_on(edge, 0.0));
   }
   bore.side = inward > 0.0 ? 1.0 : -1.0;
   return bore;
@@ -136,7 +133,7 @@ std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh
   constexpr double in_plane = 1e-6; // of the faces' extent
   std::vector<base::NodeId> nodes;
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
-    std::ranges::copy(collect_face_nodes(mesh, face), std::back_inserter(nodes));
+    std::ranges::copy(model::side_nodes(mesh, face), std::back_inserter(nodes));
   }
   std::array<bool, 3> cuts{};
   for (const model::MirrorPlane& plane : model.mirrors) {
@@ -167,7 +164,8 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
   const auto for_points = [&](auto&& point) {
     for (const model::Face& face : faces) {
       for_edge(
-          pin, ElementSide<1>(mesh, face), model.element_property(mesh, face.element).thickness,
+          pin, model::element_side(mesh, face),
+          model.element_property(mesh, face.element).thickness,
           [&](double t, const Vec2& main, const Vec2& across) { point(face, t, main, across); });
     }
   };
@@ -194,10 +192,10 @@ bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model
                  Vector& f) {
   return for_bearing_points(
       model, mesh, load, [&](const model::Face& face, double t, const Vec2& force) {
-        const std::vector<base::NodeId> nodes = collect_face_nodes(mesh, face);
-        const auto N = shape::reference_line(static_cast<int>(nodes.size())).N(shape::Point<1>(t));
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-          f.segment<2>(2 * static_cast<Eigen::Index>(nodes[i].index())) +=
+        const geometry::ElementSide side = model::element_side(mesh, face);
+        const geometry::SideValues N = side.N({t, 0.0});
+        for (std::size_t i = 0; i < side.nodes.size(); ++i) {
+          f.segment<2>(2 * static_cast<Eigen::Index>(side.nodes[i].index())) +=
               N[static_cast<Eigen::Index>(i)] * force;
         }
       });

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/bearing.hpp"
 #include "fe/circle_fit.hpp"
-#include "fe/face.hpp"
+#include "fe/load_rule.hpp"
 #include "model/loads.hpp"
+#include "model/mesh_side.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -24,11 +25,9 @@ constexpr int solid_pressure_degree = 15;
 template <class F>
 void for_points(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
   for (const model::Face& face : faces) {
-    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
-      for (const auto& point : shape::quadrature<dim>(side.domain, load_degree)) {
-        const Vec3 a = point.weight * area_vector<dim>(side, X, point.r);
-        f(Vec3(X * side.N(point.r)), a);
-      }
+    const geometry::ElementSide side = model::element_side(mesh, face);
+    side.for_quadrature_points(load_degree, [&](const Vec2& r, double weight) {
+      f(side.position(r), Vec3(weight * side.area_vector(r)));
     });
   }
 }
@@ -57,10 +56,10 @@ template <class Visit>
 void for_pin_points(const model::Mesh& mesh, const std::vector<model::Face>& faces,
                     const SolidPin& pin, Visit&& visit) {
   for (const model::Face& face : faces) {
-    const ElementSide<2> side(mesh, face);
-    for (const auto& point : shape::quadrature<2>(side.shape.domain, solid_pressure_degree)) {
-      const Vec3 x = side.X * side.shape.N(point.r);
-      const Vec3 outward = area_vector<2>(side.shape, side.X, point.r);
+    const geometry::ElementSide side = model::element_side(mesh, face);
+    for (const auto& point : shape::quadrature<2>(side.domain(), solid_pressure_degree)) {
+      const Vec3 x = side.X * side.N(point.r);
+      const Vec3 outward = side.area_vector(point.r);
       const Vec2 arm = Vec2(x.dot(pin.along), x.dot(pin.across)) - pin.centre;
       // Against the outer normal: away from the centre of a bore, towards that of a shaft.
       const Vec3 radial = (arm.x() * pin.along + arm.y() * pin.across).normalized();
@@ -127,8 +126,8 @@ bool add_solid_bearing(const model::Model& model, const model::Mesh& mesh, const
                        Vector& f) {
   return for_solid_bearing_points(
       model, mesh, load, [&](const model::Face& face, const Vec3& r, const Vec3& force) {
-        const ElementSide<2> side(mesh, face);
-        const auto N = side.shape.N(r.head<2>());
+        const geometry::ElementSide side = model::element_side(mesh, face);
+        const auto N = side.N(r.head<2>());
         for (std::size_t i = 0; i < side.nodes.size(); ++i) {
           f.segment<3>(3 * static_cast<Eigen::Index>(side.nodes[i].index())) +=
               N[static_cast<Eigen::Index>(i)] * force;

@@ -31,26 +31,26 @@ std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load
   return sides;
 }
 
-template <int dim>
-void visit_side(const AnyElement<dim>& side, const SpaceNodes<dim>& X, const model::Load& load,
+void visit_side(const geometry::ElementSide& side, const model::Load& load,
                 InterpolationError& worst) {
-  SpaceNodes<dim> nodal(3, side.nodes);
-  for (int n = 0; n < side.nodes; ++n) {
-    nodal.col(n) = load_value(load, X.col(n));
+  geometry::SidePositions nodal(3, side.X.cols());
+  for (Eigen::Index n = 0; n < nodal.cols(); ++n) {
+    nodal.col(n) = load_value(load, side.X.col(n));
   }
   const auto look = [&](const UnitPoint& t) {
-    const auto N = side.N(unit_cube_point<dim>(side.domain, t).r);
-    const base::Vec3 x = X * N;
+    const geometry::SideValues N = side.N(unit_cube_point<2>(side.domain(), t).r);
+    const base::Vec3 x = side.X * N;
     const double off = (load_value(load, x) - nodal * N).cwiseAbs().maxCoeff();
     if (off > worst.off) {
       worst = {off, x};
     }
   };
   // Deviations show on a grid; a peak between its points does not.
-  constexpr int pieces = dim == 1 ? 32 : 8;
+  const int pieces = side.is_edge() ? 32 : 8;
+  const int rows = side.is_edge() ? 1 : pieces;
   for (int i = 0; i < pieces; ++i) {
-    for (int j = 0; j < (dim == 1 ? 1 : pieces); ++j) {
-      look({(i + 0.5) / pieces, (j + 0.5) / pieces, 0.0});
+    for (int j = 0; j < rows; ++j) {
+      look({(i + 0.5) / pieces, (j + 0.5) / rows, 0.0});
     }
   }
 }
@@ -63,9 +63,7 @@ InterpolationError interpolation_error(const model::Mesh& mesh, const model::Loa
     return worst;
   }
   for (const model::Face& face : sides_inside(mesh, load)) {
-    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
-      visit_side<dim>(side, X, load, worst);
-    });
+    visit_side(model::element_side(mesh, face), load, worst);
   }
   return worst;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/host_places.hpp"
 
+#include "geometry/polyline.hpp"
 #include "shape/shape.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace spricka::fe {
 
@@ -62,18 +62,6 @@ bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
   return inside;
 }
 
-// Distance of a point from an outline that it is not in.
-double distance(const std::vector<Vec2>& outline, const Vec2& p) {
-  double least = std::numeric_limits<double>::max();
-  Vec2 a = outline.back();
-  for (const Vec2& b : outline) {
-    const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (a + t * (b - a) - p).norm());
-    a = b;
-  }
-  return least;
-}
-
 } // namespace
 
 HostElementFinder::HostElementFinder(const PatchedMesh& patched) {
@@ -86,43 +74,28 @@ HostElementFinder::HostElementFinder(const PatchedMesh& patched) {
       kept[e.index()] = true;
     }
   }
+  std::vector<geometry::Box<2>> boxes;
   for (std::size_t e = 0; e < kept.size(); ++e) {
     if (kept[e]) {
       continue;
     }
     taken_.emplace_back(e);
-    HostElementOutline outline{outline_of(patched.host_mesh, base::ElementId(e)), {}, {}};
-    outline.low = outline.high = outline.points.front();
-    for (const Vec2& p : outline.points) {
-      outline.low = outline.low.cwiseMin(p);
-      outline.high = outline.high.cwiseMax(p);
-    }
-    outlines_.push_back(std::move(outline));
+    outlines_.push_back(outline_of(patched.host_mesh, base::ElementId(e)));
+    boxes.push_back(geometry::Box<2>::around(outlines_.back()));
   }
+  boxes_ = geometry::BoxTree<2>(boxes);
 }
 
 base::ElementId HostElementFinder::at(const Vec2& x) const {
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    const HostElementOutline& outline = outlines_[i];
-    if ((x.array() >= outline.low.array()).all() && (x.array() <= outline.high.array()).all() &&
-        is_inside(outline.points, x)) {
+  for (const std::size_t i : boxes_.boxes_containing(x)) {
+    if (is_inside(outlines_[i], x)) {
       return taken_[i];
     }
   }
-  base::ElementId best; // outside all, by round-off or beside a curved side
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    const HostElementOutline& outline = outlines_[i];
-    const double away = std::max((outline.low - x).maxCoeff(), (x - outline.high).maxCoeff());
-    if (away > least) {
-      continue;
-    }
-    if (const double d = distance(outline.points, x); d < least) {
-      least = d;
-      best = taken_[i];
-    }
-  }
-  return best;
+  // outside all, by round-off or beside a curved side
+  const std::optional<std::size_t> nearest = boxes_.nearest(
+      x, [&](std::size_t i) { return geometry::distance_to_outline(x, outlines_[i]); });
+  return nearest ? taken_[*nearest] : base::ElementId();
 }
 
 } // namespace spricka::fe

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/vec.hpp"
+#include "geometry/box_tree.hpp"
 #include "model/mesh.hpp"
 
 #include <vector>
@@ -31,12 +32,10 @@ public:
   [[nodiscard]] base::ElementId at(const base::Vec2& x) const;
 
 private:
-  struct HostElementOutline {
-    std::vector<base::Vec2> points; ///< in order round it; curved sides in pieces
-    base::Vec2 low, high;
-  };
   std::vector<base::ElementId> taken_;
-  std::vector<HostElementOutline> outlines_; ///< [taken]
+  /// [taken] points in order round it; curved sides in pieces
+  std::vector<std::vector<base::Vec2>> outlines_;
+  geometry::BoxTree<2> boxes_; ///< [taken]
 };
 
 } // namespace spricka::fe

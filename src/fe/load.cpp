@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
 #include "fe/bearing.hpp"
-#include "fe/face.hpp"
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/set_shares.hpp"
@@ -109,18 +108,13 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
   LoadVisit visit;
   // (fe.16); on bodies (fe.17).
   visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
-    const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-    const std::span<const int> local =
-        shape::side_nodes(mesh.type[face.element.index()], face.side);
-    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>&) {
-      for (const LoadPoint& p : points) {
-        const auto N = side.N(p.r.template head<dim>());
-        for (std::size_t i = 0; i < local.size(); ++i) {
-          add_at_node(mesh, nodes[static_cast<std::size_t>(local[i])],
-                      N[static_cast<Eigen::Index>(i)] * p.force, f);
-        }
+    const geometry::ElementSide side = model::element_side(mesh, face);
+    for (const LoadPoint& p : points) {
+      const geometry::SideValues N = side.N(p.r.head<2>());
+      for (std::size_t i = 0; i < side.nodes.size(); ++i) {
+        add_at_node(mesh, side.nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
       }
-    });
+    }
   };
   visit.on_body = [&](base::ElementId e, std::span<const LoadPoint> points) {
     const std::span<const base::NodeId> nodes = mesh.element_nodes(e);

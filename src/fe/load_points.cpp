@@ -2,7 +2,6 @@
 #include "fe/load_points.hpp"
 
 #include "fe/bearing.hpp"
-#include "fe/face.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/set_shares.hpp"
 #include "model/loads.hpp"
@@ -39,25 +38,24 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
   const FieldScale scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
-    with_any_side(mesh, face, [&]<int dim>(const AnyElement<dim>& side, const SpaceNodes<dim>& X) {
-      const ConstitutiveLaw law = constitutive_law(model, mesh, face.element);
-      const AdaptedRule<dim> rule = load_rule<dim>(side, X, load, scale);
-      points.clear();
-      for (const auto& point : rule.points) {
-        const Vec3 x = X * side.N(point.r);
-        LoadPoint& at = points.emplace_back();
-        at.r.template head<dim>() = point.r;
-        // The density has the area; what stands behind it is (fe.5).
-        at.force = point.weight * law.depth(x.x()) * density(x, area_vector<dim>(side, X, point.r));
-      }
-      visit(face, points);
-      if (missed != nullptr) {
-        // Rules count by the reference side: its area and depth at the centre stand for all of it.
-        const auto centre = unit_cube_point<dim>(side.domain, {0.5, 0.5, 0.5}).r;
-        const double depth = law.depth(Vec3(X * side.N(centre)).x());
-        missed->add(rule.missed, rule.amount, depth * area_vector<dim>(side, X, centre).norm());
-      }
-    });
+    const geometry::ElementSide side = model::element_side(mesh, face);
+    const ConstitutiveLaw law = constitutive_law(model, mesh, face.element);
+    const AdaptedRule<2> rule = load_rule(side, load, scale);
+    points.clear();
+    for (const auto& [r, weight] : rule.points) {
+      const Vec3 x = side.position(r);
+      LoadPoint& at = points.emplace_back();
+      at.r.head<2>() = r;
+      // The density has the area; what stands behind it is (fe.5).
+      at.force = weight * law.depth(x.x()) * density(x, side.area_vector(r));
+    }
+    visit(face, points);
+    if (missed != nullptr) {
+      // Rules count by the reference side: its area and depth at the centre stand for all of it.
+      const auto centre = unit_cube_point<2>(side.domain(), {0.5, 0.5, 0.5}).r;
+      const double depth = law.depth(side.position(centre).x());
+      missed->add(rule.missed, rule.amount, depth * side.area_vector(centre).norm());
+    }
   }
 }
 

@@ -17,7 +17,8 @@ template <class F>
 void with_part(const model::Mesh& mesh, const model::Load& load,
                const std::vector<base::ElementId>& elements, std::size_t part, F&& f) {
   if (load.faces.valid()) {
-    with_any_side(mesh, mesh.set_with_id(load.faces).faces[part], f);
+    geometry::with_reference(model::element_side(mesh, mesh.set_with_id(load.faces).faces[part]),
+                             f);
   } else {
     with_any_element(mesh, elements[part], [&]<int dim>(const AnyElement<dim>& element) {
       f(element, space_coordinates<dim>(coordinates(element, mesh, elements[part])));
@@ -64,6 +65,22 @@ AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>
       whole_domain<dim>(element.domain, load_degree),
       [&](const shape::Point<dim>& r) { return load_value(load, X * element.N(r)); },
       {load_tolerance(dim), scale, is_smooth(load)});
+}
+
+AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
+                         const FieldScale& scale) {
+  AdaptedRule<2> rule;
+  geometry::with_reference(side, [&]<int dim>(const shape::ReferenceElement<dim>& reference,
+                                              const geometry::SidePositions& X) {
+    const AdaptedRule<dim> found = load_rule<dim>(reference, X, load, scale);
+    rule = {{}, found.missed, found.amount, found.jumps};
+    for (const auto& [r, weight] : found.points) {
+      base::Vec2 at = base::Vec2::Zero();
+      at.head<dim>() = r;
+      rule.points.push_back({at, weight});
+    }
+  });
+  return rule;
 }
 
 template <int dim>

@@ -2,12 +2,17 @@
 #pragma once
 #include "base/expression.hpp"
 #include "fe/adaptive_rule.hpp"
-#include "fe/face.hpp"
+#include "fe/element.hpp"
 #include "model/forward.hpp"
 #include "model/loads.hpp"
+#include "model/mesh_side.hpp"
 
 /// Quadrature rules for loads given as expressions: one for the loads, K and error bars.
 namespace spricka::fe {
+
+/// Degree of exactness of loads: fields of x y z and the roots in the length of curved sides are no
+/// polynomials, so that more is taken than the stiffness needs.
+inline constexpr int load_degree = 9;
 
 /// Components of a load at a point; missing ones are zero.
 inline base::Vec3 load_value(const model::Load& load, const base::Vec3& x) {
@@ -46,6 +51,10 @@ constexpr double load_tolerance(int dim) {
 template <int dim>
 AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
                            const model::Load& load, const FieldScale& scale);
+
+/// The same over a side, by its two local coordinates.
+AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
+                         const FieldScale& scale);
 
 /// The same with nodes in the plane or in space [dim, nodes].
 template <int dim>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/transition.hpp"
 
-#include "fe/face_point.hpp"
 #include "model/freedoms.hpp"
 #include "model/mesh.hpp"
+#include "model/mesh_side.hpp"
+#include "shape/topology.hpp"
 
 #include <Eigen/Geometry>
 
@@ -92,27 +93,24 @@ std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
 Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
   Hit hit;
   hit.face = face;
-  hit.nodes = collect_face_nodes(mesh, face);
-  with_any_side(mesh, face,
-                [&]<int side_dim>(const AnyElement<side_dim>& side, const SpaceNodes<side_dim>& X) {
-                  const auto N = side.N(nearest_on_side<side_dim>(side, X, x));
-                  const Vec3 off = x - X * N;
-                  hit.distance = off.norm();
-                  hit.size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
-                  const Eigen::Index dim = mesh.dim;
-                  hit.weight = Matrix::Zero(dim, dim * side.nodes);
-                  for (Eigen::Index i = 0; i < side.nodes; ++i) {
-                    hit.weight.middleCols(dim * i, dim).diagonal().setConstant(N[i]);
-                  }
-                  const auto corners = static_cast<Eigen::Index>(
-                      shape::side_corners(mesh.type[face.element.index()], face.side));
-                  const auto A = rotation_of(X.leftCols(corners), mesh.dim);
-                  for (Eigen::Index i = 0; i < corners; ++i) {
-                    // omega x off = - off x omega (fe.31).
-                    const Eigen::Matrix3d carried = -cross(off) * A[static_cast<std::size_t>(i)];
-                    hit.weight.middleCols(dim * i, dim) += carried.topLeftCorner(dim, dim);
-                  }
-                });
+  const geometry::ElementSide side = model::element_side(mesh, face);
+  hit.nodes = side.nodes;
+  const geometry::SideValues N = side.N(side.nearest_point(x));
+  const Vec3 off = x - side.X * N;
+  hit.distance = off.norm();
+  hit.size = (side.X.colwise() - side.X.col(0)).colwise().norm().maxCoeff();
+  const Eigen::Index dim = mesh.dim;
+  hit.weight = Matrix::Zero(dim, dim * N.size());
+  for (Eigen::Index i = 0; i < N.size(); ++i) {
+    hit.weight.middleCols(dim * i, dim).diagonal().setConstant(N[i]);
+  }
+  const Eigen::Index corners = side.corners();
+  const auto A = rotation_of(side.X.leftCols(corners), mesh.dim);
+  for (Eigen::Index i = 0; i < corners; ++i) {
+    // omega x off = - off x omega (fe.31).
+    const Eigen::Matrix3d carried = -cross(off) * A[static_cast<std::size_t>(i)];
+    hit.weight.middleCols(dim * i, dim) += carried.topLeftCorner(dim, dim);
+  }
   return hit;
 }
 

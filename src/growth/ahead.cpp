@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/ahead.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/plane.hpp"
@@ -136,7 +137,7 @@ std::optional<Obstacle> PlaneBoundaryAhead::crack_ahead(std::span<const mesh::Cr
           }
         }
         // What is passed at the side: its distance counts double.
-        distance = std::min(distance, mesh::distance(from, a, b) / beside);
+        distance = std::min(distance, geometry::distance_to_segment(from, a, b) / beside);
       }
       if (distance < found.distance) {
         found = {distance, true, i, lines[i].display_name()};

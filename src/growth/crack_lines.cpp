@@ -2,6 +2,7 @@
 #include "growth/crack_lines.hpp"
 
 #include "fe/dof_map.hpp"
+#include "geometry/polyline.hpp"
 #include "growth/smooth_line.hpp"
 #include "mesh/cut/mouth.hpp"
 #include "model/model.hpp"
@@ -17,12 +18,10 @@ namespace {
 
 constexpr double same_place = 1e-9; // of the crack length
 
-double polyline_length(const std::vector<base::Vec3>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += (points[i] - points[i - 1]).norm();
-  }
-  return length;
+// The drawn points of a curve may be few and its turns large.
+geometry::SplineCurve curve_through(const std::vector<base::Vec3>& points) {
+  constexpr int parts_of_length = 4;
+  return {points, false, parts_of_length};
 }
 
 // The first `a` of a polyline; a point within round-off of the cut is the cut.
@@ -51,7 +50,7 @@ std::vector<base::Vec3> prolong_both(std::vector<base::Vec3> points, double at_f
       const base::Vec3 d = (points.back() - points[points.size() - 2]).normalized();
       points.back() += more * d;
     } else {
-      points = truncate(points, polyline_length(points) + more);
+      points = truncate(points, geometry::polyline_length(points) + more);
     }
     std::reverse(points.begin(), points.end());
   }
@@ -62,7 +61,7 @@ std::vector<base::Vec3> prolong_both(std::vector<base::Vec3> points, double at_f
 // segment.
 std::vector<base::Vec3> without_middles(const std::vector<base::Vec3>& points) {
   std::vector<base::Vec3> kept{points.front()};
-  const double scale = polyline_length(points);
+  const double scale = geometry::polyline_length(points);
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const base::Vec3 d = (points[i + 1] - kept.back()).normalized();
     const base::Vec3 off = points[i] - kept.back();
@@ -139,7 +138,7 @@ struct CrackLineBuilder {
       return std::nullopt;
     }
     if (crack.smooth && line.points.size() > 2) {
-      const SmoothCurve curve(line.points);
+      const geometry::SplineCurve curve = curve_through(line.points);
       // Arms count from the middle of the curve as drawn; beyond its ends it goes straight on.
       const double half = 0.5 * curve.length();
       line.points = line.embedded ? as_polyline(curve, half - arms.first, half + a, true)
@@ -147,7 +146,7 @@ struct CrackLineBuilder {
       return line;
     }
     // Beyond its last point a free crack goes straight on; an embedded one at both ends.
-    const double given = polyline_length(line.points);
+    const double given = geometry::polyline_length(line.points);
     if (line.embedded) {
       const double at_first = arms.first - 0.5 * given;
       const double at_last = a - 0.5 * given;
@@ -169,8 +168,8 @@ struct CrackLineBuilder {
     const bool inside = mesh::locate_crack_start(model.mesh, crack.points.front(), crack.net) ==
                         mesh::CrackStart::inside;
     const bool curved = crack.smooth && crack.points.size() > 2;
-    return (inside ? 0.5 : 1.0) *
-           (curved ? SmoothCurve(crack.points).length() : polyline_length(crack.points));
+    return (inside ? 0.5 : 1.0) * (curved ? curve_through(crack.points).length()
+                                          : geometry::polyline_length(crack.points));
   }
 
   [[nodiscard]] double first_length(const model::CrackDefinition& crack) const {
@@ -206,10 +205,10 @@ struct CrackLineBuilder {
       line->points = without_middles(line->points);
       return line; // has its length already
     }
-    if (polyline_length(line->points) < a * (1.0 - same_place)) {
+    if (geometry::polyline_length(line->points) < a * (1.0 - same_place)) {
       diagnostics.error(crack.span, "E403",
                         fmt::format("crack {}: length {:.6g} is longer than its path, {:.6g}",
-                                    crack.name, a, polyline_length(line->points)));
+                                    crack.name, a, geometry::polyline_length(line->points)));
       return std::nullopt;
     }
     line->points = without_middles(truncate(line->points, a));

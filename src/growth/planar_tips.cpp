@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/planar_tips.hpp"
 
+#include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
 
@@ -32,14 +33,6 @@ double angle_of(const base::Vec3& d) {
 
 base::Vec3 unit(double angle) {
   return {std::cos(angle), std::sin(angle), 0.0};
-}
-
-double length_of(const std::vector<base::Vec3>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += (points[i] - points[i - 1]).norm();
-  }
-  return length;
 }
 
 // Of the crack's last part at a tip, away from the crack.
@@ -102,7 +95,7 @@ CrackGeometry PlanarTips::current_state() {
 
 double PlanarTips::initial_extent(std::size_t tip) const {
   const mesh::CrackLine& line = lines_[tips_[tip].line];
-  return (line.embedded ? 0.5 : 1.0) * length_of(line.points);
+  return (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points);
 }
 
 TipGrowthDirection PlanarTips::heading_of(const GrowthState& state, std::size_t tip) const {
@@ -124,7 +117,7 @@ double PlanarTips::remaining_ligament(const GrowthState& state, std::size_t tip)
     for (const base::NodeId n : line.path) {
       path.push_back(model_.mesh.x[n.index()]);
     }
-    longest = std::min(longest, length_of(path));
+    longest = std::min(longest, geometry::polyline_length(path));
   }
   return longest - state.stations.back().tips[tip].a;
 }

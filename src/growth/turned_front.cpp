@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/turned_front.hpp"
 
-#include "mesh/polyline.hpp"
+#include "geometry/polyline.hpp"
 
 #include <algorithm>
 
@@ -49,7 +49,8 @@ std::vector<Vec3> crack_normals(const model::CrackDefinition& crack,
   std::vector<Vec3> normals(points.size(), crack.plane.normal);
   if (!crack.front_history.fronts.empty()) {
     std::ranges::transform(points, normals.begin(), [&](const Vec3& x) {
-      const mesh::PolylinePosition on = mesh::nearest_on(crack.front_history.fronts.back(), x);
+      const geometry::PolylinePosition on =
+          geometry::nearest_point(x, crack.front_history.fronts.back());
       return Vec3(on.interpolate(crack.front_history.normals).normalized());
     });
   }
@@ -68,13 +69,13 @@ model::FrontHistory extend_history(const model::CrackDefinition& before,
   std::vector<Vec3> kinematics;
   double most = 0.0;
   for (const Vec3& x : line) {
-    kinematics.emplace_back(x - mesh::nearest_on(old, x).interpolate(old));
+    kinematics.emplace_back(x - geometry::nearest_point(x, old).interpolate(old));
     most = std::max(most, kinematics.back().norm());
   }
   std::vector<Vec3> normals;
   for (std::size_t i = 0; i < line.size(); ++i) {
     // b = t x m with the way as m, at right angles to the front.
-    const Vec3 b = mesh::direction_at(line, i).cross(kinematics[i]);
+    const Vec3 b = geometry::direction_at(line, i).cross(kinematics[i]);
     normals.push_back(b.norm() > hardly * most ? Vec3(b.normalized()) : old_normals[i]);
   }
   if (!made.closed()) { // ends beyond the surface are as those at it

@@ -71,12 +71,12 @@ bool LifeCurve::within(double a0, double a1) const {
 }
 
 double LifeCurve::growth_rate(double a) const {
-  return within(a, a) ? std::exp(log_rate_(std::log(a))) : no_value;
+  return within(a, a) ? std::exp(log_rate_.value(std::log(a))) : no_value;
 }
 
 // (life.13) over x = ln a.
 Integral LifeCurve::integrated_cycles(double a0, double a1) const {
-  const auto cycles_by_log = [&](double x) { return std::exp(x - log_rate_(x)); };
+  const auto cycles_by_log = [&](double x) { return std::exp(x - log_rate_.value(x)); };
   return over_intervals(a_, {a0, a1}, cycles_by_log, k_cycles_tolerance);
 }
 
@@ -99,13 +99,11 @@ double LifeCurve::length_at(double N) const {
 
 // What log_rate_ changes by at x when a station next to it is left out: the larger of two.
 double LifeCurve::miss(double x) const {
-  const std::vector<double>& knots = log_rate_.knots();
-  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
-  const auto i = static_cast<std::size_t>(above - knots.begin()); // the interval i - 1 to i
+  const std::size_t before = log_rate_.locate(x).interval;
   double largest = 0.0;
-  for (const std::size_t station : {i - 1, i}) {
-    if (station > 0 && station + 1 < knots.size()) {
-      largest = std::max(largest, std::fabs(without_[station - 1](x) - log_rate_(x)));
+  for (const std::size_t station : {before, before + 1}) {
+    if (station > 0 && station < log_rate_.interval_count()) {
+      largest = std::max(largest, std::fabs(without_[station - 1].value(x) - log_rate_.value(x)));
     }
   }
   return largest;
@@ -120,7 +118,7 @@ double LifeCurve::cycles_error(double a0, double a1) const {
   }
   // (life.14): rates taken to be too large by exp(miss) everywhere.
   const auto missed_by_log = [&](double x) {
-    return std::expm1(miss(x)) * std::exp(x - log_rate_(x));
+    return std::expm1(miss(x)) * std::exp(x - log_rate_.value(x));
   };
   const Integral missed = over_intervals(a_, {a0, a1}, missed_by_log, k_error_tolerance);
   return missed.value + missed.error + integrated_cycles(a0, a1).error;

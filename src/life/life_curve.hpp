@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "geometry/cubic_spline.hpp"
 #include "life/integrate.hpp"
-#include "life/spline.hpp"
 
 #include <vector>
 
@@ -35,9 +35,10 @@ private:
   [[nodiscard]] Integral integrated_cycles(double a0, double a1) const;
 
   std::vector<double> a_;
-  CubicSpline log_rate_;             ///< over log(a)
-  std::vector<CubicSpline> without_; ///< [station - 1] log_rate_ without an inner station
-  std::vector<double> at_;           ///< [station] cycles from the first one
+  geometry::CubicSpline<double> log_rate_; ///< over log(a)
+  /// [station - 1] log_rate_ without an inner station
+  std::vector<geometry::CubicSpline<double>> without_;
+  std::vector<double> at_; ///< [station] cycles from the first one
 };
 
 } // namespace spricka::life

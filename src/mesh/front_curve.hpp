@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/vec.hpp"
+#include "geometry/spline_curve.hpp"
 
 #include <vector>
 
@@ -24,43 +24,28 @@ struct FrontFrame {
   [[nodiscard]] double curvature() const { return -dt.dot(m); }
 };
 
-/// A cubic spline through points, twice continuously differentiable, with the normals of the crack.
-/// Beyond the ends of an open front it goes on straight.
+/// A smooth curve through points with the normals of the crack. Beyond the ends of an open front it
+/// goes on straight.
 class FrontCurve {
 public:
   /// Through `points` [>= 2; >= 4 if closed, the first not repeated], in the order of t, with a
   /// unit normal b at each; of a crack with one plane all the same.
   FrontCurve(std::vector<base::Vec3> points, std::vector<base::Vec3> normals, bool closed);
 
-  [[nodiscard]] double length() const { return arc_.back(); }
-  [[nodiscard]] bool closed() const { return closed_; }
+  [[nodiscard]] double length() const { return curve_.length(); }
+  [[nodiscard]] bool closed() const { return curve_.closed(); }
   /// The axes at a length s; of a closed front s counts on over its end.
   [[nodiscard]] FrontFrame at(double s) const;
   /// Where the front is nearest to x [length]; below 0 or above length() beyond an open end.
-  [[nodiscard]] double nearest_length(const base::Vec3& x) const;
+  [[nodiscard]] double nearest_length(const base::Vec3& x) const {
+    return curve_.nearest_length(x);
+  }
   [[nodiscard]] const std::vector<base::Vec3>& points() const { return x_; }
   [[nodiscard]] const std::vector<base::Vec3>& normals() const { return normal_; } ///< [point]
 
 private:
-  struct SplinePosition {
-    std::size_t piece = 0;
-    double u = 0.0; ///< in the piece, from its start
-  };
-  struct SplineDerivatives {
-    base::Vec3 x, d1, d2;
-  };
-  [[nodiscard]] std::size_t pieces() const { return width_.size(); }
-  [[nodiscard]] SplineDerivatives derivatives(SplinePosition at) const;
-  [[nodiscard]] double arc_between(std::size_t piece, double u) const; ///< from the piece's start
-  [[nodiscard]] SplinePosition local(double s) const;
-  [[nodiscard]] double nearest_on(std::size_t piece, const base::Vec3& x) const;
-  void fit();
-
   std::vector<base::Vec3> x_, normal_; ///< [knot]
-  std::vector<base::Vec3> bend_;       ///< [knot] second derivative by the chord parameter
-  std::vector<double> width_;          ///< [piece] chord
-  std::vector<double> arc_;            ///< [piece + 1] length of the front up to there
-  bool closed_ = false;
+  geometry::SplineCurve curve_;
 };
 
 } // namespace spricka::mesh

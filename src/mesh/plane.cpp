@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/plane.hpp"
 
+#include "geometry/polyline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,13 +12,6 @@ namespace spricka::mesh {
 using base::Vec2;
 using base::Vec3;
 
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
-
 double distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double ca = cross(d - c, a - c);
   const double cb = cross(d - c, b - c);
@@ -25,14 +20,15 @@ double distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (ca * cb < 0.0 && ac * ad < 0.0) {
     return 0.0;
   }
-  return std::min(std::min(distance(a, c, d), distance(b, c, d)),
-                  std::min(distance(c, a, b), distance(d, a, b)));
+  return std::min(
+      std::min(geometry::distance_to_segment(a, c, d), geometry::distance_to_segment(b, c, d)),
+      std::min(geometry::distance_to_segment(c, a, b), geometry::distance_to_segment(d, a, b)));
 }
 
 ClosestApproach closest_approach(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   ClosestApproach best;
   const auto look = [&](const Vec2& p, double t) {
-    const double away = distance(p, c, d);
+    const double away = geometry::distance_to_segment(p, c, d);
     if (t >= 0.0 && t <= 1.0 && away < best.distance) {
       best = {p, away};
     }

@@ -12,9 +12,6 @@ inline double cross(const base::Vec2& u, const base::Vec2& v) {
   return u.x() * v.y() - u.y() * v.x();
 }
 
-/// Distance of a point from a segment.
-double distance(const base::Vec2& p, const base::Vec2& a, const base::Vec2& b);
-
 /// Distance between two segments; 0 if they meet.
 double distance(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c, const base::Vec2& d);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/k_quantities.hpp"
 
+#include "geometry/polyline.hpp"
 #include "results/output_word.hpp"
 
 #include <algorithm>
@@ -121,10 +122,8 @@ double front_value_near(const FrontResult& front, const KQuantity& quantity, con
   double least = std::numeric_limits<double>::max();
   double value = quantity.extract_value(front, front.points.front());
   for (std::size_t i = 0; i < piece_count(front); ++i) {
-    const base::Vec3& from = front.points[i].x;
-    const base::Vec3 along = front.points[(i + 1) % front.points.size()].x - from;
-    const double part = std::clamp((x - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const double away = (from + part * along - x).norm();
+    const auto [part, away] = geometry::nearest_point(
+        x, front.points[i].x, front.points[(i + 1) % front.points.size()].x);
     if (away < least) {
       least = away;
       value = between(front, quantity, i, part);

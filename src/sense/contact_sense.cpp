@@ -2,7 +2,7 @@
 #include "sense/contact_sense.hpp"
 
 #include "base/tidy.hpp"
-#include "contact/body_outline.hpp"
+#include "contact/surface_boundary.hpp"
 #include "contact/survey.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
@@ -244,18 +244,18 @@ private:
     for (const model::Face& face : rim_) {
       faces[body_[face.element.index()]].push_back(face);
     }
-    std::vector<contact::BodyBoundary> outlines;
+    std::vector<geometry::BodyBoundary> outlines;
     outlines.reserve(faces.size());
     for (const std::vector<model::Face>& own : faces) {
-      outlines.emplace_back(model_, mesh_, own, base::Vector());
+      outlines.push_back(contact::make_body_boundary(model_, mesh_, own, base::Vector()));
     }
     for (std::size_t a = 0; a < bodies_.size(); ++a) {
       for (std::size_t b = 0; b < bodies_.size(); ++b) {
         // Each pair once: the smaller body first, of two alike the first.
-        const double one = outlines[a].extent();
-        const double two = outlines[b].extent();
+        const double one = outlines[a].box().diagonal();
+        const double two = outlines[b].box().diagonal();
         if (a != b && one <= two && !(a > b && one == two) &&
-            contact::boxes_meet(outlines[a], outlines[b]) && !contact_between(a, b)) {
+            outlines[a].box().meets(outlines[b].box()) && !contact_between(a, b)) {
           look_at_overlap(a, b, faces, outlines);
         }
       }
@@ -264,8 +264,8 @@ private:
 
   void look_at_overlap(std::size_t a, std::size_t b,
                        const std::vector<std::vector<model::Face>>& faces,
-                       const std::vector<contact::BodyBoundary>& outlines) {
-    const double extent = std::min(outlines[a].extent(), outlines[b].extent());
+                       const std::vector<geometry::BodyBoundary>& outlines) {
+    const double extent = std::min(outlines[a].box().diagonal(), outlines[b].box().diagonal());
     // In space places farther in than what is told are left alone: between them and the surface
     // there are others that are deep enough to say that the overlap is meant.
     const double reach = mesh_.dim == 2 ? extent : 2.0 * most_shallow * extent;
@@ -275,7 +275,7 @@ private:
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       for (const base::NodeId n : mesh::nodes_of_faces(mesh_, faces[from])) {
         const base::Vec3& x = mesh_.x[n.index()];
-        const std::optional<contact::BoundaryDistance> at = outlines[to].signed_distance(x, reach);
+        const std::optional<geometry::BoundaryDistance> at = outlines[to].signed_distance(x, reach);
         if (at && -at->distance - 2.0 * at->facet > depth) {
           // Facets of both bodies may cut into each other.
           depth = -at->distance - 2.0 * at->facet;

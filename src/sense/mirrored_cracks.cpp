@@ -2,6 +2,7 @@
 #include "sense/mirrored_cracks.hpp"
 
 #include "fe/load_rule.hpp"
+#include "geometry/polyline.hpp"
 #include "model/model.hpp"
 #include "sense/mirrored_values.hpp"
 
@@ -35,14 +36,7 @@ std::vector<base::Vec3> points_of(const model::Model& model, const model::CrackD
 }
 
 double off_line(const base::Vec3& x, const std::vector<base::Vec3>& line) {
-  double least = (x - line.front()).norm();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const base::Vec3 d = line[i] - line[i - 1];
-    const double t =
-        std::clamp((x - line[i - 1]).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
-    least = std::min(least, (x - line[i - 1] - t * d).norm());
-  }
-  return least;
+  return std::min((x - line.front()).norm(), geometry::nearest_point(x, line).distance);
 }
 
 // The order of points does not matter where both ends are tips, or a front ends on both sides.

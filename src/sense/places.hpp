@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/space/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "model/mesh.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace spricka::sense {
@@ -27,7 +26,7 @@ private:
   std::vector<base::Vec3> points_;
   double same_point_ = 0.0;
   std::vector<base::Vec3> samples_;
-  std::optional<contact::BoxTree> tree_; ///< faces, then points
+  geometry::BoxTree<3> tree_; ///< faces, then points
 };
 
 } // namespace spricka::sense

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/section.hpp"
 
-#include "fe/face.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/mouth.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/side_index.hpp"
-#include "shape/quadrature.hpp"
+#include "model/mesh_side.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,14 +31,11 @@ enum class Flat { first, last, none };
 
 // Sums f(point, area vector of a weight) over a side.
 template <class F> void over_side(const model::Mesh& mesh, const model::Face& face, F&& f) {
-  fe::with_any_side(mesh, face,
-                    [&]<int dim>(const fe::AnyElement<dim>& side, const fe::SpaceNodes<dim>& X) {
-                      constexpr int degree = 4;
-                      for (const auto& point : shape::quadrature<dim>(side.domain, degree)) {
-                        const Vec3 x = X * side.N(point.r);
-                        f(x, Vec3(point.weight * fe::area_vector<dim>(side, X, point.r)));
-                      }
-                    });
+  constexpr int degree = 4;
+  const geometry::ElementSide side = model::element_side(mesh, face);
+  side.for_quadrature_points(degree, [&](const base::Vec2& r, double weight) {
+    f(side.position(r), Vec3(weight * side.area_vector(r)));
+  });
 }
 
 /// Cuts one solid mesh across one axis.
@@ -72,7 +69,7 @@ private:
   [[nodiscard]] Flat flat(const model::Face& face) const {
     bool first = true;
     bool last = true;
-    for (const base::NodeId n : fe::collect_face_nodes(mesh_, face)) {
+    for (const base::NodeId n : model::side_nodes(mesh_, face)) {
       const std::size_t i = n.index();
       first = first && first_[i];
       last = last && last_[i];
@@ -148,7 +145,7 @@ private:
     new_node_.assign(mesh_.node_count(), base::NodeId());
     std::vector<bool> used(mesh_.node_count(), false);
     for (const model::Face& face : faces_) {
-      for (const base::NodeId n : fe::collect_face_nodes(mesh_, face)) {
+      for (const base::NodeId n : model::side_nodes(mesh_, face)) {
         used[n.index()] = true;
       }
     }
@@ -161,7 +158,7 @@ private:
     for (const model::Face& face : faces_) {
       const std::size_t e = face.element.index();
       std::vector<base::NodeId> nodes;
-      for (const base::NodeId n : fe::collect_face_nodes(mesh_, face)) {
+      for (const base::NodeId n : model::side_nodes(mesh_, face)) {
         nodes.push_back(new_node_[n.index()]);
       }
       turn_left(nodes, shape::side_corners(mesh_.type[e], face.side));
@@ -227,7 +224,7 @@ private:
     for (const model::Face& face : set.faces) {
       flat_faces = flat_faces || flat(face) != Flat::none;
       over_side(mesh_, face, [&](const Vec3& /*x*/, const Vec3& part) { area += part.norm(); });
-      const std::vector<base::NodeId> nodes = fe::collect_face_nodes(mesh_, face);
+      const std::vector<base::NodeId> nodes = model::side_nodes(mesh_, face);
       const std::size_t corners = shape::side_corners(mesh_.type[face.element.index()], face.side);
       for (std::size_t c = 0; c < corners; ++c) {
         const base::NodeId a = new_node_[nodes[c].index()];

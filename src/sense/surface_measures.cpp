@@ -61,13 +61,13 @@ double facet_of(const contact::SpaceSurface& surface) {
     if (!round) {
       continue;
     }
-    const contact::SolidFace& face = surface.faces[triangle.face];
+    const geometry::ElementSide& face = surface.faces[triangle.face];
     for (const std::array<double, 3>& at : middles) {
       contact::Vec2 r = contact::Vec2::Zero();
       for (std::size_t i = 0; i < at.size(); ++i) {
-        r += at[i] * contact::node_local_coordinates(face.shape, triangle.node[i]);
+        r += at[i] * face.node_coordinates(triangle.node[i]);
       }
-      const base::Vec3 x = contact::point_on(face, r).x;
+      const base::Vec3 x = face.position(r);
       most = std::max(most, std::abs(contact::distance_to(*round, x)));
     }
   }
@@ -130,19 +130,18 @@ std::vector<double> facet_measures(const contact::ContactSurface& surface) {
   for (const contact::Edge& edge : surface.plane.edges) {
     all.push_back(edge.length);
   }
-  for (const contact::SolidFace& face : surface.space.faces) {
-    all.push_back(contact::face_area(face));
+  for (const geometry::ElementSide& face : surface.space.faces) {
+    all.push_back(face.area());
   }
   return all;
 }
 
 base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet) {
   if (!surface.space.faces.empty()) {
-    const contact::SolidFace& face = surface.space.faces[facet];
-    return contact::point_on(face, contact::centre_local_coordinates(face.shape)).x;
+    const geometry::ElementSide& face = surface.space.faces[facet];
+    return face.position(face.centre());
   }
-  const base::Vec2 x = contact::point_on(surface.plane.edges[facet], 0.0);
-  return {x.x(), x.y(), 0.0};
+  return base::to_space(contact::point_on(surface.plane.edges[facet], 0.0));
 }
 
 } // namespace spricka::sense

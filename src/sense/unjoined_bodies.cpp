@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/unjoined_bodies.hpp"
 
-#include "contact/outline.hpp"
+#include "contact/surface_boundary.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/coincidence.hpp"
@@ -57,18 +57,17 @@ public:
         order.push_back(b);
       }
     }
-    std::ranges::stable_sort(order, {},
-                             [&](std::size_t b) { return outlines_[b].lower_corner().x(); });
+    std::ranges::stable_sort(order, {}, [&](std::size_t b) { return outlines_[b].box().low.x(); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-      const contact::BoundaryPolyline& one = outlines_[order[i]];
+      const geometry::BodyBoundary& one = outlines_[order[i]];
       for (std::size_t k = i + 1; k < order.size(); ++k) {
-        const contact::BoundaryPolyline& two = outlines_[order[k]];
+        const geometry::BodyBoundary& two = outlines_[order[k]];
         // Bodies are in order of their left ends: no later one can touch either.
-        if (two.lower_corner().x() > one.upper_corner().x() + slack_) {
+        if (two.box().low.x() > one.box().high.x() + slack_) {
           break;
         }
-        if (two.lower_corner().y() <= one.upper_corner().y() + slack_ &&
-            one.lower_corner().y() <= two.upper_corner().y() + slack_) {
+        if (two.box().low.y() <= one.box().high.y() + slack_ &&
+            one.box().low.y() <= two.box().high.y() + slack_) {
           look_at(std::min(order[i], order[k]), std::max(order[i], order[k]));
         }
       }
@@ -189,7 +188,7 @@ private:
     length_.resize(bodies_.size(), 0.0);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const contact::ContactSurface surface = contact::make_surface(model_, mesh_, faces[b]);
-      outlines_.emplace_back(surface, base::Vector());
+      outlines_.push_back(contact::make_plane_boundary(surface, base::Vector()));
       for (const contact::Edge& edge : surface.plane.edges) {
         sides_[b].push_back(edge);
         length_[b] += edge.length;
@@ -216,8 +215,7 @@ private:
   }
 
   // How much of the boundary of a body lies on another one, which begins where it ends.
-  [[nodiscard]] TouchedLength touch(std::size_t body,
-                                    const contact::BoundaryPolyline& other) const {
+  [[nodiscard]] TouchedLength touch(std::size_t body, const geometry::BodyBoundary& other) const {
     // The middles of the four quarters of a side: divisions of the other body need not be the same.
     constexpr std::array places{-0.75, -0.25, 0.25, 0.75};
     TouchedLength found;
@@ -228,15 +226,16 @@ private:
       }
       double part = 0.0;
       for (const double xi : places) {
-        const base::Vec2 x = contact::point_on(side, xi);
-        const base::Vec2 out = beside * side.length * contact::outer_normal(side, xi);
-        const std::optional<contact::BoundaryDistance> on = other.signed_distance(x, side.length);
+        const base::Vec3 x = base::to_space(contact::point_on(side, xi));
+        const base::Vec3 out =
+            beside * side.length * base::to_space(contact::outer_normal(side, xi));
+        const std::optional<geometry::BoundaryDistance> on = other.signed_distance(x, side.length);
         if (!on || std::abs(on->distance) > same_place * side.length + 2.0 * on->facet) {
           continue;
         }
-        const std::optional<contact::BoundaryDistance> ahead =
+        const std::optional<geometry::BoundaryDistance> ahead =
             other.signed_distance(x + out, side.length);
-        const std::optional<contact::BoundaryDistance> behind =
+        const std::optional<geometry::BoundaryDistance> behind =
             other.signed_distance(x - out, side.length);
         // One body ends where the other begins; sides of bodies that lie in each other touch as
         // well, but look the same way.
@@ -308,7 +307,7 @@ private:
   std::vector<bool> cared_for_; ///< [node]
   std::vector<model::FreedomClass> cls_;
   std::set<std::pair<std::size_t, std::size_t>> joined_;
-  std::vector<contact::BoundaryPolyline> outlines_; ///< [body]
+  std::vector<geometry::BodyBoundary> outlines_; ///< [body]
   std::vector<std::vector<contact::Edge>> sides_;
   std::vector<double> length_;
   double slack_ = 0.0;

@@ -55,7 +55,7 @@ public:
 private:
   static std::array<Vec3, 3> corners(const contact::SpaceSurface& surface,
                                      const contact::SurfaceTriangle& t) {
-    const contact::NodePlaces& X = surface.faces[t.face].X;
+    const geometry::SidePositions& X = surface.faces[t.face].X;
     return {X.col(t.node[0]), X.col(t.node[1]), X.col(t.node[2])};
   }
   static double area(const std::vector<base::Vec2>& polygon) {

@@ -2,6 +2,7 @@
 #include "analysis/adjoint/coarse_surface_effect.hpp"
 
 #include "contact/surface.hpp"
+#include "geometry/polyline.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -48,35 +49,25 @@ struct Partners {
 
 // Distance of x from the two chords of a side.
 double distance_to(const AdjacentSurfacePiece& side, const Vec3& x) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Vec3 along = side.x[i + 1] - side.x[i];
-    const double t =
-        std::clamp((x - side.x[i]).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-    least = std::min(least, (x - side.x[i] - t * along).norm());
-  }
-  return least;
-}
-
-Vec3 in_plane(const Vec2& x) {
-  return {x.x(), x.y(), 0.0};
+  return std::min(geometry::distance_to_segment(x, side.x[0], side.x[1]),
+                  geometry::distance_to_segment(x, side.x[1], side.x[2]));
 }
 
 // Edge of the square, or of half of a square, of the same area.
-double size_of(const contact::SolidFace& face) {
-  const std::size_t corners = contact::face_corner_triangles(face.shape).size() + 2;
-  return std::sqrt(contact::face_area(face) * (corners == 3 ? 2.0 : 1.0));
+double size_of(const geometry::ElementSide& face) {
+  const std::size_t corners = contact::face_corner_triangles(face).size() + 2;
+  return std::sqrt(face.area() * (corners == 3 ? 2.0 : 1.0));
 }
 
 void add_sides(const contact::ContactSurface& surface, std::vector<AdjacentSurfacePiece>& sides) {
   for (const contact::Edge& edge : surface.plane.edges) {
-    sides.push_back(
-        {{in_plane(edge.x[0]), in_plane(contact::point_on(edge, 0.0)), in_plane(edge.x[1])},
-         edge.length,
-         {edge.nodes[0], edge.nodes[1]}});
+    sides.push_back({{base::to_space(edge.x[0]), base::to_space(contact::point_on(edge, 0.0)),
+                      base::to_space(edge.x[1])},
+                     edge.length,
+                     {edge.nodes[0], edge.nodes[1]}});
   }
   for (const contact::SurfaceTriangle& t : surface.space.triangles) {
-    const contact::SolidFace& face = surface.space.faces[t.face];
+    const geometry::ElementSide& face = surface.space.faces[t.face];
     sides.push_back(
         {{face.X.col(t.node[0]), face.X.col(t.node[1]), face.X.col(t.node[2])}, size_of(face)});
   }
@@ -138,7 +129,7 @@ bool touches(const Partners& partners, const AdjacentSurfacePiece& side) {
 
 CoarseSurfaceEffect effect_of(const Partners& partners, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front) {
-  const Vec3 x = in_plane(front.tip_point().x.head<2>());
+  const Vec3 x = base::to_space(front.tip_point().x.head<2>());
   double closest = std::numeric_limits<double>::infinity();
   for (const AdjacentSurfacePiece& side : partners.sides) {
     closest = std::min(closest, distance_to(side, x));

@@ -8,9 +8,9 @@
 #include "analysis/steps/row_opening.hpp"
 #include "contact/pairing.hpp"
 #include "fe/assemble.hpp"
-#include "fe/face.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/tube/front_points.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
 #include "shape/topology.hpp"
 
@@ -40,7 +40,7 @@ std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontExtens
   std::set<base::NodeId> nodes;
   for (const crack::MovedFreeSide& side : fields.sides) {
     if (side.on == crack::CrackFaceSide::none) {
-      const std::vector<base::NodeId> own = fe::collect_face_nodes(mesh, side.face);
+      const std::vector<base::NodeId> own = model::side_nodes(mesh, side.face);
       nodes.insert(own.begin(), own.end());
     }
   }

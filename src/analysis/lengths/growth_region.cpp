@@ -2,6 +2,7 @@
 #include "analysis/lengths/growth_region.hpp"
 
 #include "analysis/lengths/log_writer.hpp"
+#include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
 
@@ -19,14 +20,6 @@ namespace {
 constexpr int looks = 10;
 constexpr double farthest = 8.0;
 
-double length_of(const mesh::CrackLine& line) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    length += (line.points[i] - line.points[i - 1]).norm();
-  }
-  return length;
-}
-
 } // namespace
 
 GrowthRegion::GrowthRegion(const model::Model& model, const growth::GrowthIntegrator&)
@@ -39,7 +32,7 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
   add_to_region(model_, lines, plan_);
   double longest = 0.0;
   for (const mesh::CrackLine& line : lines) {
-    longest = std::max(longest, length_of(line));
+    longest = std::max(longest, geometry::polyline_length(line.points));
   }
   // Without AMAX to some lengths of the longest crack; what lies beyond is a new region's matter.
   const double reach = model_.growth->last_length.value_or((farthest - 1.0) * longest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_rules.hpp"
 
+#include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
 #include "growth/elliptical_front.hpp"
 #include "growth/free_front_shape.hpp"
@@ -49,12 +50,8 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
     }
   }
   for (const mesh::CrackLine& line : lines) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      length += (line.points[i] - line.points[i - 1]).norm();
-    }
     // An arm: from the middle of an embedded crack to a tip.
-    length *= line.embedded ? 0.5 : 1.0;
+    const double length = (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points);
     if (growth::crack_grows(model, line.crack.index()) && model.growth->last_length &&
         length >= *model.growth->last_length) {
       return no(fmt::format("AMAX = {:.6g} is not longer than crack {} is at first, {:.6g}",

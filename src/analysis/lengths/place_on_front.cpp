@@ -3,6 +3,7 @@
 
 #include "analysis/lengths/path_correction.hpp"
 #include "crack/k_layout.hpp"
+#include "geometry/polyline.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -45,10 +46,8 @@ PlaceOnFront nearest_of(const std::vector<Front>& fronts, const std::string& nam
     }
     for (std::size_t i = 0; i + (is.is_loop ? 0 : 1) < n; ++i) {
       const std::size_t j = (i + 1) % n;
-      const base::Vec3& a = record_of(fronts[f].points[i]).x;
-      const base::Vec3 edge = record_of(fronts[f].points[j]).x - a;
-      const double part = std::clamp((x - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-      const double away = (x - a - part * edge).norm();
+      const auto [part, away] = geometry::nearest_point(x, record_of(fronts[f].points[i]).x,
+                                                        record_of(fronts[f].points[j]).x);
       if (away < best.away) {
         best = {.front = f, .from = i, .to = j, .part = part, .away = away};
       }

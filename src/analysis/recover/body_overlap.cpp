@@ -2,7 +2,7 @@
 #include "analysis/recover/body_overlap.hpp"
 
 #include "base/tidy.hpp"
-#include "contact/body_outline.hpp"
+#include "contact/surface_boundary.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
@@ -24,9 +24,9 @@ constexpr double round_off = 1e-9; // of the bodies' extent
 struct DeformedBodyBoundary {
   std::vector<model::Face> faces;
   std::vector<base::NodeId> nodes;
-  contact::BodyBoundary moved;
-  std::optional<contact::BodyBoundary> drawn; ///< once it is asked for: most bodies never meet
-  double displacement = 0.0;                  ///< largest of the nodes
+  geometry::BodyBoundary moved;
+  std::optional<geometry::BodyBoundary> drawn; ///< once it is asked for: most bodies never meet
+  double displacement = 0.0;                   ///< largest of the nodes
 };
 
 class Overlaps {
@@ -49,8 +49,8 @@ public:
     }
     for (const std::vector<model::Face>& own : faces) {
       DeformedBodyBoundary rim{own, mesh::nodes_of_faces(mesh_, own),
-                               contact::BodyBoundary(model, mesh_, own, state.u), std::nullopt,
-                               0.0};
+                               contact::make_body_boundary(model, mesh_, own, state.u),
+                               std::nullopt, 0.0};
       for (const base::NodeId n : rim.nodes) {
         rim.displacement = std::max(rim.displacement, shift(n).norm());
       }
@@ -80,9 +80,12 @@ private:
         state_.u.segment(static_cast<Eigen::Index>(n.index()) * mesh_.dim, mesh_.dim);
     return u;
   }
-  const contact::BodyBoundary& drawn(std::size_t b) const {
+  const geometry::BodyBoundary& drawn(std::size_t b) const {
     DeformedBodyBoundary& rim = rims_[b];
-    return rim.drawn ? *rim.drawn : rim.drawn.emplace(model_, mesh_, rim.faces, base::Vector());
+    if (!rim.drawn) {
+      rim.drawn = contact::make_body_boundary(model_, mesh_, rim.faces, base::Vector());
+    }
+    return *rim.drawn;
   }
   [[nodiscard]] const Vec3& place(base::NodeId n) const { return mesh_.x[n.index()]; }
 
@@ -109,23 +112,22 @@ private:
   [[nodiscard]] Worst deepest(std::size_t a, std::size_t b) const {
     const DeformedBodyBoundary& other = rims_[b];
     const double moved = std::max(rims_[a].displacement, other.displacement);
-    const double extent = std::max(rims_[a].moved.extent(), other.moved.extent());
+    const double extent = std::max(rims_[a].moved.box().diagonal(), other.moved.box().diagonal());
     // No node gets deeper into the other body than both have moved.
     const double reach = 2.0 * moved + 1e-6 * extent;
     const double least = std::max(least_overlap * moved, round_off * extent);
     Worst worst;
     for (const base::NodeId n : rims_[a].nodes) {
       const Vec3 now = place(n) + shift(n);
-      if (held_[n.index()] || (now - other.moved.lower_corner()).minCoeff() < 0.0 ||
-          (other.moved.upper_corner() - now).minCoeff() < 0.0) {
+      if (held_[n.index()] || !other.moved.box().contains(now)) {
         continue;
       }
-      const std::optional<contact::BoundaryDistance> there =
+      const std::optional<geometry::BoundaryDistance> there =
           other.moved.signed_distance(now, reach);
       if (!there || there->distance > -least) {
         continue;
       }
-      const std::optional<contact::BoundaryDistance> before =
+      const std::optional<geometry::BoundaryDistance> before =
           drawn(b).signed_distance(place(n), 3.0 * reach);
       const double first = before ? before->distance : 0.0;
       worst.drawn = worst.drawn || first < -(there->facet + 1e-6 * extent);
@@ -150,8 +152,8 @@ private:
       for (const base::NodeId n : nodes) {
         centre += place(n) / static_cast<double>(nodes.size());
       }
-      const std::optional<contact::BoundaryDistance> at =
-          drawn(b).signed_distance(centre, drawn(b).extent());
+      const std::optional<geometry::BoundaryDistance> at =
+          drawn(b).signed_distance(centre, drawn(b).box().diagonal());
       return at && at->distance < 0.0;
     }
     return false;
@@ -175,7 +177,7 @@ private:
   }
 
   void tell_pair(std::size_t a, std::size_t b, results::StepResult& out) const {
-    if (!contact::boxes_meet(rims_[a].moved, rims_[b].moved)) {
+    if (!rims_[a].moved.box().meets(rims_[b].moved.box())) {
       return;
     }
     const Worst in_b = deepest(a, b);

@@ -20,7 +20,7 @@ std::set<base::NodeId> nodes_that_resist_sliding(const Discretisation& scene) {
       continue;
     }
     for (const contact::ContactSurface* side : {&scene.pairs[c].contact, &scene.pairs[c].target}) {
-      for (const contact::ContactFacet& facet : side->facets) {
+      for (const geometry::ElementSide& facet : side->facets) {
         nodes.insert(facet.nodes.begin(), facet.nodes.end());
       }
     }

@@ -2,8 +2,8 @@
 #include "analysis/recover/contact_limits.hpp"
 
 #include "analysis/recover/closing_motion.hpp"
-#include "contact/body_outline.hpp"
 #include "contact/slide.hpp"
+#include "contact/surface_boundary.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ double largest_pressure(const contact::PairConstraints& pair, const base::Vector
 double facets(const contact::PairConstraints& pair, double facet) {
   const contact::SpaceSurface& space = pair.contact.space;
   if (!space.faces.empty()) {
-    const bool flat = static_cast<int>(space.faces.front().nodes.size()) ==
-                      base::element_info(space.faces.front().shape).corners;
+    const bool flat =
+        static_cast<int>(space.faces.front().nodes.size()) == space.faces.front().corners();
     const std::optional<contact::AnalyticShape>& round = space.rounds.front();
     const bool curved = round && round->kind != contact::AnalyticShapeKind::plane;
     return flat && curved ? facet * facet / (4.0 * round->radius) : 0.0;
@@ -84,11 +84,11 @@ double turned_by(const contact::PairConstraints& pair, double pressure,
 }
 
 // The body of a pair's contact side where displacements have taken it.
-std::optional<contact::BodyBoundary> moved_body(const model::Model& model,
-                                                const Discretisation& scene,
-                                                const std::vector<SubstructuredBody>& bodies,
-                                                const StepState& state,
-                                                const contact::PairConstraints& pair) {
+std::optional<geometry::BodyBoundary> moved_body(const model::Model& model,
+                                                 const Discretisation& scene,
+                                                 const std::vector<SubstructuredBody>& bodies,
+                                                 const StepState& state,
+                                                 const contact::PairConstraints& pair) {
   const base::NodeId node = pair.contact.facets.front().nodes.front();
   const auto body = std::ranges::find_if(bodies, [&](const SubstructuredBody& one) {
     return std::ranges::binary_search(one.body.nodes, node);
@@ -99,19 +99,19 @@ std::optional<contact::BodyBoundary> moved_body(const model::Model& model,
   const std::set<base::ElementId> own(body->body.elements.begin(), body->body.elements.end());
   std::vector<model::Face> faces = mesh::boundary_faces(scene.cracked.mesh);
   std::erase_if(faces, [&](const model::Face& face) { return !own.contains(face.element); });
-  return contact::BodyBoundary(model, scene.cracked.mesh, faces, state.u);
+  return contact::make_body_boundary(model, scene.cracked.mesh, faces, state.u);
 }
 
 // The part of the thrust that acts on places of the target which the contact side's body has left.
 // Where a body slides along one that goes on beyond the sets, or out of one end and into the other,
 // the surfaces that press are the same as before: nothing is lost from the other side.
-double left_alone(const contact::BodyBoundary& body, const contact::SlideMeasures& slide) {
+double left_alone(const geometry::BodyBoundary& body, const contact::SlideMeasures& slide) {
   constexpr double beside = 0.02; // of the slide: how near a body is opposite
   double left = 0.0;
   double all = 0.0;
   for (const contact::DisplacedContactPoint& place : slide.places) {
     const double near = std::abs(place.gap) + slide.misfit + beside * slide.way;
-    const std::optional<contact::BoundaryDistance> at = body.signed_distance(place.x, 2.0 * near);
+    const std::optional<geometry::BoundaryDistance> at = body.signed_distance(place.x, 2.0 * near);
     all += place.thrust;
     left += at && std::abs(at->distance) <= near + at->facet ? 0.0 : place.thrust;
   }

@@ -3,10 +3,9 @@
 
 #include "analysis/scene/domain_rings.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
-#include "fe/face.hpp"
 #include "mesh/boundary.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
-#include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -200,12 +199,9 @@ crack::TipLoads front_loads(const model::Model& model, const Discretisation& sce
 double mean_depth(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front) {
   Vec3 area = Vec3::Zero();
   for (const model::Face& face : cracked.faces[front.crack.index()].left_sides) {
-    fe::with_any_side(cracked.mesh, face,
-                      [&]<int dim>(const fe::AnyElement<dim>& side, const fe::SpaceNodes<dim>& X) {
-                        for (const auto& point : shape::quadrature<dim>(side.domain, 2)) {
-                          area += point.weight * fe::area_vector<dim>(side, X, point.r);
-                        }
-                      });
+    const geometry::ElementSide side = model::element_side(cracked.mesh, face);
+    side.for_quadrature_points(
+        2, [&](const base::Vec2& r, double weight) { area += weight * side.area_vector(r); });
   }
   const double chord = (front.points.back().x - front.points.front().x).norm();
   return chord > 0.0 ? area.norm() / chord : front.a;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/missing_contact.hpp"
 
-#include "contact/body_outline.hpp"
+#include "contact/surface_boundary.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr double least_touch = 0.1; // of the smaller body's nodes
 // The boundary of a body.
 struct BodyBoundaryOutline {
   std::vector<model::Face> faces;
-  contact::BodyBoundary outline;
+  geometry::BodyBoundary outline;
 };
 
 BodyBoundaryOutline rim_of(const model::Model& model, const model::Mesh& mesh,
@@ -35,13 +35,13 @@ BodyBoundaryOutline rim_of(const model::Model& model, const model::Mesh& mesh,
       faces.push_back(face);
     }
   }
-  contact::BodyBoundary outline(model, mesh, faces, {});
+  geometry::BodyBoundary outline = contact::make_body_boundary(model, mesh, faces, {});
   return {std::move(faces), std::move(outline)};
 }
 
 // Faces of one body whose nodes lie next to another one.
 std::vector<model::Face> near_faces(const model::Mesh& mesh, const BodyBoundaryOutline& rim,
-                                    const contact::BodyBoundary& other, double reach) {
+                                    const geometry::BodyBoundary& other, double reach) {
   std::vector<model::Face> near;
   for (const model::Face& face : rim.faces) {
     const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
@@ -95,7 +95,8 @@ std::string missing_contact(const model::Model& model, const Discretisation& sce
       continue;
     }
     const BodyBoundaryOutline other = rim_of(model, mesh, bodies[b]);
-    const double reach = near_share * std::min(own.outline.extent(), other.outline.extent());
+    const double reach =
+        near_share * std::min(own.outline.box().diagonal(), other.outline.box().diagonal());
     const std::vector<model::Face> mine = near_faces(mesh, own, other.outline, reach);
     const std::vector<model::Face> theirs = near_faces(mesh, other, own.outline, reach);
     const std::size_t count = std::min(mine.size(), theirs.size());

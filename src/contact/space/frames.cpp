@@ -8,8 +8,8 @@ namespace spricka::contact {
 SurfaceFrames::SurfaceFrames(const SpaceSurface& surface) {
   std::vector<Vec3> most(surface.rounds.size(), Vec3::Zero()); // |n| along x, y, z
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    const SolidFace& face = surface.faces[f];
-    const SolidFacePoint centre = point_on(face, centre_local_coordinates(face.shape));
+    const geometry::ElementSide& face = surface.faces[f];
+    const geometry::SidePoint centre = face.point(face.centre());
     Vec3& part = most[surface.part[f]];
     part = part.cwiseMax(surface_normal(surface, f, centre).cwiseAbs());
   }

@@ -17,10 +17,9 @@ const double most_turn = std::cos(std::numbers::pi / 6.0);
 using Edge3 = std::pair<base::NodeId, base::NodeId>; ///< corners, the smaller first
 
 // Unit normal of a face in the middle between two corners that follow one another.
-Vec3 normal_on_edge(const SolidFace& face, int corner, int next) {
-  const Vec2 r =
-      0.5 * (node_local_coordinates(face.shape, corner) + node_local_coordinates(face.shape, next));
-  return point_on(face, r).area_vector().normalized();
+Vec3 normal_on_edge(const geometry::ElementSide& face, int corner, int next) {
+  const Vec2 r = 0.5 * (face.node_coordinates(corner) + face.node_coordinates(next));
+  return face.area_vector(r).normalized();
 }
 
 std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
@@ -33,7 +32,7 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
 
 } // namespace
 
-std::vector<std::size_t> smooth_parts(const std::vector<SolidFace>& faces) {
+std::vector<std::size_t> smooth_parts(const std::vector<geometry::ElementSide>& faces) {
   std::vector<std::size_t> parent(faces.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   struct Side {
@@ -42,7 +41,7 @@ std::vector<std::size_t> smooth_parts(const std::vector<SolidFace>& faces) {
   };
   std::map<Edge3, Side> met;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const int corners = base::element_info(faces[f].shape).corners;
+    const int corners = faces[f].corners();
     for (int i = 0; i < corners; ++i) {
       const int next = (i + 1) % corners;
       const base::NodeId a = faces[f].nodes[static_cast<std::size_t>(i)];

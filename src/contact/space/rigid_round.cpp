@@ -44,11 +44,8 @@ AnalyticShape rigid_target_shape(const model::RigidTarget& rigid) {
 
 ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const AnalyticShape& target,
                                      const SurfaceTriangle& triangle) {
-  const SolidFace& face = contact.faces[triangle.face];
-  std::array<Vec2, 3> r;
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    r[i] = node_local_coordinates(face.shape, triangle.node[i]);
-  }
+  const geometry::ElementSide& face = contact.faces[triangle.face];
+  const std::array<Vec2, 3> r = corner_coordinates(face, triangle.node);
   const Vec2 a = r[1] - r[0];
   const Vec2 b = r[2] - r[0];
   const double r_area2 = a.x() * b.y() - a.y() * b.x();
@@ -58,7 +55,7 @@ ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const Analytic
     ProjectionPoint p;
     p.hat = Eigen::Vector3d(1.0 - q[0] - q[1], q[0], q[1]);
     p.r = r[0] + q[0] * a + q[1] * b;
-    const SolidFacePoint here = point_on(face, p.r);
+    const geometry::SidePoint here = face.point(p.r);
     p.x = here.x;
     p.weight = weight * r_area2 * here.area_vector().norm();
     projection.whole += p.weight * p.hat;

@@ -2,6 +2,7 @@
 #include "contact/space/space_surface.hpp"
 
 #include "contact/space/patches.hpp"
+#include "model/mesh_side.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +21,9 @@ std::optional<AnalyticShape> shape_of(const model::Mesh& mesh, const SpaceSurfac
   std::vector<PointNormal> normals;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     if (surface.part[f] == part) {
-      const SolidFace& face = surface.faces[f];
+      const geometry::ElementSide& face = surface.faces[f];
       nodes.insert(face.nodes.begin(), face.nodes.end());
-      const SolidFacePoint centre = point_on(face, centre_local_coordinates(face.shape));
+      const geometry::SidePoint centre = face.point(face.centre());
       normals.push_back({centre.x, centre.area_vector().normalized()});
     }
   }
@@ -42,11 +43,11 @@ SpaceSurface make_space_surface(const model::Mesh& mesh, const std::vector<model
   Vec3 high = -low;
   double area = 0.0;
   for (const model::Face& face : faces) {
-    const SolidFace& own = surface.faces.emplace_back(make_solid_face(mesh, face));
+    const geometry::ElementSide& own = surface.faces.emplace_back(model::element_side(mesh, face));
     low = low.cwiseMin(own.X.rowwise().minCoeff());
     high = high.cwiseMax(own.X.rowwise().maxCoeff());
-    area += face_area(own);
-    for (const FaceTriangle& nodes : face_triangles(own.shape)) {
+    area += own.area();
+    for (const FaceTriangle& nodes : face_triangles(own)) {
       surface.triangles.push_back({surface.faces.size() - 1, nodes});
     }
   }
@@ -66,14 +67,14 @@ SpaceSurface make_space_surface(const model::Mesh& mesh, const std::vector<model
 std::vector<SurfaceTriangle> corner_triangles(const SpaceSurface& surface) {
   std::vector<SurfaceTriangle> triangles;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    for (const FaceTriangle& nodes : face_corner_triangles(surface.faces[f].shape)) {
+    for (const FaceTriangle& nodes : face_corner_triangles(surface.faces[f])) {
       triangles.push_back({f, nodes});
     }
   }
   return triangles;
 }
 
-Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const SolidFacePoint& at) {
+Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const geometry::SidePoint& at) {
   Vec3 n = at.area_vector().normalized();
   const std::optional<AnalyticShape>& round = surface.analytic_shape(face);
   if (!round) {

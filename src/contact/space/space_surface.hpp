@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "contact/space/face_triangles.hpp"
 #include "contact/space/round.hpp"
-#include "contact/space/solid_face.hpp"
+#include "model/mesh.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -17,7 +18,7 @@ struct SurfaceTriangle {
 
 /// A surface of solids: its faces, the smooth parts they belong to and the shapes of these.
 struct SpaceSurface {
-  std::vector<SolidFace> faces;
+  std::vector<geometry::ElementSide> faces;
   std::vector<std::size_t> part;                    ///< [face]
   std::vector<std::optional<AnalyticShape>> rounds; ///< [part]
   /// Face by face; all nodes are corners of some, or only the corners of faces.
@@ -37,6 +38,6 @@ std::vector<SurfaceTriangle> corner_triangles(const SpaceSurface& surface);
 
 /// Unit normal of the surface at a point x of a face, given what the face itself has there: that of
 /// its shape where it has one.
-Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const SolidFacePoint& at);
+Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const geometry::SidePoint& at);
 
 } // namespace spricka::contact

@@ -22,28 +22,12 @@ constexpr double steepest = 0.17;     // cosine between both normals, 80 degrees
 constexpr int piece_degree = 5;
 
 std::array<Vec3, 3> corners_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
-  const NodePlaces& X = surface.faces[t.face].X;
+  const geometry::SidePositions& X = surface.faces[t.face].X;
   return {X.col(t.node[0]), X.col(t.node[1]), X.col(t.node[2])};
 }
 
 std::array<Vec2, 3> places_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
-  const base::ElementType shape = surface.faces[t.face].shape;
-  return {node_local_coordinates(shape, t.node[0]), node_local_coordinates(shape, t.node[1]),
-          node_local_coordinates(shape, t.node[2])};
-}
-
-ContactBoundingBox box_of(const std::array<Vec3, 3>& x, double wider) {
-  const Vec3 more = Vec3::Constant(wider);
-  return {x[0].cwiseMin(x[1]).cwiseMin(x[2]) - more, x[0].cwiseMax(x[1]).cwiseMax(x[2]) + more};
-}
-
-std::vector<ContactBoundingBox> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
-  std::vector<ContactBoundingBox> boxes;
-  boxes.reserve(triangles.size());
-  for (const std::array<Vec3, 3>& x : triangles) {
-    boxes.push_back(box_of(x, 0.0));
-  }
-  return boxes;
+  return corner_coordinates(surface.faces[t.face], t.node);
 }
 
 Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
@@ -60,7 +44,7 @@ double to_round(const SpaceSurface& surface, std::size_t face, const Vec3& x, co
 
 // A triangle of the contact surface and the plane through its corners.
 struct SurfaceProjection::Frame {
-  const SolidFace& face;
+  const geometry::ElementSide& face;
   std::size_t number = 0; ///< of the face
   std::array<Vec3, 3> x;
   std::array<Vec2, 3> r; ///< of the corners on the face
@@ -89,36 +73,34 @@ struct SurfaceProjection::Frame {
 
 SurfaceProjection::SurfaceProjection(const SpaceSurface& contact, const SpaceSurface& target,
                                      double farther)
-    : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther),
-      tree_({}) {
+    : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther) {
+  std::vector<geometry::Box<3>> boxes;
   for (const SurfaceTriangle& t : target.triangles) {
     corner_.push_back(corners_of(target, t));
+    boxes.push_back(geometry::Box<3>::around(corner_.back()));
+    size_ += boxes.back().diagonal() / static_cast<double>(target.triangles.size());
   }
-  const std::vector<ContactBoundingBox> boxes = boxes_of(corner_);
-  for (const ContactBoundingBox& box : boxes) {
-    size_ += (box.high - box.low).norm() / static_cast<double>(boxes.size());
-  }
-  tree_ = BoxTree(boxes);
+  tree_ = geometry::BoxTree<3>(boxes);
 }
 
 bool SurfaceProjection::meet(std::size_t face, ProjectionPoint& point) const {
   constexpr int most_steps = 12;
   constexpr double beyond = 0.3; // of a face's own size: rays beside it meet its continuation
-  const SolidFace& target = target_.faces[face];
+  const geometry::ElementSide& target = target_.faces[face];
   double g = 0.0;
-  SolidFacePoint y = point_on(target, point.s);
+  geometry::SidePoint y = target.point(point.s);
   double last = std::numeric_limits<double>::infinity();
   double size = last;
   for (int i = 0; i < most_steps; ++i) {
     Eigen::Matrix3d J;
-    J << y.slope, -point.normal;
+    J << y.tangents, -point.normal;
     const Vec3 step = J.inverse() * (point.x + g * point.normal - y.x);
     if (!step.allFinite()) {
       return false;
     }
     point.s += step.head<2>();
     g += step[2];
-    y = point_on(target, point.s);
+    y = target.point(point.s);
     last = size;
     size = step.head<2>().norm();
     if (size < 1e-14 || (size < 1e-10 && size >= last)) {
@@ -128,7 +110,7 @@ bool SurfaceProjection::meet(std::size_t face, ProjectionPoint& point) const {
   const Vec3 back = y.area_vector();
   point.turn = -back.normalized().dot(point.normal);
   point.gap = zero_round_off(g, point.x.cwiseAbs().maxCoeff());
-  return size < 1e-6 && distance_outside(target.shape, point.s) <= beyond && point.turn > 0.0 &&
+  return size < 1e-6 && target.distance_outside(point.s) <= beyond && point.turn > 0.0 &&
          std::abs(g) <= reach_;
 }
 
@@ -164,7 +146,7 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
       point.hat = barycentric(frame.flat, at);
       point.r = mixed(frame.r, point.hat);
       point.s = mixed(s, barycentric(flat, at));
-      const SolidFacePoint here = point_on(frame.face, point.r);
+      const geometry::SidePoint here = frame.face.point(point.r);
       point.x = here.x;
       point.normal = surface_normal(contact_, frame.number, here);
       point.weight = weight * here.area_vector().norm() * area2 * frame.r_area2 / frame.area2;
@@ -199,7 +181,7 @@ std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, con
   constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
   std::optional<ProjectionPoint> found;
-  for (const std::size_t t : tree_.overlapping_boxes({x - up, x + up})) {
+  for (const std::size_t t : tree_.boxes_meeting({x - up, x + up})) {
     const std::array<Vec3, 3>& y = corner_[t];
     Eigen::Matrix3d J;
     J << y[1] - y[0], y[2] - y[0], -n;
@@ -213,8 +195,7 @@ std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, con
     point.x = x;
     point.normal = n;
     point.s = mixed(s, {1.0 - b[0] - b[1], b[0], b[1]});
-    if (meet(point.target, point) &&
-        distance_outside(target_.faces[point.target].shape, point.s) <= on &&
+    if (meet(point.target, point) && target_.faces[point.target].distance_outside(point.s) <= on &&
         (!found || std::abs(point.gap) < std::abs(found->gap))) {
       found = point;
     }
@@ -228,15 +209,15 @@ ProjectedTriangle SurfaceProjection::project_triangle(const SurfaceTriangle& tri
   projection.flat_area = 0.5 * frame.area2;
   for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
     const Eigen::Vector3d hat(1.0 - q[0] - q[1], q[0], q[1]);
-    const SolidFacePoint here = point_on(frame.face, mixed(frame.r, hat));
+    const geometry::SidePoint here = frame.face.point(mixed(frame.r, hat));
     projection.whole += weight * frame.r_area2 * here.area_vector().norm() * hat;
   }
   // The prism over the triangle, as far as a target may lie off.
   const Vec3 up = reach_ * frame.n.cwiseAbs();
-  ContactBoundingBox box = box_of(frame.x, 0.0);
+  geometry::Box<3> box = geometry::Box<3>::around(frame.x);
   box.low -= up;
   box.high += up;
-  for (const std::size_t t : tree_.overlapping_boxes(box)) {
+  for (const std::size_t t : tree_.boxes_meeting(box)) {
     see_target(frame, t, projection);
   }
   return projection;

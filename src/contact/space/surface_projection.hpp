@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/space/box_tree.hpp"
 #include "contact/space/space_surface.hpp"
+#include "geometry/box_tree.hpp"
 
 #include <array>
 #include <cstddef>
@@ -64,7 +64,7 @@ private:
   const SpaceSurface& target_;
   double reach_ = 0.0;
   double size_ = 0.0;                       ///< of the target's triangles, on average
-  BoxTree tree_;                            ///< of the target's triangles
+  geometry::BoxTree<3> tree_;               ///< of the target's triangles
   std::vector<std::array<Vec3, 3>> corner_; ///< [triangle of the target]
 };
 

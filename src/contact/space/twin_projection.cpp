@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/twin_projection.hpp"
 
-#include "contact/space/box_tree.hpp"
+#include "geometry/box_tree.hpp"
 #include "shape/quadrature.hpp"
 
 #include <Eigen/Geometry>
@@ -13,27 +13,27 @@ namespace {
 // Hats times functions of second order times the Jacobian of quarter points.
 constexpr int twin_degree = 5;
 
-std::size_t corner_count(const SolidFace& face) {
-  return static_cast<std::size_t>(base::element_info(face.shape).corners);
+std::size_t corner_count(const geometry::ElementSide& face) {
+  return static_cast<std::size_t>(face.corners());
 }
 
 // How far nodes that lie on one another may be apart by round-off, over the size of faces.
 constexpr double twins_apart = 1e-6;
 
-Vec3 centre_of(const SolidFace& face) {
+Vec3 centre_of(const geometry::ElementSide& face) {
   return face.X.leftCols(static_cast<Eigen::Index>(corner_count(face))).rowwise().mean();
 }
 
 // Where the corners of a face are on another one; nothing where they are not its corners.
-std::optional<TwinFace> matched(const SolidFace& face, const SolidFace& other, double apart) {
+std::optional<TwinFace> matched(const geometry::ElementSide& face,
+                                const geometry::ElementSide& other, double apart) {
   TwinFace twin;
   for (std::size_t c = 0; c < corner_count(face); ++c) {
     bool met = false;
     for (std::size_t k = 0; k < corner_count(face) && !met; ++k) {
       met = (face.X.col(static_cast<Eigen::Index>(c)) - other.X.col(static_cast<Eigen::Index>(k)))
                 .norm() <= apart;
-      twin.corner[c] =
-          met ? node_local_coordinates(face.shape, static_cast<int>(k)) : twin.corner[c];
+      twin.corner[c] = met ? face.node_coordinates(static_cast<int>(k)) : twin.corner[c];
     }
     if (!met) {
       return std::nullopt;
@@ -58,19 +58,19 @@ Vec2 place_on_twin(const TwinFace& twin, std::size_t corners, const Vec2& r) {
 
 std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
                                                 const SpaceSurface& other) {
-  const Vec3 apart = Vec3::Constant(twins_apart * own.mean_size);
-  std::vector<ContactBoundingBox> boxes;
-  for (const SolidFace& face : other.faces) {
+  const double apart = twins_apart * own.mean_size;
+  std::vector<geometry::Box<3>> boxes;
+  for (const geometry::ElementSide& face : other.faces) {
     boxes.push_back({centre_of(face), centre_of(face)});
   }
-  const BoxTree tree(boxes);
+  const geometry::BoxTree<3> tree(boxes);
   std::vector<TwinFace> twins;
-  for (const SolidFace& face : own.faces) {
+  for (const geometry::ElementSide& face : own.faces) {
     const Vec3 centre = centre_of(face);
     std::optional<TwinFace> twin;
-    for (const std::size_t f : tree.overlapping_boxes({centre - apart, centre + apart})) {
-      if (!twin && other.faces[f].shape == face.shape) {
-        twin = matched(face, other.faces[f], apart.x());
+    for (const std::size_t f : tree.boxes_meeting(geometry::Box<3>{centre, centre}.grown(apart))) {
+      if (!twin && other.faces[f].nodes.size() == face.nodes.size()) {
+        twin = matched(face, other.faces[f], apart);
         if (twin) {
           twin->face = f;
         }
@@ -86,10 +86,8 @@ std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
 
 ProjectedTriangle project_onto_twin(const SpaceSurface& own, const TwinFace& twin,
                                     const SurfaceTriangle& triangle) {
-  const SolidFace& face = own.faces[triangle.face];
-  const std::array<Vec2, 3> r{node_local_coordinates(face.shape, triangle.node[0]),
-                              node_local_coordinates(face.shape, triangle.node[1]),
-                              node_local_coordinates(face.shape, triangle.node[2])};
+  const geometry::ElementSide& face = own.faces[triangle.face];
+  const std::array<Vec2, 3> r = corner_coordinates(face, triangle.node);
   const Vec2 a = r[1] - r[0];
   const Vec2 b = r[2] - r[0];
   const double r_area2 = a.x() * b.y() - a.y() * b.x();
@@ -101,7 +99,7 @@ ProjectedTriangle project_onto_twin(const SpaceSurface& own, const TwinFace& twi
     point.r = r[0] + q[0] * a + q[1] * b;
     point.s = place_on_twin(twin, corners, point.r);
     point.hat = {1.0 - q[0] - q[1], q[0], q[1]};
-    const SolidFacePoint at = point_on(face, point.r);
+    const geometry::SidePoint at = face.point(point.r);
     point.x = at.x;
     point.normal = surface_normal(own, triangle.face, at);
     point.turn = 1.0;

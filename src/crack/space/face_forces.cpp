@@ -2,7 +2,7 @@
 #include "crack/space/face_forces.hpp"
 
 #include "crack/space/front_rule.hpp"
-#include "fe/face.hpp"
+#include "model/mesh_side.hpp"
 #include "shape/quadrature.hpp"
 
 #include <map>
@@ -13,8 +13,8 @@ using base::Vec3;
 
 namespace {
 
-fe::SpaceNodes<2> displacements(const fe::ElementSide<2>& side, const base::Vector& u) {
-  fe::SpaceNodes<2> U(3, side.shape.nodes);
+fe::SpaceNodes<2> displacements(const geometry::ElementSide& side, const base::Vector& u) {
+  fe::SpaceNodes<2> U(3, side.X.cols());
   for (std::size_t i = 0; i < side.nodes.size(); ++i) {
     U.col(static_cast<Eigen::Index>(i)) =
         u.segment<3>(3 * static_cast<Eigen::Index>(side.nodes[i].index()));
@@ -23,7 +23,7 @@ fe::SpaceNodes<2> displacements(const fe::ElementSide<2>& side, const base::Vect
 }
 
 // - N_n c of each node, to what a auxiliary field releases.
-void subtract_at_nodes(const fe::ElementSide<2>& side, const fe::AnyElement<2>::Values& N,
+void subtract_at_nodes(const geometry::ElementSide& side, const fe::AnyElement<2>::Values& N,
                        std::size_t auxiliary, const Vec3& c, FrontConfigurationalForces& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
     out[side.nodes[n]][auxiliary] -= N[static_cast<Eigen::Index>(n)] * c;
@@ -32,8 +32,8 @@ void subtract_at_nodes(const fe::ElementSide<2>& side, const fe::AnyElement<2>::
 
 } // namespace
 
-SurfaceGradients surface_gradients(const fe::ElementSide<2>& side, const shape::Point<2>& r) {
-  const fe::AnyElement<2>::SplineDerivatives dN = side.shape.dN(r);
+SurfaceGradients surface_gradients(const geometry::ElementSide& side, const shape::Point<2>& r) {
+  const fe::AnyElement<2>::SplineDerivatives dN = side.dN(r);
   const Eigen::Matrix<double, 3, 2> slope = side.X.lazyProduct(dN);
   const Eigen::Matrix2d metric = slope.transpose() * slope;
   const Eigen::Matrix<double, 2, 3> back = metric.inverse() * slope.transpose();
@@ -52,11 +52,11 @@ void add_face_forces(const FrontSetting& set, const FrontExtensions& fields,
     if (known == moved.end()) {
       continue;
     }
-    const fe::ElementSide<2> side(set.mesh, on.face);
+    const geometry::ElementSide side = model::element_side(set.mesh, on.face);
     const fe::SpaceNodes<2> U = displacements(side, u);
     for (const fe::LoadPoint& point : on.points) {
       const shape::Point<2> r = point.r.head<2>();
-      const fe::AnyElement<2>::Values N = side.shape.N(r);
+      const fe::AnyElement<2>::Values N = side.N(r);
       const FrontCoordinates place = set.axes.locate_point(side.X * N, known->second);
       if (!(place.r > 0.0)) {
         continue; // the front itself, a line without an area
@@ -74,12 +74,12 @@ void add_face_forces(const FrontSetting& set, const FrontExtensions& fields,
 void add_auxiliary_tractions(const FrontSetting& set, const FrontExtensions& fields,
                              const base::Vector& u, FrontConfigurationalForces& out) {
   for (const MovedFreeSide& moved : fields.sides) {
-    const fe::ElementSide<2> side(set.mesh, moved.face);
+    const geometry::ElementSide side = model::element_side(set.mesh, moved.face);
     const fe::SpaceNodes<2> U = displacements(side, u);
-    for (const auto& point : shape::quadrature<2>(side.shape.domain, front_degree)) {
-      const fe::AnyElement<2>::Values N = side.shape.N(point.r);
+    for (const auto& point : shape::quadrature<2>(side.domain(), front_degree)) {
+      const fe::AnyElement<2>::Values N = side.N(point.r);
       const TurningAxes axes(set.axes.locate_point(side.X * N, moved.on));
-      const Vec3 area = point.weight * fe::area_vector<2>(side.shape, side.X, point.r);
+      const Vec3 area = point.weight * side.area_vector(point.r);
       const Tensor<3> H = U.lazyProduct(surface_gradients(side, point.r));
       for (std::size_t k = 1; k < front_partners; ++k) {
         subtract_at_nodes(side, N, k,

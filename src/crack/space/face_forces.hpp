@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/space/front_forces.hpp"
-#include "fe/face.hpp"
+#include "model/mesh_side.hpp"
 
 namespace spricka::crack {
 
@@ -19,6 +19,6 @@ void add_auxiliary_tractions(const FrontSetting& set, const FrontExtensions& fie
 
 /// Derivatives of the functions of a side along it as gradients in space. [node, 3]
 using SurfaceGradients = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, shape::most_nodes<2>, 3>;
-SurfaceGradients surface_gradients(const fe::ElementSide<2>& side, const shape::Point<2>& r);
+SurfaceGradients surface_gradients(const geometry::ElementSide& side, const shape::Point<2>& r);
 
 } // namespace spricka::crack

@@ -4,9 +4,10 @@
 #include "crack/space/face_forces.hpp"
 #include "crack/space/front_opening.hpp"
 #include "crack/space/smooth_front.hpp"
-#include "fe/face.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
+#include "model/mesh_side.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ public:
       if (side.on == CrackFaceSide::none) {
         continue;
       }
-      const fe::ElementSide<2> own(set_.mesh, side.face);
+      const geometry::ElementSide own = model::element_side(set_.mesh, side.face);
       for (std::size_t i = 0; i < front_.points.size(); ++i) {
         add_side(side, own, i, loads, at.across[i]);
       }
@@ -55,22 +56,22 @@ public:
 
 private:
   // Each side of the crack has one or two faces at a point: their mean, and the mean of both sides.
-  void add_side(const MovedFreeSide& side, const fe::ElementSide<2>& own, std::size_t i,
+  void add_side(const MovedFreeSide& side, const geometry::ElementSide& own, std::size_t i,
                 const TipLoads& loads, double& sum) const {
     const base::NodeId point = front_.points[i].node;
     const auto at = std::ranges::find(own.nodes, point);
     if (at == own.nodes.end()) {
       return;
     }
-    const shape::Point<2> centre = own.shape.centre();
-    const shape::Point<2> r = (1.0 - beside_front) * own.shape.node_coordinates(
-                                                         static_cast<int>(at - own.nodes.begin())) +
-                              beside_front * centre;
-    const Vec3 normal = fe::area_vector<2>(own.shape, own.X, centre).normalized();
+    const shape::Point<2> centre = own.centre();
+    const shape::Point<2> r =
+        (1.0 - beside_front) * own.node_coordinates(static_cast<int>(at - own.nodes.begin())) +
+        beside_front * centre;
+    const Vec3 normal = own.area_vector(centre).normalized();
     const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
     for (const ActingLoad& acting : loads.loads) {
       if (std::ranges::find(acting.faces, side.face) != acting.faces.end()) {
-        const Vec3 value = fe::load_value(*acting.load, own.X * own.shape.N(r));
+        const Vec3 value = fe::load_value(*acting.load, own.X * own.N(r));
         sum += part * acting.factor *
                (acting.load->type == model::LoadType::pressure ? -value.x() : value.dot(normal));
       }

@@ -5,7 +5,7 @@
 #include "crack/space/front_forces.hpp"
 #include "crack/space/front_rule.hpp"
 #include "crack/space/other_functions.hpp"
-#include "fe/face.hpp"
+#include "model/mesh_side.hpp"
 #include "shape/side_place.hpp"
 
 #include <map>
@@ -203,17 +203,17 @@ private:
   // The auxiliary fields' tractions on a side times the slopes along the motion of some functions.
   // slopes_at(place r): [function, 3]; take as in contract.
   template <class SlopesAt, class Take>
-  void contract_side(const MovedFreeSide& side, const fe::ElementSide<2>& own,
+  void contract_side(const MovedFreeSide& side, const geometry::ElementSide& own,
                      const SlopesAt& slopes_at, const Take& take) const {
     for (const std::size_t i : points_of_.at(side.face.element)) {
       fe::SpaceNodes<2> q;
       if (!gather(i, own.nodes, q)) {
         continue;
       }
-      for (const auto& point : shape::quadrature<2>(own.shape.domain, front_degree)) {
-        const fe::AnyElement<2>::Values N = own.shape.N(point.r);
+      for (const auto& point : shape::quadrature<2>(own.domain(), front_degree)) {
+        const fe::AnyElement<2>::Values N = own.N(point.r);
         const TurningAxes axes(set_.axes.locate_point(own.X * N, side.on));
-        const base::Vec3 area = point.weight * fe::area_vector<2>(own.shape, own.X, point.r);
+        const base::Vec3 area = point.weight * own.area_vector(point.r);
         const base::Vec3 moved = q * N;
         const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
@@ -227,7 +227,7 @@ private:
   }
 
   void add_side(const MovedFreeSide& side) {
-    const fe::ElementSide<2> own(set_.mesh, side.face);
+    const geometry::ElementSide own = model::element_side(set_.mesh, side.face);
     contract_side(
         side, own, [&](const shape::Point<2>& r) { return surface_gradients(own, r); },
         [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
@@ -238,7 +238,7 @@ private:
   // The motion runs along the side, so that the element's own gradient serves.
   void add_others_on(const MovedFreeSide& side, const SupplementaryFunctions& others) {
     contract_side(
-        side, fe::ElementSide<2>(set_.mesh, side.face),
+        side, model::element_side(set_.mesh, side.face),
         [&](const shape::Point<2>& r) { return slopes_on(side.face, r, others); },
         [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
           put_others(side.face.element, point, column, values, others);
@@ -300,14 +300,14 @@ private:
   }
 
   void add_places(const FacePointForces& on, CrackFaceSide side, Eigen::Index first) {
-    const fe::ElementSide<2> own(set_.mesh, on.face);
+    const geometry::ElementSide own = model::element_side(set_.mesh, on.face);
     for (const std::size_t i : points_of_.at(on.face.element)) {
       fe::SpaceNodes<2> q;
       if (!gather(i, own.nodes, q)) {
         continue;
       }
       for (std::size_t p = 0; p < on.points.size(); ++p) {
-        const fe::AnyElement<2>::Values N = own.shape.N(on.points[p].r.head<2>());
+        const fe::AnyElement<2>::Values N = own.N(on.points[p].r.head<2>());
         const FrontCoordinates place = set_.axes.locate_point(own.X * N, side);
         if (!(place.r > 0.0)) {
           continue; // the front itself, a line without an area

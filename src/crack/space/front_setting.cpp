@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/front_setting.hpp"
 
-#include "fe/face.hpp"
 #include "fe/load_rule.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
 #include "shape/quadrature.hpp"
 
@@ -54,12 +54,12 @@ std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipL
     const fe::FieldScale scale =
         acting.load->faces.valid() ? fe::load_scale(mesh, *acting.load) : fe::FieldScale();
     for (const model::Face& face : acting.faces) {
-      const fe::ElementSide<2> side(mesh, face);
+      const geometry::ElementSide side = model::element_side(mesh, face);
       FacePointForces on{face, {}};
-      const auto rule = fe::load_rule<2>(side.shape, side.X, *acting.load, scale);
+      const auto rule = fe::load_rule(side, *acting.load, scale);
       for (const auto& point : rule.points) {
-        const Vec3 area = fe::area_vector<2>(side.shape, side.X, point.r);
-        const Vec3 value = fe::load_value(*acting.load, side.X * side.shape.N(point.r));
+        const Vec3 area = side.area_vector(point.r);
+        const Vec3 value = fe::load_value(*acting.load, side.X * side.N(point.r));
         const Vec3 density = acting.load->type == model::LoadType::pressure
                                  ? Vec3(-value.x() * area)
                                  : Vec3(value * area.norm());

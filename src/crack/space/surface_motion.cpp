@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/surface_motion.hpp"
 
-#include "fe/face.hpp"
+#include "model/mesh_side.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +26,14 @@ constexpr double piercing = 0.3;
 SurfaceNodeMotion::SurfaceNodeMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
                                      const InTheWay& in_the_way) {
   for (const model::Face& face : sides) {
-    const fe::ElementSide<2> side(mesh, face);
-    for (int i = 0; i < side.shape.nodes; ++i) {
+    const geometry::ElementSide side = model::element_side(mesh, face);
+    for (int i = 0; i < static_cast<int>(side.nodes.size()); ++i) {
       const base::NodeId node = side.nodes[static_cast<std::size_t>(i)];
       if (!in_the_way(node, face)) {
         continue;
       }
-      const shape::Point<2> at =
-          (1.0 - inside) * side.shape.node_coordinates(i) + inside * side.shape.centre();
-      const Vec3 n = fe::area_vector<2>(side.shape, side.X, at).normalized();
+      const shape::Point<2> at = (1.0 - inside) * side.node_coordinates(i) + inside * side.centre();
+      const Vec3 n = side.area_vector(at).normalized();
       std::vector<Vec3>& known = normals_[node];
       const auto alike = std::ranges::find_if(
           known, [&](const Vec3& sum) { return sum.normalized().dot(n) > one_surface; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/cavity.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
@@ -241,7 +242,7 @@ bool exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
   // The edge's chord as a polygon without area.
   double room = distance({a, b, a}, placement.line);
   for (const PlacedTip& tip : placement.tips) {
-    room = std::min(room, distance(tip.at, a, b) - placement.radius);
+    room = std::min(room, geometry::distance_to_segment(tip.at, a, b) - placement.radius);
   }
   return part * room < (b - a).norm() - same;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/crack_check.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -27,11 +28,7 @@ Vec2 flat(const Vec3& x) {
 }
 
 double length_of(const CrackLine& line) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    length += (line.points[i] - line.points[i - 1]).norm();
-  }
-  return length;
+  return geometry::polyline_length(line.points);
 }
 
 std::string place(const Vec2& p) {
@@ -119,12 +116,13 @@ double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
       continue;
     }
     for (std::size_t i = 1; i < other.points.size(); ++i) {
-      room = std::min(room, distance(tip, flat(other.points[i - 1]), flat(other.points[i])));
+      room = std::min(room, geometry::distance_to_segment(tip, flat(other.points[i - 1]),
+                                                          flat(other.points[i])));
     }
   }
   double along = 0.0; // from the tip
   for (std::size_t i = points.size() - 1; i > 0; --i) {
-    const double d = distance(tip, flat(points[i - 1]), flat(points[i]));
+    const double d = geometry::distance_to_segment(tip, flat(points[i - 1]), flat(points[i]));
     // Parts that come back to the tip: nearer to it than 0.9 of the way along the crack (crack.16).
     room = d < 0.9 * along ? std::min(room, d) : room;
     along += (points[i] - points[i - 1]).norm();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/graft.hpp"
 
+#include "geometry/box_tree.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/numbering.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace spricka::mesh {
@@ -21,43 +22,25 @@ using base::Vec2;
 class Locator {
 public:
   Locator(const model::Mesh& host, const PatchGraft& graft) : elements_(graft.cavity.elements) {
+    std::vector<geometry::Box<2>> boxes;
     for (const ElementId e : elements_) {
-      std::vector<Vec2> outline = polygon(host, e, graft.frame);
-      Vec2 low = outline.front();
-      Vec2 high = low;
-      for (const Vec2& p : outline) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-      shapes_.push_back({std::move(outline), low, high});
+      outlines_.push_back(polygon(host, e, graft.frame));
+      boxes.push_back(geometry::Box<2>::around(outlines_.back()));
     }
+    boxes_ = geometry::BoxTree<2>(boxes);
   }
 
   [[nodiscard]] ElementId element_at(const Vec2& p) const {
-    ElementId best = elements_.front();
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < shapes_.size() && least > 0.0; ++i) {
-      const BoundedPolygon& shape = shapes_[i];
-      const double away = std::max((shape.low - p).maxCoeff(), (p - shape.high).maxCoeff());
-      if (away > least + same) {
-        continue; // its box is farther off already
-      }
-      const double d = distance(shape.outline, {p, p});
-      if (d < least) {
-        least = d;
-        best = elements_[i];
-      }
-    }
-    return best;
+    const std::optional<std::size_t> nearest = boxes_.nearest(p, [&](std::size_t i) {
+      return distance(outlines_[i], {p, p});
+    });
+    return elements_[nearest.value_or(0)];
   }
 
 private:
-  struct BoundedPolygon {
-    std::vector<Vec2> outline;
-    Vec2 low, high;
-  };
   const std::vector<ElementId>& elements_;
-  std::vector<BoundedPolygon> shapes_;
+  std::vector<std::vector<Vec2>> outlines_; ///< [element]
+  geometry::BoxTree<2> boxes_;              ///< [element]
 };
 
 class Grafter {

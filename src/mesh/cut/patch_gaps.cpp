@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/patch_gaps.hpp"
 
+#include "geometry/polyline.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -15,14 +17,6 @@ constexpr double least_gap = 1e-3;
 /// way along the crack or from the mouth.
 constexpr double beside = 0.5;
 
-double total_length(const CrackPlacement& placement) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < placement.line.size(); ++i) {
-    length += (placement.line[i] - placement.line[i - 1]).norm();
-  }
-  return length;
-}
-
 class Gaps {
 public:
   Gaps(const std::vector<const CrackPlacement*>& cracks,
@@ -34,10 +28,12 @@ public:
                           std::size_t k) const {
     double gap = std::numeric_limits<double>::max();
     for (const CrackPlacement* other : cracks_) {
-      gap = std::min(gap, other == &crack ? to_itself(crack, p, s, k) : to_line(other->line, p));
+      gap = std::min(gap, other == &crack ? to_itself(crack, p, s, k)
+                                          : geometry::nearest_point(p, other->line).distance);
     }
     for (const auto& [a, mid, b] : boundary_) {
-      const double d = std::min(distance(p, a, mid), distance(p, mid, b));
+      const double d = std::min(geometry::distance_to_segment(p, a, mid),
+                                geometry::distance_to_segment(p, mid, b));
       // Near its mouth a crack is near the boundary anyhow; an embedded one has no mouth.
       gap = !crack.mouth || d < beside * s ? std::min(gap, d) : gap;
     }
@@ -45,18 +41,11 @@ public:
   }
 
 private:
-  static double to_line(const std::vector<Vec2>& line, const Vec2& p) {
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      least = std::min(least, distance(p, line[i - 1], line[i]));
-    }
-    return least;
-  }
   static double to_itself(const CrackPlacement& crack, const Vec2& p, double s, std::size_t k) {
     double gap = std::numeric_limits<double>::max();
     double start = 0.0;
     for (std::size_t i = 1; i < crack.line.size(); ++i) {
-      const double d = distance(p, crack.line[i - 1], crack.line[i]);
+      const double d = geometry::distance_to_segment(p, crack.line[i - 1], crack.line[i]);
       const double end = start + (crack.line[i] - crack.line[i - 1]).norm();
       // The way along the crack to the nearer end of segment i.
       const double along = i < k ? s - end : start - s;
@@ -73,7 +62,7 @@ private:
 } // namespace
 
 double placed_length(const CrackPlacement& placement) {
-  const double length = total_length(placement);
+  const double length = geometry::polyline_length(placement.line);
   return placement.mouth ? length : 0.5 * length;
 }
 
@@ -81,7 +70,7 @@ void add_gap_sizes(const std::vector<const CrackPlacement*>& cracks,
                    const std::vector<std::array<Vec2, 3>>& boundary, Grading& size) {
   const Gaps gaps(cracks, boundary);
   for (const CrackPlacement* crack : cracks) {
-    const double total = total_length(*crack);
+    const double total = geometry::polyline_length(crack->line);
     double before = 0.0; // up to the segment
     for (std::size_t k = 1; k < crack->line.size(); ++k) {
       const Vec2& a = crack->line[k - 1];

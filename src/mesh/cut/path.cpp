@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/path.hpp"
 
+#include "geometry/polyline.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,14 +38,6 @@ std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeI
   return std::nullopt;
 }
 
-double length_of(const std::vector<base::Vec3>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += (points[i] - points[i - 1]).norm();
-  }
-  return length;
-}
-
 } // namespace
 
 bool body_on_left(const HostMesh& host, NodeId from, NodeId to) {
@@ -63,7 +57,7 @@ std::optional<std::vector<NodeId>> path_nodes(const HostMesh& host, const CrackL
                                               base::SourceSpan span,
                                               base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
-  const double a = length_of(line.points);
+  const double a = geometry::polyline_length(line.points);
   std::vector<NodeId> corners;
   // Middle nodes are taken from the edges: the set may have them or not.
   std::copy_if(line.path.begin(), line.path.end(), std::back_inserter(corners),

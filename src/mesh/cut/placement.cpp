@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/placement.hpp"
 
+#include "geometry/polyline.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,13 +80,7 @@ PlanarCrackFrame make_crack_frame(const CrackLine& line) {
   PlanarCrackFrame frame;
   frame.origin = line.points.front();
   frame.e1 = (line.points[1] - line.points[0]).normalized();
-  frame.a = 0.0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    frame.a += (line.points[i] - line.points[i - 1]).norm();
-  }
-  if (line.embedded) {
-    frame.a *= 0.5;
-  }
+  frame.a = (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points);
   return frame;
 }
 

@@ -90,7 +90,7 @@ std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
   const Vec3 middle = patch.net.vertices().front();
   std::vector<Vec2> points;
   for (const std::size_t f : patch.faces) {
-    const CurvedFace& face = patch.surface.face(f);
+    const geometry::ElementSide& face = patch.surface.face(f);
     for (Eigen::Index i = 0; i < face.X.cols(); ++i) {
       const Vec3 d = (face.X.col(i) - middle) / extent;
       points.emplace_back(d.dot(t1), d.dot(t2));

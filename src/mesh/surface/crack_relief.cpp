@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/crack_relief.hpp"
 
-#include "mesh/polyline.hpp"
+#include "geometry/polyline.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -42,7 +42,7 @@ NonPlanarCrackSurface::NonPlanarCrackSurface(SuccessiveFronts fronts) : fronts_(
   for (std::size_t k = 1; k < lines.size(); ++k) {
     double widest = 0.0;
     for (const Vec3& x : lines[k]) {
-      widest = std::max(widest, nearest_on(lines[k - 1], x).distance);
+      widest = std::max(widest, geometry::nearest_point(x, lines[k - 1]).distance);
     }
     narrowest_ = std::min(narrowest_, widest);
     rule(lines[k - 1], lines[k]);
@@ -90,8 +90,8 @@ void NonPlanarCrackSurface::go_on_before() {
   const double far = (high_ - low_).norm();
   std::vector<Vec3> ahead;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    ahead.emplace_back(line[i] +
-                       far * fronts_.normals[i].cross(direction_at(line, i)).normalized());
+    ahead.emplace_back(
+        line[i] + far * fronts_.normals[i].cross(geometry::direction_at(line, i)).normalized());
   }
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     add(line[i], ahead[i], ahead[i + 1]);
@@ -106,7 +106,7 @@ void NonPlanarCrackSurface::find_bends() {
     const std::vector<Vec3>& line = fronts_.points[k];
     std::vector<double>& turned = turned_.emplace_back();
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const Vec3 m = fronts_.normal.cross(flat(direction_at(line, i))).normalized();
+      const Vec3 m = fronts_.normal.cross(flat(geometry::direction_at(line, i))).normalized();
       const Vec3 before = fronts_.normal - height_slope(line[i] - beside * narrowest_ * m);
       const Vec3 behind = fronts_.normal - height_slope(line[i] + beside * narrowest_ * m);
       turned.push_back(std::atan2(before.cross(behind).norm(), before.dot(behind)));
@@ -116,11 +116,11 @@ void NonPlanarCrackSurface::find_bends() {
 
 bool NonPlanarCrackSurface::behind_first(const Vec3& q) const {
   const std::vector<Vec3>& line = fronts_.points.front();
-  const PolylinePosition on =
-      nearest_on(line, q + fronts_.normal.dot(line.front()) * fronts_.normal);
+  const Vec3 in_plane = q + fronts_.normal.dot(line.front()) * fronts_.normal;
+  const geometry::NearestPolylinePoint on = geometry::nearest_point(in_plane, line);
   const std::size_t corner = on.part < 0.5 ? on.piece : on.piece + 1;
   const bool at_corner = on.part == 0.0 || on.part == 1.0;
-  const Vec3 t = at_corner ? direction_at(line, corner)
+  const Vec3 t = at_corner ? geometry::direction_at(line, corner)
                            : Vec3((line[on.piece + 1] - line[on.piece]).normalized());
   return (q - flat(on.interpolate(line))).dot(fronts_.normal.cross(t)) <= 0.0;
 }
@@ -143,7 +143,7 @@ Vec3 NonPlanarCrackSurface::height_slope(const Vec3& x) const {
 
 Vec3 NonPlanarCrackSurface::normal_at_front(const Vec3& x) const {
   const std::vector<Vec3>& line = fronts_.points.back();
-  return nearest_on(line, x).interpolate(fronts_.normals).normalized();
+  return geometry::nearest_point(x, line).interpolate(fronts_.normals).normalized();
 }
 
 double NonPlanarCrackSurface::distance_to_kink(const Vec3& x, double angle) const {

@@ -11,18 +11,17 @@ namespace {
 
 /// Points of a face's grid: (i, j) counts steps from the first corner; i + j <= n on triangles.
 struct FaceGrid {
-  base::ElementType shape;
+  bool triangle;
   int n;
 
-  [[nodiscard]] bool triangle() const { return base::element_info(shape).corners == 3; }
-  [[nodiscard]] int width(int j) const { return triangle() ? n - j : n; } ///< steps in row j
+  [[nodiscard]] int width(int j) const { return triangle ? n - j : n; } ///< steps in row j
   [[nodiscard]] Vec2 r(int i, int j) const {
     const Vec2 part(static_cast<double>(i) / n, static_cast<double>(j) / n);
-    return triangle() ? part : Vec2(2.0 * part - Vec2::Ones());
+    return triangle ? part : Vec2(2.0 * part - Vec2::Ones());
   }
   /// The point k steps along the side from corner s.
   [[nodiscard]] std::array<int, 2> at(int s, int k) const {
-    if (triangle()) {
+    if (triangle) {
       return s == 0 ? std::array{k, 0} : s == 1 ? std::array{n - k, k} : std::array{0, n - k};
     }
     switch (s) {
@@ -49,11 +48,11 @@ FacetNet::FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> 
   first_.push_back(facets_.size());
 }
 
-int FacetNet::steps(const CurvedFace& face) const {
+int FacetNet::steps(const geometry::ElementSide& face) const {
   return (face.quadratic() ? divisions : 1) * finer_;
 }
 
-int FacetNet::corner(const CurvedFace& face, int i) {
+int FacetNet::corner(const geometry::ElementSide& face, int i) {
   const auto [at, fresh] =
       corner_.try_emplace(face.nodes[static_cast<std::size_t>(i)], static_cast<int>(x_.size()));
   if (fresh) {
@@ -64,7 +63,7 @@ int FacetNet::corner(const CurvedFace& face, int i) {
 
 /// The vertex k steps along side i of a face.
 int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k) {
-  const CurvedFace& f = surface.face(face);
+  const geometry::ElementSide& f = surface.face(face);
   const int n = steps(f);
   if (k == 0 || k == n) {
     return corner(f, (i + k / n) % f.corners());
@@ -80,8 +79,8 @@ int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, i
 }
 
 void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
-  const CurvedFace& f = surface.face(face);
-  const FaceGrid grid{f.shape, steps(f)};
+  const geometry::ElementSide& f = surface.face(face);
+  const FaceGrid grid{f.corners() == 3, steps(f)};
   const int n = grid.n;
   const auto points = static_cast<std::size_t>(n + 1);
   std::vector<std::vector<int>> vertex(points, std::vector<int>(points, -1));
@@ -124,7 +123,7 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
   };
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < grid.width(j); ++i) {
-      const bool half = grid.triangle() && i + j + 1 == n;
+      const bool half = grid.triangle && i + j + 1 == n;
       add({{{i, j}, {i + 1, j}, {i, j + 1}}});
       if (!half) {
         add({{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}});

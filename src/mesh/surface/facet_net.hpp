@@ -39,8 +39,8 @@ public:
 
 private:
   void add_face(const SurfaceGeometry& surface, std::size_t face);
-  [[nodiscard]] int steps(const CurvedFace& face) const; ///< along an edge
-  int corner(const CurvedFace& face, int i);
+  [[nodiscard]] int steps(const geometry::ElementSide& face) const; ///< along an edge
+  int corner(const geometry::ElementSide& face, int i);
   int on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k);
 
   int finer_ = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/feature_lines.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/surface/line_division.hpp"
 
@@ -55,10 +56,7 @@ struct FeatureLines::Chain {
     return arc[j] + (u - static_cast<double>(k)) * (arc[j + 1] - arc[j]);
   }
   [[nodiscard]] ChainPosition place(double s) const {
-    const auto above = std::ranges::upper_bound(arc, s);
-    const auto j = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-        above - arc.begin() - 1, 0, static_cast<std::ptrdiff_t>(arc.size()) - 2));
-    const double part = std::clamp((s - arc[j]) / (arc[j + 1] - arc[j]), 0.0, 1.0);
+    const auto [j, part] = geometry::position_at_length(arc, s);
     const double u = (static_cast<double>(j % steps) + part) / steps;
     return {j / steps, way(j / steps) * (2.0 * u - 1.0)};
   }

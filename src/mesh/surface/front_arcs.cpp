@@ -57,15 +57,15 @@ private:
   }
 
   std::optional<Crossing> refined(const CrossingGuess& guess, double s) const {
-    const CurvedFace& face = surface_.face(guess.face);
+    const geometry::ElementSide& face = surface_.face(guess.face);
     const double L = front_.length();
     Vec2 r = guess.r;
     Vec3 t = Vec3::Zero();
     for (int i = 0; i < 30; ++i) {
-      const CurvedFacePoint p = point_on(face, r);
+      const geometry::SidePoint p = face.point(r);
       t = front_.at(front_.closed() ? s : std::clamp(s, 0.0, L)).t;
       Eigen::Matrix3d J;
-      J << p.slope, -t;
+      J << p.tangents, -t;
       const Vec3 step = J.inverse() * (x(s) - p.x);
       if (!step.allFinite() || step.head<2>().norm() > 3.0) {
         return std::nullopt;
@@ -76,10 +76,10 @@ private:
         break;
       }
     }
-    if (!(distance_outside(face.shape, r) <= 1e-9)) {
+    if (!(face.distance_outside(r) <= 1e-9)) {
       return std::nullopt;
     }
-    Crossing crossing{s, surface_.place_on_face(guess.face, clamp_to_face(face.shape, r)), false};
+    Crossing crossing{s, surface_.place_on_face(guess.face, face.clamp(r)), false};
     crossing.enters = crossing.place.normal.dot(t) < 0.0;
     const bool met = (crossing.place.x - x(s)).norm() <= 1e-8 * surface_.diagonal();
     return met ? std::optional(crossing) : std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/piece_outline.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ bool clash(const PlaneRegion& region, const Line& one, const Line& two) {
   const Vec2& p = first ? b : a;
   const bool to_first = two.first == (first ? one.first : one.second);
   const Vec2& q = to_first ? d : c;
-  return distance(p, common, q) <= same || distance(q, common, p) <= same;
+  return geometry::distance_to_segment(p, common, q) <= same ||
+         geometry::distance_to_segment(q, common, p) <= same;
 }
 
 /// Wanted sizes where the lines' own do not yet ask for less, in cells that are halved until they
@@ -105,7 +107,7 @@ private:
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec2& a = point_of(region_, loop[i]);
         const Vec2& b = point_of(region_, loop[(i + 1) % loop.size()]);
-        near = std::min(near, distance(u, a, b));
+        near = std::min(near, geometry::distance_to_segment(u, a, b));
         if ((a.y() > u.y()) != (b.y() > u.y()) &&
             u.x() < a.x() + (b.x() - a.x()) * (u.y() - a.y()) / (b.y() - a.y())) {
           within = !within;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/remesh_surface.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/link/fill.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/surface/feature_lines.hpp"
@@ -168,11 +169,7 @@ private:
       const double wanted = region_.size(x);
       double away = wanted;
       for (const std::vector<Vec3>& cap : region_.caps) {
-        for (std::size_t i = 0; i < cap.size(); ++i) {
-          const Vec3 d = cap[(i + 1) % cap.size()] - cap[i];
-          const double t = std::clamp((x - cap[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-          away = std::min(away, (x - cap[i] - t * d).norm());
-        }
+        away = std::min(away, geometry::distance_to_outline(x, cap));
       }
       for (const SurfaceMouth& mouth : region_.mouths) {
         const auto& corners = mouth.line.corners;
@@ -190,11 +187,11 @@ private:
   /// The points on one side of a patch's border, but for its end.
   void go_along(const PatchSide& side, const SurfaceChart& chart, ChartOutline& outline,
                 std::vector<int>& loop) {
-    const CurvedFace& face = surface_.face(side.face);
+    const geometry::ElementSide& face = surface_.face(side.face);
     const SurfaceEdge& edge = surface_.edges()[side.edge];
     const auto take = [&](int point, double t) {
-      loop.push_back(outline.region_point(
-          point, chart.at(side.face, edge_coordinates(face.shape, side.side, t))));
+      loop.push_back(
+          outline.region_point(point, chart.at(side.face, face.edge_coordinates(side.side, t))));
     };
     const NodeId from = face.nodes[static_cast<std::size_t>(side.side)];
     if (lines_->point_at_node(from) >= 0) {
@@ -274,7 +271,7 @@ private:
     const SurfaceEdge& edge = surface_.edges()[e];
     const std::size_t way = patches_.patch_containing(edge.faces[0]) == patch ? 0 : 1;
     const std::size_t f = edge.faces[way];
-    return chart.at(f, edge_coordinates(surface_.face(f).shape, edge.side[way], way == 0 ? t : -t));
+    return chart.at(f, surface_.face(f).edge_coordinates(edge.side[way], way == 0 ? t : -t));
   }
 
   void embed_mouths(std::size_t patch, const SurfaceChart& chart, ChartOutline& outline) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/surface_chart.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -123,9 +124,8 @@ SurfaceChart::BarycentricPoint SurfaceChart::find(const Vec2& u) const {
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2& a = u_[static_cast<std::size_t>(v[k])];
-      const Vec2 d = u_[static_cast<std::size_t>(v[(k + 1) % 3])] - a;
-      const double t = std::clamp((u - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-      const double away = (u - a - t * d).norm();
+      const Vec2& b = u_[static_cast<std::size_t>(v[(k + 1) % 3])];
+      const auto [t, away] = geometry::nearest_point(u, a, b);
       if (away < least) {
         least = away;
         best = {f, Eigen::Vector3d::Zero()};
@@ -140,7 +140,7 @@ SurfaceChart::BarycentricPoint SurfaceChart::find(const Vec2& u) const {
 Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
   Vec2 u = Vec2::Zero();
   if (flat_) {
-    u = (*flat_)(point_on(surface_.face(face), r).x);
+    u = (*flat_)(surface_.face(face).position(r));
   } else {
     const auto i =
         static_cast<std::size_t>(std::ranges::lower_bound(faces_, face) - faces_.begin());
@@ -165,24 +165,24 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
 
 /// The place of a plane face with exactly these parameters, or the nearest that steps lead to.
 SurfaceChart::ChartPreimage SurfaceChart::flat_on(std::size_t face, Vec2 r, const Vec2& u) const {
-  const CurvedFace& f = surface_.face(face);
+  const geometry::ElementSide& f = surface_.face(face);
   for (int i = 0; i < 20; ++i) {
-    const CurvedFacePoint p = point_on(f, r);
+    const geometry::SidePoint p = f.point(r);
     Eigen::Matrix2d J;
-    J << flat_->e1.dot(p.slope.col(0)), flat_->e1.dot(p.slope.col(1)),
-        flat_->e2.dot(p.slope.col(0)), flat_->e2.dot(p.slope.col(1));
+    J << flat_->e1.dot(p.tangents.col(0)), flat_->e1.dot(p.tangents.col(1)),
+        flat_->e2.dot(p.tangents.col(0)), flat_->e2.dot(p.tangents.col(1));
     const Vec2 step = flat_->length * (J.inverse() * (u - (*flat_)(p.x)));
     if (!step.allFinite()) {
       break;
     }
-    const Vec2 next = clamp_to_face(f.shape, r + step);
+    const Vec2 next = f.clamp(r + step);
     const double moved = (next - r).norm();
     r = next;
     if (moved < 1e-15) {
       break;
     }
   }
-  return {face, r, (u - (*flat_)(point_on(f, r).x)).norm()};
+  return {face, r, (u - (*flat_)(f.position(r))).norm()};
 }
 
 /// The same on whichever face has it: edges between plane faces may be curved, so that the facet
@@ -217,7 +217,7 @@ SurfacePlace SurfaceChart::map_to_surface(const Vec2& u) const {
   const BarycentricPoint spot = find(u);
   const FacetNet::SurfaceFacet& facet = net_.facets()[spot.facet];
   Vec2 r = spot.hat[0] * facet.r[0] + spot.hat[1] * facet.r[1] + spot.hat[2] * facet.r[2];
-  r = clamp_to_face(surface_.face(facet.face).shape, r);
+  r = surface_.face(facet.face).clamp(r);
   if (!flat_) {
     return surface_.place_on_face(facet.face, r);
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/surface/surface_face.hpp"
+#include "geometry/box_tree.hpp"
+#include "geometry/element_side.hpp"
+#include "model/mesh.hpp"
 
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <memory>
 #include <set>
 #include <span>
 #include <vector>
@@ -63,14 +64,9 @@ public:
   /// where only sharp edges are to be (`borders` false).
   explicit SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept = {},
                            bool borders = true, std::span<const base::NodeSetId> lines = {});
-  ~SurfaceGeometry();
-  SurfaceGeometry(SurfaceGeometry&&) noexcept;
-  SurfaceGeometry& operator=(SurfaceGeometry&&) noexcept;
-  SurfaceGeometry(const SurfaceGeometry&) = delete;
-  SurfaceGeometry& operator=(const SurfaceGeometry&) = delete;
 
-  [[nodiscard]] const std::vector<CurvedFace>& faces() const { return faces_; }
-  [[nodiscard]] const CurvedFace& face(std::size_t f) const { return faces_[f]; }
+  [[nodiscard]] const std::vector<geometry::ElementSide>& faces() const { return faces_; }
+  [[nodiscard]] const geometry::ElementSide& face(std::size_t f) const { return faces_[f]; }
   /// The number of a boundary face; `nowhere` if it is none.
   [[nodiscard]] std::size_t face_index(const model::Face& face) const;
   [[nodiscard]] SurfacePlace place_on_face(std::size_t face, const base::Vec2& r) const;
@@ -104,18 +100,16 @@ public:
   /// The same among some faces only.
   [[nodiscard]] SurfacePlace nearest_place(const base::Vec3& x,
                                            std::span<const std::size_t> among) const;
-  /// Faces whose boxes meet a box, ascending.
-  [[nodiscard]] std::vector<std::size_t> faces_in_box(const base::Vec3& low,
-                                                      const base::Vec3& high) const;
+  /// The boxes round the faces, by their numbers.
+  [[nodiscard]] const geometry::BoxTree<3>& boxes() const { return boxes_; }
 
 private:
-  struct FaceTree;
   void find_edges();
   void find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept);
   void find_lines(const model::Mesh& mesh, std::span<const base::NodeSetId> lines);
   void find_pieces(bool borders);
 
-  std::vector<CurvedFace> faces_; ///< ascending by element and side
+  std::vector<geometry::ElementSide> faces_; ///< ascending by element and side
   std::vector<std::array<std::size_t, 4>> face_edges_;
   std::vector<SurfaceEdge> edges_;
   std::vector<std::size_t> piece_;
@@ -125,7 +119,7 @@ private:
   std::vector<bool> bare_; ///< [edge] some set has it, but no face beside it
   std::size_t pieces_ = 0;
   double extent_ = 0.0;
-  std::unique_ptr<FaceTree> tree_;
+  geometry::BoxTree<3> boxes_; ///< [face]
 };
 
 } // namespace spricka::mesh

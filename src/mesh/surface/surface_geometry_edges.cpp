@@ -25,7 +25,7 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
   return i;
 }
 
-NodeId mid_of_side(const CurvedFace& face, int i) {
+NodeId mid_of_side(const geometry::ElementSide& face, int i) {
   return face.quadratic() ? face.nodes[static_cast<std::size_t>(face.corners() + i)] : NodeId();
 }
 
@@ -88,7 +88,7 @@ void SurfaceGeometry::find_edges() {
   face_edges_.assign(faces_.size(), {nowhere, nowhere, nowhere, nowhere});
   std::map<std::pair<NodeId, NodeId>, std::size_t> known;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const CurvedFace& face = faces_[f];
+    const geometry::ElementSide& face = faces_[f];
     for (int i = 0; i < face.corners(); ++i) {
       const NodeId a = face.nodes[static_cast<std::size_t>(i)];
       const NodeId b = face.nodes[static_cast<std::size_t>((i + 1) % face.corners())];
@@ -158,10 +158,8 @@ void SurfaceGeometry::find_pieces(bool borders) {
     const auto [one, two] = edge.faces;
     edge.feature = edge.count != 2 || one == nowhere || two == nowhere;
     if (!edge.feature) {
-      const Vec3 n1 =
-          place_on_face(one, edge_coordinates(faces_[one].shape, edge.side[0], 0.0)).normal;
-      const Vec3 n2 =
-          place_on_face(two, edge_coordinates(faces_[two].shape, edge.side[1], 0.0)).normal;
+      const Vec3 n1 = place_on_face(one, faces_[one].edge_coordinates(edge.side[0], 0.0)).normal;
+      const Vec3 n2 = place_on_face(two, faces_[two].edge_coordinates(edge.side[1], 0.0)).normal;
       edge.feature = !(n1.dot(n2) > least);
     }
     edge.border = borders && !edge.feature && (sets_[one] != sets_[two] || bare_[e]);
@@ -184,7 +182,7 @@ SurfacePlace SurfaceGeometry::place_on_edge(std::size_t edge, double t) const {
   const SurfaceEdge& e = edges_[edge];
   const std::size_t way = e.faces[0] != nowhere ? 0 : 1;
   const std::size_t f = e.faces[way];
-  return place_on_face(f, edge_coordinates(faces_[f].shape, e.side[way], way == 0 ? t : -t));
+  return place_on_face(f, faces_[f].edge_coordinates(e.side[way], way == 0 ? t : -t));
 }
 
 std::vector<FeatureChain> SurfaceGeometry::feature_chains() const {

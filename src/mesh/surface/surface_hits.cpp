@@ -19,6 +19,7 @@ using base::Vec3;
 namespace {
 
 constexpr double facet_room = 0.1; // by how much of a facet a line may miss it in a guess
+constexpr double box_room = 1e-6;  // of its box's diagonal, by which a line may miss a face
 constexpr double on_face = 1e-9;   // outside of a face in reference coordinates
 
 /// Where the line x + part d passes the plane of a facet.
@@ -46,34 +47,15 @@ std::optional<CrossingGuess> pass(const FacetNet& net, const FacetNet::SurfaceFa
   return CrossingGuess{facet.face, r, part};
 }
 
-bool misses_box(const std::array<Vec3, 2>& box, const Vec3& x, const Vec3& d) {
-  double from = -facet_room;
-  double to = 1.0 + facet_room;
-  const double room = 1e-6 * (box[1] - box[0]).norm();
-  for (int i = 0; i < 3; ++i) {
-    const double low = box[0][i] - room - x[i];
-    const double high = box[1][i] + room - x[i];
-    if (d[i] == 0.0) {
-      if (low > 0.0 || high < 0.0) {
-        return true;
-      }
-      continue;
-    }
-    from = std::max(from, std::min(low / d[i], high / d[i]));
-    to = std::min(to, std::max(low / d[i], high / d[i]));
-  }
-  return from > to;
-}
-
 /// The guess made true: the line x + along d and the curved face by Newton's steps.
 std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const CrossingGuess& guess,
                                   const Vec3& x, const Vec3& d, double along) {
-  const CurvedFace& face = surface.face(guess.face);
+  const geometry::ElementSide& face = surface.face(guess.face);
   Vec2 r = guess.r;
   for (int i = 0; i < 20; ++i) {
-    const CurvedFacePoint p = point_on(face, r);
+    const geometry::SidePoint p = face.point(r);
     Eigen::Matrix3d J;
-    J << p.slope, -d;
+    J << p.tangents, -d;
     const Vec3 step = J.inverse() * (x + along * d - p.x);
     if (!step.allFinite() || step.head<2>().norm() > 3.0) {
       return std::nullopt;
@@ -84,10 +66,10 @@ std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const Crossing
       break;
     }
   }
-  if (!(distance_outside(face.shape, r) <= on_face)) {
+  if (!(face.distance_outside(r) <= on_face)) {
     return std::nullopt;
   }
-  const SurfacePlace place = surface.place_on_face(guess.face, clamp_to_face(face.shape, r));
+  const SurfacePlace place = surface.place_on_face(guess.face, face.clamp(r));
   const bool met = (place.x - x - along * d).norm() <= 1e-8 * surface.diagonal();
   return met ? std::optional(SurfaceHit{place, along}) : std::nullopt;
 }
@@ -98,12 +80,8 @@ std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const
                                            const Vec3& to) {
   std::vector<CrossingGuess> guesses;
   const Vec3 d = to - from;
-  const Vec3 room = Vec3::Constant(facet_room * d.norm());
   for (const std::size_t f :
-       surface.faces_in_box(from.cwiseMin(to) - room, from.cwiseMax(to) + room)) {
-    if (misses_box(bounding_box(surface.face(f)), from, d)) {
-      continue;
-    }
+       surface.boxes().boxes_along(from - facet_room * d, to + facet_room * d, box_room)) {
     const FacetNet net(surface, std::array{f});
     for (const FacetNet::SurfaceFacet& facet : net.facets()) {
       if (const auto guess = pass(net, facet, from, d)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/surface_trace.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/surface/facet_net.hpp"
 
@@ -17,15 +18,15 @@ using base::Vec3;
 namespace {
 
 /// Moves r within the face until its point lies on the plane.
-Vec2 onto_plane(const CurvedFace& face, const CrackReferencePlane& plane, Vec2 r) {
+Vec2 onto_plane(const geometry::ElementSide& face, const CrackReferencePlane& plane, Vec2 r) {
   for (int i = 0; i < 8; ++i) {
-    const CurvedFacePoint p = point_on(face, r);
-    const Vec2 g = p.slope.transpose() * plane.height_gradient(p.x);
+    const geometry::SidePoint p = face.point(r);
+    const Vec2 g = p.tangents.transpose() * plane.height_gradient(p.x);
     const double height = plane.height(p.x);
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
       break;
     }
-    r = clamp_to_face(face.shape, r - height / g.squaredNorm() * g);
+    r = face.clamp(r - height / g.squaredNorm() * g);
   }
   return r;
 }
@@ -64,12 +65,11 @@ public:
     double least = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < passings_.size(); ++i) {
       const Vec3 a = x(passings_[i].sides[0]);
-      const Vec3 d = x(passings_[i].sides[1]) - a;
-      if (!(d.norm() > same * plane_.length)) {
+      const Vec3 b = x(passings_[i].sides[1]);
+      if (!((b - a).norm() > same * plane_.length)) {
         continue;
       }
-      const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
-      const double away = rounded((p - a - t * d).norm() / plane_.length);
+      const double away = rounded(geometry::distance_to_segment(p, a, b) / plane_.length);
       if (away < least) {
         least = away;
         best = i;
@@ -109,7 +109,7 @@ private:
                                              const CrackReferencePlane& plane) {
     std::vector<std::size_t> faces;
     for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-      const auto [low, high] = bounding_box(surface.face(f));
+      const auto [low, high] = surface.face(f).bounding_box();
       const double middle = plane.plane_distance(0.5 * (low + high));
       const double half = 0.5 * (high - low).dot(plane.normal.cwiseAbs());
       if (std::abs(middle) <= half + 1e-6 * plane.length ||
@@ -127,7 +127,7 @@ private:
     constexpr int most = 32;
     double longest = 0.0;
     for (std::size_t f = 0; f < surface.faces().size() && plane.relief; ++f) {
-      const auto [low, high] = bounding_box(surface.face(f));
+      const auto [low, high] = surface.face(f).bounding_box();
       if (plane.relief->overlaps_box(low, high)) {
         const double own = surface.face(f).quadratic() ? FacetNet::divisions : 1;
         longest = std::max(longest, (high - low).norm() / own);
@@ -170,7 +170,7 @@ private:
       if (!at_.contains(side)) {
         const double part = root(facet, side);
         const Vec2 here = (1.0 - part) * r_of(facet, side.first) + part * r_of(facet, side.second);
-        at_[side] = {part, point_on(surface_.face(facet.face), here).x};
+        at_[side] = {part, surface_.face(facet.face).position(here)};
       }
       beside_[side].push_back(passings_.size());
     }
@@ -185,11 +185,11 @@ private:
         return part;
       }
     }
-    const CurvedFace& face = surface_.face(facet.face);
+    const geometry::ElementSide& face = surface_.face(facet.face);
     const Vec2 r0 = r_of(facet, side.first);
     const Vec2 r1 = r_of(facet, side.second);
     const auto height = [&](double t) {
-      return plane_.height(point_on(face, (1.0 - t) * r0 + t * r1).x);
+      return plane_.height(face.position((1.0 - t) * r0 + t * r1));
     };
     double a = 0.0;
     double b = 1.0;
@@ -246,7 +246,8 @@ public:
     const Vec3 along = line_.x(sides[1]) - line_.x(sides[0]);
     PlaneLine::Side side = sides[along.dot(towards) > 0.0 ? 1 : 0];
     std::size_t at = first;
-    Vec2 r = nearest_on(surface_.face(line_.facet(at).face), from.x);
+    Vec2 r =
+        surface_.face(line_.facet(at).face).nearest_point(from.x, geometry::BorderFoot::replaced);
     std::size_t end = ahead(to, last, {at, from.x, false}, line_.x(side));
     while (end == nowhere) {
       add(at, r, line_.point(at, side), line_.r(at, side));
@@ -264,7 +265,9 @@ public:
       at = next;
       end = ahead(to, last, {at, entry, true}, line_.x(side));
     }
-    add(at, r, {to[end], nowhere, 0.0}, nearest_on(surface_.face(line_.facet(at).face), to[end].x));
+    add(at, r, {to[end], nowhere, 0.0},
+        surface_.face(line_.facet(at).face)
+            .nearest_point(to[end].x, geometry::BorderFoot::replaced));
     if (points_.size() < 2) {
       return {{}, 0, {"the crack's mouth has no length", from.x}};
     }
@@ -341,10 +344,7 @@ SurfacePlace SurfaceTrace::at(double s) const {
   if (stretches_.empty()) {
     return points_.front().place;
   }
-  const auto above = std::ranges::upper_bound(arc_, s);
-  const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-      above - arc_.begin() - 1, 0, static_cast<std::ptrdiff_t>(stretches_.size()) - 1));
-  const double part = std::clamp((s - arc_[i]) / (arc_[i + 1] - arc_[i]), 0.0, 1.0);
+  const auto [i, part] = geometry::position_at_length(arc_, s);
   const TraceSegment& segment = stretches_[i];
   const Vec2 r = (1.0 - part) * segment.r0 + part * segment.r1;
   return surface_->place_on_face(segment.face, onto_plane(surface_->face(segment.face), plane_, r));

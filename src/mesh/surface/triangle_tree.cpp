@@ -1,47 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/triangle_tree.hpp"
 
+#include "geometry/triangle.hpp"
+
 #include <algorithm>
 
 namespace spricka::mesh {
 
 using base::Vec3;
-
-// By the regions of the triangle's plane (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-Vec3 nearest_in_triangle(const CornerPlaces& triangle, const Vec3& p) {
-  const auto& [a, b, c] = triangle;
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const double d1 = ab.dot(p - a);
-  const double d2 = ac.dot(p - a);
-  if (d1 <= 0.0 && d2 <= 0.0) {
-    return a;
-  }
-  const double d3 = ab.dot(p - b);
-  const double d4 = ac.dot(p - b);
-  if (d3 >= 0.0 && d4 <= d3) {
-    return b;
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-    return a + d1 / (d1 - d3) * ab;
-  }
-  const double d5 = ab.dot(p - c);
-  const double d6 = ac.dot(p - c);
-  if (d6 >= 0.0 && d5 <= d6) {
-    return c;
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-    return a + d2 / (d2 - d6) * ac;
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
-    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  }
-  const double sum = va + vb + vc;
-  return a + vb / sum * ab + vc / sum * ac;
-}
 
 TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std::move(triangles)) {
   std::vector<InputTriangle> all;
@@ -112,7 +78,7 @@ TriangleTree::NearestTriangle TriangleTree::nearest(const Vec3& p) const {
       continue;
     }
     for (std::size_t i = box.begin; i < box.end; ++i) {
-      const Vec3 at = nearest_in_triangle(triangles_[i], p);
+      const Vec3 at = geometry::nearest_point(p, triangles_[i]).x;
       if (const double d = (at - p).norm(); d < best.distance) {
         best = {d, at, i, given_[i]};
       }

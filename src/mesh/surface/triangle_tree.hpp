@@ -11,9 +11,6 @@ namespace spricka::mesh {
 
 using CornerPlaces = std::array<base::Vec3, 3>;
 
-/// The point of a triangle that is nearest to p.
-base::Vec3 nearest_in_triangle(const CornerPlaces& triangle, const base::Vec3& p);
-
 /// Triangles in a tree of boxes.
 class TriangleTree {
 public:

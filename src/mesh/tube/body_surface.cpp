@@ -100,7 +100,7 @@ std::size_t BodySurface::face_index(const model::Face& face) const {
 }
 
 model::Face BodySurface::face(std::size_t index) const {
-  const model::Face& own = geometry().face(index).face;
+  const geometry::ElementSide& own = geometry().face(index);
   return {elements_[own.element.index()], own.side};
 }
 

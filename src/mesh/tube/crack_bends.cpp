@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/crack_bends.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/surface/line_division.hpp"
 #include "mesh/surface/surface_trace.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace spricka::mesh {
 
@@ -70,19 +68,12 @@ private:
     if (to >= 0) {
       points.push_back(net_.local_position(to));
     }
-    std::vector<double> arc{0.0};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      arc.push_back(arc.back() + (points[i] - points[i - 1]).norm());
-    }
+    const std::vector<double> arc = geometry::arc_lengths(points);
     if (!(arc.back() > size_of(points.front()))) {
       return;
     }
     const auto at = [&](double s) {
-      const auto above = std::ranges::upper_bound(arc, s);
-      const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-          above - arc.begin() - 1, 0, static_cast<std::ptrdiff_t>(arc.size()) - 2));
-      const double part = std::clamp((s - arc[i]) / (arc[i + 1] - arc[i]), 0.0, 1.0);
-      return Vec3(points[i] + part * (points[i + 1] - points[i]));
+      return geometry::position_at_length(arc, s).interpolate(points);
     };
     KinkLine made;
     for (const double s :
@@ -108,15 +99,14 @@ private:
         return -1;
       }
       const Vec3& a = line[static_cast<std::size_t>(k)];
-      const Vec3 d = line[static_cast<std::size_t>(next)] - a;
+      const Vec3& b = line[static_cast<std::size_t>(next)];
       for (const int n : rim_) {
         const Vec3 x = net_.local_position(n);
-        const double part = std::clamp(d.dot(x - a) / d.squaredNorm(), 0.0, 1.0);
-        if ((a + part * d - x).norm() < at_mouth * size) {
+        if (geometry::distance_to_segment(x, a, b) < at_mouth * size) {
           return n;
         }
       }
-      way += d.norm();
+      way += (b - a).norm();
     }
   }
 

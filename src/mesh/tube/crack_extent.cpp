@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/crack_extent.hpp"
 
-#include "mesh/polyline.hpp"
+#include "geometry/polyline.hpp"
 #include "mesh/tube/plane_polygons.hpp"
 #include "mesh/tube/solid_front.hpp"
 
@@ -118,7 +118,7 @@ private:
   /// Of the line through the stretch that is nearest to the centre; positive: the centre lies on
   /// the body's side of it.
   void measure_offset(const Chord& chord, CrackMouthFace& open, double& nearest) const {
-    const double away = nearest_on({chord.from, chord.to}, *crack_.middle).distance;
+    const double away = geometry::distance_to_segment(*crack_.middle, chord.from, chord.to);
     if (away >= nearest) {
       return;
     }
@@ -167,7 +167,7 @@ private:
         } else {
           double away = std::numeric_limits<double>::max();
           for (const Chord& chord : chords_) {
-            away = std::min(away, nearest_on({chord.from, chord.to}, x).distance);
+            away = std::min(away, geometry::distance_to_segment(x, chord.from, chord.to));
           }
           extent_.depth = std::max(extent_.depth, away);
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/crack_reach.hpp"
 
+#include "geometry/polyline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,7 +44,7 @@ CrackDistanceField::CrackDistances CrackDistanceField::distance(const Vec3& p) c
   double least = std::numeric_limits<double>::max();
   for (const FrontSegment& piece : pieces_) {
     const Vec3 along = piece.to - piece.from;
-    const double part = std::clamp((p - piece.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double part = geometry::nearest_part(p, piece.from, piece.to);
     const double d = (piece.from + part * along - p).squaredNorm();
     if (d < least) {
       least = d;

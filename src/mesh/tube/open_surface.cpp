@@ -287,7 +287,7 @@ private:
 
   /// A face at a border that no triangle stands for: the border may have passed over it.
   void look_at_removed(std::size_t face) {
-    const CurvedFace& own = geometry_.face(face);
+    const geometry::ElementSide& own = geometry_.face(face);
     const double edge = (own.X.col(1) - own.X.col(0)).norm();
     for (int s = 0; s < own.corners(); ++s) {
       const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge(face, s)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/plane_polygons.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -68,9 +69,9 @@ double PlanePolygons::area() const {
 
 double PlanePolygons::outline_distance(const Vec2& q) const {
   double least = std::numeric_limits<double>::max();
-  for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {
-    least = std::min(least, mesh::distance(q, a, b));
-  });
+  for (const std::vector<Vec2>& outline : outlines_) {
+    least = std::min(least, geometry::distance_to_outline(q, outline));
+  }
   return least;
 }
 
@@ -109,7 +110,8 @@ std::optional<double> PlanePolygons::exit_distance(const Vec2& q, const Vec2& d)
     }
     const double along = cross(a - q, side) / turn;
     const double part = cross(a - q, d) / turn;
-    const bool at_q = mesh::distance(q, a, b) < 0.02 * side.norm(); // its own edge, and its chord
+    const bool at_q =
+        geometry::distance_to_segment(q, a, b) < 0.02 * side.norm(); // its own edge, and its chord
     if (!at_q && along > 0.0 && part >= 0.0 && part <= 1.0 && (!least || along < *least)) {
       least = along;
     }

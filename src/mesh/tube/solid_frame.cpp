@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_frame.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 
 #include <Eigen/Geometry>
@@ -32,10 +33,7 @@ std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const SolidCrackFr
 
 SolidCrackFrame make_crack_frame(const SolidCrack& crack) {
   const std::vector<Vec3>& x = crack.front;
-  double length = 0.0;
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    length += (x[i] - x[i - 1]).norm();
-  }
+  const double length = geometry::polyline_length(x);
   // Fan of triangles from the first point: area and middle of what the front encloses.
   double area = 0.0;
   Vec3 moment = Vec3::Zero();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/tube_room.hpp"
 
+#include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/surface/surface_hits.hpp"
 
@@ -105,7 +106,8 @@ double TubeClearance::crack_width(double s) const {
   }
   const Vec2 end = q + *along * back;
   const auto passes = [&](const Vec3& from, const Vec3& to) {
-    return mesh::distance(end, plane.project(from), plane.project(to)) < same * *along;
+    return geometry::distance_to_segment(end, plane.project(from), plane.project(to)) <
+           same * *along;
   };
   bool at_mouth = false;
   for (const SolidFront& front : request_.fronts) {

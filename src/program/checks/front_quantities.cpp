@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/checks/front_quantities.hpp"
 
-#include "mesh/polyline.hpp"
+#include "geometry/polyline.hpp"
 #include "program/checks/path_quantities.hpp"
 #include "results/k_quantities.hpp"
 
@@ -144,14 +144,6 @@ struct NearestFrontPlace {
   double length = 0.0; ///< of the front
 };
 
-double length_of(const std::vector<base::Vec3>& line) {
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    length += (line[i + 1] - line[i]).norm();
-  }
-  return length;
-}
-
 NearestFrontPlace nearest_of(const Fronts& fronts, const base::Vec3& x) {
   NearestFrontPlace nearest;
   for (const results::FrontResult& front : fronts) {
@@ -162,9 +154,9 @@ NearestFrontPlace nearest_of(const Fronts& fronts, const base::Vec3& x) {
     if (front.is_loop) {
       line.push_back(line.front());
     }
-    const mesh::PolylinePosition on = mesh::nearest_on(line, x);
+    const geometry::NearestPolylinePoint on = geometry::nearest_point(x, line);
     if (on.distance < nearest.away) {
-      nearest = {&front, on.interpolate(line), on.distance, length_of(line)};
+      nearest = {&front, on.interpolate(line), on.distance, geometry::polyline_length(line)};
     }
   }
   return nearest;

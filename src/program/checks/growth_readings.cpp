@@ -2,9 +2,9 @@
 #include "program/checks/growth_readings.hpp"
 
 #include "analysis/lengths/growth_measure.hpp"
+#include "geometry/cubic_spline.hpp"
 #include "life/inversion.hpp"
 #include "life/life_curve.hpp"
-#include "life/spline.hpp"
 #include "model/model.hpp"
 #include "results/half_axes.hpp"
 
@@ -164,7 +164,8 @@ private:
   }
   [[nodiscard]] double value(const std::vector<double>& values, double a) const {
     // Over log a: K goes much like a power of the length.
-    return log_a_.size() == 1 ? values.front() : life::CubicSpline(log_a_, values)(std::log(a));
+    return log_a_.size() == 1 ? values.front()
+                              : geometry::CubicSpline<double>(log_a_, values).value(std::log(a));
   }
 
   std::string tip_;

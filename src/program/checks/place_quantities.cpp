@@ -2,9 +2,9 @@
 #include "program/checks/place_quantities.hpp"
 
 #include "analysis/recover/closed_parts.hpp"
+#include "geometry/polyline.hpp"
 #include "program/checks/field_quantities.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -34,10 +34,8 @@ double contact_value_near(const results::ContactResult& contact,
     const double run = (next.x - a.x).norm(); // a jump or a mouth is no edge
     const bool last = !(run > 0.0) || run > 1.6 * std::abs(next.arc - a.arc);
     const results::ContactPoint& b = last ? a : next;
-    const base::Vec2 chord = (b.x - a.x).head<2>();
-    const base::Vec2 from = (x - a.x).head<2>();
-    const double t = last ? 0.0 : std::clamp(from.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-    const double distance = (from - t * chord).norm();
+    const auto [t, distance] =
+        geometry::nearest_point(base::Vec2(x.head<2>()), a.x.head<2>(), b.x.head<2>());
     if (distance < best) {
       best = distance;
       found = (1.0 - t) * a.*value + t * b.*value;

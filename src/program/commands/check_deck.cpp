@@ -10,6 +10,7 @@
 #include "base/memory.hpp"
 #include "base/messages.hpp"
 #include "base/printable.hpp"
+#include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/quality.hpp"
 #include "model/model.hpp"
@@ -43,12 +44,9 @@ double stations_at_least(const model::Model& model, const std::vector<mesh::Crac
   }
   double way = *growth.last_length;
   for (const mesh::CrackLine& line : lines) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      length += (line.points[i] - line.points[i - 1]).norm();
-    }
     if (growth::crack_grows(model, line.crack.index())) {
-      way = std::min(way, *growth.last_length - (line.embedded ? 0.5 : 1.0) * length);
+      way = std::min(way, *growth.last_length -
+                              (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points));
     }
   }
   return std::max(1.0, std::ceil(way / *growth.largest_advance * (1.0 - 1e-9)));

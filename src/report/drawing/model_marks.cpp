@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/model_marks.hpp"
 
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
 #include <fmt/format.h>
@@ -36,26 +37,6 @@ DrawingPoint point_of(const base::Vec3& x) {
   return {x[0], x[1]};
 }
 
-/// A side of a plane element: ends, middle and outer normal; the body lies on the left of it.
-struct DrawnElementSide {
-  base::Vec3 from, to, middle, normal;
-};
-
-DrawnElementSide side_of(const model::Mesh& mesh, const model::Face& face) {
-  const base::ElementInfo& info = base::element_info(mesh.type[face.element.index()]);
-  const auto corners = static_cast<std::size_t>(info.corners);
-  const auto s = static_cast<std::size_t>(face.side);
-  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-  DrawnElementSide side;
-  side.from = mesh.x[nodes[s].index()];
-  side.to = mesh.x[nodes[(s + 1) % corners].index()];
-  side.middle =
-      info.quadratic ? mesh.x[nodes[corners + s].index()] : base::Vec3(0.5 * (side.from + side.to));
-  const base::Vec3 along = side.to - side.from;
-  side.normal = base::Vec3(along.y(), -along.x(), 0.0).normalized();
-  return side;
-}
-
 /// An arrow that ends at a place, with the value it stands for.
 struct Arrow {
   base::Vec3 at;
@@ -73,12 +54,13 @@ base::Vec3 vector_of(const model::Load& load, const base::Vec3& x) {
 void add_on_faces(const model::Mesh& mesh, const model::Load& load, std::vector<Arrow>& arrows) {
   const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
   for (std::size_t i = 0; i < faces.size(); i += stride(faces.size())) {
-    const DrawnElementSide side = side_of(mesh, faces[i]);
+    const geometry::SidePoint middle =
+        model::element_side(mesh, faces[i]).point(base::Vec2::Zero());
     const bool pressure = load.type == LoadType::pressure;
     const base::Vec3 value = pressure && !load.value.empty()
-                                 ? base::Vec3(-load.value.front()(side.middle) * side.normal)
-                                 : vector_of(load, side.middle);
-    arrows.push_back({side.middle, value});
+                                 ? base::Vec3(-load.value.front()(middle.x) * middle.normal())
+                                 : vector_of(load, middle.x);
+    arrows.push_back({middle.x, value});
   }
 }
 
@@ -92,7 +74,7 @@ base::Vec3 middle_of(const model::Mesh& mesh, const model::Load& load) {
   };
   if (load.faces.valid()) {
     for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
-      add(side_of(mesh, face).middle);
+      add(model::element_side(mesh, face).position(base::Vec2::Zero()));
     }
   } else if (load.elements.valid()) {
     for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
@@ -220,10 +202,12 @@ void draw_contacts(SvgDrawing& svg, const model::Model& model, const DrawingWind
       SvgPathData path;
       for (const model::Face& face :
            set.valid() ? model.mesh.set_with_id(set).faces : std::vector<model::Face>()) {
-        const DrawnElementSide side = side_of(model.mesh, face);
-        const base::Vec3 control = 2.0 * side.middle - 0.5 * (side.from + side.to);
-        path.move(window.project(point_of(side.from)));
-        path.quadratic(window.project(point_of(control)), window.project(point_of(side.to)));
+        const geometry::ElementSide side = model::element_side(model.mesh, face);
+        const base::Vec3 from = side.X.col(0);
+        const base::Vec3 to = side.X.col(1);
+        const base::Vec3 control = 2.0 * side.position(base::Vec2::Zero()) - 0.5 * (from + to);
+        path.move(window.project(point_of(from)));
+        path.quadratic(window.project(point_of(control)), window.project(point_of(to)));
       }
       if (!path.empty()) {
         svg.path(path, {std::string(palette_colour(c)), 2.6, "none", ""});

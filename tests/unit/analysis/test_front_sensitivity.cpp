@@ -37,8 +37,7 @@ std::optional<test::Solved> solved_with(const Values& v) {
 }
 
 const results::Sensitivity* find(const results::FrontResult& front,
-                                      results::SensitivityParameter cause,
-                                      const std::string& name) {
+                                 results::SensitivityParameter cause, const std::string& name) {
   for (const results::Sensitivity& s : front.sensitivities.of) {
     if (s.cause == cause && s.name == name) {
       return &s;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/clip.hpp"
 
-#include "contact/space/box_tree.hpp"
-
 #include <random>
 
 #include <gtest/gtest.h>
@@ -11,7 +9,6 @@ namespace spricka::contact::test_clip {
 namespace {
 
 using base::Vec2;
-using base::Vec3;
 
 double area_of(const std::vector<Vec2>& polygon) {
   double twice = 0.0;
@@ -65,29 +62,6 @@ TEST(Clip, BarycentricCoordinatesGiveThePointBack) {
   const Eigen::Vector3d share = barycentric(t, x);
   EXPECT_NEAR(share.sum(), 1.0, 1e-14);
   EXPECT_LT((share[0] * t[0] + share[1] * t[1] + share[2] * t[2] - x).norm(), 1e-12);
-}
-
-TEST(BoxTree, FindsWhatAllBoxesAskedOneByOneGive) {
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> at(0.0, 10.0);
-  std::vector<ContactBoundingBox> boxes;
-  for (int i = 0; i < 500; ++i) {
-    const Vec3 low(at(random), at(random), at(random));
-    boxes.push_back({low, low + Vec3(0.7, 0.4, 1.1)});
-  }
-  const BoxTree tree(boxes);
-  for (int i = 0; i < 50; ++i) {
-    const Vec3 low(at(random), at(random), at(random));
-    const ContactBoundingBox asked{low, low + Vec3(1.0, 2.0, 0.5)};
-    std::vector<std::size_t> met;
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-      if ((boxes[b].low.array() <= asked.high.array()).all() &&
-          (boxes[b].high.array() >= asked.low.array()).all()) {
-        met.push_back(b);
-      }
-    }
-    EXPECT_EQ(tree.overlapping_boxes(asked), met);
-  }
 }
 
 } // namespace

@@ -57,11 +57,12 @@ TEST_P(MortarPoints, WeightsSumToTheAreaOfTheOverlap) {
 TEST_P(MortarPoints, LinearFieldsAreIntegratedExactly) {
   const Overlap blocks = overlap(GetParam());
   const auto field = [](double x) { return 1.0 - 3.0 * x; };
-  const auto at = [&](const contact::ContactFacet& facet, const base::Vec2& r) {
-    const contact::FacetValues N = contact::facet_N(facet, r);
+  const auto at = [&](const geometry::ElementSide& facet, const base::Vec2& r) {
+    const geometry::SideValues N = facet.N(r);
     double sum = 0.0;
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
-      sum += N[i] * field(blocks.model.mesh.x[facet.nodes[i].index()].x());
+      sum +=
+          N[static_cast<Eigen::Index>(i)] * field(blocks.model.mesh.x[facet.nodes[i].index()].x());
     }
     return sum;
   };
@@ -121,19 +122,20 @@ INSTANTIATE_TEST_SUITE_P(Types, MortarPoints,
                          testing::Values(ElementType::quam4, ElementType::quamc8,
                                          ElementType::trimc6));
 
-contact::ContactFacet line_facet(std::initializer_list<std::size_t> nodes) {
-  contact::ContactFacet facet;
-  for (const std::size_t n : nodes) {
-    facet.nodes.emplace_back(n);
+geometry::ElementSide line_facet(const std::vector<std::size_t>& nodes) {
+  static const std::vector<base::Vec3> anywhere(5, base::Vec3::Zero());
+  std::vector<base::NodeId> of_element(6); // the mid node of its first side is the fourth
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    of_element[i < 2 ? i : i + 1] = base::NodeId(nodes[i]);
   }
-  return facet;
+  return {nodes.size() == 2 ? ElementType::trim3 : ElementType::trimc6, 0, of_element, anywhere};
 }
 
 // Rows do not ask where a point comes from: one of any direction pushes with its weight, and where
 // it lies, on both sides.
 TEST(MakeRows, APointPushesBothSidesAtItsPlace) {
-  const std::vector<contact::ContactFacet> own{line_facet({0, 1, 2})};
-  const std::vector<contact::ContactFacet> other{line_facet({3, 4})};
+  const std::vector<geometry::ElementSide> own{line_facet({0, 1, 2})};
+  const std::vector<geometry::ElementSide> other{line_facet({3, 4})};
   const std::array<double, 5> place{-1.0, 1.0, 0.0, -1.0, 1.0}; // reference coordinates of nodes
   contact::MortarPoint p;
   p.r = {0.3, 0.0};
@@ -176,7 +178,7 @@ TEST(MakeRows, APointPushesBothSidesAtItsPlace) {
 
 // An end that covers a sliver of an edge: its row goes to the neighbour, nothing is lost.
 TEST(MakeRows, SliversJoinTheirNeighbours) {
-  const std::vector<contact::ContactFacet> own{line_facet({0, 1}), line_facet({1, 2})};
+  const std::vector<geometry::ElementSide> own{line_facet({0, 1}), line_facet({1, 2})};
   contact::MortarPoints all;
   for (const std::size_t facet : {std::size_t{0}, std::size_t{1}}) {
     for (const double r : {-0.5, 0.5}) {

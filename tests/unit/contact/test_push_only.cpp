@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/outline.hpp"
 #include "contact/pairing.hpp"
 #include "contact/push_only.hpp"
 #include "contact/recovery.hpp"
+#include "contact/surface_boundary.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 #include "two_blocks.hpp"
@@ -158,7 +158,7 @@ TEST(PushOnly, BondedPairsPull) {
 }
 
 // Distances from the outline of a ring: closed form on both circles, the sign by the side.
-TEST(Outline, TellsInsideFromOutsideByTheNearestPlace) {
+TEST(PlaneBoundary, TellsInsideFromOutsideByTheNearestPlace) {
   const model::Model model = test::two_rings(48, 48, base::ElementType::quamc8);
   std::vector<model::Face> ring;
   for (const model::Face& face : mesh::boundary_faces(model.mesh)) {
@@ -166,17 +166,17 @@ TEST(Outline, TellsInsideFromOutsideByTheNearestPlace) {
       ring.push_back(face);
     }
   }
-  const contact::BoundaryPolyline outline(contact::make_surface(model, model.mesh, ring), {});
+  const geometry::BodyBoundary outline = contact::make_body_boundary(model, model.mesh, ring, {});
   for (double theta = 0.05; theta < 6.2; theta += 0.37) {
     for (const double r : {0.7, 0.95, 1.05, 1.4, 1.6, 1.95, 2.05, 2.4}) {
       const double wanted = std::max(1.0 - r, r - 2.0); // negative between the circles
-      const auto at = outline.signed_distance({r * std::cos(theta), r * std::sin(theta)}, 1.0);
+      const auto at = outline.signed_distance({r * std::cos(theta), r * std::sin(theta), 0.0}, 1.0);
       ASSERT_TRUE(at);
       EXPECT_NEAR(at->distance, wanted, at->facet + 1e-4) << r;
       EXPECT_LT(at->facet, 1e-3);
     }
   }
-  EXPECT_FALSE(outline.signed_distance({2.5, 0.0}, 0.4));
+  EXPECT_FALSE(outline.signed_distance({2.5, 0.0, 0.0}, 0.4));
 }
 
 } // namespace

@@ -214,7 +214,7 @@ TEST(Unrest, IsNotTheCurveOfAPressureThatRisesToAnEdge) {
   const model::Model model = test::stacked_solids(spec);
   const contact::PairConstraints pair = pair_of(model);
   std::set<base::NodeId> corners;
-  for (const contact::SolidFace& face : pair.contact.space.faces) {
+  for (const geometry::ElementSide& face : pair.contact.space.faces) {
     corners.insert(face.nodes.begin(), face.nodes.begin() + 3);
   }
   double far = 0.0; // of the foot along x
@@ -252,8 +252,8 @@ TEST_P(NodePairs, OfAUniformPressureAreTheSameEverywhere) {
   ASSERT_TRUE(pair.trouble.empty()) << pair.trouble;
   // The forces of a pressure of 2: what it puts on each node through the shape functions.
   std::map<base::NodeId, double> force;
-  for (const contact::SolidFace& face : pair.contact.space.faces) {
-    const double area = contact::face_area(face);
+  for (const geometry::ElementSide& face : pair.contact.space.faces) {
+    const double area = face.area();
     const std::size_t n = face.nodes.size();
     for (std::size_t i = 0; i < n; ++i) {
       const double share = n == 9   ? (i < 4   ? 1.0 / 36.0

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G along fronts in space against the difference of the potential energy when nodes move.
-#include "fe/face.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/thermal_kernel.hpp"
+#include "model/mesh_side.hpp"
 #include "tests/unit/crack/front_tube.hpp"
 
 #include <cmath>
@@ -86,16 +86,16 @@ public:
       sum += element(mesh, e, u);
     }
     for (const model::Face& face : faces_) {
-      const fe::ElementSide<2> side(mesh, face);
-      for (const auto& point : shape::quadrature<2>(side.shape.domain, 9)) {
-        const fe::AnyElement<2>::Values N = side.shape.N(point.r);
+      const geometry::ElementSide side = model::element_side(mesh, face);
+      for (const auto& point : shape::quadrature<2>(side.domain(), 9)) {
+        const fe::AnyElement<2>::Values N = side.N(point.r);
         Vec3 moved = Vec3::Zero();
         for (std::size_t n = 0; n < side.nodes.size(); ++n) {
           moved += N[static_cast<Eigen::Index>(n)] *
                    u.segment<3>(3 * static_cast<Eigen::Index>(side.nodes[n].index()));
         }
         const double p = acting_.pressure ? fe::load_value(pressure_, side.X * N).x() : 0.0;
-        sum += point.weight * p * fe::area_vector<2>(side.shape, side.X, point.r).dot(moved);
+        sum += point.weight * p * side.area_vector(point.r).dot(moved);
       }
     }
     return sum;

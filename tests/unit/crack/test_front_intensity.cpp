@@ -2,8 +2,8 @@
 // K along fronts in space from displacements that are known exactly.
 #include "crack/space/front_rows.hpp"
 #include "crack/space/moving_field.hpp"
-#include "fe/face.hpp"
 #include "mesh/boundary.hpp"
+#include "model/mesh_side.hpp"
 #include "tests/unit/crack/front_tube.hpp"
 
 #include <cmath>
@@ -47,18 +47,18 @@ crack::FrontLoads end_tractions(const Tube& tube) {
   crack::FrontLoads loads;
   const crack::FrontAxes axes(*tube.front().curve);
   for (const model::Face& face : mesh::boundary_faces(tube.mesh())) {
-    const fe::ElementSide<2> side(tube.mesh(), face);
+    const geometry::ElementSide side = model::element_side(tube.mesh(), face);
     const auto off_end = [&](const shape::QuadraturePoint<2>& point) {
-      return std::abs(fe::area_vector<2>(side.shape, side.X, point.r).normalized().z()) < 0.99;
+      return std::abs(side.area_vector(point.r).normalized().z()) < 0.99;
     };
-    const auto rule = shape::quadrature<2>(side.shape.domain, 9);
+    const auto rule = shape::quadrature<2>(side.domain(), 9);
     if (std::ranges::any_of(rule, off_end)) {
       continue;
     }
     crack::FacePointForces on{face, {}};
     for (const auto& point : rule) {
-      const Vec3 area = fe::area_vector<2>(side.shape, side.X, point.r);
-      const crack::FrontCoordinates place = axes.locate_point(side.X * side.shape.N(point.r));
+      const Vec3 area = side.area_vector(point.r);
+      const crack::FrontCoordinates place = axes.locate_point(side.X * side.N(point.r));
       crack::Tensor<3> sigma = crack::Tensor<3>::Zero();
       sigma(0, 0) = 1.0;
       sigma(2, 2) = 0.3;
@@ -194,11 +194,11 @@ protected:
     const mesh::CrackFaces& faces = tube.cracked.faces.front();
     for (const auto* sides : {&faces.left_sides, &faces.right_sides}) {
       for (const model::Face& face : *sides) {
-        const fe::ElementSide<2> side(tube.mesh(), face);
+        const geometry::ElementSide side = model::element_side(tube.mesh(), face);
         crack::FacePointForces on{face, {}};
-        for (const auto& point : shape::quadrature<2>(side.shape.domain, 9)) {
-          on.points.push_back({Vec3(point.r[0], point.r[1], 0.0),
-                               -point.weight * fe::area_vector<2>(side.shape, side.X, point.r)});
+        for (const auto& point : shape::quadrature<2>(side.domain(), 9)) {
+          on.points.push_back(
+              {Vec3(point.r[0], point.r[1], 0.0), -point.weight * side.area_vector(point.r)});
         }
         forces.push_back(std::move(on));
       }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fe/face.hpp"
 #include "fe/ties.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
+#include "shape/topology.hpp"
 #include "tests/unit/mesh/distorted.hpp"
 
 #include <Eigen/Geometry>
@@ -18,6 +19,7 @@ namespace spricka::fe::test_ties {
 namespace {
 
 using base::NodeId;
+using base::Vec2;
 using base::Vec3;
 using Motion = std::function<Vec3(const Vec3&)>;
 
@@ -106,30 +108,25 @@ public:
   }
   void add_slave(NodeId n) { mesh().node_sets[0].nodes.push_back(n); }
 
-  // Calls f(side, face, X, r) for some points inside each side.
+  // Calls f(side, face, r) for some points inside each side.
   template <class F> void for_points(F&& f) {
     const std::vector<model::Face> sides = mesh().face_sets[0].faces;
     for (const model::Face& face : sides) {
-      with_any_side(mesh(), face, [&]<int d>(const AnyElement<d>& side, const SpaceNodes<d>& X) {
-        for (const double a : {0.13, 0.4}) {
-          for (const double b : {0.21, 0.55}) {
-            shape::Point<d> r;
-            r[0] = side.domain == shape::ReferenceDomain::triangle ? a : 2.0 * a - 1.0;
-            if constexpr (d == 2) {
-              r[1] = side.domain == shape::ReferenceDomain::triangle ? b : 2.0 * b - 1.0;
-            }
-            f(side, face, X, r);
-          }
+      const geometry::ElementSide side = model::element_side(mesh(), face);
+      const bool triangle = side.domain() == shape::ReferenceDomain::triangle;
+      for (const double a : {0.13, 0.4}) {
+        for (const double b : {0.21, 0.55}) {
+          const Vec2 r = triangle ? Vec2(a, b) : Vec2(2.0 * a - 1.0, 2.0 * b - 1.0);
+          f(side, face, side.dim() == 1 ? Vec2(r[0], 0.0) : r);
         }
-      });
+      }
     }
   }
   // Slaves off the sides by a share of the side's size along its normal.
   void add_slaves(double off) {
-    for_points([&]<int d>(const AnyElement<d>& side, const model::Face&, const SpaceNodes<d>& X,
-                          const shape::Point<d>& r) {
-      const double size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
-      add_slave(X * side.N(r) + off * size * area_vector<d>(side, X, r).normalized());
+    for_points([&](const geometry::ElementSide& side, const model::Face&, const Vec2& r) {
+      const double size = (side.X.colwise() - side.X.col(0)).colwise().norm().maxCoeff();
+      add_slave(side.position(r) + off * size * side.point(r).normal());
     });
   }
   std::vector<Tie> ties() { return make_ties(model, mesh(), troubles); }
@@ -174,17 +171,17 @@ TEST_P(EveryMaster, transition_follows_the_sides_own_field) {
     for (int i = 0; i < base::element_info(GetParam()).nodes; ++i) {
       U.push_back(random.vec(dim));
     }
-    master.for_points([&]<int d>(const AnyElement<d>& side, const model::Face& face,
-                                 const SpaceNodes<d>& X, const shape::Point<d>& r) {
-      const auto N = side.N(r);
-      master.add_slave(X * N);
-      Vec3 u = Vec3::Zero();
-      Eigen::Index i = 0; // of the element's own nodes, which are the first
-      for (const int n : shape::side_nodes(GetParam(), face.side)) {
-        u += N[i++] * U[static_cast<std::size_t>(n)];
-      }
-      U.push_back(u);
-    });
+    master.for_points(
+        [&](const geometry::ElementSide& side, const model::Face& face, const Vec2& r) {
+          const geometry::SideValues N = side.N(r);
+          master.add_slave(side.X * N);
+          Vec3 u = Vec3::Zero();
+          Eigen::Index i = 0; // of the element's own nodes, which are the first
+          for (const int n : shape::side_nodes(GetParam(), face.side)) {
+            u += N[i++] * U[static_cast<std::size_t>(n)];
+          }
+          U.push_back(u);
+        });
     const std::vector<Tie> ties = master.ties();
     EXPECT_TRUE(master.troubles.empty());
     base::Vector u(dim * static_cast<Eigen::Index>(U.size()));

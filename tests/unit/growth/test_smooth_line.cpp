@@ -20,45 +20,8 @@ std::vector<Vec3> arc_points(double alpha, int pieces) {
   return points;
 }
 
-TEST(SmoothLine, KeepsToACircleWithTheFourthOrderOfItsSpacing) {
-  double before = 0.0;
-  for (const int pieces : {8, 16, 32}) {
-    const SmoothCurve curve(arc_points(1.0, pieces));
-    double off = 0.0;
-    for (int k = 0; k <= 100; ++k) {
-      const double s = curve.length() * k / 100.0;
-      off = std::max(off, std::abs(curve.at(s).norm() - 2.0));
-      EXPECT_NEAR(curve.tangent(s).dot(curve.at(s)), 0.0, 0.1 / pieces);
-      EXPECT_NEAR(curve.curvature(s), 0.5, 0.5 / pieces);
-    }
-    EXPECT_NEAR(curve.length(), 4.0, 0.02 / pieces);
-    if (before > 0.0) {
-      EXPECT_LT(off, before / 10.0);
-    }
-    before = off;
-  }
-  EXPECT_LT(before, 1e-6);
-}
-
-TEST(SmoothLine, DrawsAParabolaThroughThreePoints) {
-  // chords of equal length, so that the parameter is x
-  const SmoothCurve curve({{-1, 1, 0}, {0, 0, 0}, {1, 1, 0}});
-  for (int k = 0; k <= 10; ++k) {
-    const Vec3 x = curve.at(curve.length() * k / 10.0);
-    EXPECT_NEAR(x.y(), x.x() * x.x(), 1e-12);
-  }
-}
-
-TEST(SmoothLine, GoesStraightOnBeyondItsEnds) {
-  const SmoothCurve curve(arc_points(0.5, 10));
-  const Vec3 end = curve.at(curve.length());
-  EXPECT_NEAR((curve.at(curve.length() + 0.3) - end - 0.3 * curve.tangent(curve.length())).norm(),
-              0.0, 1e-12);
-  EXPECT_NEAR((curve.at(-0.3) - curve.at(0.0) + 0.3 * curve.tangent(0.0)).norm(), 0.0, 1e-12);
-}
-
 TEST(SmoothLine, PolylineEndsAlongTheTangentAndHardlyKinks) {
-  const SmoothCurve curve(arc_points(0.8, 12));
+  const geometry::SplineCurve curve(arc_points(0.8, 12), false);
   const std::vector<Vec3> line = as_polyline(curve, 0.0, curve.length(), true);
   ASSERT_GT(line.size(), 10U);
   const Vec3 out = (line.back() - line[line.size() - 2]).normalized();

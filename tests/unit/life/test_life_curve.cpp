@@ -242,24 +242,5 @@ TEST(LifeCurve, TwoStationsKnowNothingOfTheirError) {
   EXPECT_NEAR(life.growth_rate(std::sqrt(2.0)), std::sqrt(3.0) * 1e-5, 1e-18);
 }
 
-// A cubic is its own spline, and a parabola through three points its own.
-TEST(CubicSpline, ReproducesCubics) {
-  const auto cubic = [](double x) { return 1.0 + x * (-2.0 + x * (0.5 + 0.3 * x)); };
-  const std::vector<double> x{-1.0, 0.2, 0.9, 2.5, 3.0};
-  std::vector<double> y;
-  y.reserve(x.size());
-  for (const double each : x) {
-    y.push_back(cubic(each));
-  }
-  const CubicSpline spline(x, y);
-  for (double each = -1.5; each < 3.5; each += 0.1) {
-    EXPECT_NEAR(spline(each), cubic(each), 1e-12);
-  }
-  const CubicSpline parabola({0.0, 1.0, 3.0}, {0.0, 1.0, 9.0});
-  EXPECT_NEAR(parabola(2.0), 4.0, 1e-14);
-  const CubicSpline four({0.0, 1.0, 3.0, 4.0}, {0.0, 1.0, 27.0, 64.0});
-  EXPECT_NEAR(four(2.0), 8.0, 1e-13);
-}
-
 } // namespace
 } // namespace spricka::life::test_life_curve

@@ -3,7 +3,6 @@
 #include "mesh/surface/region_patches.hpp"
 #include "mesh/surface/surface_fold.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/reference_element.hpp"
 #include "surface_cracks.hpp"
 
 #include <map>
@@ -21,20 +20,10 @@ struct Areas {
   std::map<std::size_t, double> host, made, caps;
 };
 
-inline double area_of(const CurvedFace& face) {
-  double area = 0.0;
-  for (const auto& [r, weight] :
-       shape::quadrature<2>(shape::reference_element<2>(face.shape).domain, 9)) {
-    const CurvedFacePoint p = point_on(face, r);
-    area += weight * p.slope.col(0).cross(p.slope.col(1)).norm();
-  }
-  return area;
-}
-
 inline Areas areas_of(const SurfaceGeometry& surface, const SurfaceCut& cut) {
   Areas areas;
   for (const std::size_t f : cut.region.faces) {
-    areas.host[surface.smooth_piece(f)] += area_of(surface.face(f));
+    areas.host[surface.smooth_piece(f)] += surface.face(f).area(9);
   }
   for (const RemeshedTriangle& t : cut.made.triangles) {
     for (const auto& [r, weight] : shape::triangle_rule(6)) {

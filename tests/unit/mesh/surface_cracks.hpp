@@ -61,17 +61,15 @@ inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface
                                             const mesh::SizeAt& size) {
   std::vector<std::size_t> faces;
   for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-    const std::array<Vec3, 2> box = mesh::bounding_box(surface.face(f));
+    const geometry::Box<3> box = surface.face(f).bounding_box();
     double edge = 0.0;
     const auto& X = surface.face(f).X;
     for (int i = 0; i < surface.face(f).corners(); ++i) {
       edge = std::max(edge, (X.col(i) - X.col((i + 1) % surface.face(f).corners())).norm());
     }
     const bool coarse = edge > size(surface.place_on_face(f, {1.0 / 3.0, 1.0 / 3.0}).x);
-    const bool near = std::ranges::any_of(line, [&](const Vec3& x) {
-      const double away = (box[0] - x).cwiseMax(x - box[1]).cwiseMax(0.0).norm();
-      return away < size(x);
-    });
+    const bool near =
+        std::ranges::any_of(line, [&](const Vec3& x) { return box.distance(x) < size(x); });
     if (near || coarse) {
       faces.push_back(f);
     }
