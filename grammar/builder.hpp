@@ -29,11 +29,13 @@ public:
   bool fail(base::SourceSpan place, std::string code, std::string text, std::string hint = {});
   /// "expected ..." at `at`, with the carets under the token there.
   void fail_expected(const char* at, const char* last, std::string_view what);
+  /// Hands the first failure, if there is one, on as an error of the deck.
   void report(base::Diagnostics& diagnostics) const;
 
   Card card;             ///< the header being read
   Assignment assignment; ///< the assignment being read
 
+  /// The place in the source of the bytes from `begin` to `end`.
   [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
   [[nodiscard]] const char* source_start() const { return origin_; }
 
@@ -42,19 +44,28 @@ public:
   bool read_trailing_unit(const char*& p, const char* last); ///< [unit] after ) ; absent is fine
   bool enter_nesting(const char* p, const char* last);       ///< one level deeper
   void leave_nesting() { --depth_; }
+  /// A name in the expression: variable, parameter or, with begin_call, function.
   void push_name(const char* begin, const char* end);
   bool begin_call(); ///< the last name is a function; its arguments follow
   void add_argument() { ++calls_.back().count; }
   void end_call();
+  /// An operator behind its operands, as reverse Polish order has it.
   void push_operator(base::OpCode op);
   void close(const char* end) { token_end_ = end; }    ///< a bracket was the last token
   ParsedExpression take_expression(const char* begin); ///< from there to the last token
 
   // Fields of headers and rows.
   bool field_number(const char*& p, const char* last, bool in_row);
+  /// A name of a field, stored in upper case. In rows a minus may stand before it, and with a
+  /// bracket behind it the name begins a quantity. False without a failure: there is none at `p`.
   bool field_name(const char*& p, const char* last, bool in_row);
+  /// A text of a field between quotes, without them. False where there is none or its end is
+  /// missing.
   bool field_text(const char*& p, const char* last);
+  /// An expression of a field in brackets, with its unit. False where there is none or it has a
+  /// mistake.
   bool field_expression(const char*& p, const char* last);
+  /// Notes which separator stands behind the last field.
   void record_separator(char c);
   std::vector<CardField> take_fields();
 

@@ -37,6 +37,7 @@ template <class Value> using TakeRows = std::function<void(const BulkTable<Value
 void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
                        const TakeRows<double>& take);
+/// Reads lines `label label1 .. labeln` of elements, as parse_coordinates those of nodes.
 void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
                         const TakeRows<base::Label>& take);

@@ -49,6 +49,7 @@ enum class EntityKind {
 std::string_view display_name(EntityKind kind);
 
 using base::Quantity;
+/// The dimension that values of a quantity have, in length, force and angle; of a number none.
 base::Dimension quantity_dimension(Quantity quantity);
 /// "a length": for messages.
 std::string_view display_name(Quantity quantity);
@@ -62,6 +63,7 @@ struct ValueLimits {
   bool low_open = false;
   bool high_open = false;
 
+  /// Whether a value lies within the limits.
   [[nodiscard]] bool holds(double v) const {
     return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high);
   }
@@ -108,10 +110,11 @@ struct CardSpec {
   std::string_view notes = {};   ///< sentences for the help, beyond doc
   std::string_view example = {}; ///< as a deck would hold it, with its data lines
 
+  /// The key of that name, in upper case; null: the card does not have it.
   [[nodiscard]] const KeySpec* find(std::string_view key) const;
 };
 
-/// "A|B" or "A B" as a list.
+/// Words between | or blanks, "A|B" or "A B", as a list; empty ones are left out.
 std::vector<std::string> split_words(std::string_view words);
 
 } // namespace spricka::grammar

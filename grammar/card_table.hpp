@@ -19,12 +19,15 @@ const CardHelpText* find_card_help(std::string_view card);
 
 namespace table {
 
+/// Limits of numbers larger than `low`, which is excluded.
 constexpr ValueLimits above(double low) {
   return {low, k_unbounded, true, false};
 }
+/// Limits of numbers from `low` on, which is included.
 constexpr ValueLimits at_least(double low) {
   return {low, k_unbounded, false, false};
 }
+/// Limits of numbers between two, both included.
 constexpr ValueLimits closed_interval(double low, double high) {
   return {low, high, false, false};
 }
@@ -33,6 +36,7 @@ constexpr ValueLimits open_interval(double low, double high) { ///< without the 
 }
 constexpr ValueLimits anything{};
 
+/// A key with a real number, whose unit is that of a quantity.
 constexpr KeySpec real_key(std::string_view name, Quantity quantity, ValueLimits range,
                            std::string_view doc) {
   KeySpec key;
@@ -44,6 +48,7 @@ constexpr KeySpec real_key(std::string_view name, Quantity quantity, ValueLimits
   return key;
 }
 
+/// A key with a whole number within limits.
 constexpr KeySpec integer_key(std::string_view name, ValueLimits range, std::string_view doc) {
   KeySpec key;
   key.name = name;
@@ -53,6 +58,7 @@ constexpr KeySpec integer_key(std::string_view name, ValueLimits range, std::str
   return key;
 }
 
+/// A key with one of the words "A|B|C".
 constexpr KeySpec word_key(std::string_view name, std::string_view words, std::string_view doc) {
   KeySpec key;
   key.name = name;
@@ -62,6 +68,7 @@ constexpr KeySpec word_key(std::string_view name, std::string_view words, std::s
   return key;
 }
 
+/// A key of a type that deals with names of a kind, or with none.
 constexpr KeySpec key_of_type(KeyType type, std::string_view name, EntityKind kind,
                               std::string_view doc) {
   KeySpec key;
@@ -72,12 +79,15 @@ constexpr KeySpec key_of_type(KeyType type, std::string_view name, EntityKind ki
   return key;
 }
 
+/// A key whose value becomes the name of what the card defines.
 constexpr KeySpec defining_key(std::string_view name, EntityKind kind, std::string_view doc) {
   return key_of_type(KeyType::name, name, kind, doc);
 }
+/// A key that refers to a name which another card defines.
 constexpr KeySpec reference_key(std::string_view name, EntityKind kind, std::string_view doc) {
   return key_of_type(KeyType::reference, name, kind, doc);
 }
+/// A key with a text between quotes.
 constexpr KeySpec text_key(std::string_view name, std::string_view doc) {
   return key_of_type(KeyType::text, name, EntityKind::none, doc);
 }
@@ -87,14 +97,17 @@ constexpr KeySpec unit_key(std::string_view name, Quantity quantity, std::string
   key.quantity = quantity;
   return key;
 }
+/// A key with an expression in the coordinates x y z rho theta.
 constexpr KeySpec expression_key(std::string_view name, std::string_view doc) {
   return key_of_type(KeyType::expression, name, EntityKind::none, doc);
 }
 
+/// The key as one that the card must have.
 constexpr KeySpec required(KeySpec key) {
   key.required = true;
   return key;
 }
+/// The key with a value, written as in a deck, that holds where none is given.
 constexpr KeySpec with_default(KeySpec key, std::string_view value) {
   key.default_value = value;
   return key;

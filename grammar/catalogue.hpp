@@ -25,7 +25,9 @@ struct ResultQuantity {
   Quantity quantity = Quantity::number;
   std::string_view doc = {};
 };
+/// All quantities, those of fronts in space behind the last one of tips.
 std::span<const ResultQuantity> result_quantities();
+/// The quantity of that name, upper case; null: there is none.
 const ResultQuantity* find_quantity(std::string_view name);
 
 } // namespace spricka::grammar

@@ -37,6 +37,7 @@ struct ExpressionWord {
   std::string_view form;
   std::string_view doc;
 };
+/// The functions of expressions with their forms, in the order of the help.
 std::vector<ExpressionWord> function_texts();
 
 /// What to write for a function that there is not, by its name in upper case; empty: nobody knows.

@@ -5,7 +5,7 @@
 /// Syntax files for editors, made of the catalogue: cards, keys, numbers, comments, texts, names.
 namespace spricka::grammar {
 
-/// A Vim syntax file, syntax/spricka.vim.
+/// A Vim syntax file for decks, syntax/spricka.vim, as text.
 std::string vim_syntax();
 
 /// A TextMate grammar as JSON, as VS Code reads it.

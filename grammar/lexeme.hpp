@@ -7,15 +7,19 @@
 /// (in comments and texts) and belong to no class.
 namespace spricka::grammar {
 
+/// Whether a byte is one of 0 to 9.
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
+/// Whether a byte may begin a name: a letter of ASCII or the underscore.
 constexpr bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
+/// Whether a byte may stand within a name: letter, underscore or digit.
 constexpr bool is_name_char(char c) {
   return is_letter(c) || is_digit(c);
 }
+/// Whether a byte is a blank or a tabulator; line feeds are none.
 constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
@@ -41,7 +45,7 @@ const char* logical_line_end(const char* p, const char* last);
 /// End of the name that starts at `p`, or `p`.
 const char* scan_name(const char* p, const char* last);
 
-/// End of NAME { "." ( NAME | digits ) } at `p`, or `p`.
+/// End of a name and what follows it after points, NAME { "." ( NAME | digits ) }, at `p`, or `p`.
 const char* scan_qualified_name(const char* p, const char* last);
 
 enum class NumberError { none, absent, too_large, fortran_exponent, trailing };
@@ -59,6 +63,7 @@ ScannedNumber scan_number(const char* p, const char* last);
 /// End of whatever token stands at `p`, for carets: to the next blank, separator or bracket.
 const char* scan_token(const char* p, const char* last);
 
+/// ASCII letters in upper case; all other bytes as they are.
 std::string to_upper(std::string_view text);
 
 } // namespace spricka::grammar

@@ -27,7 +27,8 @@ std::string_view dimension_phrase(Quantity quantity);
 /// How a result is written: "K1(crack[.tip], step [, a [, angle]])".
 std::string call_form(const ResultQuantity& quantity);
 
-/// "Data lines" or "Optional data lines".
+/// What the help says of a card's data: "Data lines", or "Optional data lines" where none are
+/// required.
 std::string_view data_phrase(const CardSpec& card);
 
 /// The groups of cards in their order.

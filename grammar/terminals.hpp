@@ -26,6 +26,8 @@ struct Terminal : x3::parser<Terminal> {
 
   constexpr Terminal(const char* called, Read function) : name(called), read(function) {}
 
+  /// Called by Spirit: reads with the builder of the context and moves `first` on only where it
+  /// succeeds.
   template <class DeckContext, class RuleContext, class Attribute>
   bool parse(const char*& first, const char* const& last, const DeckContext& context, RuleContext&,
              Attribute&) const {

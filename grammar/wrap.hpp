@@ -20,6 +20,7 @@ struct TextColumns {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::size_t> most; ///< [column]
 
+  /// The rows as text, cells wrapped to their columns; each line ends with a line feed.
   [[nodiscard]] std::string format_columns(std::size_t width) const;
 };
 

@@ -32,12 +32,15 @@ struct CardDifference {
   base::SourceSpan span; ///< in the deck `now`, of its last card where one is missing at the end
   std::string text;      ///< "$LOAD uses F = 80000, it was F = 75000"
 };
+/// Compares the cards of two decks in their order and says in words what is different first. Empty:
+/// all are the same.
 std::optional<CardDifference> first_difference(const std::vector<CardFingerprint>& before,
                                                const std::vector<CardFingerprint>& now);
 
 /// Those of these names only, in their order; or all but those.
 std::vector<CardFingerprint> select_cards(const std::vector<CardFingerprint>& cards,
                                           const std::vector<std::string>& names);
+/// The cards of all names but these, in their order.
 std::vector<CardFingerprint> exclude_cards(const std::vector<CardFingerprint>& cards,
                                            const std::vector<std::string>& names);
 

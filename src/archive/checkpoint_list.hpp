@@ -30,8 +30,9 @@ struct CheckpointList {
   std::array<double, 2> ends{}; ///< growth_ends() of the deck
 };
 
+/// Writes cards and entries as tables, the growth's rules and ends as attributes.
 void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list);
-/// Throws StoreError.
+/// Reads back what write_checkpoint_list has written. Throws StoreError.
 CheckpointList read_checkpoint_list(const results::StoreGroup& root);
 
 /// What of $GROW every increment depends on, in words. Lengths of LAW=INCREMENT are compared one by

@@ -24,11 +24,12 @@ struct SingularVectors {
 };
 /// As many left ones as the smaller side of A.
 SingularVectors left_singular_vectors(const Matrix& A);
-/// All right ones.
+/// All right singular vectors of A [m, n] as columns [n, n], with the singular values.
 SingularVectors right_singular_vectors(const Matrix& A);
 
-/// A x = b with a square A.
+/// Solves A x = b with a square A by LU factors with partial pivoting; A must be regular.
 Vector solve_square(const Matrix& A, const Vector& b);
+/// The same for all columns of B at once.
 Matrix solve_square(const Matrix& A, const Matrix& B);
 
 /// A x = b with a symmetric A that is not indefinite.

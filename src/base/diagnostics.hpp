@@ -22,8 +22,11 @@ struct Diagnostic {
 /// Collects messages; nothing is thrown, so that one run shows every mistake of a deck.
 class Diagnostics {
 public:
+  /// Adds an error with its place in the deck; a run with errors is not solved.
   void error(SourceSpan span, std::string code, std::string text, std::string hint = {});
+  /// Adds a warning with its place in the deck; the run goes on.
   void warning(SourceSpan span, std::string code, std::string text, std::string hint = {});
+  /// Adds a note with its place in the deck.
   void note(SourceSpan span, std::string code, std::string text, std::string hint = {});
 
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }

@@ -12,6 +12,7 @@ public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
+  /// The smallest thing of the set that holds n; shortens the path to it for later calls.
   std::size_t root(std::size_t n) {
     while (parent_[n] != n) {
       parent_[n] = parent_[parent_[n]];
@@ -19,6 +20,7 @@ public:
     }
     return n;
   }
+  /// Makes one set of those that hold a and b; nothing where that is one set already.
   void join_sets(std::size_t a, std::size_t b) {
     a = root(a);
     b = root(b);

@@ -49,6 +49,7 @@ inline constexpr std::array<ElementInfo, 12> element_infos{{
     {"HEXEC27", 27, 8, 3, 6, true},
 }};
 
+/// Name, numbers of nodes, corners and sides, dimension and order of an element type.
 constexpr const ElementInfo& element_info(ElementType type) {
   return element_infos[static_cast<std::size_t>(type)];
 }

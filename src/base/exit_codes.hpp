@@ -36,6 +36,7 @@ inline constexpr std::array exit_texts{
              "a defect of the program: please report it, with the deck"},
 };
 
+/// The exit status of the process for an outcome.
 constexpr int exit_code(Outcome outcome) {
   return exit_texts.at(static_cast<std::size_t>(outcome)).code;
 }

@@ -19,14 +19,16 @@ public:
   [[nodiscard]] const std::vector<double>& knots() const { return knot_; }
   [[nodiscard]] const std::vector<double>& values() const { return value_; } ///< [segment]
   [[nodiscard]] const std::vector<double>& slopes() const { return slope_; } ///< [segment]
+  /// Derivative within a segment, from its knot to the next.
   [[nodiscard]] double slope(std::size_t segment) const { return slope_[segment]; }
 
   /// Not a number outside the knots: nothing is extrapolated.
   [[nodiscard]] double operator()(double t) const;
-  /// Value at knot k.
+  /// Value at knot k, the last one among them.
   [[nodiscard]] double at_knot(std::size_t k) const;
-  /// Slopes left and right of knot k; at the ends both are those of the one segment there.
+  /// Slope left of knot k; at the first knot that of the first segment.
   [[nodiscard]] double slope_before(std::size_t k) const { return slope_[k > 0 ? k - 1 : 0]; }
+  /// Slope right of knot k; at the last knot that of the last segment.
   [[nodiscard]] double slope_after(std::size_t k) const {
     return slope_[k < slope_.size() ? k : slope_.size() - 1];
   }

@@ -36,9 +36,14 @@ public:
   std::int32_t add_text(std::string name, std::string text);
 
   [[nodiscard]] std::size_t count() const { return files_.size(); }
+  /// Name under which a text was added, by its file number.
   [[nodiscard]] const std::string& file_name(std::int32_t file) const;
+  /// The whole text of a file.
   [[nodiscard]] std::string_view text(std::int32_t file) const;
+  /// The text that a span covers, within its file.
   [[nodiscard]] std::string_view text(SourceSpan span) const;
+  /// Line and column of an offset [bytes], both from 1; columns count characters of UTF-8. Offsets
+  /// beyond the end stand for the end.
   [[nodiscard]] SourceLocation locate(std::int32_t file, std::size_t offset) const;
   /// The line that holds an offset, without its end-of-line bytes.
   [[nodiscard]] std::string_view line_at(std::int32_t file, std::size_t offset) const;

@@ -37,6 +37,7 @@ struct NamedUnit {
   std::string_view name;
   PhysicalUnit unit;
 };
+/// All units with a name, in the order of the help.
 std::vector<NamedUnit> unit_words();
 
 /// Reads the text between [ and ]: m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad cycle

@@ -24,6 +24,8 @@ struct SectionState {
 
   /// Volume change, of what lies in the section and round the axis.
   [[nodiscard]] double dilatation() const { return H.trace() + hoop; }
+  /// Work density of this state's stress on the strain of another, the part round the axis included
+  /// [stress].
   [[nodiscard]] double work_on(const SectionState& other) const {
     return sigma.cwiseProduct(other.H).sum() + sigma_hoop * other.hoop;
   }
@@ -37,6 +39,8 @@ SectionState state_from_gradient(const SectionElasticity& k, const Tensor<2>& H,
 struct AuxiliaryField : SectionState {
   base::Vec2 divergence = base::Vec2::Zero(); ///< of its stress [stress/length]
 };
+/// The auxiliary field at x by its number, stress by the element's own elasticity; the divergence
+/// is zero in the plane (crack.39).
 AuxiliaryField auxiliary_field_at(const TipSetting& set, const SectionElasticity& k,
                                   const base::Vec2& x, std::size_t auxiliary);
 

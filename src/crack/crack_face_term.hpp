@@ -43,6 +43,8 @@ std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipBody& ti
 /// The interaction terms as sums over nodal forces (crack.33), [mode - 1] by node: sum of weight .
 /// force.
 using CrackFaceWeights = std::map<base::NodeId, std::array<base::Vec2, 2>>;
+/// Weights of the forces at nodes of `faces` in the interaction terms of modes 1 and 2. Nodes are
+/// left out whose edges the extension does not move.
 CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipBody& tip,
                                     const ExtensionField& field,
                                     const std::vector<model::Face>& faces);

@@ -25,6 +25,7 @@ base::Vec2 kinked_K1_factors(KinkCriterion criterion, double angle);
 struct KinkFunctions {
   double F11 = 1.0, F12 = 0.0, F21 = 0.0, F22 = 1.0;
 };
+/// The kink functions at an angle [rad] between crack and kink.
 KinkFunctions kink_functions(double angle);
 
 } // namespace spricka::crack

@@ -9,7 +9,7 @@ namespace spricka::crack {
 
 template <int dim> using Tensor = Eigen::Matrix<double, dim, dim>;
 
-/// Stress of a displacement gradient.
+/// Stress of a displacement gradient by the elasticity of an element, temperatures left out.
 template <int dim>
 Tensor<dim> stress_from_gradient(const fe::Elasticity<dim>& D, const Tensor<dim>& H) {
   const fe::Strain<dim> sigma = D * fe::strain<dim>(H);

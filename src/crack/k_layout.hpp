@@ -21,7 +21,7 @@ public:
   [[nodiscard]] Eigen::Index first_index(std::size_t point) const {
     return static_cast<Eigen::Index>(point) * modes_;
   }
-  /// `mode` 1, 2 or 3.
+  /// Index of the K of a mode, 1, 2 or 3, at a point of the fronts.
   [[nodiscard]] Eigen::Index at(std::size_t point, int mode) const {
     return first_index(point) + mode - 1;
   }

@@ -25,6 +25,8 @@ std::vector<BodyForceField> body_force_fields(const TipSetting& set);
 /// b there [force/length^3].
 using BodyForceVisit =
     std::function<void(const shape::Point<2>& r, double weight, const base::Vec2& b)>;
+/// Goes through the points of all body forces that act on element `e`, one force after the other,
+/// each with its own rule; shares of cut sets and load factors are in b.
 void for_body_forces(const TipSetting& set, const std::vector<BodyForceField>& fields,
                      base::ElementId e, const PlaneVectors& X, const BodyForceVisit& visit);
 

@@ -92,6 +92,8 @@ struct IntensityFunctionalPoint {
   std::array<Eigen::Matrix2d, 2> M;            ///< by mode, integration weight included
   std::array<double, 2> hoop{};                ///< the same
 };
+/// The functional of K at the integration points of all domains. Empty without a domain and where
+/// the tip lies between two materials; on a symmetric half that of K2 is zero.
 std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
                                                        const mesh::CrackedMesh& cracked,
                                                        const mesh::CrackFront& front,
@@ -112,6 +114,8 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
 struct IntensityConstant {
   double K1 = 0.0, K2 = 0.0, T = 0.0;
 };
+/// K1, K2 and T that the loads and temperatures of a tip add by themselves (crack.23), evaluated
+/// with all displacements zero; zero without loads.
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
                                      const mesh::CrackFront& front,
                                      const std::vector<ExtensionField>& fields,

@@ -22,6 +22,7 @@ namespace spricka::crack {
 using PlaneElement = fe::AnyElement<2>;
 using PlaneVectors = fe::NodeVectors<PlaneElement>;
 using PlaneValues = fe::NodeValues<PlaneElement>;
+/// The reference element of a plane mesh's element, known when run.
 inline const PlaneElement& plane_element(const model::Mesh& mesh, base::ElementId e) {
   return shape::reference_element<2>(mesh.type[e.index()]);
 }
@@ -60,6 +61,8 @@ struct TipSetting {
   /// Of an element's own, in the section.
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
 };
+/// Gathers the material, axes, crack faces and loads of a tip. There must be a domain; the property
+/// is that of its first element.
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
                        const mesh::CrackFront& front, const std::vector<ExtensionField>& fields,
                        const TipLoads& loads);

@@ -17,6 +17,7 @@ struct TipFrame {
 struct Polar {
   double r = 0.0, theta = 0.0;
 };
+/// Polar coordinates of a point about a tip: distance [length] and angle [rad] from e1.
 Polar polar(const TipFrame& tip, const base::Vec2& at);
 /// The same of a point of a face whose outer normal is n: round-off does not take a point of one
 /// crack face to the other.
@@ -30,6 +31,7 @@ double kolosov(double nu, model::StressState state);
 Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, int mode,
                                   const model::ElasticMaterial& material, model::StressState state);
 
+/// The same gradient at a point given by its coordinates.
 inline Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
                                          const model::ElasticMaterial& material,
                                          model::StressState state) {
@@ -40,6 +42,7 @@ inline Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const base::Vec2& 
 base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, int mode,
                                  const model::ElasticMaterial& material, model::StressState state);
 
+/// The same near-tip displacement [length] for K = 1 at a point given by its coordinates.
 inline base::Vec2 near_tip_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
                                         const model::ElasticMaterial& material,
                                         model::StressState state) {

@@ -48,17 +48,21 @@ struct CheckedCard {
   std::vector<grammar::DataRow> rows;
   std::vector<std::string> stray; ///< names given under keys the card does not have
 
+  /// The value of a key, given or by default; null where there is neither.
   [[nodiscard]] const CheckedValue* find(std::string_view key) const;
   /// Given in the deck (not by default).
   [[nodiscard]] bool has_key(std::string_view key) const;
   /// Number of a key that is given or has a default.
   [[nodiscard]] double number_value(std::string_view key) const;
+  /// The number of a key as an integer, cut off at the point.
   [[nodiscard]] int integer_value(std::string_view key) const {
     return static_cast<int>(number_value(key));
   }
+  /// Number of a key; empty where it is neither given nor has a default.
   [[nodiscard]] std::optional<double> optional_number(std::string_view key) const;
   /// Word, name or text of a key; empty without one.
   [[nodiscard]] std::string_view word_value(std::string_view key) const;
+  /// Whether the value of a key is this word.
   [[nodiscard]] bool has_word(std::string_view key, std::string_view word_) const {
     return word_value(key) == word_;
   }

@@ -57,6 +57,7 @@ struct DeckContext {
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 
+  /// Reports a mistake of the deck at its place: code "E...", text, and a hint how to mend it.
   void error(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
     diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
   }
@@ -72,6 +73,7 @@ struct DeckContext {
   [[nodiscard]] bool known_plane() const {
     return mesh_sound && model.mesh.element_count() > 0 && model.mesh.dim == 2;
   }
+  /// Notes an analysis that the deck asks for and the program does not have.
   void mark_unavailable(std::string what, base::SourceSpan span) {
     model.unavailable.push_back({std::move(what), span});
   }
@@ -100,12 +102,13 @@ void check_scripts(DeckContext& context);
 void build_sets(DeckContext& context);
 /// $MATERIAL, $PROPERTY, $FREEDOM.
 void build_properties(DeckContext& context);
-/// $MPC.
+/// Ties and equations between freedoms, from $MPC.
 void build_mpcs(DeckContext& context);
 /// $LOAD and the cases.
 void build_loads(DeckContext& context);
 /// $RIGID, $CONTACT, $CRACK, $TIPNET, $VCE.
 void build_contacts(DeckContext& context);
+/// Cracks, nets round their tips and virtual extensions: $CRACK, $TIPNET, $VCE.
 void build_cracks(DeckContext& context);
 /// $STEP, $LOADPATH, $GROW.
 void build_steps(DeckContext& context);
@@ -121,6 +124,8 @@ void check_references(DeckContext& context);
 void check_mesh(DeckContext& context);
 /// Elements that stand twice; sides that touch and nothing joins.
 void check_seams(DeckContext& context);
+/// What no card can say alone: symmetry, cracks and loads that reach the mesh, heat without
+/// expansion, thickness. Nothing where the deck has errors.
 void check_model_consistency(DeckContext& context);
 /// Values that the language allows and hardly anybody means.
 void check_plausibility(DeckContext& context);

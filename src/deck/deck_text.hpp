@@ -23,12 +23,15 @@ struct DeckCard {
   std::string data;   ///< data lines with their comments; empty or ended by a newline
   grammar::Card card; ///< as it was read; empty for a new one
 
+  /// The value of a key as the deck writes it; null without the key, which is in upper case.
   [[nodiscard]] const std::string* find(std::string_view key) const;
+  /// Whether the card gives a key, which is in upper case.
   [[nodiscard]] bool has_key(std::string_view key) const { return find(key) != nullptr; }
   /// The value of a key in upper case, quotes taken off; empty without it.
   [[nodiscard]] std::string word_value(std::string_view key) const;
   /// Gives a key a value, in its place or behind the others.
   void set(std::string_view key, std::string value);
+  /// Takes a key and its value off the card, if it has it.
   void erase(std::string_view key);
 };
 

@@ -12,14 +12,17 @@ class IndexCollection {
 public:
   explicit IndexCollection(std::size_t count) : place_(count, 0) {}
 
+  /// Puts an index at the end; one that is in the collection already stays where it is.
   void add(std::size_t i) {
     if (place_[i] == 0) {
       listed_.push_back(i);
       place_[i] = listed_.size();
     }
   }
+  /// Takes an index out; it may be added again, then at the end.
   void remove(std::size_t i) { place_[i] = 0; }
 
+  /// The indices that are in, in the order in which they were added last.
   [[nodiscard]] std::vector<std::size_t> collected_indices() const {
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < listed_.size(); ++k) {

@@ -33,6 +33,7 @@ public:
     return true;
   }
 
+  /// The index that was added under a label; empty if none was.
   [[nodiscard]] std::optional<std::size_t> find(base::Label label) const {
     const auto l = static_cast<std::size_t>(label); // wide of the array if negative
     if (l < near_.size() && near_[l] >= 0) {

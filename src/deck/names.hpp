@@ -32,6 +32,7 @@ class NameTable {
 public:
   /// The older definition if the name is taken already; then nothing changes.
   const NameDefinition* define(const std::string& name, const NameDefinition& definition);
+  /// Makes a name usable without a further error, also where it is defined already.
   void poison(EntityKind kind, const std::string& name);
   /// Any name of any kind that ends in `name` (a card of unknown meaning named it).
   void poison_name_ending(const std::string& name) { words_.insert(name); }
@@ -46,6 +47,8 @@ public:
   /// come before those outside. Null when unknown.
   [[nodiscard]] const NameDefinition* find(const std::vector<EntityKind>& kinds,
                                            const std::string& name, const std::string& net) const;
+  /// Whether an unknown name, asked for as one of `kinds` within a net, may be what a bad card
+  /// would have defined: by its kind, its net, its last part or a missing include.
   [[nodiscard]] bool is_poisoned(const std::vector<EntityKind>& kinds, const std::string& name,
                                  const std::string& net) const;
   /// "did you mean ..": the nearest name, or one of another net with the same last part.

@@ -17,6 +17,7 @@ std::optional<base::NodeSetId> resolve_node_set(DeckContext& context,
 std::optional<base::FaceSetId> resolve_face_set(DeckContext& context,
                                                 const NameReference& reference);
 
+/// An element set by its name; no other kind stands for one.
 std::optional<base::ElementSetId> resolve_element_set(DeckContext& context,
                                                       const NameReference& reference);
 

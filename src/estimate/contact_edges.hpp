@@ -25,6 +25,7 @@ struct ContactEdge {
 
 /// Edges of one element only, by their nodes.
 using EdgeIndex = std::map<std::array<base::NodeId, 3>, std::size_t>;
+/// Index of the edges that only one element has, by their three nodes as in the table.
 EdgeIndex boundary_edges(const EdgeTable& table);
 /// The one that a quadratic contact edge is.
 std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge);

@@ -20,10 +20,13 @@ struct EdgeTable {
   std::vector<std::int32_t> first;   ///< [element + 1] into `of_side`
   std::vector<std::int32_t> of_side; ///< edges of all elements, side by side
 
+  /// Index in `edges` of the edge at a side of an element.
   [[nodiscard]] std::size_t edge_at_side(base::ElementId e, int side) const {
     return static_cast<std::size_t>(of_side[static_cast<std::size_t>(first[e.index()] + side)]);
   }
 };
+/// Numbers the edges of a plane mesh of quadratic elements; edges are the same where all three
+/// nodes are, so that the faces of a crack keep edges of their own.
 EdgeTable find_edges(const model::Mesh& mesh);
 
 /// 1 where a side runs from the lower to the higher of its corners, else -1: the sign of a side's

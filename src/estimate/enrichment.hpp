@@ -30,6 +30,8 @@ public:
     std::vector<double> of;
     std::vector<double> numbers;
   };
+  /// The entry of a host element, made empty at first use; it keeps its place while others are
+  /// made.
   CachedModeMatrix& at(base::ElementId host);
 
 private:
@@ -42,6 +44,7 @@ struct ModeCacheAccess {
   ModeMatrixCache* memory = nullptr;
   const std::vector<base::ElementId>* host = nullptr;
 
+  /// The host element of an element; invalid where there is no memory or the element has no host.
   [[nodiscard]] base::ElementId host_element(base::ElementId e) const {
     return memory == nullptr ? base::ElementId() : (*host)[e.index()];
   }
@@ -59,15 +62,17 @@ public:
   [[nodiscard]] const model::Model& model() const { return model_; }
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const EdgeTable& edges() const { return edges_; }
+  /// Whether the modes of an edge stand along its normal and tangent, not along x and y.
   [[nodiscard]] bool has_edge_frame(std::size_t edge) const { return framed_[edge]; }
   [[nodiscard]] Eigen::Index freedoms() const { return freedoms_; }
   /// Mode freedoms of an element, in the order of its kernels.
   [[nodiscard]] std::span<const std::int32_t> element_freedoms(base::ElementId e) const {
     return {freedom_.data() + first_[e.index()], freedom_.data() + first_[e.index() + 1]};
   }
+  /// Signs of an element's side modes by the direction of its edges, and which of them are framed.
   [[nodiscard]] SideModeFrames side_state(base::ElementId e) const;
 
-  /// y = K_ee x. [freedoms]
+  /// Stiffness of the modes times a vector, y = K_ee x, element by element. [freedoms]
   [[nodiscard]] base::Vector stiffness_product(const base::Vector& x) const;
   /// Diagonal blocks of K_ee: for each direction pair 2 i, 2 i + 1 the entries (0,0), (1,0), (1,1).
   /// [freedoms / 2]

@@ -48,7 +48,8 @@ inline std::array<base::Vec2, 3> side_points(const PlaneModes& modes,
   return {X.col(s), X.col((s + 1) % modes.sides), X.col(modes.sides + s)};
 }
 
-/// J of the map at r.
+/// Displacement gradients of all mode freedoms at r, by x and y. J: Jacobian of the map at r; X:
+/// the element's nodes, asked for framed sides only.
 ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
                              const shape::Point<2>& r, const Eigen::Matrix2d& J,
                              const SideModeFrames& sides);

@@ -16,6 +16,7 @@ struct ModeMap {
   /// [freedom] stiffness that another body adds, as a part of the mode's own.
   std::vector<std::pair<std::size_t, double>> support;
 
+  /// All mode freedoms of the values of the unknowns; zero where held.
   [[nodiscard]] base::Vector expand(const base::Vector& y) const; ///< [unknowns] to [freedoms]
   [[nodiscard]] base::Matrix
   reduce(const base::Matrix& f) const; ///< [freedoms, k] to [unknowns, k]

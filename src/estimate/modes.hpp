@@ -11,8 +11,8 @@
 /// interior modes that vanish on all sides. Hierarchical shapes: Szabo and Babuska 1991.
 namespace spricka::estimate {
 
-/// psi(r) [count] and dpsi(r) [count, 2] by reference coordinates; along(r, s) runs from -1 to 1 on
-/// side s from its first to its second corner, d_along(s) is its gradient.
+/// psi(r) [count] and dpsi(r) [count, 2] by reference coordinates; side_coordinate(r, s) runs from
+/// -1 to 1 on side s from its first to its second corner, d_side_coordinate(s) is its gradient.
 struct TriangleModes {
   static constexpr int sides = 3;
   static constexpr int count = 4;
@@ -20,13 +20,16 @@ struct TriangleModes {
   /// are rational.
   static constexpr int degree = 6;
 
+  /// The three area coordinates of a point of the triangle; L_0 belongs to the corner at r = 0.
   static Eigen::Vector3d area_coordinates(const shape::Point<2>& r) {
     return {1.0 - r[0] - r[1], r[0], r[1]};
   }
+  /// Gradients of the area coordinates by the reference coordinates, the same at all points.
   static const Eigen::Matrix<double, 3, 2>& slopes() {
     static const Eigen::Matrix<double, 3, 2> d{{-1.0, -1.0}, {1.0, 0.0}, {0.0, 1.0}};
     return d;
   }
+  /// Values of the modes at a point: three of the sides, then the interior bubble. [count]
   static Eigen::Matrix<double, count, 1> psi(const shape::Point<2>& r) {
     const Eigen::Vector3d L = area_coordinates(r);
     Eigen::Matrix<double, count, 1> value;
@@ -38,6 +41,7 @@ struct TriangleModes {
     value[3] = L[0] * L[1] * L[2];
     return value;
   }
+  /// Derivatives of the modes by the reference coordinates. [count, 2]
   static Eigen::Matrix<double, count, 2> dpsi(const shape::Point<2>& r) {
     const Eigen::Vector3d L = area_coordinates(r);
     const Eigen::Matrix<double, 3, 2>& d = slopes();
@@ -51,10 +55,12 @@ struct TriangleModes {
     slope.row(3) = L[1] * L[2] * d.row(0) + L[2] * L[0] * d.row(1) + L[0] * L[1] * d.row(2);
     return slope;
   }
+  /// Coordinate along side s, -1 at its first corner and 1 at its second.
   static double side_coordinate(const shape::Point<2>& r, int s) {
     const Eigen::Vector3d L = area_coordinates(r);
     return L[(s + 1) % 3] - L[s];
   }
+  /// Gradient of the side coordinate by the reference coordinates, the same at all points.
   static Eigen::RowVector2d d_side_coordinate(int s) {
     return slopes().row((s + 1) % 3) - slopes().row(s);
   }
@@ -77,6 +83,7 @@ template <bool centre> struct QuadrilateralModes {
   static constexpr std::array<SideAxes, 4> axes{
       {{0, 1.0, -1.0}, {1, 1.0, 1.0}, {0, -1.0, 1.0}, {1, -1.0, -1.0}}};
 
+  /// Values of the modes at a point: four of the sides, then those of the interior. [count]
   static Eigen::Matrix<double, count, 1> psi(const shape::Point<2>& r) {
     Eigen::Matrix<double, count, 1> value;
     for (int s = 0; s < sides; ++s) {
@@ -93,6 +100,7 @@ template <bool centre> struct QuadrilateralModes {
     }
     return value;
   }
+  /// Derivatives of the modes by the reference coordinates. [count, 2]
   static Eigen::Matrix<double, count, 2> dpsi(const shape::Point<2>& r) {
     Eigen::Matrix<double, count, 2> slope;
     for (int s = 0; s < sides; ++s) {
@@ -113,10 +121,12 @@ template <bool centre> struct QuadrilateralModes {
     }
     return slope;
   }
+  /// Coordinate along side s, -1 at its first corner and 1 at its second.
   static double side_coordinate(const shape::Point<2>& r, int s) {
     const SideAxes& a = axes[static_cast<std::size_t>(s)];
     return a.turn * r[a.along];
   }
+  /// Gradient of the side coordinate by the reference coordinates: a unit vector, with its sign.
   static Eigen::RowVector2d d_side_coordinate(int s) {
     const SideAxes& a = axes[static_cast<std::size_t>(s)];
     Eigen::RowVector2d d = Eigen::RowVector2d::Zero();

@@ -32,6 +32,7 @@ public:
   [[nodiscard]] const std::vector<SolidMode>& modes() const { return modes_; }
   /// Values [mode] and derivatives by reference coordinates [mode, 3].
   [[nodiscard]] base::Vector psi(const base::Vec3& r) const;
+  /// Derivatives of the modes by the reference coordinates at a point. [mode, 3]
   [[nodiscard]] Eigen::MatrixX3d dpsi(const base::Vec3& r) const;
 
 private:
@@ -47,6 +48,8 @@ struct FaceModeAxes {
   std::array<int, 4> number{};
   std::array<double, 4> sign{};
 };
+/// Axes of the modes of a quadrilateral face as an element with these corners sees them, so that
+/// two elements that share it agree.
 FaceModeAxes face_axes(const std::array<base::NodeId, 4>& corners);
 
 } // namespace spricka::estimate

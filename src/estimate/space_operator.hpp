@@ -43,6 +43,8 @@ public:
     base::Vector* nodes = nullptr;
     base::Vector* modes = nullptr;
   };
+  /// Adds the elastic forces of nodal and mode displacements to the vectors asked for, which have
+  /// their sizes already.
   void add_forces(const ModeDisplacements& motion, const ModeForces& forces) const;
 
   /// The 3 by 3 blocks on the diagonal of K_ee. [mode]

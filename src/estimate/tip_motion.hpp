@@ -15,6 +15,7 @@ struct TipMotion {
   double step = 0.0; ///< [length] 1e-4 of the shortest side of an element that is strained
 };
 
+/// The motion of one tip by an extension field; its step follows from the elements of the field.
 TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
                      crack::ExtensionField field);
 

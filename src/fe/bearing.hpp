@@ -37,6 +37,9 @@ bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model
 /// The same pressure as forces at points: the face, where on it from -1 to 1, the force. Their sum
 /// over any partition of unity on the faces is the resultant to round-off.
 using BearingVisit = std::function<void(const model::Face&, double, const base::Vec2&)>;
+/// Visits the points of the edges of a bore with the forces of the pin's pressure [force] there.
+/// False, without a visit, when no edge lies in the loaded half; a load of zero visits nothing and
+/// is true.
 bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                         const BearingVisit& visit);
 
@@ -50,6 +53,8 @@ bool add_solid_bearing(const model::Model& model, const model::Mesh& mesh, const
 /// The same pressure as forces at points: the face, the place on it (r, s, 0), the force.
 using SolidBearingVisit =
     std::function<void(const model::Face&, const base::Vec3&, const base::Vec3&)>;
+/// Visits the points of the faces of a cylindrical bore with the forces of the pin's pressure
+/// [force] there. False where add_solid_bearing is; a load of zero visits nothing and is true.
 bool for_solid_bearing_points(const model::Model& model, const model::Mesh& mesh,
                               const model::Load& load, const SolidBearingVisit& visit);
 

@@ -13,6 +13,7 @@ struct ReferenceChart {
   shape::Point<2> corner, along, across; ///< collapsed: the other two corners less the first
   bool collapsed = false;
 
+  /// The point of the reference element that (a, b) of the square is mapped to.
   [[nodiscard]] shape::Point<2> reference_point(double a, double b) const {
     return collapsed ? shape::Point<2>(corner + a * ((1.0 - b) * along + b * across))
                      : shape::Point<2>(corner + a * along + b * across);

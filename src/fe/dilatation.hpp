@@ -12,6 +12,8 @@ namespace spricka::fe {
 /// volume change is lambda/2 times the integral of the projected theta squared. Compiled in
 /// dilatation.cpp for each element, and for elements known when run.
 template <shape::Element S> struct Dilatation {
+  /// Number of functions phi of an element with so many corners: 1 + dim on quadratic
+  /// quadrilaterals and hexahedra, else 1.
   static constexpr int modes_for(int corners, bool quadratic) {
     return corners == 1 << S::dim && quadratic ? 1 + S::dim : 1;
   }
@@ -34,6 +36,7 @@ template <shape::Element S> struct Dilatation {
   Volume C; ///< integral of phi times the volume change of each freedom
   Gram G;   ///< integral of phi phi^T
 
+  /// Number of functions phi of this element, also where it is known only when run.
   static int mode_count(const S& element) {
     if constexpr (shape::ElementShape<S>) {
       return modes;
@@ -41,6 +44,8 @@ template <shape::Element S> struct Dilatation {
       return modes_for(element.corners, element.quadratic);
     }
   }
+  /// Values of the functions phi at a reference point: 1, then its coordinates where they belong to
+  /// it.
   static Modes phi(const S& element, const shape::Point<S::dim>& r) {
     Modes p(mode_count(element));
     p[0] = 1.0;

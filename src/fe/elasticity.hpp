@@ -23,6 +23,7 @@ struct LameConstants {
   double lambda = 0.0;
   double mu = 0.0;
 };
+/// Lame's constants of an isotropic material by E and nu, lambda reduced in plane stress.
 LameConstants lame_constants(const model::ElasticMaterial& material, model::StressState state);
 
 /// D of sigma = D eps [stress]; dim 2 for plane stress and plane strain, 3 for a solid.

@@ -45,7 +45,8 @@ template <int dim> Strain<dim> strain(const Eigen::Matrix<double, dim, dim>& H) 
   return eps;
 }
 
-/// A stress vector as a symmetric tensor.
+/// A stress vector as a symmetric tensor [dim, dim]: normal components first, then shear in the
+/// order of strain().
 template <int dim> Eigen::Matrix<double, dim, dim> stress_tensor(const Strain<dim>& sigma) {
   Eigen::Matrix<double, dim, dim> T;
   T.diagonal() = sigma.template head<dim>();
@@ -79,6 +80,8 @@ template <shape::Element S> struct VolumeChange {
       projected = Dilatation<S>(element, X, law).project_volume_change(U);
     }
   }
+  /// The volume change at a reference point: the projected one where the law asks for it, else
+  /// `plain`, the one that the displacements themselves have there.
   [[nodiscard]] double at(const shape::Point<S::dim>& r, double plain) const {
     return law.projected ? Dilatation<S>::phi(element, r).dot(projected) : plain;
   }
@@ -90,6 +93,7 @@ template <shape::Element S> struct VolumeChange {
 template <shape::Element S>
 NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
                              const NodeVectors<S>& U);
+/// The same for an element type known when compiled.
 template <shape::ElementShape S>
 NodeVectors<S> element_force(const NodeVectors<S>& X, const ConstitutiveLaw& law,
                              const NodeVectors<S>& U) {

@@ -57,6 +57,7 @@ struct ValueRange {
   base::Vec3 high = -low;
   double largest = 0.0;
 
+  /// Widens the range by the components and the magnitude of one value.
   void add_value(const base::Vec3& v) {
     low = low.cwiseMin(v);
     high = high.cwiseMax(v);
@@ -113,6 +114,8 @@ public:
   [[nodiscard]] int evaluations() const { return evaluations_; }
   [[nodiscard]] bool has_jumps() const { return jumps_; }
 
+  /// Adds the integrals along the line through `line`, all its panels refined, times `weight` to
+  /// the sums.
   void integrate_line(const UnitPoint& line, double weight, LineIntegrals<dim>& sums) {
     for (std::size_t i = 1; i < ends_.size(); ++i) {
       add_panel(line, weight, panel(line, ends_[i - 1], ends_[i]), 0, sums);

@@ -32,6 +32,7 @@ struct CaseTemperature {
   [[nodiscard]] bool is_known_inside(base::ElementId e) const {
     return field.varies(e) && (discontinuous.empty() || !discontinuous[e.index()]);
   }
+  /// Points of the residual temperature inside an element; empty where it leaves no rest.
   [[nodiscard]] std::span<const ResidualTemperaturePoint> element_points(base::ElementId e) const {
     return first.empty() ? std::span<const ResidualTemperaturePoint>()
                          : std::span(points).subspan(first[e.index()],

@@ -17,6 +17,7 @@ struct PatchedMesh {
   const std::vector<base::ElementId>* host = nullptr; ///< [element] invalid: of a patch
   std::vector<base::NodeId> tips;                     ///< where gradients may be singular
 
+  /// Whether an element belongs to a patch round a crack, so that the host has none of it.
   [[nodiscard]] bool is_new(base::ElementId e) const {
     return host != nullptr && !(*host)[e.index()].valid();
   }

@@ -54,6 +54,7 @@ NodeVectors<S> coordinates(const S& element, const model::Mesh& mesh, base::Elem
   }
   return X;
 }
+/// The nodal coordinates [dim, nodes] for an element type known when compiled.
 template <shape::ElementShape S>
 NodeVectors<S> coordinates(const model::Mesh& mesh, base::ElementId e) {
   return coordinates(S{}, mesh, e);
@@ -71,6 +72,7 @@ NodeVectors<S> gather(const S& element, const model::Mesh& mesh, base::ElementId
   }
   return U;
 }
+/// The nodal vectors [dim, nodes] for an element type known when compiled.
 template <shape::ElementShape S>
 NodeVectors<S> gather(const model::Mesh& mesh, base::ElementId e, const base::Vector& u) {
   return gather(S{}, mesh, e, u);
@@ -87,6 +89,7 @@ template <class S> struct Jacobian {
 /// Compiled in jacobian.cpp for each element, and for elements known when run.
 template <shape::Element S>
 Jacobian<S> jacobian(const S& element, const NodeVectors<S>& X, const shape::Point<S::dim>& r);
+/// The Jacobian at a reference point for an element type known when compiled.
 template <shape::ElementShape S>
 Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
   return jacobian(S{}, X, r);
@@ -100,6 +103,7 @@ std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const S& element,
   return shape::quadrature<S::dim>(element.domain,
                                    law.axisymmetric ? std::max(element.degree, 2) : element.degree);
 }
+/// The stiffness rule for an element type known when compiled.
 template <shape::ElementShape S>
 std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const ConstitutiveLaw& law) {
   return stiffness_rule(S{}, law);

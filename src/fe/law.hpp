@@ -36,7 +36,7 @@ struct ConstitutiveLaw {
 ConstitutiveLaw constitutive_law(const model::ElasticMaterial& material,
                                  const model::ElementProperty& property, base::ElementType type);
 
-/// Law of the element `e`.
+/// Law of the element `e` by its property, its material and its type.
 ConstitutiveLaw constitutive_law(const model::Model& model, const model::Mesh& mesh,
                                  base::ElementId e);
 

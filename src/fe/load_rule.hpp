@@ -23,6 +23,7 @@ inline base::Vec3 load_value(const model::Load& load, const base::Vec3& x) {
   return value;
 }
 
+/// Whether no component of a load varies with the place.
 inline bool is_constant(const model::Load& load) {
   return std::ranges::all_of(load.value,
                              [](const base::CompiledExpression& v) { return v.is_constant(); });

@@ -27,6 +27,8 @@ std::vector<PointHit> elements_at(const model::Mesh& mesh, const base::Vec3& poi
 /// Elements at a point that hang together there. Where faces of a crack or two bodies meet there
 /// are several, in mesh order of their first elements.
 using PointSide = std::vector<PointHit>;
+/// Groups the elements at a point into sides, joined by common nodes. Elements that only come near
+/// the point are dropped where another one holds it.
 std::vector<PointSide> separate_sides(const model::Mesh& mesh, const std::vector<PointHit>& hits);
 
 /// Whether two elements have a node in common.

@@ -20,6 +20,7 @@ struct BlockRows {
   std::vector<BlockRow> rows;
 
   [[nodiscard]] std::size_t size() const { return start.size() - 1; }
+  /// Rows of one block, ascending by row of the system.
   [[nodiscard]] std::span<const BlockRow> block_rows(std::size_t block) const {
     return {rows.data() + start[block], static_cast<std::size_t>(start[block + 1] - start[block])};
   }

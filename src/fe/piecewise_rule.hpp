@@ -16,6 +16,9 @@ public:
       : lines_(domain, value, part_of_line * settings.tolerance * amount, settings.smooth, outlier),
         tolerance_(settings.tolerance), least_amount_(amount) {}
 
+  /// The points of the rule over the reference element: cells are halved until the estimate of the
+  /// error is within the tolerance or the bound on evaluations is reached; then `missed` is what is
+  /// left.
   AdaptedRule<dim> build_rule() {
     std::vector<SplitCell> heap{split(cell({}, {1.0, 1.0, 1.0}))};
     double error = heap.front().error;

@@ -25,6 +25,7 @@ public:
 
   /// Whether no term of the degree asked for is left out.
   [[nodiscard]] bool complete() const { return complete_; }
+  /// The fitted stress [stress] at a place, which may lie beyond the samples.
   [[nodiscard]] Stress at(const base::Vec3& x) const;
 
 private:

@@ -36,12 +36,17 @@ public:
   /// Whether an element has to take it out beforehand.
   [[nodiscard]] static bool is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                                         const ConstitutiveLaw& law);
+  /// Temperature of the plane at a place x.
   [[nodiscard]] double temperature(const base::Vec2& x) const {
     return plane_[0] + plane_.tail<2>().dot(x - centre_);
   }
   [[nodiscard]] base::Vec2 temperature_gradient() const { return plane_.tail<2>(); }
+  /// Displacement [length] of the free expansion at a place, zero at the centre of the corners
+  /// (fe.38).
   [[nodiscard]] base::Vec2 displacement(const base::Vec2& x) const;
+  /// Its gradient du_i/dx_j: the same strain in all directions and a rotation.
   [[nodiscard]] Eigen::Matrix2d gradient(const base::Vec2& x) const;
+  /// The displacement [2, nodes] at nodes with the coordinates X.
   [[nodiscard]] AnyNodeVectors<2> at_nodes(const AnyNodeVectors<2>& X) const;
 
 private:
@@ -56,6 +61,7 @@ private:
 template <int dim> class TemperatureFunctions {
 public:
   TemperatureFunctions(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X);
+  /// Values of the functions at a reference point. [corners]
   [[nodiscard]] CornerValues<dim> at(const shape::Point<dim>& r) const;
   /// Their gradients by x; J of the map at r. [corners, dim]
   [[nodiscard]] CornerGradients<dim> gradients(const Eigen::Matrix<double, dim, dim>& J,
@@ -77,6 +83,8 @@ template <int dim> class ThermalStress {
 public:
   ThermalStress(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                 const ConstitutiveLaw& law, const CornerValues<dim>& T);
+  /// The temperature at a reference point, interpolated from the corners; zero where all of these
+  /// are.
   [[nodiscard]] double temperature(const shape::Point<dim>& r) const {
     return cold_ ? 0.0 : T_.dot(functions_.at(r));
   }
@@ -86,6 +94,8 @@ public:
                ? Dilatation<AnyElement<dim>>::phi(*element_, r).dot(projected_)
                : temperature(r);
   }
+  /// The stress that comes off each normal component at a reference point, positive under heat
+  /// [stress].
   [[nodiscard]] double at(const shape::Point<dim>& r) const {
     return cold_ ? 0.0
                  : law_->expansion *
@@ -107,6 +117,8 @@ private:
 /// functions, in solids by TemperatureFunctions; the nearest to the field at the points of a rule.
 template <int dim>
 using Temperature = std::function<double(const Eigen::Matrix<double, dim, 1>& x)>;
+/// The corner temperatures nearest to the field at the points of `rule`, in the functions that the
+/// element takes.
 template <int dim>
 CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                       const ConstitutiveLaw& law,

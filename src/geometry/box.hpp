@@ -25,6 +25,7 @@ template <int dim> struct Box {
     return box;
   }
 
+  /// Makes the box as large as it takes to hold the other one too.
   void extend(const Box& other) {
     low = low.cwiseMin(other.low);
     high = high.cwiseMax(other.high);
@@ -35,14 +36,16 @@ template <int dim> struct Box {
   }
   /// Length of the diagonal; infinite of an empty box.
   [[nodiscard]] double diagonal() const { return (high - low).norm(); }
+  /// Whether a point lies in the box or on its border.
   [[nodiscard]] bool contains(const Point& x) const { return meets({x, x}); }
+  /// Whether two boxes have a point in common, their borders included.
   [[nodiscard]] bool meets(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
   }
   /// Whether the segment between two points meets the box: the stretches of its line between each
   /// pair of faces have a part in common (Kay and Kajiya 1986).
   [[nodiscard]] bool meets_segment(const Point& from, const Point& to) const;
-  /// Distance of a point; 0 inside.
+  /// Distance of a point from the box; 0 inside [length].
   [[nodiscard]] double distance(const Point& x) const {
     return (low - x).cwiseMax(x - high).cwiseMax(0.0).norm();
   }

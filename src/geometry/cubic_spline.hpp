@@ -31,12 +31,17 @@ public:
 
   /// Where a parameter lies; at an inner knot the interval behind it.
   [[nodiscard]] SplinePosition locate(double x) const;
+  /// The value at a place; the end cubics go on beyond the knots.
   [[nodiscard]] Value value(const SplinePosition& at) const;
+  /// The derivative by the parameter at a place.
   [[nodiscard]] Value first_derivative(const SplinePosition& at) const; ///< [1/parameter]
+  /// The second derivative by the parameter at a place, linear within each interval.
   [[nodiscard]] Value second_derivative(const SplinePosition& at) const;
+  /// The value at a parameter, located first.
   [[nodiscard]] Value value(double x) const { return value(locate(x)); }
 
   [[nodiscard]] std::size_t interval_count() const { return knots_.size() - 1; }
+  /// Length of an interval in the parameter.
   [[nodiscard]] double interval_width(std::size_t i) const { return knots_[i + 1] - knots_[i]; }
   [[nodiscard]] const std::vector<double>& knots() const { return knots_; }
   [[nodiscard]] const std::vector<Value>& values() const { return values_; }

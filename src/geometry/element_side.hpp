@@ -74,6 +74,7 @@ struct ElementSide {
     }
   }
 
+  /// Local coordinates of a node; the second of an edge's is 0.
   [[nodiscard]] base::Vec2 node_coordinates(int node) const;
   /// The middle of the domain.
   [[nodiscard]] base::Vec2 centre() const;
@@ -85,16 +86,19 @@ struct ElementSide {
   /// Local coordinates at t [-1,1] on the edge of a face from corner i to the next.
   [[nodiscard]] base::Vec2 edge_coordinates(int i, double t) const;
 
-  /// Shape functions.
+  /// Shape functions at local coordinates, one for each node of the side.
   [[nodiscard]] SideValues N(const base::Vec2& r) const;
-  /// Their derivatives; with respect to the second coordinate of an edge zero.
+  /// Derivatives of the shape functions by the local coordinates; by the second one of an edge
+  /// zero.
   [[nodiscard]] SideDerivatives dN(const base::Vec2& r) const;
 
+  /// The point of the side at local coordinates.
   [[nodiscard]] base::Vec3 position(const base::Vec2& r) const { return X * N(r); }
   /// dx/dr; of an edge the second is the normal of the plane.
   [[nodiscard]] SideTangents tangents(const base::Vec2& r) const;
+  /// Position and tangents of the side at local coordinates.
   [[nodiscard]] SidePoint point(const base::Vec2& r) const { return {position(r), tangents(r)}; }
-  /// As SidePoint has it.
+  /// Normal of the side at local coordinates, as long as the area of a unit of them (SidePoint).
   [[nodiscard]] base::Vec3 area_vector(const base::Vec2& r) const {
     return SidePoint{base::Vec3::Zero(), tangents(r)}.area_vector();
   }

@@ -37,7 +37,7 @@ template <int dim>
   return {part, (x - a - part * (b - a)).norm()};
 }
 
-/// Distance of x from the segment from a to b.
+/// Distance of x from the segment from a to b, both ends included [length].
 template <int dim>
 [[nodiscard]] double distance_to_segment(const shape::Point<dim>& x,
                                          const std::type_identity_t<shape::Point<dim>>& a,

@@ -25,8 +25,11 @@ public:
 
   [[nodiscard]] double length() const { return arc_.back(); }
   [[nodiscard]] bool closed() const { return closed_; }
+  /// Place, derivatives and interval at arc length s [length]; beyond an open end on its tangent.
   [[nodiscard]] SplineCurvePoint point(double s) const;
+  /// The place alone at arc length s [length].
   [[nodiscard]] base::Vec3 at(double s) const { return point(s).x; }
+  /// Unit tangent of the curve at arc length s [length], towards larger s.
   [[nodiscard]] base::Vec3 tangent(double s) const { return point(s).first.normalized(); }
   [[nodiscard]] double curvature(double s) const; ///< [1/length] magnitude; 0 beyond an end
   /// The length at which the curve is nearest to x; below 0 or above length() beyond an open end.

@@ -17,13 +17,22 @@ class EllipticalFront final : public FrontKinematics {
 public:
   explicit EllipticalFront(const model::Model& model);
 
+  /// Takes centres and axes of the ellipses, and the arms of those that took others up, out of the
+  /// state. Throws std::out_of_range where a file is broken.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] CrackGeometry current_state() override;
+  /// Half axis of the deck's ellipse that ends at a tip [length].
   [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
+  /// The ellipses with longer axes: an arm whose opposite end lies in the body too shifts the
+  /// centre by half. Empty, with an error, where no ellipse is about two that meet.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
                                               base::Diagnostics& diagnostics) override;
+  /// Turns the rates at the places of K into rates of the axes' ends, by how each end moves each
+  /// place.
   void locate_tips(std::vector<TipStation>& found) const override;
+  /// Keeps the ellipses on trial, as centre and axes of each crack in `state`.
   void accept_trial(GrowthState& state) override;
+  /// The ellipses as they are: an ellipse has nothing to look ahead to, whatever the advance.
   [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
                                               double advance) const override;
 

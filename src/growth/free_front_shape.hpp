@@ -26,20 +26,34 @@ public:
 
   explicit FreeFrontShape(const model::Model& model);
 
+  /// Takes the points of all fronts and their history out of the state and finds their arcs in the
+  /// body anew. Throws std::out_of_range where a file is broken.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] bool can_kink() const override;
   [[nodiscard]] double kink_scatter() const override;
+  /// As of all fronts in space; it also ends a front that has turned too far out of its first
+  /// plane.
   [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
                                         double ds) const override;
   [[nodiscard]] CrackGeometry current_state() override;
+  /// Length of a tip's arm in the deck's front, from the place of its crack [length].
   [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
+  /// Replaces the advances of each front by those of its smooth shape, with their mean kept. Fronts
+  /// that do not grow, or without a bound, are left as they are. Always true.
   bool smooth_front(const GrowthState& state, std::vector<double>& by) const override;
+  /// Lets waves of the deferred advances along each front die away with its mean advance.
   void damp_deferred(std::vector<double>& deferred_advance,
                      const std::vector<double>& by) const override;
+  /// The fronts drawn anew through their advanced points. Empty, with an error, where a front would
+  /// fall into several parts or two that meet would have no common one.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
                                               base::Diagnostics& diagnostics) override;
+  /// Places the turning of each tip and smooths the rates along each front whose rates are finite.
   void locate_tips(std::vector<TipStation>& found) const override;
+  /// Keeps the fronts on trial with what follows from them: turning, ligaments, uncertain parts of
+  /// the rates. The points and the history of each crack go into `state`.
   void accept_trial(GrowthState& state) override;
+  /// The fronts as they are: no look ahead, whatever the advance.
   [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
                                               double advance) const override;
 
@@ -56,9 +70,11 @@ private:
     std::vector<std::size_t> tips; ///< in the order along it
     BodyFrontArc arc;
     std::vector<base::Vec3> line{}; ///< on trial: as it is drawn, out of the body at its ends
+    /// Place and axes of the front at the tip of a number along it, 0 the first.
     [[nodiscard]] mesh::FrontFrame frame_at(std::size_t number) const {
       return frame_between(static_cast<double>(number));
     }
+    /// The same between two tips, by a number that need not be whole.
     [[nodiscard]] mesh::FrontFrame frame_between(double number) const {
       return arc.curve.at(arc.arc_position(number, tips.size()));
     }

@@ -17,7 +17,7 @@ inline bool is_merged(const model::CrackDefinition& crack) {
   return crack.kind == model::CrackDefinitionKind::drawn && crack.points.empty();
 }
 
-/// Makes it one.
+/// Makes a crack one that has become a part of another: drawn, without points.
 inline void mark_merged(model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::drawn;
   crack.points.clear();
@@ -29,9 +29,14 @@ class FrontKinematics : public CrackKinematics {
 public:
   [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
   [[nodiscard]] bool can_kink() const override { return false; }
+  /// What is left to the largest length that $GROW allows, unbounded without one [length].
   [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
+  /// Limits the advance by surfaces ahead, by other fronts and by the front's own size. Where next
+  /// to nothing is left it offers a breakthrough if the front goes on behind, else the end.
   [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
                                         double ds) const override;
+  /// Ends the growth at a surface that is next to reached, else because no mesh could be made.
+  /// Empty the first time where a breakthrough, earlier than usual, is another way.
   [[nodiscard]] std::optional<GrowthStop>
   reject_advance(const GrowthState& state, bool broke_through, const std::string& why) override;
 

@@ -21,7 +21,9 @@ struct GrowthState {
 
 /// As named arrays for a restart file, and back; empty if they are not those of a state.
 using Arrays = std::map<std::string, std::vector<double>>;
+/// The stations, the lines and the step control as flat arrays of numbers, each under its name.
 Arrays to_arrays(const GrowthState& state);
+/// Back from there. Empty where an array is missing or its length does not fit.
 std::optional<GrowthState> from_arrays(const Arrays& arrays);
 
 /// A number among those that a crack kept in State::lines which is an index below `count`. Throws

@@ -51,9 +51,13 @@ public:
   /// stations [>= 1], s ascending; `points` of each polynomial, at most as many as there are.
   GrowthTrajectory(const std::vector<SolvedStation>& stations, Law law, std::size_t points);
 
+  /// Rate of the sum of all arms at s, added up over the tips [length/cycle].
   [[nodiscard]] double growth_rate(double s) const; ///< ds per cycle
+  /// Largest K of a tip at s, interpolated by its logarithm where all stations have a positive one.
   [[nodiscard]] double K_max(std::size_t tip, double s) const;
+  /// Plastic load ratio of a tip, interpolated between the stations.
   [[nodiscard]] double plastic_load_ratio(std::size_t tip, double s) const;
+  /// Arm of a tip at s, by a cubic of which the arms of all tips add up to s [length].
   [[nodiscard]] double crack_extent(std::size_t tip, double s) const;
   /// Cycles from s0 to s1, both within the stations: Gauss on parts of each interval (growth.4).
   [[nodiscard]] double cycles(double s0, double s1) const;

@@ -31,6 +31,8 @@ struct FaceChain {
   std::vector<model::Face> faces;
   bool closed = false;
 };
+/// Strings edges together from end to end: open chains from their free ends, then what is closed.
+/// Every edge of `faces` is in one chain.
 std::vector<FaceChain> build_chains(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 
 } // namespace spricka::mesh

@@ -36,6 +36,7 @@ public:
     }
   }
 
+  /// The index of a label; empty where the list does not hold it.
   template <class Label> [[nodiscard]] std::optional<std::size_t> find(Label number) const {
     const auto label = static_cast<std::uint64_t>(number); // negative ones are far away
     if (!near_.empty()) {

@@ -13,6 +13,7 @@ class NodeElements {
 public:
   explicit NodeElements(const model::Mesh& mesh);
 
+  /// Elements that have a node, ascending; empty for a node of none.
   [[nodiscard]] std::span<const base::ElementId> elements_around(base::NodeId node) const {
     return std::span(elements_).subspan(start_[node.index()],
                                         start_[node.index() + 1] - start_[node.index()]);

@@ -8,6 +8,7 @@
 /// Plane geometry of points, segments and polygons, for decisions on rounded coordinates.
 namespace spricka::mesh {
 
+/// The cross product of two vectors in the plane: positive where v lies to the left of u.
 inline double cross(const base::Vec2& u, const base::Vec2& v) {
   return u.x() * v.y() - u.y() * v.x();
 }
@@ -20,6 +21,8 @@ struct ClosestApproach {
   base::Vec2 at = base::Vec2::Zero();
   double distance = std::numeric_limits<double>::max();
 };
+/// Nearest approach of the segment a b to the segment c d: at their crossing, else where an end of
+/// either is nearest.
 ClosestApproach closest_approach(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c,
                                  const base::Vec2& d);
 
@@ -41,8 +44,11 @@ struct PlanarCrackFrame {
   base::Vec3 e1 = base::Vec3::UnitX();
   double a = 1.0;
 
+  /// Coordinates of a point in the frame, in units of `a`, not rounded.
   [[nodiscard]] base::Vec2 exact_local(const base::Vec3& x) const;
+  /// Coordinates of a point in the frame, in units of `a`, for decisions.
   [[nodiscard]] base::Vec2 rounded_local(const base::Vec3& x) const; ///< rounded
+  /// The point of the mesh at coordinates in the frame [length], z that of the origin.
   [[nodiscard]] base::Vec3 global(const base::Vec2& x) const;
 };
 

@@ -16,20 +16,26 @@ struct PlaneEdge {
   double length = 0.0; ///< of the curve, by three Gauss points
 };
 
+/// The edge of a plane element at a side, with nodes, coordinates and length.
 PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face);
 
 /// Shape functions of an edge of `count` nodes and their derivatives at xi; entry 2 is zero for
 /// straight edges.
 std::array<double, 3> edge_N(int count, double xi);
+/// Derivatives of the shape functions by xi; entry 2 is zero for straight edges.
 std::array<double, 3> edge_dN(int count, double xi);
+/// Values of the shape functions of an edge at xi; entry 2 is zero for straight edges.
 inline std::array<double, 3> edge_N(const PlaneEdge& edge, double xi) {
   return edge_N(edge.count, xi);
 }
+/// Derivatives of the shape functions of an edge by xi.
 inline std::array<double, 3> edge_dN(const PlaneEdge& edge, double xi) {
   return edge_dN(edge.count, xi);
 }
 
+/// The place on an edge at xi, from -1 to 1.
 base::Vec2 point_on(const PlaneEdge& edge, double xi);
+/// Tangent of an edge at xi in the direction in which it runs, not of unit length.
 base::Vec2 tangent_on(const PlaneEdge& edge, double xi); ///< dx/dxi
 /// Unit normal that leaves the body.
 base::Vec2 outer_normal(const PlaneEdge& edge, double xi);

@@ -34,7 +34,7 @@ struct MeshFaults {
 /// are accepted.
 MeshFaults mesh_faults(const model::Mesh& mesh);
 
-/// The bad elements alone.
+/// Elements that cannot be computed with, ascending: mesh_faults without the folded corners.
 std::vector<InvalidElement> bad_elements(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

@@ -59,16 +59,20 @@ struct Mesh {
 
   [[nodiscard]] std::size_t node_count() const { return x.size(); }
   [[nodiscard]] std::size_t element_count() const { return type.size(); }
+  /// Nodes of an element in the order of its type, a view into `nodes`.
   [[nodiscard]] std::span<const base::NodeId> element_nodes(base::ElementId e) const {
     const auto begin = static_cast<std::size_t>(first[e.index()]);
     return {nodes.data() + begin, static_cast<std::size_t>(first[e.index() + 1]) - begin};
   }
+  /// The node set of an id, which must be valid.
   [[nodiscard]] const NodeSet& set_with_id(base::NodeSetId id) const {
     return node_sets[id.index()];
   }
+  /// The element set of an id, which must be valid.
   [[nodiscard]] const ElementSet& set_with_id(base::ElementSetId id) const {
     return element_sets[id.index()];
   }
+  /// The face set of an id, which must be valid.
   [[nodiscard]] const FaceSet& set_with_id(base::FaceSetId id) const {
     return face_sets[id.index()];
   }

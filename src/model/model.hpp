@@ -68,9 +68,12 @@ struct Model {
   std::vector<SpectrumDefinition> spectra;
   std::vector<GrowthTestReadings> tests;
 
+  /// Property of an element of the mesh `m`, the model's own or one that cracks have cut out of it.
+  /// The element must have one.
   [[nodiscard]] const ElementProperty& element_property(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];
   }
+  /// Elastic material of the property of an element.
   [[nodiscard]] const ElasticMaterial& element_material(const Mesh& m, base::ElementId e) const {
     return materials[element_property(m, e).material.index()];
   }

@@ -15,6 +15,8 @@ struct PropertyPoints {
   std::vector<base::NodeId> node;
 };
 
+/// Numbers the points of a mesh by its elements in their order; a node without an element has one
+/// too.
 PropertyPoints property_points(const Mesh& mesh);
 
 } // namespace spricka::model

@@ -11,13 +11,17 @@ namespace spricka::report {
 /// Collects an HTML page in the report's style and numbers its figures.
 class HtmlPage {
 public:
+  /// Adds HTML as it is, without escapes.
   void add_html(std::string_view html) { body_ += html; }
   /// `id`: where links of the page may lead; may be empty.
   void add_heading(std::string_view words, std::string_view id = "");
+  /// Adds a paragraph of plain text, with escapes.
   void add_paragraph(std::string_view words);
   /// Tables without rows are left out.
   void add_table(const ReportTable& table);
+  /// Adds drawings with legend and caption under the next figure number.
   void add_figure(const Figure& figure);
+  /// The whole HTML document with style sheet and title.
   [[nodiscard]] std::string finish_page(const std::string& title) const;
 
 private:

@@ -56,8 +56,10 @@ struct ContactPointQuantity {
   bool friction = false; ///< shown where there is some; results.h5 has it always
   bool space = false;    ///< in pressure.csv only between solids
 
+  /// Whether the quantity is shown in an output.
   [[nodiscard]] bool appears_in(ContactPointOutput place) const { return (places & place) != 0; }
   [[nodiscard]] bool is_word() const { return state != nullptr; }
+  /// The number of this quantity at a point; not for one that is a word.
   [[nodiscard]] double extract_value(const ContactPoint& point) const {
     return member != nullptr ? point.*member : computed(point);
   }

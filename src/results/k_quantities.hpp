@@ -59,16 +59,18 @@ struct KQuantity {
   [[nodiscard]] bool appears_in(KOutput place, int dim) const {
     return ((dim == 2 ? tip_places : front_places) & place) != 0;
   }
+  /// The number of this quantity at a point of a front, from its record or computed.
   [[nodiscard]] double extract_value(const FrontResult& front,
                                      const FrontPointResult& point) const {
     return member != nullptr ? point.*member : computed(front, point);
   }
-  /// Of a tip.
+  /// The number of this quantity at a tip in the plane.
   [[nodiscard]] double extract_value(const FrontResult& front) const {
     return extract_value(front, front.tip());
   }
   /// Whether a front has it, at some points at least.
   [[nodiscard]] bool is_given(const FrontResult& front) const;
+  /// Whether a point of a front has it: error bars are not given at surfaces.
   [[nodiscard]] bool is_given(const FrontResult& front, const FrontPointResult& point) const {
     return is_given(front) && !(given == KQuantityCondition::with_bar && point.at_surface);
   }
@@ -76,6 +78,7 @@ struct KQuantity {
   [[nodiscard]] bool is_number(const FrontResult& front) const {
     return is_given(front) || given == KQuantityCondition::in_one_material;
   }
+  /// The same at a point of a front, where an error bar at a surface is none.
   [[nodiscard]] bool is_number(const FrontResult& front, const FrontPointResult& point) const {
     return is_given(front, point) || given == KQuantityCondition::in_one_material;
   }
@@ -84,16 +87,18 @@ struct KQuantity {
   [[nodiscard]] std::string check_word() const; ///< "K1.BAR"
 };
 
+/// Half width of the error bar of K1, K2 or K3 (k = 0, 1, 2) at a point.
 template <std::size_t k>
 double error_bar_size(const FrontResult& /*front*/, const FrontPointResult& point) {
   return point.bar[k].size();
 }
+/// One part of the error bar of K1, K2 or K3 (k = 0, 1, 2) at a point.
 template <std::size_t k, double KErrorBar::*part>
 double error_bar_part(const FrontResult& /*front*/, const FrontPointResult& point) {
   return point.bar[k].*part;
 }
 
-/// The error bar of K1, K2 or K3, or a part of it.
+/// A quantity that is the error bar of K1, K2 or K3, or a part of it: given with a bar alone.
 constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
                                        double (*computed)(const FrontResult&,
                                                           const FrontPointResult&),

@@ -70,6 +70,7 @@ struct LoadPathResult {
 
 /// The entries of that name, or null.
 const LoadPathFront* find_front(const LoadPathResult& path, std::string_view front);
+/// The contact of that name on a load path; null: none.
 const LoadPathContact* find_contact(const LoadPathResult& path, std::string_view contact);
 
 /// K1 (mode 1) or K2 under a times the loads and fits of `from` plus b times those of `to`, by

@@ -50,6 +50,8 @@ struct GrowthTestComparison {
   double rms = 0.0;    ///< of K_exp / computed - 1
   double inside = 0.0; ///< share of points whose band holds the computed K
 };
+/// Compares measured and computed K over the points in the range; without any, the numbers are no
+/// numbers and `points` is 0.
 GrowthTestComparison compare_test_k(const GrowthTestResult& test, double from, double to);
 
 /// K_exp at a length between two points, straight in the logarithms; not a number elsewhere.

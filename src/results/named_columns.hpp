@@ -20,6 +20,7 @@ struct ColumnTable {
   };
   std::vector<NamedColumn> columns;
 
+  /// Length of the first column, which all others have too; 0 without columns.
   [[nodiscard]] std::size_t rows() const {
     return columns.empty() ? 0
                            : std::visit([](const auto& v) { return v.size(); }, columns[0].values);

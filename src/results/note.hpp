@@ -20,6 +20,7 @@ struct Note {
   bool operator==(const Note&) const = default;
 };
 
+/// A text for the reader that puts nothing of the results in doubt.
 inline Note note(std::string text) {
   return {std::nullopt, std::move(text)};
 }
@@ -31,10 +32,12 @@ inline Note questionable_note(std::string text) {
 inline Note less_exact_note(std::string text) {
   return {base::ResultConcern::less_exact, std::move(text)};
 }
+/// A warning that a result asked for has no valid answer, with the reason.
 inline Note invalid_result_note(std::string text) {
   return {base::ResultConcern::no_answer, std::move(text)};
 }
 
+/// Whether a note says that something is in doubt.
 inline bool is_warning(const Note& note) {
   return note.kind.has_value();
 }
@@ -47,6 +50,7 @@ std::vector<Note> make_notes(const std::vector<std::string>& texts);
 
 /// "warning W508: text", of a note the text alone: as listings show it and files keep it.
 std::string text_with_code(const Note& note);
+/// The same of each note, in their order.
 std::vector<std::string> text_with_code(const std::vector<Note>& notes);
 /// Back from what files keep.
 std::vector<Note> parse_notes(const std::vector<std::string>& texts);
@@ -61,6 +65,7 @@ struct Warning {
 
 /// "W508: text", as listings show it and files keep it.
 std::string text_with_code(const Warning& warning);
+/// The same of each warning, in their order.
 std::vector<std::string> text_with_code(const std::vector<Warning>& warnings);
 /// Back from what files keep.
 std::vector<Warning> parse_warnings(const std::vector<std::string>& texts);

@@ -121,8 +121,11 @@ struct RunResult {
 
 /// The entry of that name, or null; names as the deck's, upper case.
 const StepResult* find_step(const Increment& increment, std::string_view step);
+/// The crack front or tip of that name in a step, or null.
 const FrontResult* find_front(const StepResult& step, std::string_view front);
+/// The contact of that name in a step, or null.
 const ContactResult* find_contact(const StepResult& step, std::string_view contact);
+/// The load path of that name in an increment, or null.
 const LoadPathResult* find_path(const Increment& increment, std::string_view path);
 
 /// The front of that name at the end of that step where its crack has the length nearest to `a`

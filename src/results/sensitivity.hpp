@@ -38,7 +38,7 @@ struct SensitivityResults {
   std::vector<std::string> notes; ///< why some or all are not given
 };
 
-/// "LOAD", "FIT", "E", "A", "C".
+/// The word of a parameter in listings and decks: "LOAD", "FIT", "E", "A", "C".
 std::string display_word(SensitivityParameter cause);
 
 } // namespace spricka::results

@@ -33,6 +33,7 @@ template <std::size_t n> inline constexpr std::size_t row_width<std::array<doubl
 /// Collects records row by row.
 class RecordPacker {
 public:
+  /// Appends a record as a row, its members in the order of fields(); all records of one type.
   template <class T> void add_record(const T& record) {
     column_ = child_ = 0;
     fields(*this, record);
@@ -193,6 +194,7 @@ public:
   }
 
   [[nodiscard]] std::size_t rows() const { return table_.rows(); }
+  /// The record of the next row. Throws StoreError where there is none left.
   template <class T> T next_record() {
     if (row_ >= rows()) {
       throw StoreError(name_ + " has too few rows");
@@ -382,6 +384,7 @@ void write_record_list(const StoreGroup& group, const std::string& name,
   packer.write(group, name);
 }
 
+/// A list of records from table NAME; empty where the folder has no such table.
 template <class T>
 std::vector<T> read_record_list(const StoreGroup& group, const std::string& name) {
   RecordUnpacker unpacker(group, name);

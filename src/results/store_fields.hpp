@@ -40,6 +40,8 @@ template <class V, Of<SensitivityResults> T> void fields(V& v, T& r) {
   v("notes", r.notes);
 }
 
+/// Numbers of a front point: those of the table of quantities first, the ones that judge others
+/// last.
 template <class V, Of<FrontPointResult> T> void fields(V& v, T& r) {
   v("number", r.number);
   v("at", r.x);
@@ -72,6 +74,7 @@ template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
   v("sensitivities", r.sensitivities);
 }
 
+/// A contact point by the table of its quantities; computed ones are not kept.
 template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
   v("node", r.node);
   v("at", r.x);

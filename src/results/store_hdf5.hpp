@@ -16,10 +16,12 @@
 /// What the sources of this room share of HDF5's C interface; nobody else includes it.
 namespace spricka::results {
 
+/// Throws a StoreError with this sentence.
 [[noreturn]] inline void fail(const std::string& what) {
   throw StoreError(what);
 }
 
+/// Passes a status on; negative ones are thrown as StoreError "cannot ...".
 inline herr_t check_status(herr_t status, std::string_view what) {
   if (status < 0) {
     fail(fmt::format("cannot {}", what));
@@ -46,6 +48,7 @@ public:
     }
   }
   [[nodiscard]] hid_t get() const { return id_; }
+  /// Closes the item ahead of its end of life, so that a failure is thrown as StoreError.
   void close(std::string_view what) { check_status(close_(std::exchange(id_, -1)), what); }
 
 private:
@@ -55,6 +58,7 @@ private:
 
 /// Strings of a fixed length, filled up with zeros.
 Hdf5Id text_type(std::size_t longest);
+/// The text in `size` bytes, zeros at its end taken off.
 std::string text_from(const char* bytes, std::size_t size);
 
 /// Types of an array in the file and in memory.
@@ -74,8 +78,11 @@ struct OpenArray {
   std::size_t count = 0;
 };
 
+/// Opens an array of a folder. Throws StoreError where there is none, and where its data are in
+/// another file or were never stored.
 OpenArray open_array(hid_t group, const std::string& name);
 
+/// All numbers of an array, read as the type `memory`. Throws StoreError for data of another kind.
 template <class T>
 std::vector<T> read_numbers(hid_t group, const std::string& name, hid_t memory, H5T_class_t kind) {
   const OpenArray array = open_array(group, name);
@@ -91,9 +98,12 @@ std::vector<T> read_numbers(hid_t group, const std::string& name, hid_t memory, 
   return values;
 }
 
+/// Opens an attribute of a folder. Throws StoreError where there is none.
 Hdf5Id open_attribute(hid_t group, const std::string& name);
+/// Writes one value as an attribute of a folder, in the type given.
 void write_attribute(hid_t group, const std::string& name, hid_t type, const void* value);
 
+/// One number that is an attribute, read as the type `memory`. Throws StoreError for another kind.
 template <class T>
 T read_attribute(hid_t group, const std::string& name, hid_t memory, H5T_class_t kind) {
   const Hdf5Id item = open_attribute(group, name);

@@ -15,6 +15,7 @@ enum class TimeRecording { kept, left_out };
 
 /// One crack length into a folder: mesh, surface, load paths and steps.
 void write_increment(const StoreGroup& given, const Increment& increment);
+/// Reads back what write_increment has written. Throws StoreError.
 Increment read_increment(const StoreGroup& group);
 
 /// A run: increments/0001, ..., checks, warnings, rounds, growth; with times also the log, CPU
@@ -22,15 +23,20 @@ Increment read_increment(const StoreGroup& group);
 /// and element values; empty: all whole. [increment]
 void write_run(const StoreGroup& given, const RunResult& run, TimeRecording times,
                const std::vector<bool>& fields = {});
+/// Reads back what write_run has written; times and log stay empty where the file has none. Throws
+/// StoreError.
 RunResult read_run(const StoreGroup& group);
 /// The checks of a run alone.
 std::vector<CheckResult> read_checks(const StoreGroup& group);
 
+/// Writes arrays for a restart into the folders reals, integers and texts.
 void write_arrays(const StoreGroup& group, const NamedArrays& arrays);
+/// Reads back what write_arrays has written. Throws StoreError.
 NamedArrays read_arrays(const StoreGroup& group);
 
 /// The lines of a log as the table NAME.
 void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log);
+/// Reads back the lines of a log; empty where there is no such table.
 std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name);
 
 /// The tables that people ask for first, of all increments and steps in one piece: k, pressure,

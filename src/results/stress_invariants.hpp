@@ -7,6 +7,7 @@ namespace spricka::results {
 /// A stress as results keep it: xx yy zz xy yz zx.
 using Stress = std::array<double, 6>;
 
+/// Equivalent stress by the energy of distortion, never negative [stress].
 double von_mises(const Stress& s);
 
 /// Principal stresses, the largest first.

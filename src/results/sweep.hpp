@@ -18,7 +18,7 @@ struct SweepCell {
   int increment = 0;
   double value = 0.0;
 
-  /// "K1:TOP:LOAD:1"
+  /// Heading of the column of this number, "K1:TOP:LOAD:1"; parts that do not apply are left out.
   [[nodiscard]] std::string column_name() const {
     std::string text = quantity;
     for (const std::string& part :

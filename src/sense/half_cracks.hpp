@@ -22,6 +22,8 @@ struct HalfModelPlane {
   [[nodiscard]] double signed_distance(const base::Vec3& x) const { return sign * (x[axis] - at); }
 };
 
+/// The plane x_axis = `at` [length] of a symmetric half; what lies in it is decided by the size of
+/// the mesh.
 HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& request,
                                      double at);
 

@@ -15,8 +15,9 @@ public:
   BoundarySamples(const model::Mesh& mesh, std::vector<model::Face> faces,
                   const std::vector<base::NodeId>& nodes = {});
 
+  /// Whether a point lies on one of the faces or nodes, within the tolerance of each.
   [[nodiscard]] bool contains_point(const base::Vec3& x) const;
-  /// Nodes of the faces and their centres, and the nodes: has() is true of each.
+  /// Nodes of the faces and their centres, and the nodes: contains_point() is true of each.
   [[nodiscard]] const std::vector<base::Vec3>& samples() const { return samples_; }
 
 private:

@@ -48,6 +48,7 @@ std::span<const QuadraturePoint<dim>> quadrature(ReferenceDomain domain, int deg
                                                   : hexahedron_rule(degree);
   }
 }
+/// The rule of a shape's own domain that is exact up to a degree.
 template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {
   return quadrature<S::dim>(S::domain, degree);
 }

@@ -30,9 +30,9 @@ template <int d> struct ReferenceElement {
   Values (*N)(const Point<d>& r) = nullptr;
   SplineDerivatives (*dN)(const Point<d>& r) = nullptr;
   std::span<const std::array<double, d>> coordinates; ///< of its nodes
-  const ReferenceElement* relative = nullptr;         ///< of a quadratic element, see linear()
+  const ReferenceElement* relative = nullptr; ///< of a quadratic element, see linear_element()
 
-  /// Reference coordinates of node i.
+  /// Reference coordinates of node i by the table of the element.
   [[nodiscard]] Point<d> node_coordinates(int i) const {
     return Eigen::Map<const Point<d>>(coordinates[static_cast<std::size_t>(i)].data());
   }

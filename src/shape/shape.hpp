@@ -57,7 +57,9 @@ struct Line2 {
   static constexpr ReferenceDomain domain = ReferenceDomain::line;
   static constexpr std::array<std::array<double, 1>, 2> coordinates{{{-1.0}, {1.0}}};
 
+  /// Linear functions of the two ends.
   static Eigen::Matrix<double, 2, 1> N(const Point<1>& r);
+  /// Their derivatives, the same at all points.
   static Eigen::Matrix<double, 2, 1> dN(const Point<1>& r);
 };
 
@@ -68,7 +70,9 @@ struct Line3 {
   static constexpr ReferenceDomain domain = ReferenceDomain::line;
   static constexpr std::array<std::array<double, 1>, 3> coordinates{{{-1.0}, {1.0}, {0.0}}};
 
+  /// Quadratic functions of ends and middle.
   static Eigen::Matrix<double, 3, 1> N(const Point<1>& r);
+  /// Their derivatives by the coordinate of the line.
   static Eigen::Matrix<double, 3, 1> dN(const Point<1>& r);
 };
 
@@ -82,7 +86,9 @@ struct Trim3 {
   static constexpr std::array<std::array<double, 2>, 3> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
 
+  /// Linear functions of the corners: the area coordinates.
   static Eigen::Matrix<double, 3, 1> N(const Point<2>& r);
+  /// Their derivatives, the same at all points.
   static Eigen::Matrix<double, 3, 2> dN(const Point<2>& r);
 };
 
@@ -99,7 +105,9 @@ struct Trimc6 {
   static constexpr std::array<std::array<double, 2>, 6> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}}};
 
+  /// Complete quadratic functions in area coordinates, corners first, then middles of the sides.
   static Eigen::Matrix<double, 6, 1> N(const Point<2>& r);
+  /// Their derivatives by the reference coordinates, linear.
   static Eigen::Matrix<double, 6, 2> dN(const Point<2>& r);
 };
 
@@ -113,7 +121,9 @@ struct Quam4 {
   static constexpr std::array<std::array<double, 2>, 4> coordinates{
       {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
 
+  /// Bilinear functions of the corners.
   static Eigen::Matrix<double, 4, 1> N(const Point<2>& r);
+  /// Their derivatives by the reference coordinates.
   static Eigen::Matrix<double, 4, 2> dN(const Point<2>& r);
 };
 
@@ -135,7 +145,9 @@ struct Quamc8 {
                                                                      {-1.0, 0.0}}};
 
   // Corner i at (p, q): N = (1 + p x)(1 + q y)(p x + q y - 1) / 4.
+  /// Functions of the serendipity quadrilateral: corners, then middles of the sides.
   static Eigen::Matrix<double, 8, 1> N(const Point<2>& r);
+  /// Their derivatives by the reference coordinates.
   static Eigen::Matrix<double, 8, 2> dN(const Point<2>& r);
 };
 
@@ -160,11 +172,13 @@ struct Quamc9 {
   static constexpr std::array<std::array<int, 2>, 9> factors{
       {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {1, 2}, {2, 1}, {0, 2}, {2, 2}}};
 
+  /// Biquadratic functions, products of those of Line3 in x and in y; the centre last.
   static Eigen::Matrix<double, 9, 1> N(const Point<2>& r);
+  /// Their derivatives by the reference coordinates.
   static Eigen::Matrix<double, 9, 2> dN(const Point<2>& r);
 };
 
-/// Reference coordinates of node i.
+/// Reference coordinates of node i of a shape known when compiled.
 template <Shape S> Point<S::dim> node_coordinates(int i) {
   return Eigen::Map<const Point<S::dim>>(S::coordinates[static_cast<std::size_t>(i)].data());
 }
@@ -179,6 +193,7 @@ template <int dim> Point<dim> centre(ReferenceDomain domain) {
   }
   return middle;
 }
+/// The middle of the domain of a shape known when compiled.
 template <Shape S> Point<S::dim> centre() {
   return centre<S::dim>(S::domain);
 }
@@ -196,6 +211,7 @@ template <int dim> double distance_outside(ReferenceDomain domain, const Point<d
   }
   return r.cwiseAbs().maxCoeff() - 1.0;
 }
+/// How far a point lies outside the domain of a shape known when compiled; negative inside.
 template <Shape S> double distance_outside(const Point<S::dim>& r) {
   return distance_outside<S::dim>(S::domain, r);
 }

@@ -22,7 +22,9 @@ struct Tet4 {
   static constexpr std::array<std::array<double, 3>, 4> coordinates{
       {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
+  /// Linear functions of the corners: the volume coordinates.
   static Eigen::Matrix<double, 4, 1> N(const Point<3>& r);
+  /// Their derivatives, the same at all points.
   static Eigen::Matrix<double, 4, 3> dN(const Point<3>& r);
 };
 
@@ -46,7 +48,10 @@ struct Tet10 {
   static constexpr std::array<std::array<int, 2>, 6> edges{
       {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
+  /// Complete quadratic functions in volume coordinates: corners, then the edges in the order of
+  /// `edges`.
   static Eigen::Matrix<double, 10, 1> N(const Point<3>& r);
+  /// Their derivatives by the reference coordinates, linear.
   static Eigen::Matrix<double, 10, 3> dN(const Point<3>& r);
 };
 
@@ -64,7 +69,9 @@ struct Penta6 {
                                                                      {1.0, 0.0, 1.0},
                                                                      {0.0, 1.0, 1.0}}};
 
+  /// Area coordinates of the triangle times linear functions along the third coordinate.
   static Eigen::Matrix<double, 6, 1> N(const Point<3>& r);
+  /// Their derivatives by the reference coordinates.
   static Eigen::Matrix<double, 6, 3> dN(const Point<3>& r);
 };
 
@@ -94,6 +101,7 @@ struct Pentac15 {
   // Corner at the end q = -1 or 1: N = l (1 + q t)(2 l + q t - 2) / 2; on the edges of an end
   // 2 l m (1 + q t); between the ends l (1 - t^2).
   static Eigen::Matrix<double, 15, 1> N(const Point<3>& r);
+  /// Derivatives of these functions by the reference coordinates.
   static Eigen::Matrix<double, 15, 3> dN(const Point<3>& r);
 };
 
@@ -108,6 +116,7 @@ inline constexpr std::array<std::array<double, 3>, 27> hexahedron{
      {0.0, 0.0, -1.0},   {0.0, 0.0, 1.0},   {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0},   {0.0, 1.0, 0.0},
      {-1.0, 0.0, 0.0},   {0.0, 0.0, 0.0}}};
 
+/// Reference coordinates of the first n of these nodes.
 template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_of_hexahedron() {
   std::array<std::array<double, 3>, n> first{};
   std::copy_n(hexahedron.begin(), n, first.begin());
@@ -125,7 +134,9 @@ struct Hexe8 {
   static constexpr std::array<std::array<double, 3>, 8> coordinates =
       detail::first_of_hexahedron<8>();
 
+  /// Trilinear functions of the corners.
   static Eigen::Matrix<double, 8, 1> N(const Point<3>& r);
+  /// Their derivatives by the reference coordinates.
   static Eigen::Matrix<double, 8, 3> dN(const Point<3>& r);
 };
 
@@ -142,6 +153,7 @@ struct Hexec20 {
   // Corner at p: N = prod(1 + p_k r_k) (sum p_k r_k - 2) / 8. In the middle of an edge the factor
   // along it is 1 - r^2, and 1/8 becomes 1/4.
   static Eigen::Matrix<double, 20, 1> N(const Point<3>& r);
+  /// Derivatives of these functions by the reference coordinates.
   static Eigen::Matrix<double, 20, 3> dN(const Point<3>& r);
 
 private:
@@ -164,7 +176,9 @@ struct Hexec27 {
   static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 27> coordinates = detail::hexahedron;
 
+  /// Triquadratic functions: products of those of Line3 along the three coordinates.
   static Eigen::Matrix<double, 27, 1> N(const Point<3>& r);
+  /// Their derivatives by the reference coordinates.
   static Eigen::Matrix<double, 27, 3> dN(const Point<3>& r);
 
 private:

@@ -9,26 +9,37 @@
 
 extern "C" {
 // NOLINTBEGIN(readability-identifier-naming, bugprone-reserved-identifier)
+/// C <- alpha op(A) op(B) + beta C.
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
             const double* alpha, const double* A, const int* lda, const double* B, const int* ldb,
             const double* beta, double* C, const int* ldc);
+/// B <- alpha op(A)^-1 B or alpha B op(A)^-1 with a triangle A.
 void dtrsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
             const int* n, const double* alpha, const double* A, const int* lda, double* B,
             const int* ldb);
+/// y <- alpha op(A) x + beta y for a vector x.
 void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, const double* A,
             const int* lda, const double* x, const int* incx, const double* beta, double* y,
             const int* incy);
+/// Solves one system: x <- op(A)^-1 x with a triangle A.
 void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* A,
             const int* lda, double* x, const int* incx);
+/// C <- alpha A A^T + beta C or alpha A^T A + beta C, one triangle of it.
 void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha,
             const double* A, const int* lda, const double* beta, double* C, const int* ldc);
+/// A <- its Cholesky factor; info > 0: the first pivot that is not positive.
 void dpotrf_(const char* uplo, const int* n, double* A, const int* lda, int* info);
+/// A <- its Cholesky factor with pivoting along the diagonal; stops at pivots of `tol` or less.
 void dpstrf_(const char* uplo, const int* n, double* A, const int* lda, int* piv, int* rank,
              const double* tol, double* work, int* info);
+/// A <- its LU factors with partial pivoting; info > 0: a pivot that is exactly zero.
 void dgetrf_(const int* m, const int* n, double* A, const int* lda, int* ipiv, int* info);
+/// B <- op(A)^-1 B with the LU factors of dgetrf.
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* A, const int* lda,
              const int* ipiv, double* B, const int* ldb, int* info);
+/// Threads of OpenBLAS from the next call on.
 void openblas_set_num_threads(int threads);
+/// Ends the threads of OpenBLAS that wait for work; null where the library does not have it.
 int blas_thread_shutdown_() __attribute__((weak));
 // NOLINTEND(readability-identifier-naming, bugprone-reserved-identifier)
 }
@@ -49,10 +60,11 @@ struct ConstMatrixBlock {
       : data(block.data), stride(block.stride) {} // NOLINT: a view of it
 };
 
-/// A whole dense matrix.
+/// A whole dense matrix as a block, column by column.
 template <class Matrix> MatrixBlock whole_matrix(Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
+/// The same of a matrix that is only read.
 template <class Matrix> ConstMatrixBlock whole_matrix(const Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
@@ -69,6 +81,7 @@ struct MatrixProduct {
   Transposition a = Transposition::plain, b = Transposition::plain;
   double alpha = 1.0, beta = 0.0;
 };
+/// The product by dgemm, or by dgemv column by column where C has few columns.
 inline void gemm(const MatrixProduct& p, ConstMatrixBlock A, ConstMatrixBlock B, MatrixBlock C) {
   if (p.m == 0 || p.n == 0) {
     return;

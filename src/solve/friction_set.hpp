@@ -72,6 +72,8 @@ struct InterfaceStiffness {
   base::Vector q; ///< [k]
   bool regular = false;
 };
+/// Eliminates forces and modes, so that openings and slips are what remains. `anchor` [m]: where
+/// the modes' springs are at rest. Not regular where the equations are singular.
 InterfaceStiffness interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor);
 
 } // namespace spricka::solve

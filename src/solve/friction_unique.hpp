@@ -10,6 +10,8 @@ struct Uniqueness {
   bool certain = false;
   bool apart_from_motions = false; ///< rigid motions of bodies were left out of the test
 };
+/// Tries a few weights of the rows until one proves the increment unique; certain without friction.
+/// `certain` false says that no trial did, not that there are several solutions.
 Uniqueness check_uniqueness(const FrictionProblem& problem);
 
 } // namespace spricka::solve

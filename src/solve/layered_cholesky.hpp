@@ -27,7 +27,7 @@ public:
   [[nodiscard]] Eigen::Index count() const { return base::index(lists_.early.size()); }
   /// Schur complement of the late rows, A_ll - X^T X [late, late], symmetric to the last bit.
   [[nodiscard]] const base::Matrix& schur() const { return schur_; }
-  /// L^-1 B [early, k].
+  /// First half of a solution: L^-1 B [early, k].
   [[nodiscard]] base::Matrix forward_substitute(base::Matrix B) const;
   /// X^T Y [late, k]: what elimination of early loads, Y = L^-1 B [early, k], takes off the late
   /// rows.
@@ -64,6 +64,7 @@ public:
   [[nodiscard]] base::Matrix forward_second_block(const base::Matrix& late_load) const;
   /// L^-1 B and A^-1 B [size, k], early rows first.
   [[nodiscard]] base::Matrix forward_substitute(const base::Matrix& B) const;
+  /// A^-1 B [size, k] by both substitutions, early rows first.
   [[nodiscard]] base::Matrix solve(const base::Matrix& B) const;
 
 private:

@@ -16,6 +16,8 @@ struct LoadBalance {
   base::Vector remainder;   ///< [m] h + B^T lambda
   std::vector<int> pressed; ///< inequality rows with lambda > 0, at most m
 };
+/// Finds contact forces that balance the loads on the modes as far as their signs allow. Equality
+/// rows take up what lies in their span.
 LoadBalance balance_loads(const ControllableProblem& problem);
 
 /// The motion [m] that opens all rows it moves and that the loads drive, in units of the given

@@ -31,6 +31,8 @@ struct RoundFriction {
   [[nodiscard]] Eigen::Index rows() const { return b.size(); }
   [[nodiscard]] Eigen::Index modes() const { return h.size(); }
 };
+/// The problem in these units. Rows without compliance become no units; slip rows take the scale of
+/// their normal rows.
 RoundFriction round_friction(const ControllableProblem& held,
                              const std::vector<FrictionRow>& friction, double load_scale);
 

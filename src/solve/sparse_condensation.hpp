@@ -43,6 +43,8 @@ public:
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
   /// The same where the external displacements follow from the condensed loads [externals, k].
   using OfExternals = std::function<base::Matrix(const base::Matrix&)>;
+  /// All unknowns [n, k] of loads f [n, k] in one pass: `displacement` is called between the
+  /// forward and the backward half, with the condensed loads.
   [[nodiscard]] base::Matrix solve(const base::Matrix& f, const OfExternals& displacement) const;
   /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
   [[nodiscard]] RowCompliance compliance(SparseColumns F) const;

@@ -40,8 +40,10 @@ public:
                        std::shared_ptr<const FirstBlockFactor>* early, FactorReport& report);
   [[nodiscard]] CondensedExternals& condensed_externals() { return top_; }
 
-  /// As those of Condensation.
+  /// Loads f [n, k] condensed to the externals [externals, k], the rows below eliminated first,
+  /// then the inner ones on top.
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
+  /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
 
 private:

@@ -45,6 +45,7 @@ public:
 
   /// Forces [n] and modes [m] of a state, in the problem's own units.
   [[nodiscard]] base::Vector forces(const base::Vector& state) const;
+  /// The modes [m] of a state, in the problem's own units.
   [[nodiscard]] base::Vector modes(const base::Vector& state) const;
   /// Gaps [n] of open rows; zero for closed ones.
   [[nodiscard]] base::Vector open_gaps(const base::Vector& state) const;

@@ -17,6 +17,8 @@ struct ClosedContactRows {
   std::vector<bool> closed; ///< [row of the table]
   bool rubs = false;
 };
+/// Contact rows that are closed at the end of the last step, equality rows among them; all open
+/// where nothing is in contact.
 ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene);
 /// Why K has neither bars nor derivatives where some rub.
 inline constexpr const char* depends_on_history =

@@ -26,6 +26,8 @@ struct CoarseSurfaceEffect {
   double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
   std::string why_not; ///< why there can be no bar; empty: `part` is all
 };
+/// Adds up over the mounted contacts and the TRANSITIONs what too coarse surfaces may do to K at a
+/// tip in the plane.
 CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& setting,
                                           const mesh::CrackFront& front);
 

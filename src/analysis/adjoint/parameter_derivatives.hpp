@@ -40,6 +40,8 @@ struct KDependence {
 
 /// The derivatives by loads, then those by fits.
 std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K);
+/// Adds a derivative by each material's modulus: by the loads of its elements, and at points in it
+/// by the modulus in K itself.
 void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes);
 
 /// Loads or gaps of the causes, each of that size; zero where a cause has none. [size, cause]

@@ -113,6 +113,8 @@ struct SubstructureHashes {
   std::vector<HashKey> parts;
   HashKey region;
 };
+/// Hash keys of all bodies: one of each part, and one of the region, into which those of the parts
+/// go.
 std::vector<SubstructureHashes> hash_bodies(const CondensationRequest& request,
                                             const std::vector<SubstructuredBody>& bodies);
 

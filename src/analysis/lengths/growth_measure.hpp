@@ -68,7 +68,7 @@ public:
   [[nodiscard]] const std::optional<life::CountedSpectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
 
-  /// What it remembers of earlier states, as arrays for a restart file, and back from there.
+  /// What it remembers of earlier states, as arrays "growth..." for a restart file.
   void save_state(results::NamedArrays& arrays) const {
     arrays.texts["growth.warnings"] =
         results::text_with_code(std::vector<results::Warning>(warnings_.begin(), warnings_.end()));
@@ -78,6 +78,7 @@ public:
       arrays.reals["growth.shear"].push_back(shear.part);
     }
   }
+  /// Back from a restart file. Throws std::out_of_range where an array is missing.
   void restore_state(const results::NamedArrays& arrays) {
     const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
     for (results::Warning& warning : results::parse_warnings(texts)) {

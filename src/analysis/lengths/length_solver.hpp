@@ -63,6 +63,8 @@ public:
     carried_.save_state(arrays);
     contact_.save_state(arrays);
   }
+  /// Back from a restart file: mounting offsets, contact state and closed rows of the last state,
+  /// so that the next one is no first one.
   void restore_state(const results::NamedArrays& arrays) {
     mounted_ = MountOffsetMemory::restore_state(arrays);
     carried_ = InheritedContactState::restore_state(arrays);

@@ -17,6 +17,8 @@ class LogWriter {
 public:
   explicit LogWriter(std::vector<results::LogLine>& lines, ProfileRecorder* recorder = nullptr)
       : lines_(lines), recorder_(recorder) {}
+  /// A line of the log with CPU and wall time since the one before; the profile has it with `flops`
+  /// too.
   void add_line(const std::string& processor, const std::string& text,
                 std::optional<double> flops = {}) {
     lines_.push_back({.processor = processor,

@@ -29,6 +29,7 @@ struct PlaceOnFront {
 /// any.
 PlaceOnFront nearest_place(const std::vector<results::FrontResult>& fronts, const std::string& name,
                            const base::Vec3& x);
+/// The same of the fronts of a load path.
 PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
                            const std::string& name, const base::Vec3& x);
 

@@ -25,6 +25,7 @@ public:
   void add_start(const base::Stopwatch& since);
   /// Nets of the length that is worked on.
   void add_work(std::vector<results::NetCost> nets);
+  /// The cost of one call of the mesher.
   void add_work(const results::MesherCost& work);
   /// The lengths of a deck again, on a finer mesh.
   void begin_round();
@@ -66,7 +67,7 @@ public:
   ~RecordedCrackLength();
   RecordedCrackLength(const RecordedCrackLength&) = delete;
   RecordedCrackLength& operator=(const RecordedCrackLength&) = delete;
-  /// It has a solution.
+  /// Notes the crack length [length], which is known when the length has a solution.
   void set_length(double a) { a_ = a; }
   /// It is an increment of the run.
   void mark_increment() { counts_ = true; }

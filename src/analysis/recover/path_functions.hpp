@@ -6,9 +6,10 @@
 /// Functions of the parameter of a load path.
 namespace spricka::analysis {
 
+/// Path parameters where the solution changes its slope: the begin of each segment, and the end.
 std::vector<double> path_knots(const solve::SolutionPath& found);
 
-/// Functional k of a solution path.
+/// Functional k of a solution path by its values and slopes on each segment, linear in between.
 base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::Index k);
 
 /// Sets functional K1 of a solution path to 0 on the segments on which the faces of a crack touch

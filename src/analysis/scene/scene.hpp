@@ -83,6 +83,7 @@ struct Discretisation {
 
   /// Fronts of cracks, in the plane their tips.
   [[nodiscard]] std::size_t front_count() const { return cracked.fronts.size() + fronts.size(); }
+  /// Front f: in the plane the tip of that number, in space the front with its domains.
   [[nodiscard]] const mesh::CrackFront& front(std::size_t f) const {
     return fronts.empty() ? cracked.fronts[f] : fronts[f].front;
   }

@@ -27,12 +27,16 @@ public:
   /// with at the last length, row by row of its nodes. Empty: nothing is known of the step.
   [[nodiscard]] std::vector<bool> first_closed_rows(const Discretisation& scene, std::size_t step,
                                                     const std::vector<bool>& before) const;
+  /// Keeps the rows [row] that a step ended with closed, by their nodes; what was kept of that step
+  /// is dropped.
   void store_closed_rows(const Discretisation& scene, std::size_t step,
                          const std::vector<bool>& closed);
 
   /// The closed rows as arrays "closed...", for a restart file, and back from there, of a deck with
   /// so many steps. Throws std::out_of_range.
   void save_state(results::NamedArrays& arrays) const;
+  /// Back from a restart file; empty without the arrays. Throws std::out_of_range for a step that
+  /// the deck does not have.
   static ContactMemory restore_state(const results::NamedArrays& arrays, std::size_t steps);
 
 private:

@@ -29,6 +29,7 @@ struct TipFaces {
   double pressure = 0.0;   ///< largest between the faces [stress]
   int open_nodes = 0;      ///< open pairs from the tip to the first closed one; all open: 0
 };
+/// State of the crack faces at a tip in the plane, from the closed pairs and pressures of the step.
 TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
                    const StepState& state);
 

@@ -24,6 +24,7 @@ struct CrackFaceOverlap {
   double resolved = 0.0; ///< as above
   double lone = 0.0;     ///< at any node
 };
+/// The overlap of both kinds at the nodes of the faces; zero where nothing moves.
 CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_t line,
                                     const base::Vector& u);
 

@@ -45,9 +45,12 @@ public:
   /// A pair is mounted or leaves: what its rows have slipped counts from here.
   void begin(std::size_t contact);
 
+  /// Friction of a contact at its normal rows: states, slip so far, path and work; in space the
+  /// slips of both directions together. Empty without friction.
   [[nodiscard]] PairFriction pair_friction(std::size_t contact) const;
 
   [[nodiscard]] const FrictionState& friction_state() const { return memory_; }
+  /// Puts back a state that friction_state has given, of the same scene.
   void restore_state(const FrictionState& memory) { memory_ = memory; }
 
 private:

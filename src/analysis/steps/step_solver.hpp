@@ -40,6 +40,7 @@ public:
     FrictionState friction;
   };
   [[nodiscard]] StepSolverState solver_state() const;
+  /// Puts back a state that solver_state has given, so that the next increment starts from there.
   void restore_state(const StepSolverState& place);
   /// Is shown each solved increment.
   using Seen = std::function<void(const contact::ContactSystem::IncrementProblem&,

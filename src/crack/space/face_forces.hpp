@@ -19,6 +19,8 @@ void add_auxiliary_tractions(const FrontSetting& set, const FrontExtensions& fie
 
 /// Derivatives of the functions of a side along it as gradients in space. [node, 3]
 using SurfaceGradients = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, shape::most_nodes<2>, 3>;
+/// Gradients in space of a side's shape functions at a reference point, tangent to the side
+/// [1/length].
 SurfaceGradients surface_gradients(const geometry::ElementSide& side, const shape::Point<2>& r);
 
 } // namespace spricka::crack

@@ -30,6 +30,8 @@ class FrontAxes {
 public:
   explicit FrontAxes(const mesh::FrontCurve& curve);
 
+  /// Coordinates of x in the section across the front through the nearest place of it. `side`: the
+  /// crack face on which x lies, for the sign of theta.
   [[nodiscard]] FrontCoordinates locate_point(const base::Vec3& x,
                                               CrackFaceSide side = CrackFaceSide::none) const;
 

@@ -33,6 +33,8 @@ void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
 struct FrontIntensityConstant {
   base::Vector K, T;
 };
+/// K and T that the loads add by themselves, evaluated with all displacements zero; zero at points
+/// without a domain.
 FrontIntensityConstant front_intensity_constant(const model::Model& model,
                                                 const mesh::CrackedMesh& cracked,
                                                 const mesh::CrackFront& front,

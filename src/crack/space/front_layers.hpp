@@ -15,6 +15,8 @@ struct FrontMidNodes {
   std::vector<base::NodeId> middle; ///< [point] between it and the next one; invalid: none
   bool closed = false;
 };
+/// Finds the mid nodes of the element edges between neighbouring points of a front; a front of
+/// fewer than three points cannot be closed.
 FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
                               const mesh::CrackFront& front);
 
@@ -29,6 +31,8 @@ struct FrontLayers {
     return layer >= 0 && layer <= rings ? 1.0 : 0.0;
   }
 };
+/// The first `count` layers of elements round a front, found from its points and the mid nodes of
+/// `line` outward.
 FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elements,
                          const mesh::CrackFront& front, const FrontMidNodes& line, int count);
 

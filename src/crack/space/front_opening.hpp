@@ -15,7 +15,8 @@ std::optional<std::array<double, 3>> front_opening_intensity(const FrontSetting&
                                                              const mesh::FrontPoint& point,
                                                              double G, const base::Vector& u);
 
-/// K1^2 / E' + K2^2 / E' + K3^2 / 2 mu.
+/// G [energy/length^2] of stress intensity factors K1, K2, K3 in plane strain: K1^2 / E' +
+/// K2^2 / E' + K3^2 / 2 mu.
 double energy_release_rate(const FrontSetting& set, const std::array<double, 3>& K);
 
 } // namespace spricka::crack

@@ -19,6 +19,8 @@ namespace spricka::crack {
 /// How nodes move with one point of the front, the mean over its domains per length of the front.
 using PointMotion = std::map<base::NodeId, base::Vec3>;
 
+/// Motion by node of one point of a front, the mean of its domains' extensions over the length that
+/// belongs to the point.
 inline PointMotion point_motion(const mesh::FrontPoint& point,
                                 const std::vector<ExtensionField>& domains) {
   PointMotion motion;
@@ -58,6 +60,8 @@ public:
     }
   }
 
+  /// Rows of the nodal displacements, from the domains and the free sides that move with them.
+  /// [3 * node, columns * points] Once for each builder.
   [[nodiscard]] SparseRows rows() {
     partners_ = cached_auxiliary_table(set_, fields_);
     for (const base::ElementId e : fields_.elements()) {
@@ -69,6 +73,8 @@ public:
     return made(3 * static_cast<Eigen::Index>(set_.mesh.node_count()));
   }
 
+  /// Rows of what multiplies other functions, in place of the nodal ones.
+  /// [3 * count, columns * points] Once for each builder.
   [[nodiscard]] SparseRows supplementary_rows(const SupplementaryFunctions& others) {
     partners_ = cached_auxiliary_table(set_, fields_);
     for (const base::ElementId e : fields_.elements()) {
@@ -80,6 +86,8 @@ public:
     return made(3 * others.count);
   }
 
+  /// Rows of forces at points on sides, in the order of `places`; forces on sides that no domain
+  /// moves have zero rows. [3 * point of a side, columns * points] Once for each builder.
   [[nodiscard]] SparseRows force_rows(const std::vector<FacePointForces>& places) {
     std::map<model::Face, CrackFaceSide> moved;
     for (const MovedFreeSide& side : fields_.sides) {

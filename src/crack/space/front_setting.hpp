@@ -56,6 +56,8 @@ struct NodeWeight {
   base::NodeId node;
   base::Vec3 weight;
 };
+/// Weights of the nodal displacements [point][entry] in that strain, mid nodes included; a node may
+/// stand in several entries of a point.
 std::vector<std::vector<NodeWeight>>
 strain_along(const mesh::CrackFront& front, const model::Mesh& mesh, const FrontExtensions& fields);
 

@@ -59,15 +59,19 @@ struct FrontAuxiliaryField {
   Tensor<3> sigma = Tensor<3>::Zero();        ///< its stress
   base::Vec3 divergence = base::Vec3::Zero(); ///< of that, not zero where the front turns
 };
+/// An auxiliary field 1 to 4, carried along a front that turns: gradient, stress and its divergence
+/// at a place.
 FrontAuxiliaryField front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
                                           const FrontBody& body);
 
+/// The same at a point by its coordinates seen from the front.
 inline FrontAuxiliaryField front_auxiliary_field(std::size_t auxiliary, const FrontCoordinates& at,
                                                  const FrontBody& body) {
   return front_auxiliary_field(auxiliary, TurningAxes(at), body);
 }
 
-/// lambda tr(A) I + mu (A + A^T).
+/// Stress of a displacement gradient A in an isotropic body, lambda tr(A) I + mu (A + A^T)
+/// [stress].
 inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
   Tensor<3> sigma = body.mu * (A + A.transpose());
   sigma.diagonal().array() += body.lambda * A.trace();

@@ -38,6 +38,7 @@ public:
 
   /// Appends the element set `prefix` + BODY of all elements made here.
   void add_body_set(const std::string& prefix);
+  /// Appends a face set of that name to the mesh.
   void add_face_set(std::string name, std::vector<model::Face> faces);
 
 private:

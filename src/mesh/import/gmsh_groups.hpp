@@ -24,6 +24,7 @@ struct GmshNumbering {
   /// further entities of elements that were met before.
   std::vector<std::pair<base::ElementId, int>> also;
 
+  /// Our node of a gmsh node; invalid where the file or no element has it.
   [[nodiscard]] base::NodeId node_with_tag(std::size_t tag) const {
     const auto at = tags->find(tag);
     return at ? node[*at] : base::NodeId();

@@ -25,6 +25,7 @@ struct InpKeyword {
   std::vector<std::pair<std::string, std::string>> parameters;
   InpLocation place;
 
+  /// The value of a parameter, its name in upper case; null: the line does not give it.
   [[nodiscard]] const std::string* find(std::string_view key) const;
 };
 

@@ -17,10 +17,12 @@ public:
   InpMessages(const ImportRequest& request, const InpData& data, base::Diagnostics& diagnostics)
       : request_(request), data_(data), diagnostics_(diagnostics) {}
 
+  /// An error at a line of the file, reported at the card that imports it.
   void error(InpLocation at, std::string code, std::string text, std::string hint = {}) {
     diagnostics_.error(request_.span, std::move(code),
                        fmt::format("{}: {}", place(at), shown(at, text)), std::move(hint));
   }
+  /// A warning at a line of the file, reported at the card that imports it.
   void warning(InpLocation at, std::string code, const std::string& text) {
     diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text));
   }

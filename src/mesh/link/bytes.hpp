@@ -13,10 +13,12 @@ namespace spricka::mesh {
 /// Values as bytes for another process of the same program on the same machine.
 class ByteWriter {
 public:
+  /// Appends the bytes of a value without pointers.
   template <class T> void write_value(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
+  /// Appends a list: its number of values, then their bytes.
   template <class T> void write_list(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     write_value(values.size());
@@ -24,10 +26,12 @@ public:
       bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     }
   }
+  /// Appends a text: its number of bytes, then these.
   void write_text(std::string_view value) {
     write_value(value.size());
     bytes_ += value;
   }
+  /// Appends a list of texts: their number, then each.
   void write_texts(const std::vector<std::string>& values) {
     write_value(values.size());
     for (const std::string& value : values) {
@@ -45,12 +49,14 @@ class ByteReader {
 public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
+  /// The next value; zero where too few bytes are left, which makes the reader unsound.
   template <class T> T read_value() {
     static_assert(std::is_trivially_copyable_v<T>);
     T value{};
     copy(&value, sizeof value);
     return value;
   }
+  /// The next list; empty where its number of values does not fit what is left.
   template <class T> std::vector<T> read_list() {
     const auto count = read_value<std::size_t>();
     if (count > rest_.size() / sizeof(T)) {
@@ -63,6 +69,7 @@ public:
     }
     return values;
   }
+  /// The next text; empty where its length does not fit what is left.
   std::string read_text() {
     const auto count = read_value<std::size_t>();
     if (count > rest_.size()) {
@@ -73,6 +80,7 @@ public:
     rest_.remove_prefix(count);
     return value;
   }
+  /// The next list of texts, as far as the bytes are sound.
   std::vector<std::string> read_texts() {
     std::vector<std::string> values;
     for (auto count = read_value<std::size_t>(); count > 0 && sound_; --count) {

@@ -17,6 +17,7 @@ public:
 
   explicit Grading(double growth = usual_growth) : growth_(growth) {}
 
+  /// Asks for an element size at a place [length].
   void add_source(const base::Vec2& at, double size) { sources_.push_back({at, size}); }
   [[nodiscard]] double operator()(const base::Vec2& p) const;
 

@@ -39,16 +39,23 @@ struct MesherImport {
   std::vector<std::string> constants; ///< of a script, whose values at its end are asked for
 };
 
+/// The request that asks the mesher process for triangles in a plane region, as bytes.
 std::string fill_request(const PlaneRegion& region, const Grading& size);
 /// False if the bytes are none.
 bool read_fill_request(ByteReader& in, PlaneRegion& region, Grading& size);
 
+/// The answer of the mesher process to such a request, as bytes.
 std::string fill_answer(const TriangleFill& filling);
+/// Reads the answer to a request for `region`. False if the bytes are none, or name points that are
+/// not there.
 bool read_fill_answer(ByteReader& in, const PlaneRegion& region, TriangleFill& filling);
 
+/// The request that asks the mesher process to read a script or mesh file, as bytes.
 std::string import_request(const MesherImport& import);
+/// Reads such a request. False if the bytes are none.
 bool read_import_request(ByteReader& in, MesherImport& import);
 
+/// The answer to such a request, as bytes: nodes, elements, groups, constants and messages.
 std::string model_answer(const GmshModel& model);
 /// Checks that all lists belong together, so that nothing need be looked at twice.
 bool read_model_answer(ByteReader& in, GmshModel& model);

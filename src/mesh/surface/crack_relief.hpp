@@ -39,6 +39,7 @@ public:
   [[nodiscard]] const SuccessiveFronts& fronts() const { return fronts_; }
   /// The same crack elsewhere: points by `place`, directions by `direction`.
   using Map = std::function<base::Vec3(const base::Vec3&)>;
+  /// The same crack surface elsewhere: points mapped by `place`, normals by `direction`.
   [[nodiscard]] NonPlanarCrackSurface transformed(const Map& place, const Map& direction) const;
   /// Whether the box that holds all fronts and one of these corners have something in common.
   [[nodiscard]] bool overlaps_box(const base::Vec3& low, const base::Vec3& high) const {

@@ -26,6 +26,7 @@ public:
   [[nodiscard]] std::size_t count() const { return faces_.size(); }
   /// The patch of a face of the surface; `nowhere` outside of the region.
   [[nodiscard]] std::size_t patch_containing(std::size_t face) const;
+  /// Faces of a patch, by their numbers in the surface.
   [[nodiscard]] const std::vector<std::size_t>& faces(std::size_t patch) const {
     return faces_[patch];
   }

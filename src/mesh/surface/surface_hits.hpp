@@ -11,6 +11,7 @@ namespace spricka::mesh {
 struct SurfaceHit {
   SurfacePlace place;
   double along = 0.0;
+  /// Whether a line along d goes out of the body here.
   [[nodiscard]] bool leaves(const base::Vec3& d) const { return place.normal.dot(d) > 0.0; }
 };
 
@@ -29,6 +30,8 @@ struct CrossingGuess {
   base::Vec2 r = base::Vec2::Zero();
   double part = 0.0; ///< of the segment
 };
+/// First guesses of where the segment from `from` to `to` passes the faces; those that it only
+/// comes near to are among them.
 std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const base::Vec3& from,
                                            const base::Vec3& to);
 

@@ -32,6 +32,8 @@ struct CrackReferencePlane {
   /// Where the crack has turned out of it; empty: nowhere.
   std::shared_ptr<const NonPlanarCrackSurface> relief = nullptr;
 
+  /// Distance of a point from the plane along its normal, signed; with a relief from the plane
+  /// through the first point of the first front [length].
   [[nodiscard]] double plane_distance(const base::Vec3& x) const {
     return (x - (relief ? relief->fronts().points.front().front() : origin)).dot(normal);
   }

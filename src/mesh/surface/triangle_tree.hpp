@@ -22,6 +22,8 @@ public:
     std::size_t triangle = 0; ///< of triangles()
     std::size_t given = 0;    ///< of those the tree was made of
   };
+  /// The triangle nearest to a point and the place on it; of no triangles the largest distance
+  /// there is.
   [[nodiscard]] NearestTriangle nearest(const base::Vec3& p) const;
   [[nodiscard]] const std::vector<CornerPlaces>& triangles() const { return triangles_; }
 

@@ -15,7 +15,7 @@ namespace spricka::program {
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::RunResult& run);
 
-/// "K1.AT(C1,0,46.8,1.5,LOAD)".
+/// A check as a deck writes its quantity with arguments, "K1.AT(C1,0,46.8,1.5,LOAD)".
 std::string check_text(const model::ResultCheck& check);
 
 /// Whether $CHECK finds a value of that word, as it must of all that the catalogue names.

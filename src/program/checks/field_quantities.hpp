@@ -25,6 +25,8 @@ class CheckArguments {
 public:
   explicit CheckArguments(const model::ResultCheck& check) : check_(check) {}
 
+  /// The next argument, which must be a name. Throws MissingQuantity "... expects `what` as
+  /// argument n".
   std::string next_name(const char* what) {
     if (next_ >= check_.arguments.size() ||
         !std::holds_alternative<std::string>(check_.arguments[next_])) {
@@ -33,6 +35,7 @@ public:
     }
     return std::get<std::string>(check_.arguments[next_++]);
   }
+  /// The next argument if it is a number; empty, and nothing is taken, if it is not.
   std::optional<double> next_number() {
     if (next_ < check_.arguments.size() &&
         std::holds_alternative<double>(check_.arguments[next_])) {
@@ -40,6 +43,7 @@ public:
     }
     return std::nullopt;
   }
+  /// The next argument, which must be a number. Throws MissingQuantity as next_name does.
   double required_number(const char* what) {
     const std::optional<double> value = next_number();
     if (!value) {

@@ -14,6 +14,8 @@ struct HelpOptions {
   std::string topic; ///< a card, key, result, error code, word of the field, list; or empty
   bool markdown = false;
 };
+/// Prints the help on a topic, as plain text or markdown; on an unknown word where it stands in the
+/// texts, else a hint.
 base::Outcome help_command(const HelpOptions& options, const ProgramText& program);
 
 struct FormatOptions {
@@ -21,11 +23,13 @@ struct FormatOptions {
   bool in_place = false;
   bool check = false;
 };
+/// Prints a deck in the standard layout, writes it in place, or checks that it has that layout.
 base::Outcome format_command(const FormatOptions& options);
 
+/// Prints all cards, keys and results of the language as JSON.
 base::Outcome schema_command();
 
-/// `editor` is "vim" or "vscode".
+/// Prints the syntax file for an editor: `editor` is "vim" or "vscode".
 base::Outcome editor_command(const std::string& editor);
 
 } // namespace spricka::program

@@ -28,10 +28,10 @@ struct ProgramText {
   std::vector<CommandText> commands;
 };
 
-/// The bash completion script.
+/// The bash completion script for all commands and their options.
 std::string bash_completion(const ProgramText& program);
 
-/// The man page spricka.1.
+/// The man page spricka.1 in roff: commands, options, prompt and exit statuses.
 std::string man_page(const ProgramText& program);
 
 } // namespace spricka::program

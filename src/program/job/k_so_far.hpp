@@ -14,7 +14,7 @@ public:
 
   /// The increment under way has a new K, or a bar of one.
   void update_increment(const results::Increment& increment);
-  /// So many are finished.
+  /// How many increments of the run are finished; their K stays in the table.
   void set_finished_increments(std::size_t increments) { finished_ = increments; }
 
 private:

@@ -22,6 +22,7 @@ public:
   /// A message without a place in a deck; `file` may be empty.
   void message(base::Severity severity, std::string_view code, std::string_view text,
                std::string_view file = {}) const;
+  /// A check that has failed: value found and wanted with the tolerance, or why there is no value.
   void failed_check(const results::CheckResult& check) const;
 
 private:

@@ -42,6 +42,8 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// Takes what the analysis says of itself and shows it, if it is time to. An empty stage ends an
+  /// increment.
   void report_progress(const analysis::RunProgress& progress);
 
 private:

@@ -40,7 +40,7 @@ void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run);
 std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
                                                   const std::string& by, const Log& log);
 
-/// "SIGTERM".
+/// Name of a signal, "SIGTERM"; "signal 65" where it has none.
 std::string signal_name(int signal);
 
 } // namespace spricka::program

@@ -17,6 +17,7 @@ inline constexpr const char* trace_name = "trace.json";
 /// Takes down from now on what a run costs, the requests to its mesher with it; of a run that began
 /// with the process what was before this, too.
 std::shared_ptr<analysis::ProfileRecorder> begin_profile();
+/// The same for a run that began with the process: what was before `since` counts too.
 std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::Stopwatch& since);
 
 /// What a profile comes to.

@@ -38,6 +38,7 @@ struct ProcessorCostTable {
   /// Program and mesher, as far as it is known [s].
   [[nodiscard]] double total_cpu() const { return program_cpu + mesher_cpu.value_or(0.0); }
 };
+/// Sums of the profile by processor, with what no processor accounts for.
 ProcessorCostTable processor_costs(const results::RunProfile& profile);
 
 /// All that was done for the net of one name.
@@ -60,6 +61,7 @@ struct CrackLengthCostSum {
   std::optional<double> flops = 0.0;          ///< of its nets
   std::vector<std::string> condensed, reused; ///< nets
 };
+/// Sums for each crack length in their order; lengths that became no increment are "tried".
 std::vector<CrackLengthCostSum> length_costs(const results::RunProfile& profile);
 
 } // namespace spricka::program

@@ -21,6 +21,7 @@ struct ShellCommand {
   std::string_view doc;       ///< one line
   std::string_view more;      ///< further lines; may be empty
 };
+/// All commands of the prompt in the order of its help; the table lives as long as the process.
 const std::vector<ShellCommand>& shell_commands();
 
 /// Carries out one line; an empty one does nothing.

@@ -21,6 +21,7 @@ public:
   /// Candidates for the word that begins at `begin` of a line; none: names of files.
   using Complete =
       std::function<std::vector<std::string>(std::string_view line, std::size_t begin)>;
+  /// Sets what finds the candidates of a word; the editor at hand uses it from the next line on.
   void complete_with(Complete complete);
 
   /// False at the end (Ctrl-D). Forgets Ctrl-C.

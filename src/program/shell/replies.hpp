@@ -9,10 +9,12 @@ namespace spricka::program {
 
 /// K of all fronts and the contacts, a line for each.
 std::string state_reply(const ShellSession& session);
-/// Pressure along a contact.
+/// Table of the points of a contact: place, pressure, shear traction, gap and state. The recovery
+/// of the pressure is the one that $CONTACT asks for.
 std::string pressure_reply(const ShellSession& session, const results::ContactResult& contact);
 /// Where a contact is closed.
 std::string arc_reply(const ShellSession& session, const results::ContactResult& contact);
+/// Table of the derivatives of K at the present state, without a title.
 std::string sensitivity_reply(const ShellSession& session);
 /// Loads, fits, lengths, parameters, steps.
 std::string settings_reply(const ShellSession& session);

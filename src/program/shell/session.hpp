@@ -56,11 +56,16 @@ public:
 
   // What is set. Factors and lengths take effect at the next solve().
   base::Trouble go_to_step(const std::string& name); ///< the state at the end of a step of the deck
+  /// Scales a load case from the next solve on. Trouble: no case has that name.
   base::Trouble set_load_factor(const std::string& load_case, double factor);
+  /// Scales the declared fit of a contact from the next solve on. Trouble: there is no such
+  /// contact, or it has no fit.
   base::Trouble set_fit_factor(const std::string& contact, double factor);
   /// The interference itself [length], negative: clearance: its factor becomes 1. Solves from the
   /// first step on.
   base::Trouble set_interference(const std::string& contact, double value);
+  /// Puts a contact in force or takes it away with the next solve; a pending change is taken back.
+  /// Trouble: it is so already, or $GROW keeps what was mounted at the first length.
   base::Trouble set_mounted(const std::string& contact, bool on);
   /// Cuts the crack anew, condenses what it touches and solves the same way again. In space the
   /// semi-axes of an ellipse; without C the present ratio of both is kept.
@@ -128,6 +133,8 @@ public:
   [[nodiscard]] const analysis::CondensationFigures& condensation_log() const {
     return bench_->condensation_log();
   }
+  /// Size of a crack: axes of an ellipse, else the length that the present result has of it;
+  /// without one that of the deck [length].
   [[nodiscard]] CrackSize crack_size(std::size_t crack) const;
   /// Contacts, and the faces of cracks that may touch.
   [[nodiscard]] std::vector<std::string> pair_names() const;

@@ -12,7 +12,7 @@ namespace spricka::program {
 std::vector<CheapestSetting> cheapest_settings(const GroupVerdict& group,
                                                const std::vector<Trial>& trials);
 
-/// "0.023 %"
+/// A part as per cent with two digits, "0.023 %"; "-" where it is not finite.
 std::string percent(double part);
 
 } // namespace spricka::program

@@ -39,6 +39,7 @@ struct AnswerReading {
 /// and the energy.
 std::vector<Answer> collect_answers(const model::Model& model, const results::RunResult& run);
 
+/// Values of the answers in a run, with error bar and corrected value of those that have them.
 /// [answer]
 std::vector<AnswerReading> read_answers(const model::Model& model,
                                         const std::vector<Answer>& answers,

@@ -37,6 +37,7 @@ struct Joint {
   bool friction = false;         ///< also between faces of a crack
 };
 
+/// Reads off a model which nets meet in contacts, and which are cracked, loaded or heated.
 Joint analyse_joint(const model::Model& model);
 
 /// Nets that are there only to press on those with cracks: they meet them by contacts, one behind

@@ -56,6 +56,8 @@ struct FinerMesh {
   Defines defines;
   std::string words; ///< "fine=0.5", "elements*0.5"
 };
+/// Changes cards in `text` and collects values of parameters for elements of 1/fineness of their
+/// size. A fineness of 1 leaves the counts of $MESH cards and the scripts alone.
 FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
                      double fineness, deck::DeckText& text, const std::filesystem::path& folder);
 

@@ -40,7 +40,7 @@ struct SectionCounterpart {
   double factor = 1.0;                     ///< its value over that of the solid
 };
 
-/// [answer]
+/// How the section's deck asks for each answer of the solid. [answer]
 std::vector<SectionCounterpart> section_counterparts(const SectionMapping& view,
                                                      const std::vector<Answer>& answers);
 

@@ -28,6 +28,7 @@ struct VerificationComparison {
   double pace = 1.0; ///< CPU of the decks that both have over that before, in the median
   bool same_machine = false;
 
+  /// Whether nothing failed, passed, changed its error, time or memory against the run before.
   [[nodiscard]] bool is_unchanged() const {
     return failed.empty() && passed.empty() && worse.empty() && better.empty() && slower.empty() &&
            faster.empty() && larger.empty();

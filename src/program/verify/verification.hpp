@@ -65,6 +65,7 @@ struct VerificationCounts {
   double cpu = 0.0;       ///< [s]
   std::size_t memory = 0; ///< [bytes] of the largest
 };
+/// Adds up decks, points and checks of a verification, with CPU time and the largest memory.
 VerificationCounts count(const Verification& verification);
 
 /// The worst end of a deck: check_failed if some value has missed its tolerance and that is all.

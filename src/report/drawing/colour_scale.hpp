@@ -15,6 +15,7 @@ inline constexpr std::size_t colour_bands = 12;
 struct ColourScale {
   double low = 0.0;
   double high = 0.0;
+  /// Number of the colour of a value, 0 to colour_bands - 1; 0 where the scale has no extent.
   [[nodiscard]] std::size_t band(double value) const;
 };
 

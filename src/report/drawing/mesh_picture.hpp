@@ -35,6 +35,7 @@ struct MeshView {
   double width = 320.0; ///< [px]
 };
 
+/// The picture of a plane mesh as SVG: areas, edges, rigid targets, marks and legend.
 std::string draw_svg(const MeshView& view);
 
 } // namespace spricka::report

@@ -17,6 +17,7 @@ struct StressPoint {
   base::NodeId node;
   std::size_t point = 0;
 };
+/// The stress points of the sets of that name, ascending by node; empty without such a set.
 std::vector<StressPoint> stress_points(const model::Mesh& mesh, std::string_view name);
 
 } // namespace spricka::report

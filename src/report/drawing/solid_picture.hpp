@@ -18,6 +18,7 @@ struct SolidView {
   double width = 560.0; ///< [px]
 };
 
+/// The picture as SVG, faces painted from the back to the front, with colour legend and axes.
 std::string draw_svg(const SolidView& view);
 
 } // namespace spricka::report

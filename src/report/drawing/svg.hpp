@@ -37,9 +37,14 @@ enum class MarkerShape { circle, square, triangle, diamond, plus, cross };
 /// Path data with coordinates rounded to a hundredth of a pixel.
 class SvgPathData {
 public:
+  /// Begins a piece of the path at a point.
   SvgPathData& move(DrawingPoint p);
+  /// A straight line from the last point on.
   SvgPathData& line(DrawingPoint p);
+  /// A parabola from the last point on, by its control point.
   SvgPathData& quadratic(DrawingPoint control, DrawingPoint p);
+  /// A circular arc from the last point on: the large or small one, in either direction on the
+  /// screen.
   SvgPathData& arc(double radius, bool large, bool clockwise, DrawingPoint p);
   SvgPathData& close();
   [[nodiscard]] bool empty() const { return text_.empty(); }
@@ -55,12 +60,19 @@ class SvgDrawing {
 public:
   SvgDrawing(double width, double height, std::string_view label);
 
+  /// Draws a straight line between two points.
   void line(DrawingPoint a, DrawingPoint b, const ShapeStyle& style);
+  /// Draws a path; nothing where it is empty.
   void path(const SvgPathData& data, const ShapeStyle& style);
+  /// Draws straight lines from point to point, left open at the end.
   void polyline(std::span<const DrawingPoint> points, const ShapeStyle& style);
+  /// Draws a circle by its centre and radius [px].
   void circle(DrawingPoint centre, double radius, const ShapeStyle& style);
+  /// Draws a rectangle by its upper left corner, width and height [px].
   void rectangle(DrawingPoint corner, double width, double height, const ShapeStyle& style);
+  /// Draws a marker of some seven pixels about a point.
   void marker(MarkerShape kind, DrawingPoint at, const ShapeStyle& style);
+  /// Writes words at a point, anchored and turned as the style says.
   void text(DrawingPoint at, std::string_view words, const TextStyle& style);
   /// Until unclip() nothing shows outside the rectangle. `id` is unique on the page.
   void clip(std::string_view id, DrawingPoint corner, double width, double height);

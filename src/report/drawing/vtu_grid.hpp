@@ -23,6 +23,7 @@ std::string compress_array(std::string_view data, bool measured);
 /// The head that names the arrays and the data they point to.
 class VtuDocument {
 public:
+  /// Adds an array with its head: VTK's name of the type, components, and their names if given.
   template <class T>
   void add_array(std::string_view name, std::string_view type, int components,
                  const std::vector<T>& values, std::span<const std::string_view> names = {}) {
@@ -38,8 +39,10 @@ public:
         compress_array({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)},
                        std::is_floating_point_v<T>);
   }
+  /// Adds a line to the head as it is.
   void add_line(std::string_view text) { (head_ += text) += '\n'; }
 
+  /// Head and appended data, closed as one VTK file.
   [[nodiscard]] std::string document_text() const {
     return head_ + "  <AppendedData encoding=\"raw\">\n_" + data_ +
            "\n  </AppendedData>\n</VTKFile>\n";
@@ -71,7 +74,7 @@ void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
 VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners);
 /// The same of straight lines. [3 * point], [2 * line]
 VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends);
-/// The whole file.
+/// Closes the grid of a document and returns the whole file.
 std::string finish_vtu_file(VtuDocument& document);
 
 } // namespace spricka::report

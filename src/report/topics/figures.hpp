@@ -28,12 +28,15 @@ struct KReference {
   std::string source;
   double bar = 0.0; ///< error bar of `found`; 0: none
 };
+/// K1 of $CHECK lines with crack tip and step that the run has, in deck order; without a length at
+/// the first one. In the plane only.
 std::vector<KReference> k_references(const model::Model& model, const results::RunResult& run);
 
 /// The nominal state that a deck names by its parameters R and SIGMA: K0 = SIGMA sqrt(pi a).
 struct NominalStressState {
   double radius = 0.0; ///< [length]
   double sigma = 0.0;  ///< [stress]
+  /// Nominal stress intensity SIGMA sqrt(pi a) of a length a.
   [[nodiscard]] double k0(double a) const;
 };
 /// Empty unless the deck has both parameters, positive, in any case of letters.

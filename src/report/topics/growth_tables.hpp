@@ -13,6 +13,8 @@ namespace spricka::report {
 /// them, a column for each tip. Columns in manual/run_folder.md. Nothing is written without one.
 void write_life_csv(const std::filesystem::path& file, const model::Model& model,
                     const results::RunResult& run);
+/// Writes life_curve.csv: the arms over the cycles, and the cycles of scaled lives at the same
+/// lengths.
 void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
                           const results::RunResult& run);
 

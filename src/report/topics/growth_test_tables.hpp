@@ -19,7 +19,7 @@ void write_test_csv(const std::filesystem::path& file, const model::Model& model
 
 /// One row for each test: how it was read and how far K is from the computed one.
 ReportTable growth_test_table(const model::Model& model, const results::RunResult& run);
-/// The points of one test.
+/// The points of one test: cycles, length, rate, ratio, measured K with its band, computed K.
 ReportTable test_points_table(const model::Model& model, const results::GrowthTestResult& test);
 
 /// The readings, and K of the test with its band over the crack length beside the computed K and

@@ -16,6 +16,7 @@ struct KSection {
   std::vector<ReportTable> tables;
   std::vector<std::string> remarks; ///< what the tables leave out, and why some K have no bar
 };
+/// Chooses the tables of K for a run by its number of lengths and steps, with the remarks on them.
 KSection k_section(const model::Model& model, const results::RunResult& run);
 
 /// For each reason why a K of these steps has no error bar: "No error bar at increments 2 to 7:

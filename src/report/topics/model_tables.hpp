@@ -17,6 +17,7 @@ ReportTable property_table(const model::Model& model);
 
 /// The contact pairs as declared.
 ReportTable contact_pair_table(const model::Model& model);
+/// Rigid targets by shape, points and radius; bores are marked.
 ReportTable rigid_table(const model::Model& model);
 
 } // namespace spricka::report

@@ -12,9 +12,10 @@ namespace spricka::report {
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
 ReportTable contact_table(const model::Model& model, const results::Increment& increment);
 
-/// What friction did, by step and contact; empty without friction.
-/// In space; no rows in the plane.
+/// Moments on the contacts of each step, in space; no rows in the plane.
 ReportTable moment_table(const model::Model& model, const results::Increment& increment);
+/// What friction did, by step and contact: rows by state, tractions, slip path and work; empty
+/// without friction.
 ReportTable friction_table(const model::Model& model, const results::Increment& increment);
 
 /// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
