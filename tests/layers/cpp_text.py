@@ -214,7 +214,7 @@ class Reader:
         final = self.tokens[last if last is not None else end]
         empty = statement[named[1] + 1].text == ")" if named[1] + 1 < len(statement) else False
         self.found.functions.append(Function(
-            name.text, owner, name.line, self.comment(statement[0].line, final.line),
+            name.text, owner, name.line, self.comment(self.tokens[first].line, final.line),
             empty and final.line - statement[0].line <= 2 and bool(owner)))
 
     def comment(self, first, last):

@@ -263,7 +263,8 @@ class Words(Tree):
 
     def test_functions_are_read_with_their_comments(self):
         found = read_declarations("""/// How far two points are apart [length].
-template <int dim> [[nodiscard]] double distance(const Vec<dim>& a, const Vec<dim>& b = {1, 2});
+template <int dim>
+[[nodiscard]] double distance(const Vec<dim>& a, const Vec<dim>& b = {1, 2});
 class Net {
 public:
   Net(int n);
@@ -275,11 +276,11 @@ double Net::size(int a) {
   return a;
 }
 """)
-        self.assertEqual([(f.owner, f.name, f.line) for f in found.functions], [("", "distance", 2), ("Net", "add_node", 6)])
+        self.assertEqual([(f.owner, f.name, f.line) for f in found.functions], [("", "distance", 3), ("Net", "add_node", 7)])
         self.assertIn("apart", found.functions[0].comment)
         self.assertIn("behind", found.functions[1].comment)
-        self.assertEqual([(t.name, t.line, t.last) for t in found.types], [("Net", 3, 9)])
-        self.assertEqual(found.members, [("Net", 10, 12)])
+        self.assertEqual([(t.name, t.line, t.last) for t in found.types], [("Net", 4, 10)])
+        self.assertEqual(found.members, [("Net", 11, 13)])
 
 
 if __name__ == "__main__":
