@@ -49,7 +49,7 @@ struct KQuantity {
   unsigned tip_places = 0;   ///< where it is found of a tip in the plane
   unsigned front_places = 0; ///< where it is found of a front in space
   KQuantityCondition given = KQuantityCondition::always;
-  bool judges = false; ///< tells how good another is: in results.h5 behind those that do not
+  bool judges = false; ///< tells how good another is: stored behind the others of a step's point
   int mode = -1;       ///< 0, 1, 2: K1, K2, K3 or its smooth curve; -1: another quantity
   std::string_view heading = {}; ///< in the listing, where it is not the name
   KQuantityDigits digits = KQuantityDigits::six;
@@ -113,7 +113,7 @@ constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
           .judges = true};
 }
 
-/// In the order of k.csv: what tells front, point and increment stands before them.
+/// In the order of k.csv: increment, step and crack stand before them.
 inline constexpr std::array k_quantities{
     KQuantity{.name = "a",
               .kind = base::Quantity::length,

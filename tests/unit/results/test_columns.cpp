@@ -173,7 +173,8 @@ TEST(Columns, of_tips_have_kept_their_order) {
   const std::set<std::string> judge{"spread", "K1_bar", "K1_best", "K2_bar", "K2_best"};
   for (const KQuantity& q : k_quantities) {
     if (q.appears_in(in_results_h5, 2)) {
-      EXPECT_EQ(q.judges, judge.contains(q.name)) << q.name << " behind the others in results.h5";
+      EXPECT_EQ(q.judges, judge.contains(q.name))
+          << q.name << " behind the others among the points of results.h5";
     }
   }
 }
