@@ -55,13 +55,9 @@ private:
   using Corners = std::array<base::NodeId, 3>;
 
   [[nodiscard]] std::vector<base::NodeId> corners_of(const model::Face& face) const {
-    const base::ElementType type = mesh_.type[face.element.index()];
-    const auto count = static_cast<std::size_t>(shape::side_corners(type, face.side));
-    std::vector<base::NodeId> corners;
-    for (const int local : shape::side_nodes(type, face.side).first(count)) {
-      corners.push_back(mesh_.element_nodes(face.element)[static_cast<std::size_t>(local)]);
-    }
-    return corners;
+    FaceNodes nodes = face_nodes(mesh_, face);
+    nodes.all.resize(nodes.corners);
+    return nodes.all;
   }
 
   /// The sides with these corners, if all are there and none has an element behind it.
@@ -119,22 +115,29 @@ std::vector<model::Face> faces_within(const model::Mesh& mesh,
   return result;
 }
 
+FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
+  const base::ElementType type = mesh.type[face.element.index()];
+  const auto nodes = mesh.element_nodes(face.element);
+  FaceNodes result;
+  result.corners = shape::side_corners(type, face.side);
+  for (const int i : shape::side_nodes(type, face.side)) {
+    result.all.push_back(nodes[static_cast<std::size_t>(i)]);
+  }
+  return result;
+}
+
 bool lies_within(const model::Mesh& mesh, const model::Face& face,
                  const std::vector<bool>& inside) {
-  const std::span<const base::NodeId> all = mesh.element_nodes(face.element);
-  const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  return std::all_of(local.begin(), local.end(),
-                     [&](int i) { return inside[all[static_cast<std::size_t>(i)].index()]; });
+  return std::ranges::all_of(face_nodes(mesh, face).all,
+                             [&](base::NodeId n) { return inside[n.index()]; });
 }
 
 std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
                                          const std::vector<model::Face>& faces) {
   std::vector<base::NodeId> result;
   for (const model::Face& face : faces) {
-    const std::span<const base::NodeId> all = mesh.element_nodes(face.element);
-    for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-      result.push_back(all[static_cast<std::size_t>(i)]);
-    }
+    const FaceNodes nodes = face_nodes(mesh, face);
+    result.insert(result.end(), nodes.all.begin(), nodes.all.end());
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());

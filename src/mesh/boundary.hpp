@@ -2,6 +2,8 @@
 #pragma once
 #include "model/mesh.hpp"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace spricka::mesh {
@@ -17,6 +19,25 @@ std::vector<model::Face> outer_faces(const model::Mesh& mesh);
 /// Boundary sides all of whose nodes lie in `nodes`, in the order of boundary_faces.
 std::vector<model::Face> faces_within(const model::Mesh& mesh,
                                       const std::vector<base::NodeId>& nodes);
+
+/// Nodes of a side of an element, of an edge in the plane or a face in space: corners first.
+struct FaceNodes {
+  std::vector<base::NodeId> all;
+  std::size_t corners = 3; ///< 2 of an edge
+
+  [[nodiscard]] std::span<const base::NodeId> corner_nodes() const {
+    return std::span(all).first(corners);
+  }
+  /// The middle of the edge from corner i to the next; invalid in linear elements. An edge has one.
+  [[nodiscard]] base::NodeId mid_node(std::size_t i) const {
+    return all.size() > corners ? all[corners + i] : base::NodeId();
+  }
+  /// The node in the middle of the face; invalid if it has none.
+  [[nodiscard]] base::NodeId centre_node() const {
+    return all.size() > 2 * corners ? all.back() : base::NodeId();
+  }
+};
+FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face);
 
 /// Whether all nodes of a face are marked in `inside` [node].
 bool lies_within(const model::Mesh& mesh, const model::Face& face, const std::vector<bool>& inside);

@@ -81,18 +81,8 @@ double rounded(double x) {
   return std::round(x * grid) / grid + 0.0;  // of the two zeros that without a sign
 }
 
-Vec2 PlanarCrackFrame::exact_local(const Vec3& x) const {
-  const Vec3 d = (x - origin) / a;
-  return {d.x() * e1.x() + d.y() * e1.y(), d.y() * e1.x() - d.x() * e1.y()};
-}
-
-Vec2 PlanarCrackFrame::rounded_local(const Vec3& x) const {
-  const Vec2 u = exact_local(x);
-  return {rounded(u.x()), rounded(u.y())};
-}
-
-Vec3 PlanarCrackFrame::global(const Vec2& x) const {
-  return origin + a * Vec3(x.x() * e1.x() - x.y() * e1.y(), x.x() * e1.y() + x.y() * e1.x(), 0.0);
+Vec3 rounded(const Vec3& x) {
+  return {rounded(x.x()), rounded(x.y()), rounded(x.z())};
 }
 
 } // namespace spricka::mesh

@@ -35,22 +35,7 @@ double distance(const std::vector<base::Vec2>& polygon, const std::vector<base::
 /// To a multiple of 2^-26: much coarser than round-off, so that it almost never sees it, much finer
 /// than any element.
 double rounded(double x);
-
-/// A frame that goes with a crack: origin at the mouth, x along its first segment, lengths divided
-/// by `a`. Coordinates in it are rounded: they serve decisions only, which the deck's unit and the
-/// crack's place must not change, ties among them.
-struct PlanarCrackFrame {
-  base::Vec3 origin = base::Vec3::Zero();
-  base::Vec3 e1 = base::Vec3::UnitX();
-  double a = 1.0;
-
-  /// Coordinates of a point in the frame, in units of `a`, not rounded.
-  [[nodiscard]] base::Vec2 exact_local(const base::Vec3& x) const;
-  /// Coordinates of a point in the frame, in units of `a`, for decisions.
-  [[nodiscard]] base::Vec2 rounded_local(const base::Vec3& x) const; ///< rounded
-  /// The point of the mesh at coordinates in the frame [length], z that of the origin.
-  [[nodiscard]] base::Vec3 global(const base::Vec2& x) const;
-};
+base::Vec3 rounded(const base::Vec3& x);
 
 /// Room for round-off in comparisons of local coordinates.
 inline constexpr double same = 1e-7;

@@ -3,6 +3,7 @@
 
 #include "geometry/polyline.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/plane.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -190,17 +191,7 @@ private:
   }
 
   [[nodiscard]] std::vector<model::Face> outline() const {
-    std::vector<model::Face> result;
-    for (const ElementId e : elements()) {
-      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        const model::Face face{e, s};
-        const auto other = host_.neighbour(face);
-        if (!other || !has(*other)) {
-          result.push_back(face);
-        }
-      }
-    }
-    return result;
+    return host_.outline(elements(), [&](ElementId e) { return has(e); });
   }
 
   const HostMesh& host_;
@@ -237,8 +228,8 @@ std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<CavityFi
 
 bool exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
                        const ElementEdge& edge, double part) {
-  const Vec2 a = placement.frame.rounded_local(mesh.x[edge.a.index()]);
-  const Vec2 b = placement.frame.rounded_local(mesh.x[edge.b.index()]);
+  const Vec2 a = placement.frame.rounded_local(mesh.x[edge.a.index()]).head<2>();
+  const Vec2 b = placement.frame.rounded_local(mesh.x[edge.b.index()]).head<2>();
   // The edge's chord as a polygon without area.
   double room = distance({a, b, a}, placement.line);
   for (const PlacedTip& tip : placement.tips) {

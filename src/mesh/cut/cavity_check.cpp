@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/cavity_check.hpp"
 
+#include "mesh/plane.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +54,7 @@ std::vector<Vec2> fine_curve(const model::Mesh& mesh, const ElementEdge& edge,
   std::vector<Vec2> result;
   result.reserve(xi.size());
   for (const double t : xi) {
-    result.push_back(placement.frame.exact_local(point_on(mesh, edge, t)));
+    result.push_back(placement.frame.exact_local(point_on(mesh, edge, t)).head<2>());
   }
   return result;
 }
@@ -171,7 +173,7 @@ bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const C
   // A half runs along the boundary by intent.
   if (placement.half == 0) {
     if (const auto out = way_out(host, placement, cavity)) {
-      const base::Vec3 at = placement.frame.global(*out);
+      const base::Vec3 at = placement.frame.global(base::to_space(*out));
       diagnostics.error(span, "E425",
                         fmt::format("with a = {:.6g} the crack leaves its body or runs along the "
                                     "boundary at ({:.6g}, {:.6g})",

@@ -2,13 +2,14 @@
 #include "mesh/cut/graft.hpp"
 
 #include "geometry/box_tree.hpp"
+#include "geometry/triangle.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/numbering.hpp"
-#include "shape/topology.hpp"
+#include "mesh/side_index.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace spricka::mesh {
@@ -16,64 +17,55 @@ namespace {
 
 using base::ElementId;
 using base::NodeId;
-using base::Vec2;
 
-/// Finds the element of a cavity that a point lies in, or comes nearest to.
-class Locator {
-public:
-  Locator(const model::Mesh& host, const PatchGraft& graft) : elements_(graft.cavity.elements) {
-    std::vector<geometry::Box<2>> boxes;
-    for (const ElementId e : elements_) {
-      outlines_.push_back(polygon(host, e, graft.frame));
-      boxes.push_back(geometry::Box<2>::around(outlines_.back()));
+/// Nodes of the sides in the place of one: of edges along them, of faces ascending.
+std::vector<NodeId> nodes_in_order(const model::Mesh& mesh, const std::vector<model::Face>& sides) {
+  std::vector<NodeId> nodes;
+  for (const model::Face& side : sides) {
+    const FaceNodes own = face_nodes(mesh, side);
+    if (own.corners > 2) {
+      return nodes_of_faces(mesh, sides);
     }
-    boxes_ = geometry::BoxTree<2>(boxes);
+    nodes.insert(nodes.end(), {own.all[0], own.mid_node(0), own.all[1]});
   }
-
-  [[nodiscard]] ElementId element_at(const Vec2& p) const {
-    const std::optional<std::size_t> nearest = boxes_.nearest(p, [&](std::size_t i) {
-      return distance(outlines_[i], {p, p});
-    });
-    return elements_[nearest.value_or(0)];
-  }
-
-private:
-  const std::vector<ElementId>& elements_;
-  std::vector<std::vector<Vec2>> outlines_; ///< [element]
-  geometry::BoxTree<2> boxes_;              ///< [element]
-};
+  return nodes;
+}
 
 class Grafter {
 public:
-  Grafter(const model::Mesh& host, std::span<PatchGraft> grafts)
-      : host_(host), grafts_(grafts), kept_(host.element_count()), used_(host.node_count(), false) {
-  }
+  Grafter(const model::Mesh& host, std::span<const PatchGraft> grafts)
+      : host_(host), grafts_(grafts), placed_(grafts.size()), kept_(host.element_count()),
+        used_(host.node_count(), false) {}
 
-  CrackedMesh graft() {
+  GraftedMesh graft() {
     add_nodes();
     keep_elements();
     add_elements();
     inherit_element_sets();
+    find_new_faces();
     inherit_face_sets();
     inherit_node_sets();
-    return std::move(result_);
+    return {std::move(result_), std::move(placed_)};
   }
 
 private:
+  [[nodiscard]] base::NetId net_of(const PatchGraft& graft) const {
+    return host_.element_net[graft.removed.front().index()];
+  }
+
   void add_nodes() {
     model::Mesh& mesh = result_.mesh;
     mesh.dim = host_.dim;
-    // All host nodes stay, also those that no element will have, so that numbers keep their
-    // meaning.
+    // All host nodes stay, also those that no element will have: numbers keep their meaning.
     mesh.x = host_.x;
     mesh.node_label = host_.node_label;
     mesh.node_net = host_.node_net;
-    for (PatchGraft& g : grafts_) {
-      const base::NetId net = host_.element_net[g.cavity.elements.front().index()];
+    for (std::size_t g = 0; g < grafts_.size(); ++g) {
+      const base::NetId net = net_of(grafts_[g]);
       base::Label label = next_node_label(mesh, net);
-      for (const PatchNode& node : g.patch.nodes) {
-        g.node.push_back(node.host.valid() ? node.host
-                                           : model::add_node(mesh, node.x, label++, net));
+      for (const PatchNode& node : grafts_[g].patch.nodes) {
+        placed_[g].node.push_back(node.host.valid() ? node.host
+                                                    : model::add_node(mesh, node.x, label++, net));
       }
     }
   }
@@ -81,21 +73,22 @@ private:
   void keep_elements() {
     std::vector<bool> removed(host_.element_count(), false);
     for (const PatchGraft& g : grafts_) {
-      for (const ElementId e : g.cavity.elements) {
+      for (const ElementId e : g.removed) {
         removed[e.index()] = true;
       }
     }
     for (std::size_t e = 0; e < host_.element_count(); ++e) {
       if (!removed[e]) {
-        add(ElementId(e), host_.type[e], host_.element_nodes(ElementId(e)), host_.element_label[e]);
-        kept_[e] = ElementId(result_.host.size());
+        kept_[e] = add(ElementId(e), host_.type[e], host_.element_nodes(ElementId(e)),
+                       host_.element_label[e]);
         result_.host.emplace_back(e);
       }
     }
+    first_new_ = result_.mesh.element_count();
   }
 
-  void add(ElementId like, base::ElementType type, std::span<const NodeId> nodes,
-           base::Label label) {
+  ElementId add(ElementId like, base::ElementType type, std::span<const NodeId> nodes,
+                base::Label label) {
     const ElementId e =
         model::add_element(result_.mesh, type, nodes, label, host_.element_net[like.index()]);
     result_.mesh.property[e.index()] = host_.property[like.index()];
@@ -104,30 +97,31 @@ private:
         used_[n.index()] = true;
       }
     }
+    return e;
   }
 
   void add_elements() {
-    for (const PatchGraft& g : grafts_) {
-      const base::NetId net = host_.element_net[g.cavity.elements.front().index()];
+    for (std::size_t g = 0; g < grafts_.size(); ++g) {
+      const Patch& patch = grafts_[g].patch;
+      const base::NetId net = net_of(grafts_[g]);
       // Labels of elements that were cut out are not given anew.
       base::Label label =
           std::max(next_element_label(host_, net), next_element_label(result_.mesh, net));
-      const Locator locator(host_, g);
-      for (const PatchElement& element : g.patch.elements) {
+      for (const PatchElement& element : patch.elements) {
         std::vector<NodeId> nodes;
-        Vec2 centre = Vec2::Zero();
+        PatchNode middle;
         const auto corners = static_cast<std::size_t>(base::element_info(element.type).corners);
         for (std::size_t i = 0; i < element.nodes.size(); ++i) {
-          const auto n = static_cast<std::size_t>(element.nodes[i]);
-          nodes.push_back(g.node[n]);
+          nodes.push_back(placed_[g].node_of(element.nodes[i]));
           if (i < corners) {
-            // Rounded coordinates: round-off does not choose the parent of an element between two.
-            centre += g.patch.nodes[n].local / static_cast<double>(corners);
+            const PatchNode& corner = patch.nodes[static_cast<std::size_t>(element.nodes[i])];
+            middle.x += corner.x / static_cast<double>(corners);
+            middle.local += corner.local / static_cast<double>(corners);
           }
         }
-        const ElementId parent = locator.element_at(centre);
-        parent_.emplace_back(ElementId(result_.mesh.element_count()), parent);
-        add(parent, element.type, nodes, label++);
+        const ElementId parent = grafts_[g].parent(middle);
+        placed_[g].element.push_back(add(parent, element.type, nodes, label++));
+        parent_.emplace_back(placed_[g].element.back(), parent);
         result_.host.emplace_back();
       }
     }
@@ -153,30 +147,27 @@ private:
   }
 
   /// New sides in the place of those of removed elements.
-  [[nodiscard]] std::map<model::Face, std::vector<model::Face>> new_faces() const {
-    std::map<std::pair<NodeId, NodeId>, model::Face> by_ends;
-    for (const auto& [e, parent] : parent_) {
-      for (int s = 0; s < base::element_info(result_.mesh.type[e.index()]).sides; ++s) {
-        // Pieces run as the host's edge does, body on the left: the direction tells a side from
-        // that of the neighbour.
-        const ElementEdge edge = element_edge(result_.mesh, {e, s});
-        by_ends[{edge.a, edge.b}] = {e, s};
-      }
-    }
-    std::map<model::Face, std::vector<model::Face>> result;
-    for (const PatchGraft& g : grafts_) {
-      for (const auto& [face, pieces] : g.patch.edges) {
-        for (const auto& [a, b] : pieces) {
-          result[face].push_back(by_ends.at(
-              {g.node[static_cast<std::size_t>(a)], g.node[static_cast<std::size_t>(b)]}));
+  void find_new_faces() {
+    const SideIndex sides(result_.mesh, first_new_);
+    for (std::size_t g = 0; g < grafts_.size(); ++g) {
+      for (const auto& [face, pieces] : grafts_[g].patch.faces) {
+        std::vector<model::Face>& sides_there = faces_[face];
+        for (const std::vector<int>& piece : pieces) {
+          std::vector<NodeId> corners;
+          std::ranges::transform(piece, std::back_inserter(corners),
+                                 [&](int n) { return placed_[g].node_of(n); });
+          // Not those of the patch of a neighbour, which may have the same nodes.
+          std::ranges::copy_if(sides.find(corners), std::back_inserter(sides_there),
+                               [&](const model::Face& side) {
+                                 return placed_[g].element.front() <= side.element &&
+                                        side.element <= placed_[g].element.back();
+                               });
         }
       }
     }
-    return result;
   }
 
   void inherit_face_sets() {
-    faces_ = new_faces();
     for (const model::FaceSet& old : host_.face_sets) {
       model::FaceSet set{old.name, {}, old.span};
       for (const model::Face& face : old.faces) {
@@ -190,109 +181,172 @@ private:
     }
   }
 
-  /// Whether all nodes of the elements of a cavity are in a set.
-  [[nodiscard]] bool covers(const std::vector<bool>& member, const Cavity& cavity) const {
-    return std::all_of(cavity.elements.begin(), cavity.elements.end(), [&](ElementId e) {
-      const auto nodes = host_.element_nodes(e);
-      return std::all_of(nodes.begin(), nodes.end(), [&](NodeId n) { return member[n.index()]; });
-    });
-  }
-
-  /// Members that are gone, but for those of whole sides of the boundary and of whole cavities.
-  [[nodiscard]] std::vector<NodeId> removed_nodes(const model::NodeSet& old,
-                                                  const std::vector<bool>& member,
-                                                  const std::vector<bool>& had) const {
-    std::vector<NodeId> removed;
-    for (const NodeId n : old.nodes) {
-      if (had[n.index()] && !used_[n.index()]) {
-        removed.push_back(n);
-      }
-    }
-    if (removed.empty()) {
-      return removed;
-    }
-    std::vector<bool> replaced(host_.node_count(), false);
-    for (const model::Face& face : boundary_faces(host_)) {
-      const ElementEdge edge = element_edge(host_, face);
-      if (!kept_[face.element.index()].valid() && member[edge.a.index()] &&
-          member[edge.b.index()] && (!edge.mid.valid() || member[edge.mid.index()])) {
-        replaced[edge.a.index()] = true;
-        replaced[edge.b.index()] = true;
-        replaced[edge.mid.valid() ? edge.mid.index() : edge.a.index()] = true;
-      }
-    }
-    for (const PatchGraft& g : grafts_) {
-      for (const ElementId e :
-           covers(member, g.cavity) ? g.cavity.elements : std::vector<ElementId>()) {
-        for (const NodeId n : host_.element_nodes(e)) {
-          replaced[n.index()] = true;
-        }
-      }
-    }
-    std::erase_if(removed, [&](NodeId n) { return replaced[n.index()]; });
-    return removed;
-  }
-
   void inherit_node_sets() {
     std::vector<bool> had(host_.node_count(), false);
     for (const NodeId n : host_.nodes) {
       had[n.index()] = true;
     }
     for (const model::NodeSet& old : host_.node_sets) {
-      model::NodeSet set{old.name, {}, old.span};
-      std::vector<bool> member(result_.mesh.node_count(), false);
+      NodeSetHeir heir(*this, old);
       for (const NodeId n : old.nodes) {
-        member[n.index()] = true;
         // Nodes without an element in the host were taken by no cavity.
         if (used_[n.index()] || !had[n.index()]) {
-          set.nodes.push_back(n);
+          heir.set.nodes.push_back(n);
         }
       }
-      // Whether a side or a cavity was in the set is asked of the set as it was: nodes that join
-      // here must not bring others in.
-      const std::vector<bool> old_member = member;
-      const auto join = [&](NodeId n) {
-        if (!member[n.index()]) {
-          member[n.index()] = true;
-          set.nodes.push_back(n);
-        }
-      };
-      for (const auto& [face, pieces] : faces_) {
-        const ElementEdge edge = element_edge(host_, face);
-        if (old_member[edge.a.index()] && old_member[edge.b.index()] &&
-            (!edge.mid.valid() || old_member[edge.mid.index()])) {
-          for (const model::Face& piece : pieces) {
-            const ElementEdge part = element_edge(result_.mesh, piece);
-            join(part.a);
-            join(part.mid);
-            join(part.b);
-          }
-        }
+      heir.replace_faces();
+      for (std::size_t g = 0; g < grafts_.size(); ++g) {
+        heir.replace_held_edges(g);
+        heir.replace_cavity(g);
       }
-      for (const PatchGraft& g : grafts_) {
-        // A set that has all of a cavity has all of the patch.
-        if (covers(old_member, g.cavity)) {
-          std::for_each(g.node.begin(), g.node.end(), join);
-        }
-      }
-      result_.removed_nodes.push_back(removed_nodes(old, old_member, had));
-      result_.mesh.node_sets.push_back(std::move(set));
+      std::vector<NodeId>& removed = result_.removed_nodes.emplace_back();
+      std::ranges::copy_if(old.nodes, std::back_inserter(removed), [&](NodeId n) {
+        return had[n.index()] && !used_[n.index()] && !heir.replaced[n.index()];
+      });
+      leave_covered(heir.member, removed);
+      result_.mesh.node_sets.push_back(std::move(heir.set));
     }
   }
 
+  /// What becomes of one node set. Whether an edge, a side or a cavity was in it is asked of the
+  /// set as it was: nodes that join must not bring others in.
+  struct NodeSetHeir {
+    NodeSetHeir(const Grafter& of, const model::NodeSet& old)
+        : grafter(of), set{old.name, {}, old.span}, member(of.result_.mesh.node_count(), false),
+          replaced(of.host_.node_count(), false) {
+      for (const NodeId n : old.nodes) {
+        member[n.index()] = true;
+      }
+      old_member = member;
+    }
+
+    void join(NodeId n) {
+      if (!member[n.index()]) {
+        member[n.index()] = true;
+        set.nodes.push_back(n);
+      }
+    }
+
+    void replace_faces() {
+      for (const auto& [face, pieces] : grafter.faces_) {
+        if (lies_within(grafter.host_, face, old_member)) {
+          for (const NodeId n : nodes_in_order(grafter.result_.mesh, pieces)) {
+            join(n);
+          }
+          for (const NodeId n : nodes_of_faces(grafter.host_, {face})) {
+            replaced[n.index()] = true;
+          }
+        }
+      }
+    }
+
+    void replace_held_edges(std::size_t g) {
+      for (const HeldEdgePieces& edge : grafter.grafts_[g].patch.edges) {
+        if (!std::ranges::all_of(edge.host,
+                                 [&](NodeId n) { return !n.valid() || old_member[n.index()]; })) {
+          continue;
+        }
+        for (const int n : edge.ends) {
+          join(grafter.placed_[g].node_of(n));
+        }
+        if (edge.mid >= 0) {
+          join(grafter.placed_[g].node_of(edge.mid));
+        }
+        for (const NodeId n : edge.host) {
+          if (n.valid()) {
+            replaced[n.index()] = true;
+          }
+        }
+      }
+    }
+
+    /// A set that has all nodes of a cavity has all of the patch.
+    void replace_cavity(std::size_t g) {
+      const std::vector<ElementId>& removed = grafter.grafts_[g].removed;
+      const bool covers = std::ranges::all_of(removed, [&](ElementId e) {
+        return std::ranges::all_of(grafter.host_.element_nodes(e),
+                                   [&](NodeId n) { return old_member[n.index()]; });
+      });
+      if (!covers) {
+        return;
+      }
+      for (const NodeId n : grafter.placed_[g].node) {
+        join(n);
+      }
+      for (const ElementId e : removed) {
+        for (const NodeId n : grafter.host_.element_nodes(e)) {
+          replaced[n.index()] = true;
+        }
+      }
+    }
+
+    const Grafter& grafter;
+    model::NodeSet set;
+    std::vector<bool> member;     ///< [node of the result]
+    std::vector<bool> old_member; ///< the same, of the set as it was
+    std::vector<bool> replaced;   ///< [host node] others have come in its place
+  };
+
+  /// Where new faces are larger than the host's some of these have none in their place: of a set's
+  /// removed nodes those stay for which no new face that is all in the set covers the place.
+  void leave_covered(const std::vector<bool>& member, std::vector<NodeId>& removed) const {
+    if (removed.empty()) {
+      return;
+    }
+    using Corners = std::array<base::Vec3, 3>;
+    std::vector<Corners> triangles;
+    std::vector<geometry::Box<3>> boxes;
+    for (const auto& [face, pieces] : faces_) {
+      for (const model::Face& piece : pieces) {
+        if (lies_within(result_.mesh, piece, member)) {
+          const FaceNodes nodes = face_nodes(result_.mesh, piece);
+          const auto x = [&](std::size_t i) { return result_.mesh.x[nodes.all[i].index()]; };
+          for (std::size_t i = 2; i < nodes.corners; ++i) {
+            triangles.push_back({x(0), x(i - 1), x(i)});
+            boxes.push_back(geometry::Box<3>::around(triangles.back()));
+          }
+        }
+      }
+    }
+    constexpr double off_chord = 0.1; // of an edge: where the surface is curved
+    const geometry::BoxTree<3> tree(boxes);
+    std::erase_if(removed, [&](NodeId n) {
+      const base::Vec3& x = host_.x[n.index()];
+      const auto distance = [&](std::size_t t) {
+        return (geometry::nearest_point(x, triangles[t]).x - x).norm();
+      };
+      const auto t = tree.nearest(x, distance);
+      return t && distance(*t) <= off_chord * (triangles[*t][1] - triangles[*t][0]).norm();
+    });
+  }
+
   const model::Mesh& host_;
-  std::span<PatchGraft> grafts_;
+  std::span<const PatchGraft> grafts_;
   CrackedMesh result_;
+  std::vector<GraftedPatch> placed_; ///< [graft]
+  std::size_t first_new_ = 0;
   std::vector<ElementId> kept_;                         ///< [host element] its new number
   std::vector<bool> used_;                              ///< [host node] by an element of the result
   std::vector<std::pair<ElementId, ElementId>> parent_; ///< new element, host element it lies in
-  std::map<model::Face, std::vector<model::Face>> faces_;
+  std::map<model::Face, std::vector<model::Face>> faces_; ///< [side of the host] new ones there
 };
 
 } // namespace
 
-CrackedMesh graft_patches(const model::Mesh& host, std::span<PatchGraft> grafts) {
+GraftedMesh graft_patches(const model::Mesh& host, std::span<const PatchGraft> grafts) {
   return Grafter(host, grafts).graft();
+}
+
+void add_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
+              CrackedMesh& cracked) {
+  for (const PatchTie& tie : patch.ties) {
+    HangingNodeTie& made = cracked.ties.emplace_back();
+    made.slave = placed.node_of(tie.slave);
+    std::ranges::transform(tie.master, std::back_inserter(made.master),
+                           [&](int n) { return placed.node_of(n); });
+    made.weight = tie.weight;
+    made.crack = crack;
+  }
 }
 
 } // namespace spricka::mesh

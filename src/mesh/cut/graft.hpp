@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/cut/cracked.hpp"
-#include "mesh/cut/patch_mesh.hpp"
+#include "mesh/cut/patch_net.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace spricka::mesh {
 
-/// A patch ready to be put into the host, and afterwards where its nodes are.
+/// A patch ready to be put into the host.
 struct PatchGraft {
-  Patch patch;
-  Cavity cavity;
-  PlanarCrackFrame frame;
-  std::vector<base::NodeId> node; ///< [patch node] once grafted
+  const Patch& patch;
+  const std::vector<base::ElementId>& removed; ///< elements of the host that it replaces, ascending
+  /// The one of them that a new element lies in, by the middle of its corners: that element's
+  /// property and sets it takes over.
+  std::function<base::ElementId(const PatchNode& middle)> parent;
 };
 
-/// The host with its cavities filled: mesh, `host` and all sets of the result, still uncracked.
-CrackedMesh graft_patches(const model::Mesh& host, std::span<PatchGraft> grafts);
+/// Where nodes and elements of a patch are in the mesh it was put into.
+struct GraftedPatch {
+  std::vector<base::NodeId> node;       ///< [patch node]
+  std::vector<base::ElementId> element; ///< [patch element]
+
+  [[nodiscard]] base::NodeId node_of(int n) const { return node[static_cast<std::size_t>(n)]; }
+};
+
+/// A host of plane or solid elements with its cavities filled.
+struct GraftedMesh {
+  CrackedMesh cracked; ///< mesh, `host`, `removed_nodes` and all sets
+  std::vector<GraftedPatch> patches;
+};
+GraftedMesh graft_patches(const model::Mesh& host, std::span<const PatchGraft> grafts);
+
+/// Adds the ties of a patch to the mesh that it was put into, in the name of a crack.
+void add_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
+              CrackedMesh& cracked);
 
 } // namespace spricka::mesh

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/host.hpp"
 
+#include "mesh/boundary.hpp"
+#include "mesh/plane.hpp"
+#include "mesh/side_index.hpp"
 #include "shape/shape.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
 namespace spricka::mesh {
@@ -28,11 +30,11 @@ base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi)
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
 }
 
-base::Vec2 point_on(const model::Mesh& mesh, const PlanarCrackFrame& frame, const ElementEdge& edge,
+base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
                     double xi) {
-  const base::Vec2 a = frame.rounded_local(mesh.x[edge.a.index()]);
-  const base::Vec2 b = frame.rounded_local(mesh.x[edge.b.index()]);
-  const base::Vec2 m = frame.rounded_local(mesh.x[edge.mid.index()]);
+  const base::Vec2 a = frame.rounded_local(mesh.x[edge.a.index()]).head<2>();
+  const base::Vec2 b = frame.rounded_local(mesh.x[edge.b.index()]).head<2>();
+  const base::Vec2 m = frame.rounded_local(mesh.x[edge.mid.index()]).head<2>();
   const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
   return N[0] * a + N[1] * b + N[2] * m;
 }
@@ -71,16 +73,34 @@ bool is_beyond(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec
 }
 
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
-                                const PlanarCrackFrame& frame) {
+                                const CrackFrame& frame) {
   std::vector<base::Vec2> result;
   for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
     const ElementEdge edge = element_edge(mesh, {e, s});
-    result.push_back(frame.rounded_local(mesh.x[edge.a.index()]));
+    result.push_back(frame.rounded_local(mesh.x[edge.a.index()]).head<2>());
     if (edge.mid.valid()) {
-      result.push_back(frame.rounded_local(mesh.x[edge.mid.index()]));
+      result.push_back(frame.rounded_local(mesh.x[edge.mid.index()]).head<2>());
     }
   }
   return result;
+}
+
+ElementOutlines::ElementOutlines(const model::Mesh& mesh, std::span<const base::ElementId> elements,
+                                 const CrackFrame& frame) {
+  std::vector<geometry::Box<2>> boxes;
+  for (const base::ElementId e : elements) {
+    outlines_.push_back(polygon(mesh, e, frame));
+    boxes.push_back(geometry::Box<2>::around(outlines_.back()));
+  }
+  boxes_ = geometry::BoxTree<2>(boxes);
+}
+
+std::size_t ElementOutlines::nearest(const base::Vec2& p) const {
+  return boxes_.nearest(p,
+                        [&](std::size_t i) {
+                          return distance(outlines_[i], {p, p});
+                        })
+      .value_or(0);
 }
 
 bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
@@ -88,51 +108,39 @@ bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
 }
 
 HostMesh::HostMesh(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
-  assert(mesh.dim == 2);
   beyond_.assign(most_sides * mesh.element_count(), -1);
+  const SideIndex sides(mesh);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const model::Face face{base::ElementId(e), s};
-      if (beyond_[place(face)] < 0) {
-        meet(face);
-      }
-      const std::int32_t across = beyond_[place(face)];
-      if (across < 0) {
+      const auto there = sides.find(face_nodes(mesh, face).corner_nodes());
+      const auto other = std::ranges::find_if(
+          there, [&](const model::Face& side) { return side.element != face.element; });
+      if (other == there.end()) {
         boundary_.push_back(face);
-      } else if (mesh.property[static_cast<std::size_t>(across)] != mesh.property[e]) {
+        continue;
+      }
+      beyond_[place(face)] = static_cast<std::int32_t>(other->element.index());
+      if (mesh.property[other->element.index()] != mesh.property[e]) {
         borders_.push_back(face);
       }
     }
   }
 }
 
-// Sides of plane elements join one corner to the next: those of neighbours run against each other,
-// and what one finds the other need not look for.
-void HostMesh::meet(const model::Face& face) {
-  const auto next_corner = [&](base::ElementId e, std::size_t i) {
-    const std::size_t next = i + 1;
-    return next == std::size_t(base::element_info(mesh_.type[e.index()]).corners) ? 0 : next;
-  };
-  const auto own = mesh_.element_nodes(face.element);
-  const auto s = static_cast<std::size_t>(face.side);
-  const base::NodeId a = own[s];
-  const base::NodeId b = own[next_corner(face.element, s)];
-  for (const base::ElementId other : elements_around(a)) {
-    if (other == face.element) {
-      continue;
-    }
-    const auto nodes = mesh_.element_nodes(other);
-    const auto sides =
-        static_cast<std::size_t>(base::element_info(mesh_.type[other.index()]).sides);
-    for (std::size_t k = 0; k < sides; ++k) {
-      if (nodes[k] == b && nodes[next_corner(other, k)] == a) {
-        beyond_[place(face)] = static_cast<std::int32_t>(other.index());
-        std::int32_t& back = beyond_[place({other, static_cast<int>(k)})];
-        back = back < 0 ? static_cast<std::int32_t>(face.element.index()) : back;
-        return;
+std::vector<model::Face>
+HostMesh::outline(std::span<const base::ElementId> elements,
+                  const std::function<bool(base::ElementId)>& inside) const {
+  std::vector<model::Face> result;
+  for (const base::ElementId e : elements) {
+    for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
+      const auto other = neighbour({e, s});
+      if (!other || !inside(*other)) {
+        result.push_back({e, s});
       }
     }
   }
+  return result;
 }
 
 } // namespace spricka::mesh

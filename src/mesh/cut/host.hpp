@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "geometry/box_tree.hpp"
+#include "mesh/cut/crack_frame.hpp"
 #include "mesh/node_elements.hpp"
-#include "mesh/plane.hpp"
 #include "model/mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,7 +25,7 @@ ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face);
 base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi);
 
 /// The same, of an edge with a middle node, in a crack's frame: from rounded coordinates.
-base::Vec2 point_on(const model::Mesh& mesh, const PlanarCrackFrame& frame, const ElementEdge& edge,
+base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
                     double xi);
 
 /// The point of an edge nearest to p.
@@ -39,13 +41,27 @@ bool is_beyond(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec
 
 /// Corner and mid nodes of an element in the crack's frame, in order round it.
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
-                                const PlanarCrackFrame& frame);
+                                const CrackFrame& frame);
+
+/// Finds of some elements the one that a point of the crack's frame lies in, or comes nearest to.
+class ElementOutlines {
+public:
+  ElementOutlines(const model::Mesh& mesh, std::span<const base::ElementId> elements,
+                  const CrackFrame& frame);
+
+  /// The place of that element among them, of several the first.
+  [[nodiscard]] std::size_t nearest(const base::Vec2& p) const;
+
+private:
+  std::vector<std::vector<base::Vec2>> outlines_; ///< [element]
+  geometry::BoxTree<2> boxes_;                    ///< [element]
+};
 
 /// Whether the element of a face belongs to a net (any net: invalid).
 bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
 
-/// A 2D mesh with its neighbourhoods. Functions that want one take a mesh as well; who calls
-/// several makes it once.
+/// A mesh, plane or solid, with its neighbourhoods. Functions that want one take a mesh as well;
+/// who calls several makes it once.
 class HostMesh {
 public:
   HostMesh(const model::Mesh& mesh);
@@ -55,22 +71,27 @@ public:
   [[nodiscard]] std::span<const base::ElementId> elements_around(base::NodeId node) const {
     return elements_.elements_around(node);
   }
-  /// The element on the other side of an edge; empty on the boundary.
+  /// The element on the other side of an element's side, of several the first; empty on the
+  /// boundary.
   [[nodiscard]] std::optional<base::ElementId> neighbour(const model::Face& face) const {
     const std::int32_t e = beyond_[place(face)];
     return e < 0 ? std::nullopt : std::optional(base::ElementId(static_cast<std::size_t>(e)));
   }
-  /// Edges of one element only.
+  /// Sides of one element only, element by element.
   [[nodiscard]] const std::vector<model::Face>& boundary() const { return boundary_; }
-  /// Edges with another property beyond them.
+  /// Sides with another property beyond them.
   [[nodiscard]] const std::vector<model::Face>& property_borders() const { return borders_; }
 
+  /// Sides of some elements, in their order, that have none for which `inside` holds beyond them.
+  [[nodiscard]] std::vector<model::Face>
+  outline(std::span<const base::ElementId> elements,
+          const std::function<bool(base::ElementId)>& inside) const;
+
 private:
-  static constexpr std::size_t most_sides = 4;
+  static constexpr std::size_t most_sides = 6;
   static std::size_t place(const model::Face& face) {
     return most_sides * face.element.index() + std::size_t(face.side);
   }
-  void meet(const model::Face& face); ///< finds what lies beyond it
 
   const model::Mesh& mesh_;
   NodeElements elements_;

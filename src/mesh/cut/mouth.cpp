@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/mouth.hpp"
 
+#include "mesh/plane.hpp"
+
 #include <cmath>
 
 namespace spricka::mesh {
@@ -49,7 +51,7 @@ base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::Net
     const Vec3& first = mesh.x[mesh.element_nodes(e).front().index()];
     const double size = (mesh.x[mesh.element_nodes(e)[1].index()] - first).norm();
     // A frame at the point in sizes of the element, so that `same` is a part of the element.
-    const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
+    const std::vector<Vec2> shape = polygon(mesh, e, {point, Eigen::Matrix3d::Identity(), size});
     if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
       return e;
     }

@@ -4,17 +4,18 @@
 #include "mesh/cut/cavity_check.hpp"
 #include "mesh/cut/crack_check.hpp"
 #include "mesh/cut/crack_face_sets.hpp"
+#include "mesh/cut/folded_elements.hpp"
 #include "mesh/cut/graft.hpp"
+#include "mesh/cut/patch_mesh.hpp"
 #include "mesh/cut/path.hpp"
 #include "mesh/cut/split.hpp"
-#include "mesh/quality.hpp"
-#include "shape/shape.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
 
 namespace spricka::mesh {
 namespace {
@@ -28,28 +29,12 @@ using base::Vec3;
 /// hundredth K has changed by 0.06 %.
 constexpr double neither = 0.02;
 
-/// The worst element of a patch, empty if all are good.
-std::optional<InvalidElement> worst_element(const Patch& patch) {
-  model::Mesh mesh;
-  for (const PatchNode& node : patch.nodes) {
-    model::add_node(mesh, node.x, 0, {});
-  }
-  std::vector<NodeId> nodes;
-  for (const PatchElement& element : patch.elements) {
-    nodes.clear();
-    for (const int n : element.nodes) {
-      nodes.emplace_back(static_cast<std::size_t>(n));
-    }
-    model::add_element(mesh, element.type, nodes, 0, {});
-  }
-  const std::vector<InvalidElement> bad = bad_elements(mesh);
-  if (bad.empty()) {
-    return std::nullopt;
-  }
-  return *std::min_element(
-      bad.begin(), bad.end(),
-      [](const InvalidElement& a, const InvalidElement& b) { return a.jacobian < b.jacobian; });
-}
+/// A cavity and what fills it, in the frame of its first crack.
+struct FilledCavity {
+  Cavity cavity;
+  CrackFrame frame;
+  PlanePatch patch{};
+};
 
 /// Everything about one crack on its way into the mesh.
 struct Work {
@@ -57,8 +42,8 @@ struct Work {
   const TipMeshParameters* tip = nullptr;
   base::SourceSpan span;
   std::size_t place = 0;  ///< with a patch: number of its placement,
-  std::size_t graft = 0;  ///< of the graft it is in
-  std::size_t member = 0; ///< and which one of that graft's cracks it is
+  std::size_t cavity = 0; ///< of the cavity it is in
+  std::size_t member = 0; ///< and which one of that cavity's cracks it is
   std::vector<NodeId> path;
 };
 
@@ -82,7 +67,7 @@ public:
     if (!good || !rosettes_are_apart() || !cut() || !make_patches()) {
       return std::nullopt;
     }
-    result_ = graft_patches(mesh_, grafts_);
+    graft();
     tie_rims();
     if (!open_cracks()) {
       return std::nullopt;
@@ -146,14 +131,14 @@ private:
       const std::vector<std::size_t>& members = cavities.cracks[c];
       for (std::size_t m = 0; m < members.size(); ++m) {
         Work& work = *with_patch[members[m]];
-        work.graft = c;
+        work.cavity = c;
         work.member = m;
         good = (members.size() == 1 || can_share(*with_patch[members.front()], work)) && good;
         good = check_cavity(host_, placements_[work.place], cavities.each[c], work.span,
                             diagnostics_) &&
                good;
       }
-      grafts_.push_back({{}, std::move(cavities.each[c]), placements_[members.front()].frame, {}});
+      cavities_.push_back({std::move(cavities.each[c]), placements_[members.front()].frame});
     }
     return good;
   }
@@ -176,36 +161,38 @@ private:
 
   bool make_patches() {
     bool good = true;
-    for (std::size_t g = 0; g < grafts_.size(); ++g) {
-      good = make_patch(g) && good;
+    for (std::size_t c = 0; c < cavities_.size(); ++c) {
+      good = make_patch(c) && good;
     }
     return good;
   }
 
   /// Finer edges bend less: the remedy for elements that the host's curves fold.
-  bool make_patch(std::size_t g) {
-    PatchGraft& graft = grafts_[g];
+  bool make_patch(std::size_t c) {
+    FilledCavity& filled = cavities_[c];
+    PlanePatch& patch = filled.patch;
     std::vector<PatchCrack> cracks;
     std::string names;
     base::SourceSpan span;
     for (const Work& work : work_) {
-      if (work.tip->patch && work.graft == g) {
+      if (work.tip->patch && work.cavity == c) {
         // All in the frame of the patch, that of its first crack.
-        cracks.push_back({seen_from(placements_[work.place], graft.frame), work.tip});
+        cracks.push_back({seen_from(placements_[work.place], filled.frame), work.tip});
         span = names.empty() ? work.span : span;
         names += (names.empty() ? "" : ", ") + work.line->display_name();
       }
     }
     std::string trouble;
     for (const double fineness : {1.0, 2.0, 4.0}) {
-      graft.patch = mesh_cavity(host_, cracks, graft.cavity, fineness);
-      trouble = graft.patch.trouble;
+      patch = mesh_cavity(host_, cracks, filled.cavity, fineness);
+      trouble = patch.trouble;
       if (trouble.empty()) {
-        const auto bad = worst_element(graft.patch);
-        if (!bad) {
+        const std::vector<InvalidElement> folded = folded_elements(patch.nodes, patch.elements);
+        if (folded.empty()) {
           return true;
         }
-        trouble = fmt::format("an element at ({:.6g}, {:.6g}) is folded", bad->at.x(), bad->at.y());
+        const Vec3& at = worst_element(folded).at;
+        trouble = fmt::format("an element at ({:.6g}, {:.6g}) is folded", at.x(), at.y());
       }
     }
     diagnostics_.error(span, "E429",
@@ -213,19 +200,26 @@ private:
     return false;
   }
 
+  void graft() {
+    std::vector<PatchGraft> grafts;
+    for (const FilledCavity& filled : cavities_) {
+      const std::vector<ElementId>& elements = filled.cavity.elements;
+      const auto outlines = std::make_shared<ElementOutlines>(mesh_, elements, filled.frame);
+      grafts.push_back({filled.patch, elements, [&elements, outlines](const PatchNode& middle) {
+                          // Rounded coordinates: round-off does not choose between two elements.
+                          return elements[outlines->nearest(middle.local.head<2>())];
+                        }});
+    }
+    GraftedMesh grafted = graft_patches(mesh_, grafts);
+    result_ = std::move(grafted.cracked);
+    placed_ = std::move(grafted.patches);
+  }
+
   void tie_rims() {
     for (const Work& work : work_) {
       // The rim of a patch that several cracks share is tied once, in the name of the first.
-      if (!work.tip->patch || work.member != 0) {
-        continue;
-      }
-      const PatchGraft& g = grafts_[work.graft];
-      for (const Patch::TiedPatchNode& tied : g.patch.tied) {
-        const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(tied.xi));
-        result_.ties.push_back({g.node[static_cast<std::size_t>(tied.node)],
-                                {tied.edge.a, tied.edge.b, tied.edge.mid},
-                                {N[0], N[1], N[2]},
-                                work.line->crack});
+      if (work.tip->patch && work.member == 0) {
+        add_ties(cavities_[work.cavity].patch, placed_[work.cavity], work.line->crack, result_);
       }
     }
   }
@@ -233,9 +227,8 @@ private:
   bool open_cracks() {
     for (Work& work : work_) {
       if (work.tip->patch) {
-        const PatchGraft& g = grafts_[work.graft];
-        for (const int n : g.patch.paths[work.member]) {
-          work.path.push_back(g.node[static_cast<std::size_t>(n)]);
+        for (const int n : cavities_[work.cavity].patch.paths[work.member]) {
+          work.path.push_back(placed_[work.cavity].node_of(n));
         }
       }
       if (work.line->symmetric_half) {
@@ -280,7 +273,7 @@ private:
 
   std::string add_patch_tips(const Work& work, CrackFront front) {
     const CrackPlacement& placement = placements_[work.place];
-    const PlanarCrackFrame& frame = placement.frame;
+    const CrackFrame& frame = placement.frame;
     front.size = work.tip->size;
     front.radius = work.tip->radius;
     for (std::size_t i = 0; i < placement.tips.size(); ++i) {
@@ -289,28 +282,29 @@ private:
           i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
       front.tip_point().x = result_.mesh.x[front.tip_point().node.index()];
       front.tip_point().growth =
-          (frame.global(placement.tips[i].growth_direction()) - frame.origin).normalized();
+          (frame.global(base::to_space(placement.tips[i].growth_direction())) - frame.origin)
+              .normalized();
       result_.fronts.push_back(front);
     }
-    const PatchGraft& g = grafts_[work.graft];
+    const FilledCavity& filled = cavities_[work.cavity];
     return fmt::format("{}: a = {:.6g}{}, patch of {} elements for {} of the net, {} of radius "
                        "{:.6g} with {} rings of {} sectors, tip elements {:.6g}{}",
                        work.line->display_name(), front.a,
-                       work.line->embedded ? " (half its length)" : "", g.patch.elements.size(),
-                       g.cavity.elements.size(), placement.tips.size() > 1 ? "rosettes" : "rosette",
-                       front.radius, work.tip->rings, work.tip->sectors, front.size,
-                       more_about(work));
+                       work.line->embedded ? " (half its length)" : "",
+                       filled.patch.elements.size(), filled.cavity.elements.size(),
+                       placement.tips.size() > 1 ? "rosettes" : "rosette", front.radius,
+                       work.tip->rings, work.tip->sectors, front.size, more_about(work));
   }
 
   /// The cracks that share a patch, and its rim.
   [[nodiscard]] std::string more_about(const Work& work) const {
     std::string text;
     for (const Work& other : work_) {
-      if (&other != &work && other.tip->patch && other.graft == work.graft) {
+      if (&other != &work && other.tip->patch && other.cavity == work.cavity) {
         text += (text.empty() ? ", one patch with " : ", ") + other.line->display_name();
       }
     }
-    const std::size_t tied = grafts_[work.graft].patch.tied.size();
+    const std::size_t tied = cavities_[work.cavity].patch.ties.size();
     return text + (tied == 0 ? "" : fmt::format(", {} nodes of its rim tied", tied));
   }
 
@@ -345,7 +339,8 @@ private:
   base::Diagnostics& diagnostics_;
   std::vector<Work> work_;
   std::vector<CrackPlacement> placements_;
-  std::vector<PatchGraft> grafts_;
+  std::vector<FilledCavity> cavities_;
+  std::vector<GraftedPatch> placed_; ///< [cavity]
   CrackedMesh result_;
 };
 

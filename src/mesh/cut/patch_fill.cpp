@@ -18,7 +18,7 @@ std::string triangulate_patch(PatchNet& net, const PatchContours& contours, cons
     const auto [at, fresh] = place.try_emplace(n, static_cast<int>(node.size()));
     if (fresh) {
       node.push_back(n);
-      region.points.push_back(net.local_position(n));
+      region.points.push_back(net.local_position(n).head<2>());
     }
     return at->second;
   };
@@ -38,11 +38,13 @@ std::string triangulate_patch(PatchNet& net, const PatchContours& contours, cons
     return filling.trouble;
   }
   for (const base::Vec2& p : filling.added) {
-    node.push_back(net.new_node(p));
+    node.push_back(net.new_node_at(base::to_space(p)));
   }
   for (const std::array<int, 3>& t : filling.triangles) {
-    net.add_triangle(node[static_cast<std::size_t>(t[0])], node[static_cast<std::size_t>(t[1])],
-                     node[static_cast<std::size_t>(t[2])]);
+    PatchTriangle corners{};
+    std::ranges::transform(t, corners.begin(),
+                           [&](int n) { return node[static_cast<std::size_t>(n)]; });
+    net.add_element(base::ElementType::trimc6, corners);
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include "mesh/cut/patch_fill.hpp"
 #include "mesh/cut/patch_sizes.hpp"
 #include "mesh/cut/symmetry_line.hpp"
+#include "shape/shape.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -26,7 +27,7 @@ public:
     }
   }
 
-  Patch build(double fineness) {
+  PlanePatch build(double fineness) {
     // Rims of rosettes ask for sizes, loops make the nodes of mouths, and cracks run from these to
     // the rims: in this order.
     for (PatchCrack& crack : cracks_) {
@@ -43,14 +44,11 @@ public:
       add_rims();
       patch_.trouble = triangulate_patch(net_, contours_, fill_size_);
     }
-    patch_.nodes = std::move(net_.nodes);
-    patch_.elements = std::move(net_.elements);
+    net_.move_into(patch_);
     return std::move(patch_);
   }
 
 private:
-  using Pair = std::pair<int, int>;
-
   [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
     return point_on(host_.mesh(), frame_, edge, xi);
   }
@@ -106,25 +104,31 @@ private:
     const std::vector<double> rest = divide(curve, 0.0, 1.0, size_);
     xi.insert(xi.end(), rest.begin() + 1, rest.end());
     std::vector<int> inner = add_parts(edge, xi);
-    const std::vector<Pair>& pieces = patch_.edges.back().second;
+    const std::vector<std::vector<int>>& pieces = patch_.faces.back().second;
     for (std::size_t i = 1; i < xi.size(); ++i) {
-      const Pair& piece = pieces[i - 1];
+      const std::vector<int>& piece = pieces[i - 1];
       // (mesh.12) for middle nodes of the parts and for corners between them; the host's own middle
       // node, at 0, needs no tie.
-      patch_.tied.push_back(
-          {net_.mid_node(piece.first, piece.second), edge.edge, 0.5 * (xi[i - 1] + xi[i])});
+      tie(net_.mid_node(piece[0], piece[1]), edge.edge, 0.5 * (xi[i - 1] + xi[i]));
       if (i + 1 < xi.size() && xi[i] != 0.0) {
-        patch_.tied.push_back({piece.second, edge.edge, xi[i]});
+        tie(piece[1], edge.edge, xi[i]);
       }
     }
     return inner;
+  }
+
+  void tie(int node, const ElementEdge& edge, double xi) {
+    const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
+    net_.ties.push_back({node,
+                         {net_.host_node(edge.a), net_.host_node(edge.b), net_.host_node(edge.mid)},
+                         {N[0], N[1], N[2]}});
   }
 
   std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi) {
     const ElementEdge& e = edge.edge;
     const auto mouths = edge.free ? mouths_on(edge, cracks_) : decltype(mouths_on(edge, cracks_))();
     std::vector<int> inner;
-    std::vector<Pair> pieces;
+    std::vector<std::vector<int>> pieces;
     int from = net_.host_node(e.a);
     for (std::size_t i = 1; i < xi.size(); ++i) {
       const bool last = i + 1 == xi.size();
@@ -140,7 +144,7 @@ private:
       const bool whole = xi.size() == 2;
       const Vec3 half = point_on(host_.mesh(), e, 0.5 * (xi[i - 1] + xi[i]));
       net_.set_mid_node(from, to, whole ? net_.host_node(e.mid) : net_.new_node(half));
-      pieces.emplace_back(from, to);
+      pieces.push_back({from, to});
       if (!last) {
         inner.push_back(to);
         for (const auto& [at, crack] : mouths) {
@@ -150,10 +154,10 @@ private:
       }
       from = to;
     }
-    for (const Pair& piece : pieces) {
-      add_edge_size(fill_size_, net_, piece.first, piece.second);
+    for (const std::vector<int>& piece : pieces) {
+      add_edge_size(fill_size_, net_, piece[0], piece[1]);
     }
-    patch_.edges.emplace_back(edge.face, std::move(pieces));
+    patch_.faces.emplace_back(edge.face, std::move(pieces));
     return inner;
   }
 
@@ -163,7 +167,7 @@ private:
     const std::vector<double> t = divide(curve, 0.0, 1.0, size_);
     std::vector<int> nodes;
     for (std::size_t i = 1; i + 1 < t.size(); ++i) {
-      nodes.push_back(net_.new_node(curve(t[i])));
+      nodes.push_back(net_.new_node_at(base::to_space(curve(t[i]))));
     }
     return nodes;
   }
@@ -184,7 +188,8 @@ private:
       const Vec2 to = last ? rim_point(place.tips.back()) : place.line[k];
       const std::vector<int> inner = add_interval(from, to);
       crack_face.insert(crack_face.end(), inner.begin(), inner.end());
-      crack_face.push_back(last ? last_rosette.behind.back() : net_.new_node(to));
+      crack_face.push_back(last ? last_rosette.behind.back()
+                                : net_.new_node_at(base::to_space(to)));
       from = to;
     }
     for (std::size_t i = 0; i + 1 < crack_face.size(); ++i) {
@@ -222,7 +227,8 @@ private:
       return;
     }
     std::vector<int> ligament{rosette.ahead.back()};
-    const std::vector<int> inner = add_interval(net_.local_position(ligament[0]), {end.x, 0.0});
+    const std::vector<int> inner =
+        add_interval(net_.local_position(ligament[0]).head<2>(), {end.x, 0.0});
     ligament.insert(ligament.end(), inner.begin(), inner.end());
     ligament.push_back(net_.host_node(end.node));
     for (std::size_t i = 0; i + 1 < ligament.size(); ++i) {
@@ -234,8 +240,8 @@ private:
     line.push_back(rosette.tip);
     line.insert(line.end(), rosette.ahead.begin(), rosette.ahead.end());
     line.insert(line.end(), ligament.begin() + 1, ligament.end());
-    const std::vector<HeldEdgePieces> pieces = symmetry_line_.edge_pieces(net_, line);
-    patch_.edges.insert(patch_.edges.end(), pieces.begin(), pieces.end());
+    const std::vector<FacePieces> pieces = symmetry_line_.edge_pieces(net_, line);
+    patch_.faces.insert(patch_.faces.end(), pieces.begin(), pieces.end());
     // what the filling sees: over the rosette
     std::vector<int> contour(crack_face.begin(), crack_face.end() - 1);
     if (half_ > 0) { // rim runs from ahead to behind
@@ -269,11 +275,11 @@ private:
 
   const HostMesh& host_;
   std::vector<PatchCrack> cracks_;
-  PlanarCrackFrame frame_;
+  CrackFrame frame_;
   int half_;
   const Cavity& cavity_;
   PatchNet net_;
-  Patch patch_;
+  PlanePatch patch_;
   Grading size_;      ///< along curves, before they are divided
   Grading fill_size_; ///< in the region, from the edges that were made
   PatchContours contours_;
@@ -283,8 +289,8 @@ private:
 
 } // namespace
 
-Patch mesh_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
-                  double fineness) {
+PlanePatch mesh_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks,
+                       const Cavity& cavity, double fineness) {
   return PlanePatchBuilder(host, cracks, cavity).build(fineness);
 }
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/patch_net.hpp"
 
-#include <algorithm>
+#include "mesh/plane.hpp"
+#include "shape/topology.hpp"
+
+#include <Eigen/Geometry>
 
 namespace spricka::mesh {
 
 using base::NodeId;
-using base::Vec2;
 using base::Vec3;
 
 int PatchNet::host_node(NodeId n) {
-  const auto [at, fresh] = of_host_.try_emplace(n, static_cast<int>(nodes.size()));
+  const auto [at, fresh] = of_host_.try_emplace(n.value, static_cast<int>(nodes.size()));
   if (fresh) {
     nodes.push_back({host_.x[n.index()], frame_.rounded_local(host_.x[n.index()]), n});
   }
@@ -22,29 +24,53 @@ int PatchNet::new_node(const Vec3& x) {
   return static_cast<int>(nodes.size()) - 1;
 }
 
-int PatchNet::new_node(const Vec2& place) {
-  nodes.push_back({frame_.global(place), {rounded(place.x()), rounded(place.y())}, {}});
+int PatchNet::new_node_at(const Vec3& place) {
+  nodes.push_back({frame_.global(place), rounded(place), {}});
   return static_cast<int>(nodes.size()) - 1;
 }
 
+int PatchNet::duplicate_node(int n) {
+  PatchNode node = nodes[static_cast<std::size_t>(n)];
+  node.host = {};
+  nodes.push_back(node);
+  return static_cast<int>(nodes.size()) - 1;
+}
+
+std::optional<int> PatchNet::known_mid_node(int a, int b) const {
+  const auto at = mid_.find(key(a, b));
+  return at == mid_.end() ? std::nullopt : std::optional(at->second);
+}
+
 int PatchNet::mid_node(int a, int b) {
-  const auto [at, fresh] = mid_.try_emplace(std::minmax(a, b), 0);
-  if (fresh) {
-    const Vec3 half = 0.5 * (position(a) + position(b));
-    at->second = new_node(half);
+  if (const auto known = known_mid_node(a, b)) {
+    return *known;
   }
-  return at->second;
+  const Vec3 half = 0.5 * (position(a) + position(b));
+  const int node = new_node(half);
+  set_mid_node(a, b, node);
+  return node;
 }
 
-void PatchNet::add_triangle(int a, int b, int c) {
-  elements.push_back(
-      {base::ElementType::trimc6, {a, b, c, mid_node(a, b), mid_node(b, c), mid_node(c, a)}});
+void PatchNet::add_element(base::ElementType type, std::span<const int> corners) {
+  PatchElement& element = elements.emplace_back(PatchElement{type, {}});
+  element.nodes.assign(corners.begin(), corners.end());
+  for (int m = 0; m < shape::edge_count(type); ++m) {
+    const auto [a, b] = shape::edge_corners(type, m);
+    element.nodes.push_back(
+        mid_node(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]));
+  }
 }
 
-void PatchNet::add_quadrilateral(int a, int b, int c, int d) {
-  elements.push_back(
-      {base::ElementType::quamc8,
-       {a, b, c, d, mid_node(a, b), mid_node(b, c), mid_node(c, d), mid_node(d, a)}});
+double PatchNet::six_volumes(int a, int b, int c, int d) const {
+  return (local_position(b) - local_position(a))
+      .cross(local_position(c) - local_position(a))
+      .dot(local_position(d) - local_position(a));
+}
+
+void PatchNet::move_into(Patch& patch) {
+  patch.nodes = std::move(nodes);
+  patch.elements = std::move(elements);
+  patch.ties = std::move(ties);
 }
 
 } // namespace spricka::mesh

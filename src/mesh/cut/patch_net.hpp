@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/plane.hpp"
+#include "base/element_type.hpp"
+#include "mesh/cut/crack_frame.hpp"
 #include "model/mesh.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <map>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,7 +19,7 @@ namespace spricka::mesh {
 /// A node of a patch: one of the host's, or new.
 struct PatchNode {
   base::Vec3 x = base::Vec3::Zero();
-  base::Vec2 local = base::Vec2::Zero(); ///< in the crack's frame, rounded
+  base::Vec3 local = base::Vec3::Zero(); ///< in the crack's frame, rounded; in the plane z = 0
   base::NodeId host;
 };
 
@@ -23,40 +28,83 @@ struct PatchElement {
   std::vector<int> nodes;
 };
 
-/// An edge of the cavity and the edges (from, to) of the patch that take its place, in its
-/// direction.
-using HeldEdgePieces = std::pair<model::Face, std::vector<std::pair<int, int>>>;
+/// A node that takes the displacement of its place on an edge or a face of others.
+struct PatchTie {
+  int slave = 0;
+  std::vector<int> master;
+  std::vector<double> weight; ///< as many
+};
 
-/// Collects nodes and quadratic elements of a patch; an edge gets its mid node when first met.
+using PatchTriangle = std::array<int, 3>;
+
+/// A side of the host and the sides of the patch in its place, by corners: edges of a plane patch
+/// from end to end. Sides that end at a crack may be there twice, with the nodes of either face.
+using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
+
+/// What takes the place of an edge of a host of solids that a held set has: nodes of the patch,
+/// both of a mouth that it ends at.
+struct HeldEdgePieces {
+  std::array<base::NodeId, 3> host; ///< ends and middle, invalid in linear elements
+  std::vector<int> ends;
+  int mid = -1; ///< none: what lies there belongs to another piece
+};
+
+/// What fills a cavity of a host, in the plane or in space.
+struct Patch {
+  std::vector<PatchNode> nodes;
+  std::vector<PatchElement> elements;
+  std::vector<PatchTie> ties;
+  std::vector<FacePieces> faces;     ///< of the cavity that belonged to its elements
+  std::vector<HeldEdgePieces> edges; ///< of the cavity that held sets have
+  std::string trouble;               ///< why there is no patch
+};
+
+/// Collects nodes, elements and ties of a patch; an edge has one node in its middle.
 class PatchNet {
 public:
-  PatchNet(const model::Mesh& host, const PlanarCrackFrame& frame) : host_(host), frame_(frame) {}
+  /// Both must outlive the net.
+  PatchNet(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
 
   int host_node(base::NodeId n);
   int new_node(const base::Vec3& x);
   /// At a place in the crack's frame, which is not rounded.
-  int new_node(const base::Vec2& place);
+  int new_node_at(const base::Vec3& place);
+  /// A second node in the place of another.
+  int duplicate_node(int n);
+
   /// The node in the middle of an edge, made half way if the edge has none.
   int mid_node(int a, int b);
-  void set_mid_node(int a, int b, int node) { mid_[std::minmax(a, b)] = node; }
-  void add_triangle(int a, int b, int c);
-  void add_quadrilateral(int a, int b, int c, int d);
+  [[nodiscard]] std::optional<int> known_mid_node(int a, int b) const;
+  void set_mid_node(int a, int b, int node) { mid_.insert_or_assign(key(a, b), node); }
+  /// Adds a quadratic element of these corners, with the nodes in the middle of its edges.
+  void add_element(base::ElementType type, std::span<const int> corners);
 
   [[nodiscard]] const base::Vec3& position(int n) const {
     return nodes[static_cast<std::size_t>(n)].x;
   }
-  [[nodiscard]] const base::Vec2& local_position(int n) const {
+  [[nodiscard]] const base::Vec3& local_position(int n) const {
     return nodes[static_cast<std::size_t>(n)].local;
   }
+  /// Six times the volume of a tetrahedron, by rounded coordinates.
+  [[nodiscard]] double six_volumes(int a, int b, int c, int d) const;
+
+  /// Moves nodes, elements and ties into a patch.
+  void move_into(Patch& patch);
 
   std::vector<PatchNode> nodes;
   std::vector<PatchElement> elements;
+  std::vector<PatchTie> ties;
 
 private:
+  static std::uint64_t key(int a, int b) {
+    const auto [low, high] = std::minmax(a, b);
+    return (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint64_t>(high);
+  }
+
   const model::Mesh& host_;
-  const PlanarCrackFrame& frame_;
-  std::map<base::NodeId, int> of_host_;
-  std::map<std::pair<int, int>, int> mid_;
+  const CrackFrame& frame_;
+  std::unordered_map<std::int32_t, int> of_host_;
+  std::unordered_map<std::uint64_t, int> mid_;
 };
 
 } // namespace spricka::mesh

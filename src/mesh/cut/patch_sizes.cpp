@@ -113,7 +113,7 @@ private:
   const std::vector<PatchCrack>& cracks_;
   const Cavity& cavity_;
   double fineness_;
-  PlanarCrackFrame frame_;
+  CrackFrame frame_;
   int half_;
   Grading size_;
 };
@@ -130,8 +130,8 @@ Grading curve_sizes(const HostMesh& host, const std::vector<PatchCrack>& cracks,
 }
 
 void add_edge_size(Grading& grading, const PatchNet& net, int a, int b) {
-  const Vec2& p = net.local_position(a);
-  const Vec2& q = net.local_position(b);
+  const Vec2 p = net.local_position(a).head<2>();
+  const Vec2 q = net.local_position(b).head<2>();
   grading.add_source(0.5 * (p + q), (q - p).norm());
 }
 

@@ -30,11 +30,11 @@ bool on_axis(const Vec2& p) {
 }
 
 /// Which side of a crack along the boundary the body lies on.
-int side_of_body(const HostMesh& host, const PlanarCrackFrame& frame) {
+int side_of_body(const HostMesh& host, const CrackFrame& frame) {
   for (const model::Face& face : host.boundary()) {
     const ElementEdge edge = element_edge(host.mesh(), face);
-    const Vec2 a = frame.rounded_local(host.mesh().x[edge.a.index()]);
-    const Vec2 b = frame.rounded_local(host.mesh().x[edge.b.index()]);
+    const Vec2 a = frame.rounded_local(host.mesh().x[edge.a.index()]).head<2>();
+    const Vec2 b = frame.rounded_local(host.mesh().x[edge.b.index()]).head<2>();
     if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
         std::min(a.x(), b.x()) < 1.0 - same) {
       // Edges run with the body on their left: one that runs as the crack does has it on the
@@ -47,15 +47,17 @@ int side_of_body(const HostMesh& host, const PlanarCrackFrame& frame) {
 
 /// Distance from the last point of a line to some faces of its net, but for the line itself of a
 /// symmetric half [a].
-double tip_clearance(const HostMesh& host, const PlanarCrackFrame& frame,
-                     const std::vector<Vec2>& line, bool half, base::NetId net,
-                     const std::vector<model::Face>& faces) {
+double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::vector<Vec2>& line,
+                     bool half, base::NetId net, const std::vector<model::Face>& faces) {
   const model::Mesh& mesh = host.mesh();
-  const Vec3 tip = frame.global(line.back());
+  const Vec3 tip = frame.global(base::to_space(line.back()));
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
+  const auto is_ahead = [&](base::NodeId n) {
+    const Vec2 x = frame.exact_local(mesh.x[n.index()]).head<2>();
+    return std::abs(cross(along, x - line.back())) < same;
+  };
   const auto on_line = [&](const ElementEdge& edge) {
-    return std::abs(cross(along, frame.exact_local(mesh.x[edge.a.index()]) - line.back())) < same &&
-           std::abs(cross(along, frame.exact_local(mesh.x[edge.b.index()]) - line.back())) < same;
+    return is_ahead(edge.a) && is_ahead(edge.b);
   };
   double least = std::numeric_limits<double>::max();
   for (const model::Face& face : faces) {
@@ -70,16 +72,18 @@ double tip_clearance(const HostMesh& host, const PlanarCrackFrame& frame,
 
 } // namespace
 
-double tip_boundary_distance(const HostMesh& host, const PlanarCrackFrame& frame,
+double tip_boundary_distance(const HostMesh& host, const CrackFrame& frame,
                              const std::vector<Vec2>& line, bool half, base::NetId net) {
   return std::min(tip_clearance(host, frame, line, half, net, host.boundary()),
                   tip_clearance(host, frame, line, half, net, host.property_borders()));
 }
 
-PlanarCrackFrame make_crack_frame(const CrackLine& line) {
-  PlanarCrackFrame frame;
+CrackFrame make_crack_frame(const CrackLine& line) {
+  CrackFrame frame;
   frame.origin = line.points.front();
-  frame.e1 = (line.points[1] - line.points[0]).normalized();
+  const Vec3 along = (line.points[1] - line.points[0]).normalized();
+  frame.axes.col(0) = along;
+  frame.axes.col(1) = Vec3(-along.y(), along.x(), 0.0);
   frame.a = (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points);
   return frame;
 }
@@ -144,9 +148,8 @@ double ligament_of(const HostMesh& host, const CrackPlacement& placement, base::
 }
 
 /// A tip on the boundary: the whole crack may lie there.
-void report_removed_section(const HostMesh& host, const CrackLine& line,
-                            const PlanarCrackFrame& frame, double room,
-                            base::Diagnostics& diagnostics, base::SourceSpan span) {
+void report_removed_section(const HostMesh& host, const CrackLine& line, const CrackFrame& frame,
+                            double room, base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
   if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
     const bool path = !line.path.empty();
@@ -227,14 +230,14 @@ std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine&
                                           const TipMeshParameters& tip, base::SourceSpan span,
                                           base::Diagnostics& diagnostics) {
   CrackPlacement result;
-  PlanarCrackFrame& frame = result.frame;
+  CrackFrame& frame = result.frame;
   frame = make_crack_frame(line);
   if (!put_start(host, line, result, diagnostics, span)) {
     return std::nullopt;
   }
   for (const Vec3& p : line.points) {
     // The start was moved onto the boundary and takes the line along: its length and shape stay.
-    result.line.push_back(frame.exact_local(p - line.points[0] + frame.origin));
+    result.line.push_back(frame.exact_local(p - line.points[0] + frame.origin).head<2>());
   }
   result.line[0].setZero();
   // A straight crack lies on the axis exactly, whatever round-off its direction has.
@@ -288,20 +291,24 @@ std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine&
   return result;
 }
 
-CrackPlacement seen_from(const CrackPlacement& placement, const PlanarCrackFrame& frame) {
+CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& frame) {
   CrackPlacement result = placement;
-  const PlanarCrackFrame& own = placement.frame;
-  if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
+  const CrackFrame& own = placement.frame;
+  if (own.origin == frame.origin && own.axes == frame.axes && own.a == frame.a) {
     return result;
   }
   // Directions are angles from the frame's axis, which turns.
-  const double turn =
-      std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
+  const Vec3 from = frame.axes.col(0);
+  const Vec3 to = own.axes.col(0);
+  const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const auto moved = [&](const Vec2& p) -> Vec2 {
+    return frame.exact_local(own.global(base::to_space(p))).head<2>();
+  };
   for (Vec2& p : result.line) {
-    p = frame.exact_local(own.global(p));
+    p = moved(p);
   }
   for (PlacedTip& tip : result.tips) {
-    tip.at = frame.exact_local(own.global(tip.at));
+    tip.at = moved(tip.at);
     tip.direction += turn;
   }
   result.radius *= own.a / frame.a;

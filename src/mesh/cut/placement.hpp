@@ -25,7 +25,7 @@ struct PlacedTip {
 /// A crack put into its host, in its own frame: mouth at (0, 0), length 1; an embedded one has its
 /// first tip there and length 2.
 struct CrackPlacement {
-  PlanarCrackFrame frame;
+  CrackFrame frame;
   std::vector<base::Vec2> line;       ///< the crack, mouth first
   std::optional<MouthPosition> mouth; ///< none: embedded
   base::ElementId seed;               ///< host element that it starts in
@@ -43,14 +43,15 @@ std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine&
                                           base::Diagnostics& diagnostics);
 
 /// The same crack in another frame; unchanged in its own.
-CrackPlacement seen_from(const CrackPlacement& placement, const PlanarCrackFrame& frame);
+CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& frame);
 
 /// Distance from the last point of a line to the net's boundary, but for the line itself of a
 /// symmetric half, and to borders of other properties [a].
-double tip_boundary_distance(const HostMesh& host, const PlanarCrackFrame& frame,
+double tip_boundary_distance(const HostMesh& host, const CrackFrame& frame,
                              const std::vector<base::Vec2>& line, bool half, base::NetId net);
 
-/// Frame of a crack from its first point on; `a` is half the length of an embedded one.
-PlanarCrackFrame make_crack_frame(const CrackLine& line);
+/// Frame of a crack in the plane, from its first point on; `a` is half the length of an embedded
+/// one.
+CrackFrame make_crack_frame(const CrackLine& line);
 
 } // namespace spricka::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/rosette.hpp"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -52,7 +53,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
   const std::vector<double> radii = ring_radii(placement.size, placement.radius, tip.rings);
 
   Rosette result;
-  result.tip = net.new_node(at.at);
+  result.tip = net.new_node_at(base::to_space(at.at));
   const bool backward = std::abs(at.direction) == pi; // along the axis, too
   std::vector<std::vector<int>> corner(radii.size(), std::vector<int>(rays));
   for (std::size_t k = 0; k < radii.size(); ++k) {
@@ -65,7 +66,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
                         (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
       const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
                                    : base::Vec2(std::cos(angle), std::sin(angle));
-      corner[k][j] = net.new_node(base::Vec2(at.at + radii[k] * unit));
+      corner[k][j] = net.new_node_at(base::to_space(at.at + radii[k] * unit));
     }
   }
   for (std::size_t j = 0; j < rays; ++j) {
@@ -78,9 +79,11 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
   }
   for (std::size_t j = 0; j < sectors; ++j) {
     const std::size_t next = (j + 1) % rays;
-    net.add_triangle(result.tip, corner[0][j], corner[0][next]);
+    net.add_element(base::ElementType::trimc6,
+                    std::array{result.tip, corner[0][j], corner[0][next]});
     for (std::size_t k = 1; k < radii.size(); ++k) {
-      net.add_quadrilateral(corner[k - 1][j], corner[k][j], corner[k][next], corner[k - 1][next]);
+      net.add_element(base::ElementType::quamc8, std::array{corner[k - 1][j], corner[k][j],
+                                                            corner[k][next], corner[k - 1][next]});
     }
   }
   result.rim = corner.back();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/split.hpp"
 
+#include "mesh/cut/crack_node_fan.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/numbering.hpp"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace spricka::mesh {
@@ -15,81 +15,41 @@ namespace {
 using base::ElementId;
 using base::NodeId;
 
-enum class PathSide { unknown, left, right, both };
-
-PathSide join(PathSide a, PathSide b) {
-  // Elements that both sides claim hang together round the node: the path does not part them.
-  if (a == PathSide::unknown || a == b) {
-    return b;
+/// Of the elements round a node of a path those on its right; empty if they hang together with
+/// those on its left. `cut` holds the edges of the path as (from, to).
+std::optional<std::vector<ElementId>>
+right_of_path(const model::Mesh& mesh, NodeId node, const std::vector<ElementId>& elements,
+              const std::set<std::pair<NodeId, NodeId>>& cut) {
+  CrackNodeFan fan(elements.size());
+  std::map<std::pair<NodeId, NodeId>, std::size_t> first; // edge -> element that has it
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    for (int s = 0; s < base::element_info(mesh.type[elements[i].index()]).sides; ++s) {
+      const ElementEdge edge = element_edge(mesh, {elements[i], s});
+      if (edge.a != node && edge.b != node && edge.mid != node) {
+        continue;
+      }
+      // An edge has its element on the left: one that runs with the path belongs to the left face.
+      if (cut.contains({edge.a, edge.b})) {
+        fan.mark(i, CrackSide::left);
+      } else if (cut.contains({edge.b, edge.a})) {
+        fan.mark(i, CrackSide::right);
+      } else {
+        fan.join(i, first.try_emplace(std::minmax(edge.a, edge.b), i).first->second);
+      }
+    }
   }
-  return b == PathSide::unknown ? a : PathSide::both;
+  const std::vector<CrackSide> sides = fan.sides();
+  std::vector<ElementId> right;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (sides[i] == CrackSide::both) {
+      return std::nullopt;
+    }
+    if (sides[i] == CrackSide::right) {
+      right.push_back(elements[i]);
+    }
+  }
+  return right;
 }
-
-/// Elements round one node of a path, told apart by the path's edges.
-class Fan {
-public:
-  Fan(const model::Mesh& mesh, std::vector<ElementId> elements)
-      : mesh_(mesh), elements_(std::move(elements)), root_(elements_.size()),
-        side_(elements_.size(), PathSide::unknown) {
-    std::iota(root_.begin(), root_.end(), std::size_t{0});
-  }
-
-  /// `cut` holds the edges of the path as (from, to).
-  void part(NodeId node, const std::set<std::pair<NodeId, NodeId>>& cut) {
-    std::map<std::pair<NodeId, NodeId>, std::size_t> first; // edge -> element that has it
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      const int sides = base::element_info(mesh_.type[elements_[i].index()]).sides;
-      for (int s = 0; s < sides; ++s) {
-        const ElementEdge edge = element_edge(mesh_, {elements_[i], s});
-        if (edge.a != node && edge.b != node && edge.mid != node) {
-          continue;
-        }
-        // An edge has its element on the left: one that runs with the path belongs to the left
-        // face.
-        if (cut.contains({edge.a, edge.b})) {
-          side_[i] = join(side_[i], PathSide::left);
-        } else if (cut.contains({edge.b, edge.a})) {
-          side_[i] = join(side_[i], PathSide::right);
-        } else {
-          const auto [at, fresh] = first.try_emplace(std::minmax(edge.a, edge.b), i);
-          // Elements that share an edge off the path hang together.
-          root_[find(i)] = find(at->second);
-        }
-      }
-    }
-  }
-
-  /// Elements on the right; empty optional if they hang together with those on the left.
-  std::optional<std::vector<ElementId>> right() {
-    std::vector<PathSide> of_root(elements_.size(), PathSide::unknown);
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      of_root[find(i)] = join(of_root[find(i)], side_[i]);
-    }
-    std::vector<ElementId> result;
-    for (std::size_t i = 0; i < elements_.size(); ++i) {
-      if (of_root[find(i)] == PathSide::both) {
-        return std::nullopt;
-      }
-      if (of_root[find(i)] == PathSide::right) {
-        result.push_back(elements_[i]);
-      }
-    }
-    return result;
-  }
-
-private:
-  std::size_t find(std::size_t i) {
-    while (root_[i] != i) {
-      i = root_[i];
-    }
-    return i;
-  }
-
-  const model::Mesh& mesh_;
-  std::vector<ElementId> elements_;
-  std::vector<std::size_t> root_;
-  std::vector<PathSide> side_;
-};
 
 } // namespace
 
@@ -131,9 +91,7 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
   std::vector<std::vector<ElementId>> right;
   const std::size_t first = embedded ? 1 : 0; // tips stay single
   for (std::size_t i = first; i + 1 < path.size(); ++i) {
-    Fan fan(mesh, around[path[i]]);
-    fan.part(path[i], cut);
-    std::optional<std::vector<ElementId>> elements = fan.right();
+    auto elements = right_of_path(mesh, path[i], around[path[i]], cut);
     if (!elements) {
       return std::nullopt;
     }

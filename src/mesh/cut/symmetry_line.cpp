@@ -30,25 +30,25 @@ SymmetryLine::SymmetryLineEnd SymmetryLine::end() const {
   return result;
 }
 
-std::vector<HeldEdgePieces> SymmetryLine::edge_pieces(const PatchNet& net,
-                                                      const std::vector<int>& line) const {
-  std::vector<HeldEdgePieces> result;
+std::vector<FacePieces> SymmetryLine::edge_pieces(const PatchNet& net,
+                                                  const std::vector<int>& line) const {
+  std::vector<FacePieces> result;
   for (const OutlineEdge& edge : edges_) {
     const double x0 = point_on(host_, frame_, edge.edge, -1.0).x();
     const double x1 = point_on(host_, frame_, edge.edge, 1.0).x();
-    std::vector<std::pair<int, int>> pieces;
+    std::vector<std::vector<int>> pieces;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const double x =
           0.5 * (net.local_position(line[i]).x() + net.local_position(line[i + 1]).x());
       // Half-open: a piece whose middle meets the end of two host edges goes to one of them.
       if (x >= std::min(x0, x1) - same && x < std::max(x0, x1) - same) {
-        pieces.emplace_back(line[i], line[i + 1]);
+        pieces.push_back({line[i], line[i + 1]});
       }
     }
     if (x1 < x0) { // in the direction of the host's edge
       std::reverse(pieces.begin(), pieces.end());
-      for (auto& [from, to] : pieces) {
-        std::swap(from, to);
+      for (std::vector<int>& piece : pieces) {
+        std::ranges::reverse(piece);
       }
     }
     result.emplace_back(edge.face, std::move(pieces));

@@ -11,8 +11,7 @@ namespace spricka::mesh {
 /// mouth on the x axis of its frame, and what takes their place.
 class SymmetryLine {
 public:
-  SymmetryLine(const model::Mesh& host, const PlanarCrackFrame& frame)
-      : host_(host), frame_(frame) {}
+  SymmetryLine(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
 
   /// Whether an edge of the cavity's outline lies on the line.
   [[nodiscard]] bool contains(const OutlineEdge& edge) const;
@@ -27,12 +26,12 @@ public:
 
   /// The edges between nodes of the patch along the whole line, in the direction of growth: each
   /// belongs to the host edge that its middle lies on.
-  [[nodiscard]] std::vector<HeldEdgePieces> edge_pieces(const PatchNet& net,
-                                                        const std::vector<int>& line) const;
+  [[nodiscard]] std::vector<FacePieces> edge_pieces(const PatchNet& net,
+                                                    const std::vector<int>& line) const;
 
 private:
   const model::Mesh& host_;
-  PlanarCrackFrame frame_;
+  CrackFrame frame_;
   std::vector<OutlineEdge> edges_;
 };
 

@@ -38,13 +38,13 @@ TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
     tip.patch = wishes->patch;
     tip.transition = wishes->join == model::PatchCoupling::transition;
   }
-  const PlanarCrackFrame frame = make_crack_frame(line);
+  const CrackFrame frame = make_crack_frame(line);
   if (wishes != nullptr && wishes->radius) {
     tip.radius = *wishes->radius;
   } else {
     std::vector<Vec2> local;
     for (const Vec3& p : line.points) {
-      local.push_back(frame.rounded_local(p));
+      local.push_back(frame.rounded_local(p).head<2>());
     }
     double room = std::min(1.0, clearance_to_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {

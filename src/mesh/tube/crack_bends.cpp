@@ -19,7 +19,7 @@ constexpr double at_mouth = 0.05;
 class BendLines {
 public:
   BendLines(const CrackDistanceField& reach, double finer, const std::vector<int>& rim,
-            const SolidPatchNet& net)
+            const PatchNet& net)
       : reach_(reach), finer_(finer), rim_(rim), net_(net) {}
 
   std::vector<KinkLine> make() {
@@ -113,14 +113,14 @@ private:
   const CrackDistanceField& reach_;
   double finer_;
   const std::vector<int>& rim_;
-  const SolidPatchNet& net_;
+  const PatchNet& net_;
   std::vector<KinkLine> lines_;
 };
 
 } // namespace
 
 std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
-                                       const std::vector<int>& rim, const SolidPatchNet& net) {
+                                       const std::vector<int>& rim, const PatchNet& net) {
   if (!reach.plane().relief) {
     return {};
   }

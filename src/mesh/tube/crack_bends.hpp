@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/tube/crack_reach.hpp"
-#include "mesh/tube/solid_net.hpp"
 
 #include <vector>
 
@@ -21,6 +21,6 @@ struct KinkLine {
 /// Lines within the loops of a crack, whose nodes are `rim`, away from its tubes; in the frame of
 /// the patch.
 std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
-                                       const std::vector<int>& rim, const SolidPatchNet& net);
+                                       const std::vector<int>& rim, const PatchNet& net);
 
 } // namespace spricka::mesh

@@ -26,7 +26,7 @@ double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop)
 
 CrackTriangulation mesh_crack(const CrackDistanceField& reach,
                               const std::vector<std::vector<int>>& loops, double finer,
-                              SolidPatchNet& net) {
+                              PatchNet& net) {
   CrackTriangulation surface;
   PlaneRegion region;
   // Layers of elements round a free front are to be alike.

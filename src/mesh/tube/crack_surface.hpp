@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/tube/crack_reach.hpp"
-#include "mesh/tube/solid_net.hpp"
 
 #include <string>
 #include <vector>
@@ -19,6 +19,6 @@ struct CrackTriangulation {
 /// but for the others, which are holes in it.
 CrackTriangulation mesh_crack(const CrackDistanceField& reach,
                               const std::vector<std::vector<int>>& loops, double finer,
-                              SolidPatchNet& net);
+                              PatchNet& net);
 
 } // namespace spricka::mesh

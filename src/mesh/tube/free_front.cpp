@@ -62,7 +62,7 @@ Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
   return tube;
 }
 
-void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidPatchNet& net,
+void divide_chords(const PlaneBasis& plane, const std::set<int>& front, PatchNet& net,
                    CrackTriangulation& surface) {
   using Edge = std::pair<int, int>;
   std::map<Edge, std::vector<std::size_t>> chords;

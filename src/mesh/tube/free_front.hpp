@@ -17,7 +17,7 @@ Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
 
 /// Divides the edges of a crack's triangles that join two nodes of free fronts across the crack:
 /// with no node between them that is there twice the crack could not open there.
-void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidPatchNet& net,
+void divide_chords(const PlaneBasis& plane, const std::set<int>& front, PatchNet& net,
                    CrackTriangulation& surface);
 
 } // namespace spricka::mesh

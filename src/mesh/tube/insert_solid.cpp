@@ -40,15 +40,7 @@ public:
     if (!good || !mesh_groups()) {
       return std::nullopt;
     }
-    std::vector<SolidGraft> grafts;
-    for (CavityCrackGroup& group : groups_) {
-      grafts.push_back(std::move(group.graft));
-    }
-    result_ = graft_solids(host_, grafts);
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      groups_[g].graft = std::move(grafts[g]);
-      tie(groups_[g]);
-    }
+    graft();
     for (std::size_t i = 0; i < cracks.size(); ++i) {
       finish(i);
     }
@@ -65,7 +57,7 @@ private:
         if (!build_cavities(groups_[g])) {
           return false;
         }
-        for (const ElementId e : groups_[g].graft.cavity.elements) {
+        for (const ElementId e : groups_[g].cavity.elements) {
           if (owner[e.index()] < g) {
             join(owner[e.index()], g);
             more = true;
@@ -105,9 +97,9 @@ private:
       }
     }
     if (good) {
-      group.graft.cavity = find_solid_cavity(host_, group.frame, reach, seeds);
-      if (!group.graft.cavity.trouble.empty()) {
-        refuse(group, group.graft.cavity.trouble);
+      group.cavity = find_solid_cavity(host_, group.frame, reach, seeds);
+      if (!group.cavity.trouble.empty()) {
+        refuse(group, group.cavity.trouble);
         good = false;
       }
     }
@@ -115,7 +107,7 @@ private:
   }
 
   /// A crack with its tubes and mouths; without tubes where they do not fit.
-  std::optional<PatchSolidCrack> place(const SolidCrackFrame& frame, std::size_t i) {
+  std::optional<PatchSolidCrack> place(const CrackFrame& frame, std::size_t i) {
     const auto attempt = [&](base::Diagnostics& found) {
       auto crack = place_tubes(host_, frame, requests_[i], requests_, found);
       return crack && find_mouths(host_, frame, requests_[i], *crack, found) ? std::move(crack)
@@ -156,15 +148,15 @@ private:
       bool good = true;
       for (CavityCrackGroup& group : groups_) {
         make_patch(group);
-        const std::string& trouble = group.graft.patch.trouble;
+        const std::string& trouble = group.patch.trouble;
         good = good && trouble.empty();
         more = (!trouble.empty() && free_fronts(group, trouble)) || more;
       }
       for (CavityCrackGroup& group : groups_) {
         if (more) {
           group = CavityCrackGroup{std::move(group.members)};
-        } else if (!group.graft.patch.trouble.empty()) {
-          refuse(group, group.graft.patch.trouble);
+        } else if (!group.patch.trouble.empty()) {
+          refuse(group, group.patch.trouble);
         } else if (good) {
           report_moved_sets(host_, requests_, group, diagnostics_);
         }
@@ -210,12 +202,12 @@ private:
   void make_patch(CavityCrackGroup& group) {
     constexpr double finer = 1.3;
     constexpr int most_finer = 2;
-    SolidPatch& patch = group.graft.patch;
+    SolidPatch& patch = group.patch;
     SurfaceTreatment request;
     bool renewed = false;
     bool widened = false;
     for (int refined = 0; refined <= most_finer;) {
-      patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.graft.cavity, request);
+      patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.cavity, request);
       if (!patch.trouble.empty() && patch.at_border && request.borders != KeptBorders::none) {
         request.borders =
             request.borders == KeptBorders::all ? KeptBorders::used : KeptBorders::none;
@@ -247,15 +239,15 @@ private:
       seeds.push_back(requests_[group.members[i]].seed);
       reach.push_back(group.cracks[i].reach);
     }
-    const SolidCavity& before = group.graft.cavity;
+    const SolidCavity& before = group.cavity;
     seeds.insert(seeds.end(), before.elements.begin(), before.elements.end());
-    for (const NodeId n : group.graft.patch.folded_at) {
+    for (const NodeId n : group.patch.folded_at) {
       const auto around = host_.elements_around(n);
       seeds.insert(seeds.end(), around.begin(), around.end());
     }
     SolidCavity cavity = find_solid_cavity(host_, group.frame, reach, seeds);
     const auto has = [](const CavityCrackGroup& other, ElementId e) {
-      return std::ranges::binary_search(other.graft.cavity.elements, e);
+      return std::ranges::binary_search(other.cavity.elements, e);
     };
     const bool free = std::ranges::none_of(groups_, [&](const CavityCrackGroup& other) {
       return &other != &group &&
@@ -264,7 +256,7 @@ private:
     if (!free || !cavity.trouble.empty() || cavity.elements.size() == before.elements.size()) {
       return false;
     }
-    group.graft.cavity = std::move(cavity);
+    group.cavity = std::move(cavity);
     return true;
   }
 
@@ -277,14 +269,23 @@ private:
                                  : "nor does a tube of elements fit: " + why_free_[first]);
   }
 
-  void tie(const CavityCrackGroup& group) {
-    const auto node = [&](int n) { return group.graft.node[static_cast<std::size_t>(n)]; };
-    for (const SolidTie& tie : group.graft.patch.ties) {
-      HangingNodeTie& made = result_.ties.emplace_back();
-      made.slave = node(tie.slave);
-      std::ranges::transform(tie.master, std::back_inserter(made.master), node);
-      made.weight = tie.weight;
-      made.crack = requests_[group.members.front()].crack->crack;
+  void graft() {
+    std::vector<PatchGraft> grafts;
+    for (const CavityCrackGroup& group : groups_) {
+      const std::vector<ElementId>& elements = group.cavity.elements;
+      // Where all of them are in the same sets, whatever is of some is of all.
+      const bool uniform = split_sets(host_, group.cavity).empty();
+      grafts.push_back({group.patch, elements, [this, &elements, uniform](const PatchNode& middle) {
+                          return uniform ? elements.front()
+                                         : host_.nearest_element(elements, middle.x);
+                        }});
+    }
+    GraftedMesh grafted = graft_patches(host_.mesh(), grafts);
+    result_ = std::move(grafted.cracked);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      groups_[g].placed = std::move(grafted.patches[g]);
+      add_ties(groups_[g].patch, groups_[g].placed,
+               requests_[groups_[g].members.front()].crack->crack, result_);
     }
   }
 
@@ -300,14 +301,14 @@ private:
   }
 
   void add_faces(const CavityCrackGroup& group, std::size_t c) {
-    const SolidPatch::OpenedPatchCrack& crack = group.graft.patch.cracks[c];
+    const SolidPatch::OpenedPatchCrack& crack = group.patch.cracks[c];
     CrackFaces& faces = result_.faces.emplace_back();
     for (const auto& [upper, lower] : crack.twins) {
-      faces.left.push_back(group.graft.node[static_cast<std::size_t>(upper)]);
-      faces.right.push_back(group.graft.node[static_cast<std::size_t>(lower)]);
+      faces.left.push_back(group.placed.node_of(upper));
+      faces.right.push_back(group.placed.node_of(lower));
     }
     const auto side = [&](const SolidPatch::SolidPatchSide& s) {
-      return model::Face{group.graft.element[s.element], s.side};
+      return model::Face{group.placed.element[s.element], s.side};
     };
     std::ranges::transform(crack.upper, std::back_inserter(faces.left_sides), side);
     std::ranges::transform(crack.lower, std::back_inserter(faces.right_sides), side);
@@ -330,8 +331,7 @@ private:
       const std::size_t n = tube.stations.size();
       for (std::size_t k = 0; k < n; ++k) {
         FrontPoint& point = front.points.emplace_back();
-        point.node =
-            group.graft.node[static_cast<std::size_t>(group.graft.patch.cracks[c].fronts[t][k])];
+        point.node = group.placed.node_of(group.patch.cracks[c].fronts[t][k]);
         point.x = result_.mesh.x[point.node.index()];
         point.size = unit * tube.size[k];
         point.radius = unit * tube.radius[k];

@@ -17,7 +17,7 @@ using base::Vec3;
 
 class SurfaceOpener {
 public:
-  SurfaceOpener(const MouthSurfaceRequest& request, SolidPatchNet& net,
+  SurfaceOpener(const MouthSurfaceRequest& request, PatchNet& net,
                 std::unordered_map<int, int>& lower, std::vector<FacePieces>& pieces)
       : body_(request.body), borders_(request.borders), geometry_(body_.geometry(request.borders)),
         frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes), net_(net),
@@ -223,7 +223,7 @@ private:
     for (const auto& [c, t, e] : caps_) {
       const Tube& tube = cracks_[c].tubes[t];
       for (const Tube::TubeSide& side : tube.ends[e].sides) {
-        const SolidPatchElement& element = net_.elements[tubes_[c][t].element + side.element];
+        const PatchElement& element = net_.elements[tubes_[c][t].element + side.element];
         std::vector<int> corners;
         Vec3 middle = Vec3::Zero();
         const std::size_t count = shape::side_corners(element.type, side.side);
@@ -320,10 +320,10 @@ private:
   const BodySurface& body_;
   KeptBorders borders_;
   const SurfaceGeometry& geometry_;
-  const SolidCrackFrame& frame_;
+  const CrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const std::vector<std::vector<PlacedTube>>& tubes_;
-  SolidPatchNet& net_;
+  PatchNet& net_;
   std::unordered_map<int, int>& lower_;
   std::vector<FacePieces>& pieces_;
   SurfaceRegion region_{};
@@ -335,10 +335,30 @@ private:
 
 } // namespace
 
-MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, SolidPatchNet& net,
+MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, PatchNet& net,
                                 std::unordered_map<int, int>& lower,
                                 std::vector<FacePieces>& pieces) {
   return SurfaceOpener(request, net, lower, pieces).open(request.faces);
+}
+
+void choose_edge_ends(std::span<const PatchElement> elements, std::vector<HeldEdgePieces>& edges) {
+  std::unordered_map<int, std::set<int>> beside; // nodes of the elements at the middle of an edge
+  for (const HeldEdgePieces& edge : edges) {
+    if (edge.mid >= 0) {
+      beside[edge.mid];
+    }
+  }
+  for (std::size_t e = 0; e < elements.size() && !beside.empty(); ++e) {
+    const std::vector<int>& nodes = elements[e].nodes;
+    for (const int n : nodes) {
+      if (const auto at = beside.find(n); at != beside.end()) {
+        at->second.insert(nodes.begin(), nodes.end());
+      }
+    }
+  }
+  for (HeldEdgePieces& edge : edges) {
+    std::erase_if(edge.ends, [&](int n) { return !beside.at(edge.mid).contains(n); });
+  }
 }
 
 } // namespace spricka::mesh

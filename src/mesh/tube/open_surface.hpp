@@ -3,21 +3,12 @@
 #include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/solid_shell.hpp"
 
-#include <array>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace spricka::mesh {
-
-/// What takes the place of an edge of the host that a held set has: nodes of the patch, both of a
-/// mouth that it ends at.
-struct HeldEdgePieces {
-  std::array<base::NodeId, 3> host; ///< ends and middle, invalid in linear elements
-  std::vector<int> ends;
-  int mid = -1; ///< none: what lies there belongs to another piece
-};
 
 /// How far the border of a set was moved, because there was no room for it.
 struct SetBorderShift {
@@ -47,7 +38,7 @@ struct PlacedTube {
 /// What comes out where, and what of the surface goes.
 struct MouthSurfaceRequest {
   const BodySurface& body;
-  const SolidCrackFrame& frame;
+  const CrackFrame& frame;
   std::span<const PatchSolidCrack> cracks;
   const std::vector<std::vector<PlacedTube>>& tubes; ///< [crack][tube]
   std::vector<CavityFace> faces;                     ///< of the cavity, free ones
@@ -56,8 +47,12 @@ struct MouthSurfaceRequest {
 
 /// What takes the place of the faces is added to `pieces`. Nodes of mouths get a second node in
 /// `lower`.
-MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, SolidPatchNet& net,
+MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, PatchNet& net,
                                 std::unordered_map<int, int>& lower,
                                 std::vector<FacePieces>& pieces);
+
+/// Of two nodes at a mouth an edge keeps that of its side: the one that an element at the edge's
+/// middle has.
+void choose_edge_ends(std::span<const PatchElement> elements, std::vector<HeldEdgePieces>& edges);
 
 } // namespace spricka::mesh

@@ -32,7 +32,7 @@ constexpr double most_free_elements = 2000.0;
 
 class TubeLayer {
 public:
-  TubeLayer(const SolidHost& host, const SolidCrackFrame& frame, const LocatedSolidCrack& request,
+  TubeLayer(const SolidHost& host, const CrackFrame& frame, const LocatedSolidCrack& request,
             base::Diagnostics& diagnostics)
       : host_(host), frame_(frame), request_(request), diagnostics_(diagnostics),
         mesh_(*request.mesh) {
@@ -212,7 +212,7 @@ private:
   }
 
   const SolidHost& host_;
-  const SolidCrackFrame& frame_;
+  const CrackFrame& frame_;
   const LocatedSolidCrack& request_;
   base::Diagnostics& diagnostics_;
   TubeMeshParameters mesh_; ///< in the lengths of the frame
@@ -220,7 +220,7 @@ private:
 
 } // namespace
 
-std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const SolidCrackFrame& frame,
+std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const CrackFrame& frame,
                                            const LocatedSolidCrack& request,
                                            std::span<const LocatedSolidCrack> all,
                                            base::Diagnostics& diagnostics) {

@@ -16,7 +16,7 @@ using base::Vec3;
 namespace {
 
 PlaneBasis basis_of(const SolidCrack& crack) {
-  const SolidCrackFrame own = make_crack_frame(crack);
+  const CrackFrame own = make_crack_frame(crack);
   return {own.origin, own.axes.col(0), own.axes.col(1), own.axes.col(2), crack.relief};
 }
 

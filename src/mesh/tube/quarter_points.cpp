@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/quarter_points.hpp"
 
-#include "mesh/tube/folded_elements.hpp"
+#include "mesh/cut/folded_elements.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using base::Vec3;
 
 class QuarterMover {
 public:
-  QuarterMover(SolidPatchNet& net, const std::set<int>& front,
+  QuarterMover(PatchNet& net, const std::set<int>& front,
                const std::vector<std::pair<int, int>>& twins)
       : net_(net) {
     for (const auto& [upper, lower] : twins) {
@@ -53,7 +53,7 @@ private:
   };
 
   void collect(std::size_t e, const std::set<int>& front) {
-    const SolidPatchElement& element = net_.elements[e];
+    const PatchElement& element = net_.elements[e];
     for (int m = 0; m < shape::edge_count(element.type); ++m) {
       const auto ends = shape::edge_corners(element.type, m);
       int from = element.nodes[static_cast<std::size_t>(ends[0])];
@@ -93,7 +93,8 @@ private:
       }
     }
     std::set<std::size_t> bad;
-    for (const InvalidElement& element : folded_elements(net_, {touched.begin(), touched.end()})) {
+    for (const InvalidElement& element :
+         folded_elements(net_.nodes, net_.elements, {touched.begin(), touched.end()})) {
       bad.insert(element.element.index());
     }
     for (auto& [mid, edge] : edges_) {
@@ -105,14 +106,14 @@ private:
     return !bad.empty();
   }
 
-  SolidPatchNet& net_;
+  PatchNet& net_;
   std::map<int, int> upper_of_;           ///< of two nodes at one place
   std::map<int, QuarterPointEdge> edges_; ///< [mid node, the upper one of two]
 };
 
 } // namespace
 
-QuarterPointCounts move_to_quarters(SolidPatchNet& net, const std::set<int>& front,
+QuarterPointCounts move_to_quarters(PatchNet& net, const std::set<int>& front,
                                     const std::vector<std::pair<int, int>>& twins) {
   return QuarterMover(net, front, twins).move();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/tube/solid_net.hpp"
+#include "mesh/cut/patch_net.hpp"
 
 #include <set>
 #include <utility>
@@ -16,7 +16,7 @@ struct QuarterPointCounts {
 /// Moves the mid nodes of the edges of tetrahedra that leave free fronts to a quarter of their way,
 /// on edges that are curved along these. Nodes that lie on one another on the two faces of a crack
 /// (`twins`) stay so.
-QuarterPointCounts move_to_quarters(SolidPatchNet& net, const std::set<int>& front,
+QuarterPointCounts move_to_quarters(PatchNet& net, const std::set<int>& front,
                                     const std::vector<std::pair<int, int>>& twins);
 
 } // namespace spricka::mesh

@@ -23,8 +23,7 @@ constexpr double clear_of_faces = 0.5;
 
 class Digger {
 public:
-  Digger(const SolidHost& host, const SolidCrackFrame& frame,
-         std::span<const CrackDistanceField> cracks)
+  Digger(const SolidHost& host, const CrackFrame& frame, std::span<const CrackDistanceField> cracks)
       : host_(host), mesh_(host.mesh()), frame_(frame), cracks_(cracks),
         in_(mesh_.element_count(), false) {}
 
@@ -113,13 +112,9 @@ private:
 
   void find_outline() {
     outline_.clear();
-    for (const ElementId e : taken()) {
-      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
-        const auto other = host_.neighbour({e, s});
-        if (!other || !in_[other->index()]) {
-          outline_.push_back({{e, s}, !other});
-        }
-      }
+    for (const model::Face& face :
+         host_.outline(taken(), [&](ElementId e) { return in_[e.index()]; })) {
+      outline_.push_back({face, !host_.neighbour(face)});
     }
     by_edge_.clear();
     by_node_.clear();
@@ -228,7 +223,7 @@ private:
 
   const SolidHost& host_;
   const model::Mesh& mesh_;
-  const SolidCrackFrame& frame_;
+  const CrackFrame& frame_;
   std::span<const CrackDistanceField> cracks_;
   std::vector<bool> in_;
   std::size_t part_ = 0;
@@ -240,7 +235,7 @@ private:
 
 } // namespace
 
-SolidCavity find_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
+SolidCavity find_solid_cavity(const SolidHost& host, const CrackFrame& frame,
                               std::span<const CrackDistanceField> cracks,
                               std::span<const ElementId> seeds) {
   return Digger(host, frame, cracks).build_cavities(seeds);

@@ -26,7 +26,7 @@ struct SolidCavity {
 /// would have them: an edge longer than the tube's radius and the distance from it. What hangs
 /// together by faces with the elements at `seeds`, and as many more that every edge and node of the
 /// cavity's surface has one sheet of it.
-SolidCavity find_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
+SolidCavity find_solid_cavity(const SolidHost& host, const CrackFrame& frame,
                               std::span<const CrackDistanceField> cracks,
                               std::span<const base::ElementId> seeds);
 

@@ -2,7 +2,6 @@
 #include "mesh/tube/solid_frame.hpp"
 
 #include "geometry/polyline.hpp"
-#include "mesh/plane.hpp"
 
 #include <Eigen/Geometry>
 
@@ -13,15 +12,7 @@ namespace spricka::mesh {
 
 using base::Vec3;
 
-base::Vec3 SolidCrackFrame::rounded_local(const Vec3& x) const {
-  return rounded(exact_local(x));
-}
-
-Vec3 rounded(const Vec3& p) {
-  return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
-}
-
-std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const SolidCrackFrame& frame,
+std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const CrackFrame& frame,
                                                               const SolidCrack& crack) {
   if (!crack.relief) {
     return nullptr;
@@ -31,7 +22,7 @@ std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const SolidCrackFr
                                 [&](const Vec3& d) -> Vec3 { return frame.axes.transpose() * d; }));
 }
 
-SolidCrackFrame make_crack_frame(const SolidCrack& crack) {
+CrackFrame make_crack_frame(const SolidCrack& crack) {
   const std::vector<Vec3>& x = crack.front;
   const double length = geometry::polyline_length(x);
   // Fan of triangles from the first point: area and middle of what the front encloses.
@@ -42,7 +33,7 @@ SolidCrackFrame make_crack_frame(const SolidCrack& crack) {
     area += part;
     moment += part / 3.0 * (x[i] + x[i + 1] - 2.0 * x[0]);
   }
-  SolidCrackFrame frame;
+  CrackFrame frame;
   const double radius = std::sqrt(std::abs(area) / std::numbers::pi);
   const bool thin = radius < 0.02 * length; // of a straight front
   frame.a = thin ? 0.25 * length : radius;

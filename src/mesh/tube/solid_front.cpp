@@ -379,7 +379,7 @@ std::string coordinate_text(const Vec3& x) {
 }
 
 CrackReferencePlane reference_plane(const SolidCrack& crack) {
-  const SolidCrackFrame frame = make_crack_frame(crack);
+  const CrackFrame frame = make_crack_frame(crack);
   return {frame.origin, crack.normal, frame.a, frame.axes.col(0), crack.relief};
 }
 

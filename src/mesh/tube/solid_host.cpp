@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_host.hpp"
 
-#include "mesh/side_index.hpp"
 #include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -17,17 +15,6 @@ namespace spricka::mesh {
 using base::ElementId;
 using base::NodeId;
 using base::Vec3;
-
-FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
-  const base::ElementType type = mesh.type[face.element.index()];
-  const auto nodes = mesh.element_nodes(face.element);
-  FaceNodes result;
-  result.corners = shape::side_corners(type, face.side);
-  for (const int i : shape::side_nodes(type, face.side)) {
-    result.all.push_back(nodes[static_cast<std::size_t>(i)]);
-  }
-  return result;
-}
 
 void add_triangles(const model::Mesh& mesh, const model::Face& face,
                    std::vector<CornerPlaces>& triangles) {
@@ -65,35 +52,16 @@ void add_triangles(const model::Mesh& mesh, const model::Face& face,
   }
 }
 
-SolidHost::SolidHost(const model::Mesh& mesh, SetUsage use)
-    : mesh_(mesh), use_(std::move(use)), elements_(mesh) {
-  assert(mesh.dim == 3);
-  find_neighbours();
+SolidHost::SolidHost(const model::Mesh& mesh, SetUsage use) : HostMesh(mesh), use_(std::move(use)) {
   find_parts();
   find_skins();
   find_extents();
 }
 
-void SolidHost::find_neighbours() {
-  beyond_.assign(most_sides * mesh_.element_count(), -1);
-  const SideIndex sides(mesh_);
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    for (int s = 0; s < base::element_info(mesh_.type[e]).sides; ++s) {
-      const model::Face face{ElementId(e), s};
-      const FaceNodes nodes = face_nodes(mesh_, face);
-      for (const model::Face& other : sides.find(nodes.corner_nodes())) {
-        if (other.element != face.element) {
-          beyond_[place(face)] = static_cast<std::int32_t>(other.element.index());
-        }
-      }
-    }
-  }
-}
-
 void SolidHost::find_parts() {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
-  part_.assign(mesh_.element_count(), none);
-  for (std::size_t first = 0; first < mesh_.element_count(); ++first) {
+  part_.assign(mesh().element_count(), none);
+  for (std::size_t first = 0; first < mesh().element_count(); ++first) {
     if (part_[first] != none) {
       continue;
     }
@@ -101,11 +69,11 @@ void SolidHost::find_parts() {
     part_[first] = members_.size();
     for (std::size_t k = 0; k < members.size(); ++k) {
       const ElementId e = members[k];
-      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh().type[e.index()]).sides; ++s) {
         const auto other = neighbour({e, s});
         if (other && part_[other->index()] == none &&
-            mesh_.property[other->index()] == mesh_.property[first] &&
-            mesh_.element_net[other->index()] == mesh_.element_net[first]) {
+            mesh().property[other->index()] == mesh().property[first] &&
+            mesh().element_net[other->index()] == mesh().element_net[first]) {
           part_[other->index()] = members_.size();
           members.push_back(*other);
         }
@@ -122,13 +90,13 @@ void SolidHost::find_skins() {
     std::vector<CornerPlaces> triangles;
     std::vector<CornerPlaces> between;
     for (const ElementId e : members_[p]) {
-      for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {
+      for (int s = 0; s < base::element_info(mesh().type[e.index()]).sides; ++s) {
         const auto other = neighbour({e, s});
         if (!other || part_index(*other) != p) {
-          add_triangles(mesh_, {e, s}, triangles);
+          add_triangles(mesh(), {e, s}, triangles);
         }
         if (other && part_index(*other) != p) {
-          add_triangles(mesh_, {e, s}, between);
+          add_triangles(mesh(), {e, s}, between);
         }
       }
     }
@@ -147,7 +115,7 @@ const BodySurface& SolidHost::body_surface(ElementId e) const {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       for (const ElementId member : members_[parts[k]]) {
         elements.push_back(member);
-        for (int s = 0; s < base::element_info(mesh_.type[member.index()]).sides; ++s) {
+        for (int s = 0; s < base::element_info(mesh().type[member.index()]).sides; ++s) {
           const auto other = neighbour({member, s});
           if (other && !has[part_index(*other)]) {
             has[part_index(*other)] = true;
@@ -157,7 +125,7 @@ const BodySurface& SolidHost::body_surface(ElementId e) const {
       }
     }
     std::sort(elements.begin(), elements.end());
-    const auto made = std::make_shared<const BodySurface>(mesh_, elements, use_);
+    const auto made = std::make_shared<const BodySurface>(mesh(), elements, use_);
     for (const std::size_t p : parts) {
       surface_[p] = made;
     }
@@ -166,21 +134,21 @@ const BodySurface& SolidHost::body_surface(ElementId e) const {
 }
 
 void SolidHost::find_extents() {
-  extent_.resize(mesh_.element_count());
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    const auto nodes = mesh_.element_nodes(ElementId(e));
+  extent_.resize(mesh().element_count());
+  for (std::size_t e = 0; e < mesh().element_count(); ++e) {
+    const auto nodes = mesh().element_nodes(ElementId(e));
     ElementExtent& extent = extent_[e];
-    const auto corners = static_cast<std::size_t>(base::element_info(mesh_.type[e]).corners);
+    const auto corners = static_cast<std::size_t>(base::element_info(mesh().type[e]).corners);
     for (const NodeId n : nodes.first(corners)) {
-      extent.middle += mesh_.x[n.index()] / static_cast<double>(corners);
+      extent.middle += mesh().x[n.index()] / static_cast<double>(corners);
     }
     for (const NodeId n : nodes) {
-      extent.radius = std::max(extent.radius, (mesh_.x[n.index()] - extent.middle).norm());
+      extent.radius = std::max(extent.radius, (mesh().x[n.index()] - extent.middle).norm());
     }
-    for (int m = 0; m < shape::edge_count(mesh_.type[e]); ++m) {
-      const auto [a, b] = shape::edge_corners(mesh_.type[e], m);
-      const Vec3 edge = mesh_.x[nodes[static_cast<std::size_t>(b)].index()] -
-                        mesh_.x[nodes[static_cast<std::size_t>(a)].index()];
+    for (int m = 0; m < shape::edge_count(mesh().type[e]); ++m) {
+      const auto [a, b] = shape::edge_corners(mesh().type[e], m);
+      const Vec3 edge = mesh().x[nodes[static_cast<std::size_t>(b)].index()] -
+                        mesh().x[nodes[static_cast<std::size_t>(a)].index()];
       extent.edge = std::max(extent.edge, edge.norm());
     }
   }
@@ -217,14 +185,32 @@ std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) c
   constexpr double rim = 1e-9;
   std::optional<ElementId> best;
   double least = rim;
-  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-    if ((net.valid() && mesh_.element_net[e] != net) ||
+  for (std::size_t e = 0; e < mesh().element_count(); ++e) {
+    if ((net.valid() && mesh().element_net[e] != net) ||
         (x - extent_[e].middle).norm() > (1.0 + rim) * extent_[e].radius) {
       continue;
     }
-    if (const double outside = distance_outside(mesh_, ElementId(e), x); outside < least) {
+    if (const double outside = distance_outside(mesh(), ElementId(e), x); outside < least) {
       least = outside;
       best = ElementId(e);
+    }
+  }
+  return best;
+}
+
+ElementId SolidHost::nearest_element(std::span<const ElementId> elements, const Vec3& x) const {
+  constexpr double beyond = 1.1; // of curved elements
+  ElementId best = elements.front();
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < elements.size() && least > 0.0; ++i) {
+    const ElementExtent& own = extent(elements[i]);
+    if ((x - own.middle).norm() > beyond * own.radius) {
+      continue;
+    }
+    const double outside = distance_outside(mesh(), elements[i], x);
+    if (outside < least) {
+      least = outside;
+      best = elements[i];
     }
   }
   return best;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/node_elements.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/cut/host.hpp"
 #include "mesh/surface/triangle_tree.hpp"
 #include "mesh/tube/body_surface.hpp"
 #include "model/mesh.hpp"
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,43 +13,14 @@
 
 namespace spricka::mesh {
 
-/// A face's corners and all its nodes.
-struct FaceNodes {
-  std::vector<base::NodeId> all;
-  std::size_t corners = 3;
-
-  [[nodiscard]] std::span<const base::NodeId> corner_nodes() const {
-    return std::span(all).first(corners);
-  }
-  /// The middle of the edge from corner i to the next; invalid in linear elements.
-  [[nodiscard]] base::NodeId mid_node(std::size_t i) const {
-    return all.size() > corners ? all[corners + i] : base::NodeId();
-  }
-  /// The node in the middle of the face; invalid if it has none.
-  [[nodiscard]] base::NodeId centre_node() const {
-    return all.size() > 2 * corners ? all.back() : base::NodeId();
-  }
-};
-FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face);
-
 /// A mesh of solids with its neighbourhoods, for cuts: made once, good for any number of cracks.
 /// Elements that hang together by faces and have one property are a part; what a part ends at
 /// (surface of the body, other properties) is its skin.
-class SolidHost {
+class SolidHost : public HostMesh {
 public:
   explicit SolidHost(const model::Mesh& mesh, SetUsage use = {});
 
-  [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const SetUsage& set_usage() const { return use_; }
-  /// Elements that have this node, ascending.
-  [[nodiscard]] std::span<const base::ElementId> elements_around(base::NodeId node) const {
-    return elements_.elements_around(node);
-  }
-  /// The element on the other side of a face; empty on the boundary.
-  [[nodiscard]] std::optional<base::ElementId> neighbour(const model::Face& face) const {
-    const std::int32_t e = beyond_[place(face)];
-    return e < 0 ? std::nullopt : std::optional(base::ElementId(static_cast<std::size_t>(e)));
-  }
   [[nodiscard]] std::size_t part_index(base::ElementId e) const { return part_[e.index()]; }
   /// Elements of a part, ascending.
   [[nodiscard]] const std::vector<base::ElementId>& part_elements(std::size_t part) const {
@@ -74,21 +45,18 @@ public:
   [[nodiscard]] std::optional<base::ElementId> element_at(const base::Vec3& x,
                                                           base::NetId net) const;
 
+  /// Of some elements the first that a place lies in, else the one it is least outside of, by that
+  /// element's own coordinates.
+  [[nodiscard]] base::ElementId nearest_element(std::span<const base::ElementId> elements,
+                                                const base::Vec3& x) const;
+
 private:
-  static constexpr std::size_t most_sides = 6;
-  static std::size_t place(const model::Face& face) {
-    return most_sides * face.element.index() + static_cast<std::size_t>(face.side);
-  }
-  void find_neighbours();
   void find_parts();
   void find_skins();
   void find_extents();
 
-  const model::Mesh& mesh_;
   SetUsage use_;
-  NodeElements elements_;
-  std::vector<std::int32_t> beyond_; ///< [most_sides * element + side] element there or -1
-  std::vector<std::size_t> part_;    ///< [element]
+  std::vector<std::size_t> part_; ///< [element]
   std::vector<std::vector<base::ElementId>> members_;
   std::vector<TriangleTree> skin_;   ///< [part]
   std::vector<TriangleTree> border_; ///< [part]

@@ -7,9 +7,8 @@ namespace spricka::mesh {
 
 using base::Vec3;
 
-bool find_mouths(const SolidHost& host, const SolidCrackFrame& frame,
-                 const LocatedSolidCrack& request, PatchSolidCrack& crack,
-                 base::Diagnostics& diagnostics) {
+bool find_mouths(const SolidHost& host, const CrackFrame& frame, const LocatedSolidCrack& request,
+                 PatchSolidCrack& crack, base::Diagnostics& diagnostics) {
   const SurfaceGeometry& surface = host.body_surface(request.seed).geometry();
   const auto size = [&](const Vec3& x) {
     return frame.a *

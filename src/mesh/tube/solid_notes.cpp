@@ -19,8 +19,8 @@ std::string what_and_where(const SolidCrack& crack, const CrackFront& front) {
 }
 
 std::string patch_of(const CavityCrackGroup& group) {
-  return fmt::format("patch of {} elements for {} of the net{}", group.graft.patch.elements.size(),
-                     group.graft.cavity.elements.size(),
+  return fmt::format("patch of {} elements for {} of the net{}", group.patch.elements.size(),
+                     group.cavity.elements.size(),
                      group.members.size() > 1 ? ", shared with others" : "");
 }
 
@@ -32,7 +32,7 @@ std::string range_text(double least, double most, const char* number) {
 
 std::string free_text(const CavityCrackGroup& group, const Tube& tube) {
   const auto [finest, coarsest] = std::ranges::minmax(tube.size);
-  const QuarterPointCounts& quarters = group.graft.patch.quarters;
+  const QuarterPointCounts& quarters = group.patch.quarters;
   std::string mids = "mid nodes in the middle";
   if (tube.quarter_point) {
     mids = fmt::format("mid nodes at a quarter of {} edges from it", quarters.moved);
@@ -52,7 +52,7 @@ void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack>
   const auto name = [](const std::string& set) {
     return set.empty() ? std::string("a set") : "the set " + set;
   };
-  for (const SetBorderShift& shift : group.graft.patch.shifts) {
+  for (const SetBorderShift& shift : group.patch.shifts) {
     diagnostics.warning(
         first.span, "W425",
         fmt::format("{}: its elements cover the border of {} at {} and move it by up to {:.3g}: "
@@ -61,7 +61,7 @@ void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack>
                     shift.by),
         "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
   }
-  for (const SplitSet& set : split_sets(host, group.graft.cavity)) {
+  for (const SplitSet& set : split_sets(host, group.cavity)) {
     if (!SetUsage::is_used(host.set_usage().elements, set.index)) {
       continue;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/graft.hpp"
 #include "mesh/tube/solid_front.hpp"
-#include "mesh/tube/solid_graft.hpp"
+#include "mesh/tube/solid_patch.hpp"
 
 #include <span>
 #include <string>
@@ -14,9 +15,11 @@ namespace spricka::mesh {
 /// Cracks that share a cavity, in the frame of the first.
 struct CavityCrackGroup {
   std::vector<std::size_t> members; ///< their numbers
-  SolidCrackFrame frame{};
+  CrackFrame frame{};
   std::vector<PatchSolidCrack> cracks{};
-  SolidGraft graft{};
+  SolidCavity cavity{};
+  SolidPatch patch{};
+  GraftedPatch placed{};
 };
 
 /// Warns (W425) of sets whose borders a patch moves.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_patch.hpp"
 
+#include "mesh/cut/folded_elements.hpp"
 #include "mesh/link/fill_solid.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/tube/crack_surface.hpp"
-#include "mesh/tube/folded_elements.hpp"
 #include "mesh/tube/free_front.hpp"
 #include "mesh/tube/solid_sizes.hpp"
 #include "mesh/tube/solid_split.hpp"
@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 
@@ -24,7 +23,7 @@ using base::Vec3;
 
 class PatchBuilder {
 public:
-  PatchBuilder(const SolidHost& host, const SolidCrackFrame& frame,
+  PatchBuilder(const SolidHost& host, const CrackFrame& frame,
                std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
                SurfaceTreatment request)
       : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), request_(request),
@@ -45,12 +44,10 @@ public:
     if (patch_.trouble.empty()) {
       promote();
       move_quarters();
-      settle_edges();
+      choose_edge_ends(net_.elements, patch_.edges);
       look_at_elements();
     }
-    patch_.nodes = std::move(net_.nodes);
-    patch_.elements = std::move(net_.elements);
-    patch_.ties = std::move(net_.ties);
+    net_.move_into(patch_);
     return std::move(patch_);
   }
 
@@ -308,13 +305,7 @@ private:
 
   void promote() {
     for (const std::array<int, 4>& t : tetrahedra_) {
-      SolidPatchElement& e =
-          net_.elements.emplace_back(SolidPatchElement{base::ElementType::tet10, {}});
-      e.nodes.assign(t.begin(), t.end());
-      for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}) {
-        e.nodes.push_back(
-            net_.mid_node(t[static_cast<std::size_t>(a)], t[static_cast<std::size_t>(b)]));
-      }
+      net_.add_element(base::ElementType::tet10, t);
     }
     for (std::size_t c = 0; c < faces_.size(); ++c) {
       std::set<int> known;
@@ -346,31 +337,8 @@ private:
     patch_.quarters = move_to_quarters(net_, quarter_, twins);
   }
 
-  /// Of two nodes at a mouth an edge has that of its side.
-  void settle_edges() {
-    std::unordered_map<int, std::set<int>> beside; // nodes of the elements at the middle of an edge
-    for (const HeldEdgePieces& edge : patch_.edges) {
-      if (edge.mid >= 0) {
-        beside[edge.mid];
-      }
-    }
-    for (std::size_t e = 0; e < net_.elements.size() && !beside.empty(); ++e) {
-      const std::vector<int>& nodes = net_.elements[e].nodes;
-      for (const int n : nodes) {
-        if (const auto at = beside.find(n); at != beside.end()) {
-          at->second.insert(nodes.begin(), nodes.end());
-        }
-      }
-    }
-    for (HeldEdgePieces& edge : patch_.edges) {
-      std::erase_if(edge.ends, [&](int n) { return !beside.at(edge.mid).contains(n); });
-    }
-  }
-
   void look_at_elements() {
-    std::vector<std::size_t> all(net_.elements.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    const std::vector<InvalidElement> folded = folded_elements(net_, all);
+    const std::vector<InvalidElement> folded = folded_elements(net_.nodes, net_.elements);
     if (!folded.empty()) {
       patch_.folded = true;
       std::set<NodeId> of_host;
@@ -381,8 +349,7 @@ private:
       }
       of_host.erase(NodeId());
       patch_.folded_at.assign(of_host.begin(), of_host.end());
-      const InvalidElement& worst =
-          *std::ranges::min_element(folded, {}, &InvalidElement::jacobian);
+      const InvalidElement& worst = worst_element(folded);
       patch_.trouble =
           fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", folded.size(),
                       base::element_info(net_.elements[worst.element.index()].type).name,
@@ -391,11 +358,11 @@ private:
   }
 
   const SolidHost& host_;
-  const SolidCrackFrame& frame_;
+  const CrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const SolidCavity& cavity_;
   SurfaceTreatment request_;
-  SolidPatchNet net_;
+  PatchNet net_;
   SolidPatch patch_;
   std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
   std::vector<std::vector<PatchTriangle>> rims_;      ///< of them, what the host gives
@@ -411,7 +378,7 @@ private:
 
 } // namespace
 
-SolidPatch mesh_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
+SolidPatch mesh_solid_cavity(const SolidHost& host, const CrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
                              SurfaceTreatment request) {
   return PatchBuilder(host, frame, cracks, cavity, request).build();

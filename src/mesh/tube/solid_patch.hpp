@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/open_surface.hpp"
 #include "mesh/tube/quarter_points.hpp"
 #include "mesh/tube/solid_cavity.hpp"
-#include "mesh/tube/solid_net.hpp"
 #include "mesh/tube/solid_shell.hpp"
 
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace spricka::mesh {
 
-/// What fills a cavity, its cracks open.
-struct SolidPatch {
+/// What fills a cavity in a solid, its cracks open.
+struct SolidPatch : Patch {
   struct SolidPatchSide {
     std::size_t element = 0;
     int side = 0;
@@ -25,20 +24,14 @@ struct SolidPatch {
     std::vector<SolidPatchSide> upper, lower; ///< sides of elements that make them
     std::vector<std::vector<int>> fronts;     ///< [tube][station] node
   };
-  std::vector<SolidPatchNode> nodes;
-  std::vector<SolidPatchElement> elements;
-  std::vector<SolidTie> ties;
   std::vector<OpenedPatchCrack> cracks;
-  QuarterPointCounts quarters;   ///< of free fronts
-  std::vector<FacePieces> faces; ///< of the cavity
-  std::string trouble;           ///< why there is no patch
-  bool folded = false;           ///< because elements are
+  QuarterPointCounts quarters; ///< of free fronts
+  bool folded = false;         ///< there is no patch because elements are
   /// The host's nodes of such elements, ascending.
   std::vector<base::NodeId> folded_at;
   bool old_surface = false;           ///< of the body has a part in it that is not meshed anew
   bool at_border = false;             ///< borders of sets may be the trouble
   std::vector<SetBorderShift> shifts; ///< of used sets' borders, where they are not kept
-  std::vector<HeldEdgePieces> edges;  ///< of the cavity that held sets have
 };
 
 /// How the surface of the body is treated.
@@ -48,7 +41,7 @@ struct SurfaceTreatment {
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.
-SolidPatch mesh_solid_cavity(const SolidHost& host, const SolidCrackFrame& frame,
+SolidPatch mesh_solid_cavity(const SolidHost& host, const CrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
                              SurfaceTreatment request);
 

@@ -17,7 +17,7 @@ using Corners = std::array<int, 4>;
 
 /// Whether of a quadrilateral, anticlockwise seen from the fill, the diagonal from corner 0 to 2
 /// bulges towards the fill (or the four lie in a plane), not that from 1 to 3.
-bool first_bulges(const SolidPatchNet& net, const Corners& q) {
+bool first_bulges(const PatchNet& net, const Corners& q) {
   return net.six_volumes(q[0], q[1], q[2], q[3]) <= 0.0;
 }
 
@@ -30,8 +30,8 @@ std::array<PatchTriangle, 2> halves(const Corners& q, bool first) {
 
 /// The value in the middle of a serendipity face, of its corners and middles (contact with a
 /// diagonal: two triangles of six nodes and one of eight then have the same mean).
-SolidTie middle_of(const Corners& corner, const std::array<int, 4>& mid) {
-  SolidTie tie;
+PatchTie middle_of(const Corners& corner, const std::array<int, 4>& mid) {
+  PatchTie tie;
   for (const int n : corner) {
     tie.master.push_back(n);
     tie.weight.push_back(-0.25);
@@ -44,7 +44,7 @@ SolidTie middle_of(const Corners& corner, const std::array<int, 4>& mid) {
 }
 
 /// Makes the slave of a tie in its place; the tie stays if it is to hold.
-int slave_of(SolidPatchNet& net, SolidTie tie, bool holds) {
+int slave_of(PatchNet& net, PatchTie tie, bool holds) {
   Vec3 x = Vec3::Zero();
   for (std::size_t i = 0; i < tie.master.size(); ++i) {
     x += tie.weight[i] * net.position(tie.master[i]);
@@ -59,7 +59,7 @@ int slave_of(SolidPatchNet& net, SolidTie tie, bool holds) {
 
 /// Makes the nodes inside a quadrilateral (corners, middles, and the middle where it has one) that
 /// four triangles round it share with it, tied so that linear stresses pass. Returns its middle.
-int tie_inside(SolidPatchNet& net, const std::vector<int>& nodes) {
+int tie_inside(PatchNet& net, const std::vector<int>& nodes) {
   std::vector<Vec3> places;
   std::ranges::transform(nodes, std::back_inserter(places), [&](int n) { return net.position(n); });
   const base::Matrix weights = tie_weights(places);
@@ -81,7 +81,7 @@ std::vector<PatchTriangle> fan(const Corners& q, int middle) {
 
 class Sheller {
 public:
-  Sheller(const SolidHost& host, const std::vector<bool>& removed, SolidPatchNet& net)
+  Sheller(const SolidHost& host, const std::vector<bool>& removed, PatchNet& net)
       : host_(host), mesh_(host.mesh()), removed_(removed), net_(net) {}
 
   std::vector<PatchTriangle> triangles_of(const CavityFace& face) {
@@ -153,13 +153,13 @@ private:
   const SolidHost& host_;
   const model::Mesh& mesh_;
   const std::vector<bool>& removed_;
-  SolidPatchNet& net_;
+  PatchNet& net_;
 };
 
 } // namespace
 
 std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector<bool>& removed,
-                                        const std::vector<CavityFace>& faces, SolidPatchNet& net,
+                                        const std::vector<CavityFace>& faces, PatchNet& net,
                                         std::vector<FacePieces>& pieces) {
   Sheller sheller(host, removed, net);
   std::vector<PatchTriangle> shell;
@@ -174,14 +174,14 @@ std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector
   return shell;
 }
 
-std::vector<int> add_tube(const Tube& tube, SolidPatchNet& net, std::vector<PatchTriangle>& shell) {
+std::vector<int> add_tube(const Tube& tube, PatchNet& net, std::vector<PatchTriangle>& shell) {
   std::vector<int> node;
   for (const Vec3& place : tube.x) {
     node.push_back(net.new_node_at(place));
   }
   const auto at = [&](int n) { return node[static_cast<std::size_t>(n)]; };
   for (const Tube::TubeElement& element : tube.elements) {
-    SolidPatchElement& e = net.elements.emplace_back(SolidPatchElement{element.type, {}});
+    PatchElement& e = net.elements.emplace_back(PatchElement{element.type, {}});
     std::ranges::transform(element.nodes, std::back_inserter(e.nodes), at);
   }
   for (std::size_t i = 0; i < tube.front_mid.size(); ++i) {

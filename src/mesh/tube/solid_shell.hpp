@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/tube/solid_cavity.hpp"
-#include "mesh/tube/solid_net.hpp"
 #include "mesh/tube/tube.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace spricka::mesh {
-
-/// A face of the host and sides of the patch in its place, by corners; some may be there twice,
-/// with the nodes of either side of a crack.
-using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
 
 /// A shell of a cavity as triangles; edges have the host's middle nodes. A quadrilateral of a
 /// quadratic element that stays becomes four triangles round its middle, tied so that linear
@@ -20,11 +15,11 @@ using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
 /// face, or has its place: tied to the face where a linear element stays behind it. Middles of the
 /// edges of linear elements that stay are tied to these.
 std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector<bool>& removed,
-                                        const std::vector<CavityFace>& faces, SolidPatchNet& net,
+                                        const std::vector<CavityFace>& faces, PatchNet& net,
                                         std::vector<FacePieces>& pieces);
 
 /// Puts a tube into a patch: returns its nodes there; its outside is added to `shell`, two
 /// triangles for each quadrilateral, the middle of the diagonal tied. A free front has none.
-std::vector<int> add_tube(const Tube& tube, SolidPatchNet& net, std::vector<PatchTriangle>& shell);
+std::vector<int> add_tube(const Tube& tube, PatchNet& net, std::vector<PatchTriangle>& shell);
 
 } // namespace spricka::mesh

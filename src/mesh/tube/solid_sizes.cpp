@@ -15,8 +15,7 @@ constexpr double growth_at_rim = 0.5;
 } // namespace
 
 SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
-                         const std::vector<std::vector<PatchTriangle>>& rims,
-                         const SolidPatchNet& net) {
+                         const std::vector<std::vector<PatchTriangle>>& rims, const PatchNet& net) {
   SolidGrading size;
   for (const PatchSolidCrack& crack : cracks) {
     for (const Tube& tube : crack.tubes) {

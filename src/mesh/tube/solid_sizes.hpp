@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/link/solid_region.hpp"
 #include "mesh/tube/laid_crack.hpp"
-#include "mesh/tube/solid_net.hpp"
 
 #include <span>
 #include <vector>
@@ -12,7 +12,6 @@ namespace spricka::mesh {
 /// Sizes of the tetrahedra of a patch: those of the fronts, growing with the distance, and of the
 /// faces of a finer host at its rim.
 SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
-                         const std::vector<std::vector<PatchTriangle>>& rims,
-                         const SolidPatchNet& net);
+                         const std::vector<std::vector<PatchTriangle>>& rims, const PatchNet& net);
 
 } // namespace spricka::mesh

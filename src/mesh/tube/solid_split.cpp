@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_split.hpp"
 
+#include "mesh/cut/crack_node_fan.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -24,11 +26,9 @@ PatchTriangle corners_of(const Tetrahedron& t, std::size_t side) {
   return {t[c[0]], t[c[1]], t[c[2]]};
 }
 
-enum class Level { unknown, upper, lower };
-
 class Splitter {
 public:
-  Splitter(const SolidPatchNet& net, const std::vector<PatchTriangle>& crack,
+  Splitter(const PatchNet& net, const std::vector<PatchTriangle>& crack,
            const std::unordered_map<int, int>& lower, std::vector<Tetrahedron>& tetrahedra)
       : net_(net), crack_(crack), lower_(lower), tetrahedra_(tetrahedra) {}
 
@@ -89,8 +89,8 @@ private:
         continue;
       }
       for (const int n : triangle) {
-        level_[{n, upper.tetrahedron}] = Level::upper;
-        level_[{n, lower.tetrahedron}] = Level::lower;
+        level_[{n, upper.tetrahedron}] = CrackSide::left;
+        level_[{n, lower.tetrahedron}] = CrackSide::right;
       }
     }
   }
@@ -98,57 +98,54 @@ private:
   /// Which of the tetrahedra round a node are below the crack.
   void tell(int node, const std::vector<std::size_t>& around,
             std::vector<std::pair<std::size_t, int>>& below) {
-    std::map<std::size_t, Level> level;
-    std::vector<std::size_t> open;
-    for (const std::size_t t : around) {
-      const auto at = level_.find({node, t});
-      level[t] = at == level_.end() ? Level::unknown : at->second;
-      if (at != level_.end()) {
-        open.push_back(t);
+    CrackNodeFan fan(around.size());
+    const auto number = [&](std::size_t t) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(around, t) - around.begin());
+    };
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      if (const auto at = level_.find({node, around[i]}); at != level_.end()) {
+        fan.mark(i, at->second);
       }
-    }
-    while (!open.empty()) {
-      const std::size_t t = open.back();
-      open.pop_back();
       for (std::size_t s = 0; s < 4; ++s) {
-        const PatchTriangle corners = corners_of(tetrahedra_[t], s);
+        const PatchTriangle corners = corners_of(tetrahedra_[around[i]], s);
         if (std::ranges::find(corners, node) == corners.end()) {
           continue;
         }
         const Sheet& sheet = sheets_.at(in_order(corners));
         for (const FillSide& side : sheet.crack ? std::vector<FillSide>() : sheet.sides) {
-          Level& next = level.at(side.tetrahedron);
-          if (next == Level::unknown) {
-            next = level.at(t);
-            open.push_back(side.tetrahedron);
-          } else if (next != level.at(t)) {
-            result_.trouble = "the two sides of a crack hang together";
-          }
+          fan.join(i, number(side.tetrahedron));
         }
       }
     }
-    for (const auto& [t, where] : level) {
-      if (where == Level::unknown) {
-        result_.trouble = "an element at a crack lies on neither side of it";
-      } else if (where == Level::lower) {
-        below.emplace_back(t, node);
+    const std::vector<CrackSide> sides = fan.sides();
+    const auto any = [&](CrackSide side) { return std::ranges::count(sides, side) > 0; };
+    if (any(CrackSide::both)) {
+      result_.trouble = "the two sides of a crack hang together";
+    }
+    if (any(CrackSide::unknown)) {
+      result_.trouble = "an element at a crack lies on neither side of it";
+    }
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      if (sides[i] == CrackSide::right) {
+        below.emplace_back(around[i], node);
       }
     }
   }
 
-  const SolidPatchNet& net_;
+  const PatchNet& net_;
   const std::vector<PatchTriangle>& crack_;
   const std::unordered_map<int, int>& lower_;
   std::vector<Tetrahedron>& tetrahedra_;
   std::map<int, std::vector<std::size_t>> around_; ///< [crack node] tetrahedra
   std::map<PatchTriangle, Sheet> sheets_;          ///< sides that have a crack node
-  std::map<std::pair<int, std::size_t>, Level> level_;
+  /// Of a node's tetrahedra those with sides on the crack; left is above.
+  std::map<std::pair<int, std::size_t>, CrackSide> level_;
   OpenedFill result_;
 };
 
 } // namespace
 
-OpenedFill split_fill(const SolidPatchNet& net, const std::vector<PatchTriangle>& crack,
+OpenedFill split_fill(const PatchNet& net, const std::vector<PatchTriangle>& crack,
                       const std::unordered_map<int, int>& lower,
                       std::vector<Tetrahedron>& tetrahedra) {
   return Splitter(net, crack, lower, tetrahedra).split();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/tube/solid_net.hpp"
+#include "mesh/cut/patch_net.hpp"
 
 #include <array>
 #include <string>
@@ -23,7 +23,7 @@ struct OpenedFill {
 /// Opens a crack in a fill: tetrahedra below its triangles (which run round its normal) get the
 /// second nodes, `lower`, of those on it. What is below is told round each node by following the
 /// tetrahedra through sides that are not the crack.
-OpenedFill split_fill(const SolidPatchNet& net, const std::vector<PatchTriangle>& crack,
+OpenedFill split_fill(const PatchNet& net, const std::vector<PatchTriangle>& crack,
                       const std::unordered_map<int, int>& lower,
                       std::vector<std::array<int, 4>>& tetrahedra);
 

@@ -39,7 +39,7 @@ constexpr double steepest_shear = 1.5; // of the shear over its reach
 constexpr double fewest_radii = 3.0;   // of that reach
 
 constexpr std::size_t samples = 1024;
-constexpr std::size_t fewest = 8; // elements round a closed front
+constexpr std::size_t fewest_of_closed = 8; // elements round a closed front
 /// Of an open one, so that it has a point inside the body: K has no limit where a front leaves it.
 constexpr std::size_t fewest_of_open = 2;
 
@@ -99,7 +99,8 @@ std::vector<double> TubeSizes::stations(bool closed) const {
                      0.5 * (s[i] - s[i - 1]) * (1.0 / length[i] + 1.0 / length[i - 1]));
   }
   const auto wanted = static_cast<std::size_t>(std::ceil(number.back() - same));
-  const std::size_t elements = std::max<std::size_t>(wanted, closed ? fewest : fewest_of_open);
+  const std::size_t elements =
+      std::max<std::size_t>(wanted, closed ? fewest_of_closed : fewest_of_open);
   std::vector<double> result{s.front()};
   std::size_t i = 1;
   for (std::size_t k = 1; k < elements; ++k) {
