@@ -32,7 +32,7 @@ struct ConstraintRow {
   base::NodeId node; ///< contact node that the function belongs to
   bool tangential = false;
   int normal = -1; ///< of a tangential row: its normal row among those of the pair
-  int along = 0;   ///< in space, of a tangential row: 1 or 2, which tangent of the surface
+  int along = 0;   ///< of a tangential row of a SEGMENT pair: which tangent of the surface, 1 or 2
 };
 
 /// A place where one surface of a pair ends while the other goes on: the end of a rigid line, the
@@ -44,8 +44,8 @@ struct SingularContactEdge {
   bool bounded = false; ///< in space: the body that ends is so soft that its corner gives way
 };
 
-/// What presses at a node of a surface in space: one function for each smooth part that the node
-/// belongs to, with a row of its own, that of the neighbour it joined, or none.
+/// What presses at a node of a surface: one function for each smooth part that the node belongs to,
+/// with a row of its own, that of the neighbour it joined, or none.
 struct MultiplierFunction {
   base::NodeId node;
   std::size_t part = 0;       ///< of the contact surface
@@ -72,7 +72,7 @@ struct PairConstraints {
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
   std::vector<SingularContactEdge>
       sharp_ends; ///< in the order of the contact surface; none on crack faces
-  std::vector<MultiplierFunction> functions; ///< in space, by part and node
+  std::vector<MultiplierFunction> functions; ///< as part_nodes(); none of crack faces in the plane
   std::optional<AnalyticShape> rigid_shape;  ///< in space, of `rigid`
   double unprojected_area =
       0.0; ///< in space: area that lies opposite, but whose normal meets nothing there

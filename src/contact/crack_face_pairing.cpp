@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/crack_face_pairing.hpp"
 
+#include "base/index.hpp"
 #include "contact/node_pair.hpp"
 #include "mesh/boundary.hpp"
-#include "shape/quadrature.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,34 +15,24 @@ namespace {
 // Of the largest share of a face that a node has: less is round-off.
 constexpr double no_area = 1e-9;
 
-// What a unit pressure on the face puts on its nodes, and their order along it.
-struct PushedNodes {
-  std::map<base::NodeId, Vec2> push; ///< along the outer normal [area]
-  std::vector<base::NodeId> order;
-};
-
-// `depth` of a place.
-template <class Depth> PushedNodes face_nodes(const ContactSurface& surface, Depth&& depth) {
-  PushedNodes nodes;
-  for (const Edge& edge : surface.plane.edges) {
-    for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
-      if (static_cast<int>(i) >= edge.count) {
-        continue;
+// What a unit pressure on the face of a pair puts on its nodes, along the outer normal. [area]
+std::map<base::NodeId, base::Vec3> pushed_nodes(const PairConstraints& pair) {
+  // exact for straight edges with a quarter point: N times the Jacobian is of degree 3, times a
+  // radius of degree 5
+  constexpr int degree = 5;
+  std::map<base::NodeId, base::Vec3> push;
+  for (const geometry::ElementSide& edge : pair.contact.facets) {
+    edge.for_quadrature_points(degree, [&](const Vec2& r, double weight) {
+      const geometry::SidePoint at = edge.point(r);
+      const geometry::SideValues N = edge.N(r);
+      const double w = weight * out_of_plane_depth(pair.contact, pair.target, at.x.head<2>());
+      for (std::size_t i = 0; i < edge.nodes.size(); ++i) {
+        push.try_emplace(edge.nodes[i], base::Vec3::Zero()).first->second +=
+            w * N[base::index(i)] * at.area_vector();
       }
-      const auto [at, fresh] = nodes.push.try_emplace(edge.nodes[i], Vec2::Zero());
-      if (fresh) {
-        nodes.order.push_back(edge.nodes[i]);
-      }
-      // exact for straight edges with a quarter point: N times the Jacobian is of degree 3, times
-      // a radius of degree 5
-      for (const auto& [r, weight] : shape::line_rule(5)) {
-        const Vec2 t = tangent_on(edge, r[0]);
-        at->second +=
-            depth(point_on(edge, r[0])) * weight * edge_N(edge, r[0])[i] * Vec2(t.y(), -t.x());
-      }
-    }
+    });
   }
-  return nodes;
+  return push;
 }
 
 ContactSurface face_surface(const model::Model& model, const model::Mesh& mesh,
@@ -77,24 +67,22 @@ PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& me
   for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {
     opposite[own[i]] = base::NodeId();
   }
-  const PushedNodes nodes = face_nodes(pair.contact, [&](const Vec2& x) {
-    return out_of_plane_depth(pair.contact, pair.target, x);
-  });
+  const std::map<base::NodeId, base::Vec3> pushes = pushed_nodes(pair);
   double largest = 0.0;
-  for (const auto& [id, push] : nodes.push) {
+  for (const auto& [id, push] : pushes) {
     largest = std::max(largest, push.norm());
   }
-  for (const base::NodeId id : nodes.order) {
+  for (const auto& [part, id] : part_nodes(pair.contact)) {
     const auto other = opposite.find(id);
-    if (other == opposite.end()) {
-      continue;
-    }
-    const Vec2& push = nodes.push.at(id);
-    if (push.norm() <= no_area * largest) {
+    const base::Vec3& push = pushes.at(id);
+    if (other == opposite.end() || push.norm() <= no_area * largest) {
       continue; // the corner of a quadratic edge on the axis
     }
-    append_node_rows(NodePair{id, other->second, base::to_space(push), push.norm(), 0.0},
-                     friction && !half, pair);
+    NodePair nodes{id, other->second, {push}, push.norm(), 0.0};
+    if (friction && !half) {
+      nodes.push.push_back(base::Vec3::UnitZ().cross(push)); // turned to the left
+    }
+    append_node_rows(nodes, pair);
   }
   return pair;
 }

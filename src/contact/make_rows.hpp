@@ -1,44 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/pair_points.hpp"
-#include "contact/row_builder.hpp"
+#include "contact/constraint.hpp"
+#include "contact/space/pair_point.hpp"
 
-#include <array>
+#include <cstddef>
 #include <map>
-#include <span>
+#include <optional>
 #include <vector>
 
-/// From integration points to constraint rows, whatever the dimension.
+/// From integration points to constraint rows.
 namespace spricka::contact {
 
-/// The rows of one node while they are summed: across the surfaces and along them.
-struct NodalRowSums {
-  ConstraintRowBuilder normal;
-  std::array<ConstraintRowBuilder, 2> tangent;
-};
-using RowsByNode = std::map<base::NodeId, NodalRowSums>;
+/// [node of a crack's front] the node behind it.
+using NodesBehind = std::map<base::NodeId, base::NodeId>;
 
-/// Weights the motion of the two surfaces at each point by the hats of the contact facet, node by
-/// node. `targets` is empty where the target is rigid; `tangents`: how many of the points' tangents
-/// make rows as well.
-RowsByNode integrate_mortar_rows(const MortarPoints& points,
-                                 std::span<const geometry::ElementSide> contact,
-                                 std::span<const geometry::ElementSide> targets, int tangents);
-
-/// The nodes of a contact surface in the order in which rows are merged and stand; after the last
-/// the first one follows where it is closed.
-struct NodeOrder {
-  std::vector<base::NodeId> nodes;
-  bool closed = false;
+/// What the rows of a SEGMENT pair are made with.
+struct MortarRowOptions {
+  std::optional<double> declared_gap; ///< in the place of the measured ones [length]
+  bool tangents = false;              ///< rows along the surface for each normal one
+  /// Functions of nodes at a crack's front, where the faces cannot part, go to the nodes behind it.
+  NodesBehind at_front = {};
 };
 
-/// A sliver of cover, less than a fifth of its function's whole area, makes a row that weighs next
-/// to nothing: its function joins a neighbour's. How many did.
-int merge_slivers(const NodeOrder& order, RowsByNode& rows);
+/// Fills the rows of a SEGMENT pair whose two surfaces stand in `pair` from what the elements of
+/// the contact surface meet (target_projector()). The pressure is a sum of hats on these elements.
+/// In the plane gaps and motions are weighted by the hats themselves; in space (contact_space.5) by
+/// the functions dual to them (Wohlmuth 2000) on what the target covers of each triangle (Popp et
+/// al. 2013), so that each weight is positive on any face type and any part of a face. A function
+/// covered by less than a fifth joins a neighbour. Where surfaces face each other twice, or
+/// normals miss what they face, `trouble` says so and there are no rows.
+void fill_mortar_rows(PairConstraints& pair, const ElementProjector& project,
+                      const MortarRowOptions& options);
 
-/// Appends the rows that weigh something to those of a pair, in order; tangent rows behind one
-/// another know their normal row.
-void append_rows(const NodeOrder& order, const RowsByNode& rows, int tangents,
-                 PairConstraints& pair);
+/// Places among the pair's functions of the nodes of each facet of its contact surface, or of its
+/// corners where only these have functions.
+std::vector<std::vector<std::size_t>> functions_by_facet(const PairConstraints& pair);
+
+/// The normal row of each of these functions, which may be that of another it joined,
+/// [facet][node]; -1: none.
+std::vector<std::vector<int>> rows_by_facet(const PairConstraints& pair);
 
 } // namespace spricka::contact

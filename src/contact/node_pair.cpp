@@ -5,30 +5,23 @@
 
 namespace spricka::contact {
 
-namespace {
-
-ConstraintRowBuilder between(const NodePair& nodes, const base::Vec3& along) {
-  ConstraintRowBuilder row;
-  row.add_contribution(nodes.node, -along);
-  if (nodes.other.valid()) {
-    row.add_contribution(nodes.other, along);
+void append_node_rows(const NodePair& nodes, PairConstraints& pair) {
+  const auto normal = static_cast<int>(pair.normal.size());
+  for (std::size_t k = 0; k < nodes.push.size(); ++k) {
+    ConstraintRowBuilder row;
+    row.add_contribution(nodes.node, -nodes.push[k]);
+    if (nodes.other.valid()) {
+      row.add_contribution(nodes.other, nodes.push[k]);
+    }
+    row.area = nodes.area;
+    if (k > 0) {
+      pair.tangent.push_back(row.make_row(nodes.node, normal));
+      continue;
+    }
+    row.gap = nodes.area * nodes.gap;
+    row.round_gap = row.gap;
+    pair.normal.push_back(row.make_row(nodes.node));
   }
-  row.area = nodes.area;
-  return row;
-}
-
-} // namespace
-
-void append_node_rows(const NodePair& nodes, bool tangents, PairConstraints& pair) {
-  ConstraintRowBuilder row = between(nodes, nodes.push);
-  row.gap = nodes.area * nodes.gap;
-  row.round_gap = row.gap;
-  if (tangents) {
-    const base::Vec3 along(-nodes.push.y(), nodes.push.x(), 0.0);
-    pair.tangent.push_back(
-        between(nodes, along).make_row(nodes.node, static_cast<int>(pair.normal.size())));
-  }
-  pair.normal.push_back(row.make_row(nodes.node));
 }
 
 } // namespace spricka::contact

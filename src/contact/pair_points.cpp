@@ -2,25 +2,25 @@
 #include "contact/pair_points.hpp"
 
 #include "contact/rigid_target.hpp"
-#include "contact/segment.hpp"
 #include "contact/space/opposite.hpp"
+#include "contact/space/rigid_round.hpp"
+#include "contact/space/surface_projection.hpp"
+#include "contact/space/twin_projection.hpp"
 #include "shape/quadrature.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace spricka::contact {
 
 namespace {
 
-constexpr int degree = 9; // of the quadrature along a segment
-
-// What a point of a contact edge sees on its normal, or on that of a rigid target.
-struct Opposite {
-  double eta = 0.0;
-  Vec2 normal = Vec2::Zero();
-  double gap = 0.0;
-  double round_gap = 0.0;
-};
+constexpr int segment_degree = 9;
+constexpr int segment_sampling_degree = 3;
+constexpr int triangle_sampling_degree = 5;
 
 // How far along n the circle that the nodes of a surface lie on is from a point of its edges.
 double to_circle(const ContactSurface& surface, const Vec2& x, const Vec2& n) {
@@ -33,129 +33,173 @@ double to_circle(const ContactSurface& surface, const Vec2& x, const Vec2& n) {
   return std::abs(along) < 0.5 ? 0.0 : (surface.circle->radius - d.norm()) / along;
 }
 
-std::optional<Opposite> opposite(const ContactSurface& contact, const model::RigidTarget& rigid,
-                                 const MortarSegment& s, double xi) {
-  const Vec2 x = point_on(contact.plane.edges[s.contact_edge], xi);
-  const std::optional<RigidProjection> foot = normal_projection(rigid, x);
-  if (!foot) {
-    return std::nullopt;
-  }
-  const double gap = zero_round_off(foot->gap, x.cwiseAbs().maxCoeff());
-  return Opposite{0.0, foot->normal, gap, gap - to_circle(contact, x, foot->normal)};
-}
-
-std::optional<Opposite> opposite(const ContactSurface& contact, const ContactSurface& other,
-                                 const MortarSegment& s, double xi) {
-  const Edge& edge = contact.plane.edges[s.contact_edge];
-  const Edge& target = other.plane.edges[s.target_edge];
+// What a point of a stretch meets; without its weight. None: the ray misses the target.
+std::optional<PairPoint> project_point(const PairConstraints& pair, const MortarSegment& segment,
+                                       double xi) {
+  const Edge& edge = pair.contact.plane.edges[segment.contact_edge];
   const Vec2 x = point_on(edge, xi);
-  const Vec2 n = surface_normal(contact, edge, xi);
-  const std::optional<double> eta = ray_intersection(target, x, n);
-  if (!eta) {
-    return std::nullopt;
+  PairPoint point{.facet = segment.contact_edge, .r = {xi, 0.0}, .x = base::to_space(x)};
+  Vec2 n = surface_normal(pair.contact, edge, xi);
+  double on_target = 0.0; // circle of the target's, beyond its edge
+  if (pair.rigid) {
+    const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x);
+    if (!foot) {
+      return std::nullopt;
+    }
+    n = foot->normal;
+    point.gap = foot->gap;
+  } else {
+    const Edge& target = pair.target.plane.edges[segment.target_edge];
+    const std::optional<double> eta = ray_intersection(target, x, n);
+    if (!eta) {
+      return std::nullopt;
+    }
+    const Vec2 y = point_on(target, *eta);
+    point.target = segment.target_edge;
+    point.s = {*eta, 0.0};
+    point.gap = (y - x).dot(n);
+    on_target = to_circle(pair.target, y, n);
   }
-  const Vec2 y = point_on(target, *eta);
+  point.normal = base::to_space(n);
+  point.gap = zero_round_off(point.gap, x.cwiseAbs().maxCoeff());
   // (contact.7), and the same between the circles: each surface is moved onto its own.
-  const double gap = zero_round_off((y - x).dot(n), x.cwiseAbs().maxCoeff());
-  return Opposite{*eta, n, gap, gap - to_circle(contact, x, n) + to_circle(other, y, n)};
+  point.round_gap = point.gap - to_circle(pair.contact, x, n) + on_target;
+  return point;
 }
 
-bool covered_twice(const std::vector<MortarSegment>& segments) {
-  // Segments of an edge stand in the order of `from`; neighbours that share a node may overlap by
-  // round-off.
-  for (std::size_t i = 1; i < segments.size(); ++i) {
-    if (segments[i].contact_edge == segments[i - 1].contact_edge &&
-        segments[i].from < segments[i - 1].to - 1e-6) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// False if a point of the segment finds no target: its area would be lost.
-template <class Target, class Depth>
-bool add_segment(const ContactSurface& contact, const Target& target, const MortarSegment& s,
-                 Depth&& depth, std::vector<MortarPoint>& points) {
-  const Edge& edge = contact.plane.edges[s.contact_edge];
+// What the points of a Gauss rule on a stretch meet, but for those that miss.
+std::vector<PairPoint> project_segment(const PairConstraints& pair, const MortarSegment& segment,
+                                       int degree) {
+  const Edge& edge = pair.contact.plane.edges[segment.contact_edge];
+  const double length = segment.to - segment.from;
+  std::vector<PairPoint> points;
   for (const auto& [r, weight] : shape::line_rule(degree)) {
-    const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * r[0]);
-    const Vec2 x = point_on(edge, xi);
-    const std::optional<Opposite> other = opposite(contact, target, s, xi);
-    if (!other) {
-      return false;
+    const double xi = 0.5 * ((segment.to + segment.from) + length * r[0]);
+    if (std::optional<PairPoint> point = project_point(pair, segment, xi)) {
+      // (contact.12): the area that the point stands for.
+      point->weight = 0.5 * length * weight * tangent_on(edge, xi).norm() *
+                      out_of_plane_depth(pair.contact, pair.target, point->x.head<2>());
+      points.push_back(*point);
     }
-    MortarPoint p;
-    p.facet = s.contact_edge;
-    p.target = s.target_edge;
-    p.r = {xi, 0.0};
-    p.s = {other->eta, 0.0};
-    p.x.head<2>() = x;
-    p.normal.head<2>() = other->normal;
-    p.tangent[0] = {-other->normal.y(), other->normal.x(), 0.0};
-    // (contact.12): the area that the point stands for.
-    p.weight = 0.5 * (s.to - s.from) * weight * tangent_on(edge, xi).norm() * depth(x);
-    p.gap = other->gap;
-    p.round_gap = other->round_gap;
-    points.push_back(p);
   }
-  return true;
+  return points;
 }
 
-// Half edges, on which hats are polynomials.
-template <class Depth>
-void add_whole_edge(const ContactSurface& contact, std::size_t facet, Depth&& depth,
-                    std::vector<SurfaceQuadraturePoint>& points) {
-  const Edge& edge = contact.plane.edges[facet];
-  for (const double half : {-0.5, 0.5}) {
-    for (const auto& [r, weight] : shape::line_rule(degree)) {
-      const double xi = half + 0.5 * r[0];
-      const double w = 0.5 * weight * tangent_on(edge, xi).norm() * depth(point_on(edge, xi));
-      points.push_back({facet, {xi, 0.0}, w});
-    }
-  }
-}
+// What the edges of a contact surface meet, edge or half edge one by one.
+class SegmentProjection {
+public:
+  SegmentProjection(const PairConstraints& pair, int degree)
+      : pair_(pair), degree_(degree), segments_(find_segments(pair)) {}
 
-template <class Target, class Depth>
-MortarPoints find_points(const ContactSurface& contact, const Target& target,
-                         std::optional<double> declared_gap, Depth&& depth) {
-  MortarPoints all;
-  const std::vector<MortarSegment> segments = find_segments(contact, target);
-  if (covered_twice(segments)) {
-    all.trouble = "the surfaces face each other twice at one place (folded or cornered surfaces "
-                  "are not available in this version)";
-    return all;
-  }
-  all.found = !segments.empty();
-  for (std::size_t facet = 0; facet < contact.facets.size(); ++facet) {
-    add_whole_edge(contact, facet, depth, all.surface);
-  }
-  for (const MortarSegment& s : segments) {
-    if (!add_segment(contact, target, s, depth, all.points)) {
-      all.trouble = "the normals of one surface miss the other within a stretch that faces it (too "
-                    "strongly curved for its edges?)";
-      return all;
+  [[nodiscard]] ProjectedElement project(const HatElement& element) const {
+    const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
+    const double from = edge.node_coordinates(element.node[0])[0];
+    const double to = edge.node_coordinates(element.node[1])[0];
+    ProjectedElement found;
+    found.whole = whole_hats(element);
+    const auto own =
+        std::ranges::equal_range(segments_, element.facet, {}, &MortarSegment::contact_edge);
+    for (auto s = own.begin(); s != own.end(); ++s) {
+      // Segments of an edge stand in the order of `from`; neighbours that share a node may overlap
+      // by round-off.
+      if (s != own.begin() && s->from < std::prev(s)->to - 1e-6) {
+        found.trouble = "the surfaces face each other twice at one place (folded or cornered "
+                        "surfaces are not available in this version)";
+      }
+      if (const double middle = 0.5 * (s->from + s->to); middle < from || middle > to) {
+        continue;
+      }
+      std::vector<PairPoint> points = project_segment(pair_, *s, degree_);
+      // Their area would be lost.
+      if (points.size() < shape::line_rule(degree_).size()) {
+        found.trouble = "the normals of one surface miss the other within a stretch that faces it "
+                        "(too strongly curved for its edges?)";
+      }
+      for (PairPoint& p : points) {
+        const double part = (p.r[0] - from) / (to - from);
+        p.hat = {1.0 - part, part, 0.0};
+        found.points.push_back(p);
+      }
     }
+    return found;
   }
-  for (MortarPoint& p : all.points) {
-    // A declared gap holds for the circles as well: then the two gaps do not differ.
-    p.gap = declared_gap.value_or(p.gap);
-    p.round_gap = declared_gap.value_or(p.round_gap);
+
+private:
+  [[nodiscard]] Vec3 whole_hats(const HatElement& element) const {
+    const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
+    Vec3 whole = Vec3::Zero();
+    for_hat_points(edge, element.node, degree_, [&](const Vec3& hat, const Vec2& r, double weight) {
+      const geometry::SidePoint at = edge.point(r);
+      whole += weight * at.area_vector().norm() *
+               out_of_plane_depth(pair_.contact, pair_.target, at.x.head<2>()) * hat;
+    });
+    return whole;
   }
-  return all;
+
+  const PairConstraints& pair_;
+  int degree_;
+  std::vector<MortarSegment> segments_;
+};
+
+// What the points of one rule on a whole triangle meet.
+ProjectedElement sample_triangle(const ContactSurface& own, const SurfaceProjection& target,
+                                 const HatElement& triangle) {
+  const geometry::ElementSide& face = own.facets[triangle.facet];
+  ProjectedElement found;
+  for_hat_points(face, triangle.node, triangle_sampling_degree,
+                 [&](const Vec3& hat, const Vec2& r, double weight) {
+                   const geometry::SidePoint here = face.point(r);
+                   if (std::optional<PairPoint> met = target.project_along_normal(
+                           here.x, surface_normal(own, triangle.facet, here))) {
+                     met->facet = triangle.facet;
+                     met->hat = hat;
+                     met->r = r;
+                     met->weight = weight * here.area_vector().norm();
+                     found.points.push_back(*met);
+                   }
+                 });
+  return found;
 }
 
 } // namespace
 
-MortarPoints mortar_points(const ContactSurface& contact, const ContactSurface& target,
-                           std::optional<double> declared_gap) {
-  return find_points(contact, target, declared_gap,
-                     [&](const Vec2& x) { return out_of_plane_depth(contact, target, x); });
+std::vector<MortarSegment> find_segments(const PairConstraints& pair) {
+  return pair.rigid ? find_segments(pair.contact, *pair.rigid)
+                    : find_segments(pair.contact, pair.target);
 }
 
-MortarPoints mortar_points(const ContactSurface& contact, const model::RigidTarget& target,
-                           std::optional<double> declared_gap) {
-  return find_points(contact, target, declared_gap,
-                     [&](const Vec2& x) { return out_of_plane_depth(contact, contact, x); });
+std::optional<double> rigid_gap(const PairConstraints& pair, const Vec3& x) {
+  if (pair.rigid_shape) {
+    return pair.rigid_shape->sense * distance_to(*pair.rigid_shape, x);
+  }
+  const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x.head<2>());
+  return foot && !foot->beyond ? std::optional(foot->gap) : std::nullopt;
+}
+
+ElementProjector target_projector(const PairConstraints& pair, ProjectionRule rule) {
+  const ContactSurface& own = pair.contact;
+  const bool sampled = rule == ProjectionRule::sampling;
+  if (!own.in_space()) {
+    return [edges = SegmentProjection(pair, sampled ? segment_sampling_degree : segment_degree)](
+               const HatElement& element) { return edges.project(element); };
+  }
+  if (pair.faces) {
+    const std::optional<std::vector<TwinFace>> twins = twin_faces(own, pair.target);
+    assert(twins);
+    return [&own, twins = *twins](const HatElement& triangle) {
+      return project_onto_twin(own, twins[triangle.facet], triangle);
+    };
+  }
+  if (pair.rigid_shape) {
+    return [&own, shape = *pair.rigid_shape](const HatElement& triangle) {
+      return project_onto_rigid(own, shape, triangle);
+    };
+  }
+  // A std::function can be copied, the tree of a SurfaceProjection can't.
+  return [&own, sampled, target = std::make_shared<SurfaceProjection>(own, pair.target)](
+             const HatElement& triangle) {
+    return sampled ? sample_triangle(own, *target, triangle) : target->project_triangle(triangle);
+  };
 }
 
 } // namespace spricka::contact

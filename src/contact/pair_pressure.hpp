@@ -14,7 +14,7 @@ namespace spricka::contact {
 struct PairPressure {
   std::vector<NodePressure> nodes;                 ///< of the side that carries the multipliers
   base::Vec3 force_on_slave = base::Vec3::Zero();  ///< deck's slave
-  base::Vec3 moment_on_slave = base::Vec3::Zero(); ///< in space, about the origin
+  base::Vec3 moment_on_slave = base::Vec3::Zero(); ///< about the origin
   double mean_pressure = 0.0;                      ///< normal multipliers over the part in contact
   double min_pressure = 0.0;                       ///< of the normal multipliers
   double max_pressure = 0.0;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/pairing.hpp"
 
+#include "contact/make_rows.hpp"
 #include "contact/node_pairing.hpp"
-#include "contact/segment_pairing.hpp"
-#include "contact/sharp_end.hpp"
+#include "contact/pair_points.hpp"
+#include "contact/singular_edges.hpp"
 #include "contact/space/rigid_round.hpp"
-#include "contact/space_node_rows.hpp"
-#include "contact/space_rows.hpp"
-#include "contact/space_sharp_edge.hpp"
+#include "contact/space/surface_projection.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 
@@ -75,22 +74,22 @@ struct MetFaces {
   [[nodiscard]] double size() const { return std::sqrt(area / static_cast<double>(faces)); }
 };
 
-MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
+MetFaces met_faces(const FacetSurface& surface, const FacetSurface& target) {
   const SurfaceProjection projection(surface, target);
-  std::vector<bool> seen(surface.faces.size(), false);
-  for (const SurfaceTriangle& t : surface.triangles) {
-    const geometry::ElementSide& face = surface.faces[t.face];
+  std::vector<bool> seen(surface.facets.size(), false);
+  for (const HatElement& t : surface.elements) {
+    const geometry::ElementSide& face = surface.facets[t.facet];
     const Vec2 middle = (face.node_coordinates(t.node[0]) + face.node_coordinates(t.node[1]) +
                          face.node_coordinates(t.node[2])) /
                         3.0;
     const geometry::SidePoint at = face.point(middle);
-    seen[t.face] =
-        seen[t.face] || projection.project_along_normal(at.x, surface_normal(surface, t.face, at));
+    seen[t.facet] = seen[t.facet] ||
+                    projection.project_along_normal(at.x, surface_normal(surface, t.facet, at));
   }
   MetFaces found;
   for (std::size_t f = 0; f < seen.size(); ++f) {
     found.faces += seen[f] ? 1 : 0;
-    found.area += seen[f] ? surface.faces[f].area() : 0.0;
+    found.area += seen[f] ? surface.facets[f].area() : 0.0;
   }
   return found;
 }
@@ -99,8 +98,8 @@ MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
 // side would have few functions there: the finer side has them then.
 MultiplierSideChoice choose_space_side(const ContactSurface& slave, const ContactSurface& master) {
   constexpr double few = 9.0; // faces, three each way
-  const MetFaces own = met_faces(slave.space, master.space);
-  const MetFaces other = met_faces(master.space, slave.space);
+  const MetFaces own = met_faces(slave, master);
+  const MetFaces other = met_faces(master, slave);
   if (own.faces == 0 || other.faces == 0) { // the other lies within one face
     return own.faces >= other.faces
                ? MultiplierSideChoice{false, "slave side: it lies within one face"}
@@ -129,7 +128,7 @@ MultiplierSideChoice choose_space_side(const ContactSurface& slave, const Contac
 // small elements.
 MultiplierSideChoice choose_side(const model::Mesh& mesh, const ContactSurface& slave,
                                  const ContactSurface& master) {
-  if (!slave.space.faces.empty()) {
+  if (slave.in_space()) {
     return choose_space_side(slave, master);
   }
   const bool mouth = has_mouth(mesh, master);
@@ -139,7 +138,7 @@ MultiplierSideChoice choose_side(const model::Mesh& mesh, const ContactSurface& 
     return {mouth,
             mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
   }
-  const double ratio = slave.mean_length / master.mean_length;
+  const double ratio = slave.mean_size / master.mean_size;
   if (ratio > alike) {
     return {false, "slave side: coarser"};
   }
@@ -159,26 +158,17 @@ MultiplierSideChoice choose_node_side(const model::Mesh& mesh, const ContactSurf
 
 void add_rows(PairConstraints& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
-  if (!pair.contact.space.faces.empty()) {
-    if (contact.pairing == model::PairingMethod::node) {
-      space_node_rows(pair, contact.gap, tangents);
-      return;
-    }
-    if (contact.multiplier == model::MultiplierNodes::corners) {
-      pair.contact.space.triangles = corner_triangles(pair.contact.space);
-    }
-    fill_space_mortar_rows(pair, contact.gap, tangents);
-    if (pair.found) {
-      pair.sharp_ends = find_space_singular_edges(pair);
-    }
-    return;
-  }
+  const bool space = pair.contact.in_space();
   if (contact.pairing == model::PairingMethod::node) {
     node_rows(pair, contact.gap, tangents);
   } else {
-    fill_mortar_rows(pair, contact.gap, tangents);
+    if (space && contact.multiplier == model::MultiplierNodes::corners) {
+      pair.contact.elements = corner_elements(pair.contact);
+    }
+    fill_mortar_rows(pair, target_projector(pair),
+                     {.declared_gap = contact.gap, .tangents = tangents});
   }
-  if (pair.found) {
+  if (pair.found && (pair.segments || !space)) {
     pair.sharp_ends = find_singular_edges(pair);
   }
 }

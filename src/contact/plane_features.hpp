@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/facet.hpp"
 #include "mesh/plane_edge.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,8 +19,13 @@ using mesh::outer_normal;
 using mesh::point_on;
 using mesh::tangent_on;
 
-inline FacetValues edge_hats(const Edge& edge, double xi) {
-  return line_hats(edge.count, xi);
+/// Hats on half edges: piecewise linear, non-negative, sum 1; [node of the edge], those behind its
+/// last node zero.
+inline std::array<double, 3> edge_hats(const Edge& edge, double xi) {
+  if (edge.count == 2) {
+    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
+  }
+  return {std::max(0.0, -xi), std::max(0.0, xi), 1.0 - std::abs(xi)};
 }
 
 /// Edges one behind the other, the body on their left; a closed chain ends where it starts.
@@ -36,8 +43,5 @@ struct PlanarEdgeChains {
     return std::span(edges).subspan(chain.first, chain.count);
   }
 };
-
-/// Nodes of a chain in order, mid nodes between their ends.
-std::vector<base::NodeId> ordered_nodes(std::span<const Edge> edges, bool closed);
 
 } // namespace spricka::contact

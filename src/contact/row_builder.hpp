@@ -12,7 +12,6 @@ struct ConstraintRowBuilder {
   double gap = 0.0;
   double round_gap = 0.0;
   double area = 0.0;
-  double whole = 0.0; ///< area of the function over its whole support, paired or not
 
   void add_contribution(base::NodeId node, const base::Vec3& w) {
     weight.try_emplace(node, base::Vec3::Zero()).first->second += w;

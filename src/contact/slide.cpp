@@ -1,163 +1,206 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/slide.hpp"
 
-#include "contact/rigid_target.hpp"
-#include "contact/segment.hpp"
-#include "contact/space_slide.hpp"
+#include "base/index.hpp"
+#include "contact/make_rows.hpp"
+#include "contact/pair_points.hpp"
+#include "contact/space/surface_projection.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace spricka::contact {
 
+using base::index;
+
 namespace {
 
-constexpr std::array<double, 2> gauss{-0.5773502691896258, 0.5773502691896258};
-
-// The edge where displacements have taken it.
-Edge moved(Edge edge, const base::Vector& u) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
-    edge.x[i] += u.segment<2>(2 * static_cast<Eigen::Index>(edge.nodes[i].index()));
-  }
-  return edge;
+int dimension_of(const geometry::ElementSide& facet) {
+  return facet.dim() + 1;
 }
 
-// The displacement of a point of an edge.
-Vec2 shift_at(const Edge& edge, double xi, const base::Vector& u) {
-  const std::array<double, 3> N = edge_N(edge, xi);
-  Vec2 sum = Vec2::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
-    sum += N[i] * u.segment<2>(2 * static_cast<Eigen::Index>(edge.nodes[i].index()));
+// The displacement of a point of a facet.
+Vec3 displacement_at(const geometry::ElementSide& facet, const Vec2& r, const base::Vector& u) {
+  const geometry::SideValues N = facet.N(r);
+  const int dim = dimension_of(facet);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
+    sum.head(dim) += N[index(i)] * u.segment(dim * index(facet.nodes[i].index()), dim);
   }
   return sum;
 }
 
-class Sliding {
-public:
-  Sliding(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& u,
-          std::span<const base::Matrix* const> motions)
-      : pair_(pair), lambda_(lambda), u_(u), motions_(motions), edges_(pair.contact.plane.edges),
-        targets_(pair.target.plane.edges), row_(normal_rows(pair)) {
-    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-      largest_ = std::max(largest_, lambda[static_cast<Eigen::Index>(i)]);
+// The surface where displacements have taken it; its normals are those of its facets.
+ContactSurface displaced(ContactSurface surface, const base::Vector& u) {
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    geometry::ElementSide& facet = surface.facets[f];
+    const int dim = dimension_of(facet);
+    for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
+      facet.X.col(index(i)).head(dim) += u.segment(dim * index(facet.nodes[i].index()), dim);
+      if (facet.is_edge()) {
+        surface.plane.edges[f].x[i] = facet.X.col(index(i)).head<2>();
+      }
     }
-    for (const Edge& target : targets_) {
-      moved_.push_back(moved(target, u));
+  }
+  surface.circle.reset();
+  surface.rounds.assign(surface.rounds.size(), std::nullopt);
+  return surface;
+}
+
+double largest_displacement(const base::Vector& u) {
+  double most = 0.0;
+  for (Eigen::Index i = 0; i + 2 < u.size(); i += 3) {
+    most = std::max(most, u.segment<3>(i).norm());
+  }
+  return most;
+}
+
+// The length that an area of facets stands for in space, its root.
+double size_of_measure(double measure, const geometry::ElementSide& facet) {
+  return std::pow(measure, 1.0 / facet.dim());
+}
+
+double facet_size(const geometry::ElementSide& facet) {
+  return size_of_measure(facet_measure(facet), facet);
+}
+
+// The gap from a point on along a normal n to the edges of a surface, at most about `near` off;
+// none: nothing is there.
+std::optional<double> gap_to_edges(const std::vector<Edge>& edges, const Vec2& x, const Vec2& n,
+                                   double near) {
+  std::optional<double> gap;
+  for (const Edge& edge : edges) {
+    const Vec2 centre = point_on(edge, 0.0);
+    const double radius = std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm());
+    // Farther off than the drawn gap and the motion since: not what the point faces.
+    if ((centre - x).norm() > 1.01 * radius + near) {
+      continue;
+    }
+    const std::optional<double> eta = ray_intersection(edge, x, n);
+    if (eta && std::abs(*eta) <= 1.0 + 1e-6) {
+      const double g = (point_on(edge, *eta) - x).dot(n);
+      // The nearest of several: the ray may run on through the body and out at its far side.
+      gap = !gap || std::abs(g) < std::abs(*gap) ? g : *gap;
+    }
+  }
+  return gap;
+}
+
+class SlideMeasurement {
+public:
+  SlideMeasurement(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& u,
+                   std::span<const base::Matrix* const> motions)
+      : pair_(pair), lambda_(lambda), u_(u), motions_(motions), rows_(rows_by_facet(pair)),
+        moved_own_(displaced(pair.contact, u)), moved_other_(displaced(pair.target, u)) {
+    if (!pair.rigid && pair.target.plane.edges.empty()) { // but faces
+      // Fits move bodies as far as they are large: what a body is moved off by is still opposite.
+      projection_.emplace(moved_own_, moved_other_, 2.0 * largest_displacement(u));
     }
   }
 
-  SlideMeasures look() {
-    if (!(largest_ > 0.0)) {
+  SlideMeasures measure() {
+    const double largest =
+        pair_.normal.empty() ? 0.0 : lambda_.head(index(pair_.normal.size())).maxCoeff();
+    if (!(largest > 0.0)) {
       return {};
     }
-    for (const MortarSegment& s : pair_.rigid ? find_segments(pair_.contact, *pair_.rigid)
-                                              : find_segments(pair_.contact, pair_.target)) {
-      for (const double r : gauss) {
-        add(s, 0.5 * ((s.to + s.from) + (s.to - s.from) * r));
+    const double least = least_looked_at * largest;
+    const ElementProjector drawn = target_projector(pair_, ProjectionRule::sampling);
+    for (const HatElement& element : pair_.contact.elements) {
+      const Eigen::Vector3d p = pressures(element);
+      if (p.maxCoeff() <= least) {
+        continue;
+      }
+      for (const PairPoint& at : drawn(element).points) {
+        if (p.dot(at.hat) > least) {
+          add(at, p.dot(at.hat));
+        }
       }
     }
-    found_.thrust = thrust_;
-    found_.unsupported_part = thrust_ > 0.0 ? unsupported_ / thrust_ : 0.0;
+    found_.unsupported_part = found_.thrust > 0.0 ? unsupported_ / found_.thrust : 0.0;
+    found_.pressed = size_of_measure(found_.pressed, pair_.contact.facets.front());
     return found_;
   }
 
 private:
-  // Sum of multipliers times hats, the traction that the rows stand for. Nodes whose row was merged
-  // into a neighbour's have none of their own.
-  [[nodiscard]] double pressure(const Edge& edge, double xi) const {
-    const std::array<double, 3> phi = edge_hats(edge, xi);
-    double p = 0.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
-      const auto row = row_.find(edge.nodes[i]);
-      p += row == row_.end() ? 0.0 : phi[i] * lambda_[static_cast<Eigen::Index>(row->second)];
+  // At the nodes of an element; functions that joined another have its pressure.
+  [[nodiscard]] Eigen::Vector3d pressures(const HatElement& element) const {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < element.node_count(); ++i) {
+      const int row = rows_[element.facet][static_cast<std::size_t>(element.node[i])];
+      p[index(i)] = row >= 0 ? lambda_[row] : 0.0;
     }
     return p;
   }
 
-  // The gap of the deformed bodies from a point on along a normal; none: nothing is there.
-  [[nodiscard]] std::optional<double> gap_from(const Vec2& x, const Vec2& n, double near) const {
-    std::optional<double> gap;
-    for (const Edge& target : moved_) {
-      const Vec2 centre = point_on(target, 0.0);
-      const double radius = std::max((target.x[0] - centre).norm(), (target.x[1] - centre).norm());
-      // Farther off than the drawn gap and the motion since: not what the point faces.
-      if ((centre - x).norm() > 1.01 * radius + near) {
-        continue;
-      }
-      const std::optional<double> eta = ray_intersection(target, x, n);
-      if (eta && std::abs(*eta) <= 1.0 + 1e-6) {
-        const double g = (point_on(target, *eta) - x).dot(n);
-        // The nearest of several: the ray may run on through the body and out at its far side.
-        gap = !gap || std::abs(g) < std::abs(*gap) ? g : *gap;
-      }
+  // The gap of the deformed bodies at a point `here`, which has moved past the target by
+  // `relative`; none: nothing stands opposite any more. Along the normal as it is now: bodies that
+  // have turned face one another otherwise.
+  [[nodiscard]] std::optional<double>
+  gap_now(const PairPoint& drawn, const geometry::SidePoint& here, const Vec3& relative) const {
+    if (pair_.rigid) {
+      return rigid_gap(pair_, drawn.x - relative);
     }
-    return gap;
+    if (projection_) {
+      const std::optional<PairPoint> met =
+          projection_->project_along_normal(here.x, here.area_vector().normalized());
+      return met ? std::optional(met->gap) : std::nullopt;
+    }
+    return gap_to_edges(moved_other_.plane.edges, here.x.head<2>(), here.normal().head<2>(),
+                        std::abs(drawn.gap) + relative.norm());
   }
 
-  void add(const MortarSegment& s, double xi) {
-    const Edge& edge = edges_[s.contact_edge];
-    const double p = pressure(edge, xi);
-    if (p <= least_looked_at * largest_) {
-      return;
+  // Motion u of the target side less that of this one, as rows weigh it.
+  [[nodiscard]] Vec3 relative_motion(const PairPoint& at, const base::Vector& u) const {
+    Vec3 relative = -displacement_at(pair_.contact.facets[at.facet], at.r, u);
+    if (!pair_.rigid) {
+      relative += displacement_at(pair_.target.facets[at.target], at.s, u);
     }
-    const Vec2 x = point_on(edge, xi);
-    const double length = 0.5 * (s.to - s.from) * tangent_on(edge, xi).norm();
-    const double thrust = p * length * out_of_plane_depth(pair_.contact, pair_.target, x);
-    Vec2 n = surface_normal(pair_.contact, edge, xi);
-    // Motion of the target side less that of this one, as rows weigh it.
-    Vec2 relative = -shift_at(edge, xi, u_);
-    double drawn = 0.0;
-    double facet = edge.length;
-    std::optional<double> now;
-    Vec2 place;
-    std::optional<double> eta;
-    if (pair_.rigid) {
-      const std::optional<RigidProjection> before = normal_projection(*pair_.rigid, x);
-      const std::optional<RigidProjection> after = normal_projection(*pair_.rigid, x - relative);
-      if (!before || !after) {
-        return;
+    return relative;
+  }
+
+  // The same of each of the motions that were asked for. [3, motion]
+  [[nodiscard]] base::Matrix relative_motions(const PairPoint& at) const {
+    std::vector<Vec3> moved;
+    for (const base::Matrix* motion : motions_) {
+      for (const auto& one : motion->colwise()) {
+        moved.push_back(relative_motion(at, one));
       }
-      n = before->normal;
-      drawn = before->gap;
-      // Beyond the end of a line there is nothing to press on.
-      now = after->beyond ? std::nullopt : std::optional(after->gap);
-      place = point_on(moved(edge, u_), xi);
-    } else {
-      const Edge& target = targets_[s.target_edge];
-      eta = ray_intersection(target, x, n);
-      if (!eta) {
-        return;
-      }
-      drawn = (point_on(target, *eta) - x).dot(n);
-      facet = std::max(facet, target.length);
-      const Edge here = moved(edge, u_);
-      const Vec2 at = point_on(here, xi);
-      relative += shift_at(target, *eta, u_);
-      // Along the normal as it is now: bodies that have turned face one another otherwise.
-      now = gap_from(at, outer_normal(here, xi), std::abs(drawn) + relative.norm());
-      place = point_on(moved_[s.target_edge], *eta);
     }
-    const double counted = drawn + n.dot(relative);
+    base::Matrix found(3, index(moved.size()));
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      found.col(index(i)) = moved[i];
+    }
+    return found;
+  }
+
+  void add(const PairPoint& at, double pressure) {
+    const Vec3 relative = relative_motion(at, u_);
+    const geometry::SidePoint here = moved_own_.facets[at.facet].point(at.r);
+    const std::optional<double> now = gap_now(at, here, relative);
     // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
     // is of second order, and no row counts it.
+    const double counted = at.gap + at.normal.dot(relative);
+    const double thrust = pressure * at.weight;
     found_.places.push_back(
-        {.x = base::to_space(place),
+        {.x = pair_.rigid ? here.x : moved_other_.facets[at.target].position(at.s),
          .thrust = thrust,
          .gap = counted,
          .unseen = now ? std::optional(*now - counted) : std::nullopt,
-         .normal = base::to_space(n),
-         .relative_motions = relative_motions(motions_, [&](const base::Vector& motion) {
-           const Vec2 own = shift_at(edge, xi, motion);
-           return eta ? Vec2(shift_at(targets_[s.target_edge], *eta, motion) - own) : Vec2(-own);
-         })});
-    thrust_ += thrust;
-    found_.pressed += length;
+         .normal = at.normal,
+         .relative_motions = relative_motions(at)});
+    found_.thrust += thrust;
+    found_.pressed += at.weight / out_of_plane_depth(pair_.contact, pair_.target, at.x.head<2>());
     // The part of the motion along the surface.
-    const double way = std::abs(n.x() * relative.y() - n.y() * relative.x());
+    const double way = (relative - at.normal.dot(relative) * at.normal).norm();
     if (way > found_.way) {
       found_.way = way;
-      found_.facet = facet;
+      found_.facet = facet_size(pair_.contact.facets[at.facet]);
+      if (!pair_.rigid) {
+        found_.facet = std::max(found_.facet, facet_size(pair_.target.facets[at.target]));
+      }
     }
     if (!now) {
       unsupported_ += thrust;
@@ -170,10 +213,10 @@ private:
   const base::Vector& lambda_;
   const base::Vector& u_;
   std::span<const base::Matrix* const> motions_;
-  std::span<const Edge> edges_, targets_;
-  std::vector<Edge> moved_;
-  std::map<base::NodeId, std::size_t> row_;
-  double largest_ = 0.0, thrust_ = 0.0, unsupported_ = 0.0;
+  std::vector<std::vector<int>> rows_;
+  ContactSurface moved_own_, moved_other_;
+  std::optional<SurfaceProjection> projection_; ///< in space, of a moved target of facets
+  double unsupported_ = 0.0;
   SlideMeasures found_;
 };
 
@@ -181,8 +224,7 @@ private:
 
 SlideMeasures measure_slide(const PairConstraints& pair, const base::Vector& lambda,
                             const base::Vector& u, std::span<const base::Matrix* const> motions) {
-  return pair.contact.space.faces.empty() ? Sliding(pair, lambda, u, motions).look()
-                                          : measure_space_slide(pair, lambda, u, motions);
+  return SlideMeasurement(pair, lambda, u, motions).measure();
 }
 
 } // namespace spricka::contact

@@ -3,7 +3,6 @@
 #include "base/vec.hpp"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace spricka::contact {
@@ -31,30 +30,10 @@ struct SlideMeasures {
   /// Part of the thrust that acts where nothing stands opposite any more.
   double unsupported_part = 0.0;
   double way = 0.0;     ///< largest slide of one side along the other [length]
-  double facet = 0.0;   ///< longest edge of either side where that is [length]
-  double pressed = 0.0; ///< length of the pressed part
+  double facet = 0.0;   ///< length of the longer facet of either side where that is
+  double pressed = 0.0; ///< length of the pressed part; in space, as of facets, root of the area
   double misfit = 0.0;  ///< largest gap of the deformed bodies that no row counts [length]
   std::vector<DisplacedContactPoint> places;
 };
-
-/// What each of motions [dim * node, n] moves one side past the other by, [3, motion], by
-/// `relative`(one of them), a vector of 2 or 3.
-template <class Relative>
-base::Matrix relative_motions(std::span<const base::Matrix* const> motions,
-                              const Relative& relative) {
-  Eigen::Index count = 0;
-  for (const base::Matrix* motion : motions) {
-    count += motion->cols();
-  }
-  base::Matrix found = base::Matrix::Zero(3, count);
-  count = 0;
-  for (const base::Matrix* motion : motions) {
-    for (const auto& one : motion->colwise()) {
-      const auto moved = relative(one);
-      found.col(count++).head(moved.size()) = moved;
-    }
-  }
-  return found;
-}
 
 } // namespace spricka::contact

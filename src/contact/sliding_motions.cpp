@@ -205,18 +205,11 @@ std::map<std::size_t, SurfaceMotionSums> motions_on(std::size_t contact,
 
 std::vector<SurfaceNodeNormal> surface_node_normals(const ContactSurface& surface) {
   std::vector<SurfaceNodeNormal> points;
-  for (std::size_t f = 0; f < surface.space.faces.size(); ++f) {
-    const geometry::ElementSide& face = surface.space.faces[f];
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    const geometry::ElementSide& face = surface.facets[f];
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
       const geometry::SidePoint at = face.point(face.node_coordinates(static_cast<int>(i)));
-      points.push_back({face.nodes[i], surface_normal(surface.space, f, at)});
-    }
-  }
-  for (const Edge& edge : surface.plane.edges) {
-    for (int i = 0; i < edge.count; ++i) {
-      const double xi = i == 0 ? -1.0 : i == 1 ? 1.0 : 0.0;
-      const Vec2 n = surface_normal(surface, edge, xi);
-      points.push_back({edge.nodes[static_cast<std::size_t>(i)], base::to_space(n)});
+      points.push_back({face.nodes[i], surface_normal(surface, f, at)});
     }
   }
   return points;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solid_crack_pairing.hpp"
 
+#include "contact/make_rows.hpp"
+#include "contact/pair_points.hpp"
 #include "contact/space/twin_projection.hpp"
-#include "contact/space_rows.hpp"
 
 #include <set>
+#include <utility>
 
 namespace spricka::contact {
 
@@ -40,7 +42,7 @@ PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& m
   pair.choice = "upper face: twins";
   pair.contact = make_surface(model, mesh, crack_faces.left_sides);
   pair.target = make_surface(model, mesh, crack_faces.right_sides);
-  if (!twin_faces(pair.contact.space, pair.target.space)) {
+  if (!twin_faces(pair.contact, pair.target)) {
     pair.trouble = "the faces of the crack do not lie on one another node by node";
     return pair;
   }
@@ -51,10 +53,11 @@ PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& m
     }
   }
   NodesBehind behind;
-  for (const geometry::ElementSide& face : pair.contact.space.faces) {
+  for (const geometry::ElementSide& face : pair.contact.facets) {
     find_behind(face, front, behind);
   }
-  fill_space_mortar_rows(pair, 0.0, friction, behind);
+  fill_mortar_rows(pair, target_projector(pair),
+                   {.declared_gap = 0.0, .tangents = friction, .at_front = std::move(behind)});
   return pair;
 }
 

@@ -2,7 +2,7 @@
 #include "contact/space_averages.hpp"
 
 #include "base/index.hpp"
-#include "contact/space_rows.hpp"
+#include "contact/make_rows.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
@@ -38,17 +38,17 @@ double share_of(std::size_t c, std::size_t k, std::size_t corners) {
 // Where the mean that each function weighs is taken: int phi x dA / int phi dA.
 std::vector<base::Vec3> centres_of(const PairConstraints& pair,
                                    const std::vector<std::vector<std::size_t>>& faces) {
-  const SpaceSurface& surface = pair.contact.space;
+  const FacetSurface& surface = pair.contact;
   std::vector<base::Vec3> moment(pair.functions.size(), base::Vec3::Zero());
   base::Vector area = base::Vector::Zero(index(pair.functions.size()));
-  for (const SurfaceTriangle& t : surface.triangles) {
-    const geometry::ElementSide& face = surface.faces[t.face];
+  for (const HatElement& t : surface.elements) {
+    const geometry::ElementSide& face = surface.facets[t.facet];
     const std::array<Vec2, 3> r = corner_coordinates(face, t.node);
     for (const auto& [q, weight] : shape::triangle_rule(hat_degree)) {
       const std::array<double, 3> hat{1.0 - q[0] - q[1], q[0], q[1]};
       const geometry::SidePoint at = face.point(hat[0] * r[0] + hat[1] * r[1] + hat[2] * r[2]);
       for (std::size_t k = 0; k < hat.size(); ++k) {
-        const std::size_t i = faces[t.face][static_cast<std::size_t>(t.node[k])];
+        const std::size_t i = faces[t.facet][static_cast<std::size_t>(t.node[k])];
         const double w = weight * at.area_vector().norm() * hat[k];
         area[index(i)] += w;
         moment[i] += w * at.x;
@@ -65,7 +65,7 @@ std::vector<base::Vec3> centres_of(const PairConstraints& pair,
 class Averages {
 public:
   Averages(const PairConstraints& pair, const base::Vector& p, const std::vector<bool>& closed)
-      : pair_(pair), p_(p), faces_(functions_by_face(pair)), centre_(centres_of(pair, faces_)),
+      : pair_(pair), p_(p), faces_(functions_by_facet(pair)), centre_(centres_of(pair, faces_)),
         given_(pair.functions.size()), sound_(pair.functions.size(), true),
         beside_(pair.functions.size()), normal_(pair.functions.size(), base::Vec3::Zero()),
         place_(pair.functions.size(), base::Vec3::Zero()), mean_(p.size()) {
@@ -106,11 +106,11 @@ public:
 
 private:
   [[nodiscard]] std::size_t corners_of(std::size_t f) const {
-    return static_cast<std::size_t>(pair_.contact.space.faces[f].corners());
+    return static_cast<std::size_t>(pair_.contact.facets[f].corners());
   }
 
   void look_at(std::size_t f, const std::vector<bool>& closed) {
-    const geometry::ElementSide& face = pair_.contact.space.faces[f];
+    const geometry::ElementSide& face = pair_.contact.facets[f];
     // Corners of node pairs on faces of 6 nodes open and close at random: nothing acts there.
     const bool all = !pair_.segments || std::ranges::all_of(faces_[f], [&](std::size_t i) {
       const MultiplierFunction& own = pair_.functions[i];

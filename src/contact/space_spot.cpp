@@ -2,7 +2,7 @@
 #include "contact/space_spot.hpp"
 
 #include "base/index.hpp"
-#include "contact/space_rows.hpp"
+#include "contact/make_rows.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,9 +15,9 @@ constexpr double no_edge = std::numeric_limits<double>::infinity();
 
 // Whether nodes in the middle of edges have pressures of their own.
 bool has_middle_rows(const PairConstraints& pair) {
-  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
+  const std::vector<std::vector<std::size_t>> faces = functions_by_facet(pair);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto corners = static_cast<std::size_t>(pair.contact.space.faces[f].corners());
+    const auto corners = static_cast<std::size_t>(pair.contact.facets[f].corners());
     if (faces[f].size() > corners) {
       return true;
     }
@@ -78,11 +78,11 @@ int largest_disc(const std::vector<std::set<std::size_t>>& next, std::size_t row
 
 std::vector<std::set<std::size_t>> row_neighbours(const PairConstraints& pair) {
   std::vector<std::set<std::size_t>> next(pair.normal.size());
-  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
-  const auto row_of = [&](const SurfaceTriangle& t, int i) {
-    return pair.functions[faces[t.face][static_cast<std::size_t>(i)]].row;
+  const std::vector<std::vector<std::size_t>> faces = functions_by_facet(pair);
+  const auto row_of = [&](const HatElement& t, int i) {
+    return pair.functions[faces[t.facet][static_cast<std::size_t>(i)]].row;
   };
-  for (const SurfaceTriangle& t : pair.contact.space.triangles) {
+  for (const HatElement& t : pair.contact.elements) {
     for (const int i : t.node) {
       for (const int k : t.node) {
         const int a = row_of(t, i);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space_tractions.hpp"
 
+#include "contact/make_rows.hpp"
+#include "contact/pair_points.hpp"
 #include "contact/space/frames.hpp"
 #include "contact/space_dual.hpp"
-#include "contact/space_rows.hpp"
 #include "model/mesh_side.hpp"
 
 #include <algorithm>
@@ -35,21 +36,21 @@ std::vector<RowsAlong> rows_along(const PairConstraints& pair) {
 class Tractions {
 public:
   Tractions(const PairConstraints& pair, const std::function<bool(const model::Face&)>& wanted)
-      : pair_(pair), own_(pair.contact.space), other_(pair.target.space), frames_(own_),
-        rows_(rows_along(pair)), functions_(functions_by_face(pair)) {
-    for (std::size_t f = 0; f < own_.faces.size(); ++f) {
-      own_wanted_.push_back(wanted(model::face_of(own_.faces[f])));
+      : pair_(pair), own_(pair.contact), other_(pair.target), frames_(own_),
+        rows_(rows_along(pair)), functions_(functions_by_facet(pair)) {
+    for (std::size_t f = 0; f < own_.facets.size(); ++f) {
+      own_wanted_.push_back(wanted(model::face_of(own_.facets[f])));
     }
-    for (const geometry::ElementSide& face : other_.faces) {
+    for (const geometry::ElementSide& face : other_.facets) {
       other_wanted_.push_back(wanted(model::face_of(face)));
     }
   }
 
   std::vector<UnitFaceTraction> make() {
     const bool target_side = std::ranges::any_of(other_wanted_, [](bool wanted) { return wanted; });
-    const std::function<ProjectedTriangle(const SurfaceTriangle&)> see = target_projector(pair_);
-    for (const SurfaceTriangle& triangle : own_.triangles) {
-      if (own_wanted_[triangle.face] || target_side) {
+    const ElementProjector see = target_projector(pair_);
+    for (const HatElement& triangle : own_.elements) {
+      if (own_wanted_[triangle.facet] || target_side) {
         add(triangle, see(triangle));
       }
     }
@@ -62,21 +63,21 @@ public:
 
 private:
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const SurfaceTriangle& triangle, const ProjectedTriangle& projection) {
+  void add(const HatElement& triangle, const ProjectedElement& projection) {
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-    for (const ProjectionPoint& p : projection.points) {
+    for (const PairPoint& p : projection.points) {
       moment += p.weight * p.hat * p.hat.transpose();
     }
     const Eigen::Matrix3d dual = dual_weights(moment);
     std::array<RowsAlong, 3> rows{};
     for (std::size_t a = 0; a < 3; ++a) {
-      const std::size_t at = functions_[triangle.face][static_cast<std::size_t>(triangle.node[a])];
+      const std::size_t at = functions_[triangle.facet][static_cast<std::size_t>(triangle.node[a])];
       const int row = pair_.functions[at].row;
       rows[a] = row < 0 ? RowsAlong{-1, -1, -1} : rows_[static_cast<std::size_t>(row)];
     }
-    for (const ProjectionPoint& p : projection.points) {
+    for (const PairPoint& p : projection.points) {
       const Eigen::Vector3d weight = dual * (p.weight * p.hat);
-      const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.face], p.normal);
+      const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.facet], p.normal);
       std::vector<UnitTractionPoint::RowForce> forces;
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -86,22 +87,23 @@ private:
           }
         }
       }
-      if (own_wanted_[triangle.face]) {
-        UnitTractionPoint& point = points_[model::face_of(own_.faces[triangle.face])].emplace_back(
-            UnitTractionPoint{p.r, forces});
+      if (own_wanted_[triangle.facet]) {
+        UnitTractionPoint& point =
+            points_[model::face_of(own_.facets[triangle.facet])].emplace_back(
+                UnitTractionPoint{p.r, forces});
         for (UnitTractionPoint::RowForce& one : point.rows) {
           one.force = -one.force;
         }
       }
       if (!pair_.rigid && other_wanted_[p.target]) {
-        points_[model::face_of(other_.faces[p.target])].push_back({p.s, std::move(forces)});
+        points_[model::face_of(other_.facets[p.target])].push_back({p.s, std::move(forces)});
       }
     }
   }
 
   const PairConstraints& pair_;
-  const SpaceSurface& own_;
-  const SpaceSurface& other_;
+  const FacetSurface& own_;
+  const FacetSurface& other_;
   SurfaceFrames frames_;
   std::vector<RowsAlong> rows_; ///< [normal row]
   std::vector<std::vector<std::size_t>> functions_;
@@ -114,7 +116,7 @@ private:
 std::vector<UnitFaceTraction>
 space_unit_tractions(const PairConstraints& pair,
                      const std::function<bool(const model::Face&)>& wanted) {
-  if (!pair.segments || pair.contact.space.faces.empty()) {
+  if (!pair.segments) {
     return {};
   }
   return Tractions(pair, wanted).make();

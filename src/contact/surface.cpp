@@ -2,12 +2,10 @@
 #include "contact/surface.hpp"
 
 #include "mesh/boundary.hpp"
-#include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <Eigen/LU>
@@ -58,18 +56,13 @@ std::optional<SurfaceCircle> fit_circle(const std::vector<Vec2>& points, double 
   return radius < 1e3 * extent ? std::optional(circle) : std::nullopt;
 }
 
-ContactSurface solid_surface(const model::Model& model, const model::Mesh& mesh,
-                             const std::vector<model::Face>& faces) {
-  ContactSurface surface;
-  surface.space = make_space_surface(mesh, faces);
-  surface.extent = surface.space.extent;
-  surface.mean_length = surface.space.mean_size;
-  for (const model::Face& face : faces) {
-    const double E = model.element_material(mesh, face.element).E;
-    surface.stiffness = surface.facets.empty() ? E : std::min(surface.stiffness, E);
-    surface.facets.push_back(model::element_side(mesh, face));
-  }
-  return surface;
+// The circle's normal where a facet's own is n: it leaves the body on the same side.
+template <class Vector>
+Vector radial_normal(const SurfaceCircle& circle, const Vector& x, const Vector& n) {
+  Vector radial = x;
+  radial.template head<2>() -= circle.centre;
+  radial.normalize();
+  return radial.dot(n) > 0.0 ? radial : Vector(-radial);
 }
 
 } // namespace
@@ -89,52 +82,45 @@ ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
 
 ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
                             const std::vector<model::Face>& faces) {
-  if (mesh.dim == 3) {
-    return solid_surface(model, mesh, faces);
-  }
+  const bool plane = mesh.dim == 2;
   ContactSurface surface;
-  surface.axial = model::axisymmetric(model);
+  std::vector<model::Face> ordered = plane ? std::vector<model::Face>() : faces;
+  for (const mesh::FaceChain& chain :
+       plane ? mesh::build_chains(mesh, faces) : std::vector<mesh::FaceChain>()) {
+    surface.plane.chains.push_back({ordered.size(), chain.faces.size(), chain.closed});
+    ordered.insert(ordered.end(), chain.faces.begin(), chain.faces.end());
+  }
+  static_cast<FacetSurface&>(surface) = make_facet_surface(mesh, ordered);
   std::vector<Vec2> points;
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-  Vec2 high = -low;
-  std::size_t count = 0;
-  for (const mesh::FaceChain& chain : mesh::build_chains(mesh, faces)) {
-    surface.plane.chains.push_back({count, chain.faces.size(), chain.closed});
-    for (const model::Face face : chain.faces) {
-      const Edge edge = mesh::plane_edge(mesh, face);
-      for (int i = 0; i < edge.count; ++i) {
-        const Vec2& p = edge.x[static_cast<std::size_t>(i)];
-        points.push_back(p);
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-      surface.mean_length += edge.length;
-      const double E = model.element_material(mesh, face.element).E;
-      // The softest, by which the contact side is chosen (contact.6); the thinnest, as
-      // out_of_plane_depth() takes the smaller.
-      surface.stiffness = count == 0 ? E : std::min(surface.stiffness, E);
-      const double t = model.element_property(mesh, face.element).thickness;
-      surface.thickness = count == 0 ? t : std::min(surface.thickness, t);
-      ++count;
-      surface.facets.push_back(model::element_side(mesh, face));
-      surface.plane.edges.push_back(edge);
+  for (const model::Face& face : ordered) {
+    const bool first = &face == &ordered.front();
+    const double E = model.element_material(mesh, face.element).E;
+    // The softest, by which the contact side is chosen (contact.6); the thinnest, as
+    // out_of_plane_depth() takes the smaller.
+    surface.stiffness = first ? E : std::min(surface.stiffness, E);
+    const double t = plane ? model.element_property(mesh, face.element).thickness : 1.0;
+    surface.thickness = first ? t : std::min(surface.thickness, t);
+    if (plane) {
+      const Edge& edge = surface.plane.edges.emplace_back(mesh::plane_edge(mesh, face));
+      points.insert(points.end(), edge.x.begin(), edge.x.begin() + edge.count);
     }
   }
-  if (count > 0) {
-    surface.mean_length /= static_cast<double>(count);
-    surface.extent = (high - low).norm();
+  if (plane) {
+    surface.axial = model::axisymmetric(model);
     surface.circle = fit_circle(points, surface.extent);
   }
   return surface;
 }
 
+Vec3 surface_normal(const ContactSurface& surface, std::size_t facet,
+                    const geometry::SidePoint& at) {
+  return surface.circle ? radial_normal(*surface.circle, at.x, at.normal())
+                        : surface_normal(static_cast<const FacetSurface&>(surface), facet, at);
+}
+
 Vec2 surface_normal(const ContactSurface& surface, const Edge& edge, double xi) {
-  Vec2 n = outer_normal(edge, xi);
-  if (!surface.circle) {
-    return n;
-  }
-  const Vec2 radial = (point_on(edge, xi) - surface.circle->centre).normalized();
-  return radial.dot(n) > 0.0 ? radial : Vec2(-radial);
+  const Vec2 n = outer_normal(edge, xi);
+  return surface.circle ? radial_normal(*surface.circle, point_on(edge, xi), n) : n;
 }
 
 } // namespace spricka::contact

@@ -3,15 +3,15 @@
 #include "base/id.hpp"
 #include "base/vec.hpp"
 #include "contact/plane_features.hpp"
-#include "contact/space/space_surface.hpp"
+#include "contact/space/facet_surface.hpp"
 #include "model/forward.hpp"
 #include "model/mesh.hpp"
 
 #include <optional>
 #include <vector>
 
-/// Contact surfaces: facets, in the plane their order along curves (plane_features.hpp), in space
-/// the smooth parts that they make up (contact/space/space_surface.hpp).
+/// Contact surfaces: facets and their parts (contact/space/facet_surface.hpp), in the plane
+/// their order along curves (plane_features.hpp).
 namespace spricka::contact {
 
 /// A circle that all nodes of a surface lie on.
@@ -21,31 +21,32 @@ struct SurfaceCircle {
   bool exact = false; ///< all nodes lie on it within 1e-6 of the radius
 };
 
-struct ContactSurface {
-  std::vector<geometry::ElementSide> facets;
+struct ContactSurface : FacetSurface {
   PlanarEdgeChains plane; ///< order of the facets; none in space
-  SpaceSurface space;     ///< no faces in the plane
   std::optional<SurfaceCircle> circle;
-  double extent = 0.0;      ///< diagonal of the bounding box
-  double mean_length = 0.0; ///< of the facets; in space the root of their mean area
-  double stiffness = 0.0;   ///< Young's modulus behind the surface
-  double thickness = 0.0;
-  bool axial = false; ///< a meridian: x is the radius, the surface goes round the axis
+  double stiffness = 0.0; ///< Young's modulus behind the surface
+  double thickness = 0.0; ///< of the thinnest element; 1 in space
+  bool axial = false;     ///< a meridian: x is the radius, the surface goes round the axis
 };
 
 /// What a unit of length at a point of the section stands for: the smaller thickness, about an axis
-/// the whole circumference there.
+/// the whole circumference there; in space 1.
 double out_of_plane_depth(const ContactSurface& contact, const ContactSurface& target,
                           const Vec2& x);
 
 /// In the plane strings the faces of a set into chains and looks whether they lie on one circle
-/// (deviation below 1e-4 of the radius, radius below 1e3 extents); in space make_space_surface().
+/// (deviation below 1e-4 of the radius, radius below 1e3 extents); in space
+/// make_facet_surface().
 ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
                             base::FaceSetId set);
 ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
                             const std::vector<model::Face>& faces);
 
-/// Unit normal of the surface at a point of an edge: radial where the surface is a circle.
+/// Unit normal of the surface at a point of a facet: that of the circle or of the shape that its
+/// part lies on, where there is one.
+Vec3 surface_normal(const ContactSurface& surface, std::size_t facet,
+                    const geometry::SidePoint& at);
+/// The same at a point of an edge.
 Vec2 surface_normal(const ContactSurface& surface, const Edge& edge, double xi);
 
 } // namespace spricka::contact

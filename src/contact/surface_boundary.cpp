@@ -2,7 +2,7 @@
 #include "contact/surface_boundary.hpp"
 
 #include "base/index.hpp"
-#include "contact/space/face_triangles.hpp"
+#include "contact/space/hat_elements.hpp"
 #include "model/mesh_side.hpp"
 
 namespace spricka::contact {
@@ -59,7 +59,7 @@ geometry::BodyBoundary make_body_boundary(const model::Model& model, const model
   std::vector<geometry::BoundaryFacet> facets;
   for (const model::Face& side : faces) {
     const geometry::ElementSide face = model::element_side(mesh, side);
-    for (const FaceTriangle& t : face_triangles(face)) {
+    for (const HatNodes& t : hat_elements(face)) {
       geometry::BoundaryFacet& facet = facets.emplace_back();
       for (std::size_t i = 0; i < t.size(); ++i) {
         const std::size_t node = face.nodes[static_cast<std::size_t>(t[i])].index();

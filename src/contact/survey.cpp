@@ -4,10 +4,12 @@
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
 #include "contact/space/rigid_round.hpp"
+#include "contact/space/surface_projection.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,41 +25,28 @@ double angle_between(const Vec2& a, const Vec2& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-struct Glance {
+// A point of a surface that has something opposite.
+struct SurveyedPoint {
+  std::size_t facet = 0;
+  double weight = 0.0; ///< length or area that it stands for
   double gap = 0.0;
   double angle = 0.0; ///< between one normal and the other reversed
 };
 
-// Samples the segments; `look(segment, edge, xi)` tells what is seen there, if anything.
-template <class Look>
-GapSurvey sample(const ContactSurface& from, const std::vector<MortarSegment>& segments,
-                 Look&& look) {
-  const std::vector<Edge>& edges = from.plane.edges;
+GapSurvey summarize(const ContactSurface& from, double length,
+                    const std::vector<SurveyedPoint>& points) {
   GapSurvey found;
-  found.edges = edges.size();
-  for (const Edge& edge : edges) {
-    found.length += edge.length;
-  }
-  std::vector<bool> faces(edges.size(), false);
-  bool first = true;
-  for (const MortarSegment& s : segments) {
-    const Edge& edge = edges[s.contact_edge];
-    for (std::size_t i = 0; i < sample_r.size(); ++i) {
-      const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
-      const std::optional<Glance> projection = look(s, edge, xi);
-      if (!projection) {
-        continue;
-      }
-      faces[s.contact_edge] = true;
-      const double gap = projection->gap;
-      const double w = 0.5 * (s.to - s.from) * sample_w[i] * tangent_on(edge, xi).norm();
-      found.seen += w;
-      found.gap_mean += w * gap;
-      found.gap_low = first ? gap : std::min(found.gap_low, gap);
-      found.gap_high = first ? gap : std::max(found.gap_high, gap);
-      found.angle_high = std::max(found.angle_high, projection->angle);
-      first = false;
-    }
+  found.edges = from.facets.size();
+  found.length = length;
+  std::vector<bool> faces(found.edges, false);
+  for (const SurveyedPoint& p : points) {
+    const bool first = &p == &points.front();
+    faces[p.facet] = true;
+    found.seen += p.weight;
+    found.gap_mean += p.weight * p.gap;
+    found.gap_low = first ? p.gap : std::min(found.gap_low, p.gap);
+    found.gap_high = first ? p.gap : std::max(found.gap_high, p.gap);
+    found.angle_high = std::max(found.angle_high, p.angle);
   }
   found.facing = static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
   found.gap_mean = found.seen > 0.0 ? found.gap_mean / found.seen : 0.0;
@@ -65,71 +54,83 @@ GapSurvey sample(const ContactSurface& from, const std::vector<MortarSegment>& s
   return found;
 }
 
-template <class See> GapSurvey survey_space(const SpaceSurface& from, See&& see) {
-  GapSurvey found;
-  found.edges = from.faces.size();
-  std::vector<bool> faces(from.faces.size(), false);
-  bool first = true;
-  for (const SurfaceTriangle& t : from.triangles) {
-    const ProjectedTriangle projection = see(t);
-    found.length += projection.whole.sum();
-    for (const ProjectionPoint& p : projection.points) {
-      faces[t.face] = true;
-      found.seen += p.weight;
-      found.gap_mean += p.weight * p.gap;
-      found.gap_low = first ? p.gap : std::min(found.gap_low, p.gap);
-      found.gap_high = first ? p.gap : std::max(found.gap_high, p.gap);
-      found.angle_high = std::max(found.angle_high, std::acos(std::min(1.0, p.turn)));
-      first = false;
+// Looks at a surface in the plane at points of `segments()`, where `look(segment, edge, xi)` tells
+// the gap and the angle if anything is seen, in space at the points of the projector
+// `projector()`.
+template <class Projector, class Segments, class Look>
+GapSurvey survey(const ContactSurface& from, Projector&& projector, Segments&& segments,
+                 Look&& look) {
+  double length = 0.0;
+  std::vector<SurveyedPoint> points;
+  if (from.in_space()) {
+    const ElementProjector project = projector();
+    for (const HatElement& element : from.elements) {
+      const ProjectedElement projection = project(element);
+      length += projection.whole.sum();
+      for (const PairPoint& p : projection.points) {
+        points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});
+      }
+    }
+    return summarize(from, length, points);
+  }
+  for (const Edge& edge : from.plane.edges) {
+    length += edge.length;
+  }
+  for (const MortarSegment& s : segments()) {
+    const Edge& edge = from.plane.edges[s.contact_edge];
+    for (std::size_t i = 0; i < sample_r.size(); ++i) {
+      const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
+      if (std::optional<SurveyedPoint> point = look(s, edge, xi)) {
+        point->facet = s.contact_edge;
+        point->weight = 0.5 * (s.to - s.from) * sample_w[i] * tangent_on(edge, xi).norm();
+        points.push_back(*point);
+      }
     }
   }
-  found.facing = static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
-  found.gap_mean = found.seen > 0.0 ? found.gap_mean / found.seen : 0.0;
-  found.seen = std::min(found.seen, found.length); // round-off
-  return found;
+  return summarize(from, length, points);
 }
 
 } // namespace
 
 GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to) {
-  if (!from.space.faces.empty()) {
-    const SurfaceProjection projection(from.space, to.space);
-    return survey_space(from.space, [&](const SurfaceTriangle& triangle) {
-      return projection.project_triangle(triangle);
-    });
-  }
-  const std::vector<Edge>& targets = to.plane.edges;
-  return sample(from, find_segments(from, to),
-                [&](const MortarSegment& s, const Edge& edge, double xi) -> std::optional<Glance> {
-                  const Edge& target = targets[s.target_edge];
-                  const Vec2 n = surface_normal(from, edge, xi);
-                  const Vec2 x = point_on(edge, xi);
-                  const std::optional<double> eta = ray_intersection(target, x, n);
-                  if (!eta) {
-                    return std::nullopt;
-                  }
-                  const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
-                  return Glance{(point_on(target, *eta) - x).dot(n), angle_between(n, -back)};
-                });
+  return survey(
+      from,
+      [&] {
+        return [projection = std::make_shared<SurfaceProjection>(from, to)](
+                   const HatElement& triangle) { return projection->project_triangle(triangle); };
+      },
+      [&] { return find_segments(from, to); },
+      [&](const MortarSegment& s, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
+        const Edge& target = to.plane.edges[s.target_edge];
+        const Vec2 n = surface_normal(from, edge, xi);
+        const Vec2 x = point_on(edge, xi);
+        const std::optional<double> eta = ray_intersection(target, x, n);
+        if (!eta) {
+          return std::nullopt;
+        }
+        const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
+        return SurveyedPoint{.gap = (point_on(target, *eta) - x).dot(n),
+                             .angle = angle_between(n, -back)};
+      });
 }
 
 GapSurvey survey_gaps(const ContactSurface& from, const model::RigidTarget& to) {
-  if (!from.space.faces.empty()) {
-    const AnalyticShape shape = rigid_target_shape(to);
-    return survey_space(from.space, [&](const SurfaceTriangle& triangle) {
-      return project_onto_rigid(from.space, shape, triangle);
-    });
-  }
-  return sample(from, find_segments(from, to),
-                [&](const MortarSegment&, const Edge& edge, double xi) -> std::optional<Glance> {
-                  const std::optional<RigidProjection> foot =
-                      normal_projection(to, point_on(edge, xi));
-                  if (!foot) {
-                    return std::nullopt;
-                  }
-                  const Vec2 n = surface_normal(from, edge, xi);
-                  return Glance{foot->gap, angle_between(n, foot->normal)};
-                });
+  return survey(
+      from,
+      [&] {
+        return [&from, shape = rigid_target_shape(to)](const HatElement& triangle) {
+          return project_onto_rigid(from, shape, triangle);
+        };
+      },
+      [&] { return find_segments(from, to); },
+      [&](const MortarSegment&, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
+        const std::optional<RigidProjection> foot = normal_projection(to, point_on(edge, xi));
+        if (!foot) {
+          return std::nullopt;
+        }
+        const Vec2 n = surface_normal(from, edge, xi);
+        return SurveyedPoint{.gap = foot->gap, .angle = angle_between(n, foot->normal)};
+      });
 }
 
 } // namespace spricka::contact

@@ -16,23 +16,24 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
   const EdgeIndex index = boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
-  for (const contact::MortarPoint& p :
-       contact::mortar_points(pair.contact, pair.target, std::nullopt).points) {
-    const geometry::ElementSide& facet = pair.contact.facets[p.facet];
-    const contact::Edge& target = pair.target.plane.edges[p.target];
-    const std::optional<std::size_t> at = find_edge(index, target);
-    if (!at) {
-      continue;
-    }
-    const double sign = side_sign(target.nodes[0], target.nodes[1]);
-    const base::Vec2 n = p.normal.head<2>();
-    // The normal mode of the target's edge, psi n_m . n of (estimate.14).
-    const double mode = sign * side_mode(p.s[0]) * side_frame(target.x, p.s[0]).axis[0].dot(n);
-    const contact::FacetValues phi = contact::facet_hats(facet, p.r);
-    for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
-      const auto row = row_of.find(facet.nodes[i]);
-      if (row != row_of.end() && phi[i] != 0.0) {
-        sums[{2 * *at, row->second}] += p.weight * phi[i] * mode;
+  const contact::ElementProjector project = contact::target_projector(pair);
+  for (const contact::HatElement& element : pair.contact.elements) {
+    const std::vector<base::NodeId>& nodes = pair.contact.facets[element.facet].nodes;
+    for (const contact::PairPoint& p : project(element).points) {
+      const contact::Edge& target = pair.target.plane.edges[p.target];
+      const std::optional<std::size_t> at = find_edge(index, target);
+      if (!at) {
+        continue;
+      }
+      const double sign = side_sign(target.nodes[0], target.nodes[1]);
+      const base::Vec2 n = p.normal.head<2>();
+      // The normal mode of the target's edge, psi n_m . n of (estimate.14).
+      const double mode = sign * side_mode(p.s[0]) * side_frame(target.x, p.s[0]).axis[0].dot(n);
+      for (std::size_t i = 0; i < element.node_count(); ++i) {
+        const auto row = row_of.find(nodes[static_cast<std::size_t>(element.node[i])]);
+        if (row != row_of.end()) {
+          sums[{2 * *at, row->second}] += p.weight * p.hat[static_cast<Eigen::Index>(i)] * mode;
+        }
       }
     }
   }

@@ -29,7 +29,7 @@ double facet_of(const contact::PlanarEdgeChains& plane, const contact::SurfaceCi
 
 // How far straight edges leave the curve that they stand for: half a chord times half the turn
 // between two of them, halved.
-double facet_of(const contact::ContactSurface& surface) {
+double error_of_edges(const contact::ContactSurface& surface) {
   double most = surface.circle ? facet_of(surface.plane, *surface.circle) : 0.0;
   for (const contact::EdgeChain& chain : surface.plane.chains) {
     const std::span<const contact::Edge> edges = surface.plane.edges_of_chain(chain);
@@ -52,16 +52,16 @@ double facet_of(const contact::ContactSurface& surface) {
 // How far the faces of a surface leave the round shape that their nodes lie on: flat ones, and
 // curved ones between their nodes. Looked at in the middles of the triangles between nodes and of
 // their sides.
-double facet_of(const contact::SpaceSurface& surface) {
+double error_of_faces(const contact::FacetSurface& surface) {
   constexpr std::array<std::array<double, 3>, 4> middles{
       {{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}};
   double most = 0.0;
-  for (const contact::SurfaceTriangle& triangle : surface.triangles) {
-    const std::optional<contact::AnalyticShape>& round = surface.analytic_shape(triangle.face);
+  for (const contact::HatElement& triangle : surface.elements) {
+    const std::optional<contact::AnalyticShape>& round = surface.analytic_shape(triangle.facet);
     if (!round) {
       continue;
     }
-    const geometry::ElementSide& face = surface.faces[triangle.face];
+    const geometry::ElementSide& face = surface.facets[triangle.facet];
     for (const std::array<double, 3>& at : middles) {
       contact::Vec2 r = contact::Vec2::Zero();
       for (std::size_t i = 0; i < at.size(); ++i) {
@@ -87,16 +87,16 @@ double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
 } // namespace
 
 double faceting_error(const contact::ContactSurface& surface) {
-  return surface.space.faces.empty() ? facet_of(surface) : facet_of(surface.space);
+  return std::max(error_of_edges(surface), error_of_faces(surface));
 }
 
 std::optional<double> surface_radius(const contact::ContactSurface& surface) {
   if (surface.circle) {
     return surface.circle->radius;
   }
-  const bool one = surface.space.rounds.size() == 1 && surface.space.rounds.front();
-  return one && surface.space.rounds.front()->kind != contact::AnalyticShapeKind::plane
-             ? std::optional(surface.space.rounds.front()->radius)
+  const bool one = surface.rounds.size() == 1 && surface.rounds.front();
+  return one && surface.rounds.front()->kind != contact::AnalyticShapeKind::plane
+             ? std::optional(surface.rounds.front()->radius)
              : std::nullopt;
 }
 
@@ -108,11 +108,11 @@ std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
                                      const contact::ContactSurface& target,
                                      const std::vector<double>& measure) {
   std::vector<FacingPart> parts;
-  if (!surface.space.faces.empty()) {
-    const contact::SurfaceProjection projection(surface.space, target.space);
-    for (const contact::SurfaceTriangle& t : surface.space.triangles) {
-      for (const contact::ProjectionPoint& p : projection.project_triangle(t).points) {
-        parts.push_back({t.face, p.weight / measure[t.face], p.gap});
+  if (surface.in_space()) {
+    const contact::SurfaceProjection projection(surface, target);
+    for (const contact::HatElement& t : surface.elements) {
+      for (const contact::PairPoint& p : projection.project_triangle(t).points) {
+        parts.push_back({t.facet, p.weight / measure[t.facet], p.gap});
       }
     }
     return parts;
@@ -127,21 +127,15 @@ std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
 
 std::vector<double> facet_measures(const contact::ContactSurface& surface) {
   std::vector<double> all;
-  for (const contact::Edge& edge : surface.plane.edges) {
-    all.push_back(edge.length);
-  }
-  for (const geometry::ElementSide& face : surface.space.faces) {
-    all.push_back(face.area());
+  for (const geometry::ElementSide& facet : surface.facets) {
+    all.push_back(contact::facet_measure(facet));
   }
   return all;
 }
 
 base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet) {
-  if (!surface.space.faces.empty()) {
-    const geometry::ElementSide& face = surface.space.faces[facet];
-    return face.position(face.centre());
-  }
-  return base::to_space(contact::point_on(surface.plane.edges[facet], 0.0));
+  const geometry::ElementSide& side = surface.facets[facet];
+  return side.position(side.centre());
 }
 
 } // namespace spricka::sense

@@ -4,8 +4,9 @@
 #include "analysis/lengths/length.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
+#include "contact/make_rows.hpp"
+#include "contact/pair_points.hpp"
 #include "contact/space/clip.hpp"
-#include "contact/space_rows.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
@@ -25,13 +26,13 @@ using base::Vec3;
 // How many polygons the triangles of both surfaces have in common, as Sighting clips them.
 class Segments {
 public:
-  Segments(const contact::SpaceSurface& own, const contact::SpaceSurface& target)
+  Segments(const contact::FacetSurface& own, const contact::FacetSurface& target)
       : own_(own), target_(target) {}
 
   [[nodiscard]] std::size_t count() const {
     std::size_t sum = 0;
     const double reach = 0.2 * own_.extent;
-    for (const contact::SurfaceTriangle& t : own_.triangles) {
+    for (const contact::HatElement& t : own_.elements) {
       const std::array<Vec3, 3> x = corners(own_, t);
       const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
       const Vec3 e = (x[1] - x[0]).normalized();
@@ -39,7 +40,7 @@ public:
         return base::Vec2((y - x[0]).dot(e), (y - x[0]).dot(n.cross(e)));
       };
       const contact::PlaneTriangle here{flat(x[0]), flat(x[1]), flat(x[2])};
-      for (const contact::SurfaceTriangle& s : target_.triangles) {
+      for (const contact::HatElement& s : target_.elements) {
         const std::array<Vec3, 3> y = corners(target_, s);
         const contact::PlaneTriangle there{flat(y[0]), flat(y[2]), flat(y[1])};
         sum +=
@@ -53,9 +54,9 @@ public:
   }
 
 private:
-  static std::array<Vec3, 3> corners(const contact::SpaceSurface& surface,
-                                     const contact::SurfaceTriangle& t) {
-    const geometry::SidePositions& X = surface.faces[t.face].X;
+  static std::array<Vec3, 3> corners(const contact::FacetSurface& surface,
+                                     const contact::HatElement& t) {
+    const geometry::SidePositions& X = surface.facets[t.facet].X;
     return {X.col(t.node[0]), X.col(t.node[1]), X.col(t.node[2])};
   }
   static double area(const std::vector<base::Vec2>& polygon) {
@@ -66,14 +67,14 @@ private:
     return twice;
   }
 
-  const contact::SpaceSurface& own_;
-  const contact::SpaceSurface& target_;
+  const contact::FacetSurface& own_;
+  const contact::FacetSurface& target_;
 };
 
 std::size_t points_of(const contact::PairConstraints& pair) {
   const auto see = contact::target_projector(pair);
   std::size_t sum = 0;
-  for (const contact::SurfaceTriangle& t : pair.contact.space.triangles) {
+  for (const contact::HatElement& t : pair.contact.elements) {
     sum += see(t).points.size();
   }
   return sum;
@@ -88,7 +89,8 @@ double time_rows(const contact::PairConstraints& pair, const model::Contact& car
     again.normal.clear();
     again.tangent.clear();
     const base::Stopwatch watch;
-    contact::fill_space_mortar_rows(again, card.gap, !pair.tangent.empty());
+    contact::fill_mortar_rows(again, contact::target_projector(again),
+                              {.declared_gap = card.gap, .tangents = !pair.tangent.empty()});
     best = std::min(best, watch.cpu_time());
   }
   return best;
@@ -121,16 +123,16 @@ int main(int argc, char** argv) {
   double all = 0.0;
   for (std::size_t c = 0; c < length->discretisation().pairs.size(); ++c) {
     const contact::PairConstraints& pair = length->discretisation().pairs[c];
-    if (pair.functions.empty() || pair.rigid_shape) {
+    if (!pair.contact.in_space() || pair.rigid_shape) {
       continue;
     }
     const double time = time_rows(pair, model->contacts[c], repeats);
-    const std::size_t segments = Segments(pair.contact.space, pair.target.space).count();
+    const std::size_t segments = Segments(pair.contact, pair.target).count();
     const std::size_t points = points_of(pair);
     fmt::print("{}: {} triangles on {}, {} segments, {} points, {} rows, {:.2f} ms: {:.2f} us a "
                "segment, {:.2f} us a point\n",
-               model->contacts[c].name, pair.contact.space.triangles.size(),
-               pair.target.space.triangles.size(), segments, points, pair.normal.size(), 1e3 * time,
+               model->contacts[c].name, pair.contact.elements.size(), pair.target.elements.size(),
+               segments, points, pair.normal.size(), 1e3 * time,
                1e6 * time / static_cast<double>(segments),
                1e6 * time / static_cast<double>(points));
     all += time;

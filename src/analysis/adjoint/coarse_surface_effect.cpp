@@ -55,7 +55,7 @@ double distance_to(const AdjacentSurfacePiece& side, const Vec3& x) {
 
 // Edge of the square, or of half of a square, of the same area.
 double size_of(const geometry::ElementSide& face) {
-  const std::size_t corners = contact::face_corner_triangles(face).size() + 2;
+  const std::size_t corners = contact::corner_hat_elements(face).size() + 2;
   return std::sqrt(face.area() * (corners == 3 ? 2.0 : 1.0));
 }
 
@@ -66,8 +66,11 @@ void add_sides(const contact::ContactSurface& surface, std::vector<AdjacentSurfa
                      edge.length,
                      {edge.nodes[0], edge.nodes[1]}});
   }
-  for (const contact::SurfaceTriangle& t : surface.space.triangles) {
-    const geometry::ElementSide& face = surface.space.faces[t.face];
+  for (const contact::HatElement& t : surface.elements) {
+    const geometry::ElementSide& face = surface.facets[t.facet];
+    if (face.is_edge()) {
+      continue;
+    }
     sides.push_back(
         {{face.X.col(t.node[0]), face.X.col(t.node[1]), face.X.col(t.node[2])}, size_of(face)});
   }

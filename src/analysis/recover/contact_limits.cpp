@@ -40,17 +40,11 @@ double largest_pressure(const contact::PairConstraints& pair, const base::Vector
 
 // What straight edges on circles leave of the circle; nothing worth telling on curved ones.
 double facets(const contact::PairConstraints& pair, double facet) {
-  const contact::SpaceSurface& space = pair.contact.space;
-  if (!space.faces.empty()) {
-    const bool flat =
-        static_cast<int>(space.faces.front().nodes.size()) == space.faces.front().corners();
-    const std::optional<contact::AnalyticShape>& round = space.rounds.front();
-    const bool curved = round && round->kind != contact::AnalyticShapeKind::plane;
-    return flat && curved ? facet * facet / (4.0 * round->radius) : 0.0;
-  }
-  const bool straight = !pair.contact.plane.edges.empty() &&
-                        pair.contact.plane.edges.front().count == 2 && pair.contact.circle;
-  return straight ? facet * facet / (4.0 * pair.contact.circle->radius) : 0.0;
+  const contact::ContactSurface& surface = pair.contact;
+  const std::optional<contact::AnalyticShape>& round = surface.rounds.front();
+  const bool curved = surface.circle || (round && round->kind != contact::AnalyticShapeKind::plane);
+  const double radius = surface.circle ? surface.circle->radius : round ? round->radius : 0.0;
+  return curved && !surface.facets.front().quadratic() ? facet * facet / (4.0 * radius) : 0.0;
 }
 
 /// What contact of the bodies as drawn leaves out of one pair, as it has moved.

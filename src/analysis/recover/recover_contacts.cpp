@@ -86,7 +86,7 @@ std::vector<base::Vec3> pressed_edges(const contact::PairConstraints& pair,
       if (n.closed && n.p_consistent > most &&
           std::ranges::find(end.nodes, n.node) != end.nodes.end()) {
         most = n.p_consistent;
-        place = pair.contact.space.faces.empty() ? place : n.x;
+        place = pair.contact.in_space() ? n.x : place;
       }
     }
     if (most > 0.0 && !end.bounded) {

@@ -14,7 +14,7 @@ namespace {
 void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
   constexpr double most = 0.7; // of a row's weight, squared: a surface turns on to one side
   std::set<base::NodeId> own;
-  for (const geometry::ElementSide& face : pair.contact.space.faces) {
+  for (const geometry::ElementSide& face : pair.contact.facets) {
     own.insert(face.nodes.begin(), face.nodes.end());
   }
   const auto is_held = [&](const contact::RowEntry& entry) {

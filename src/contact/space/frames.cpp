@@ -5,10 +5,13 @@
 
 namespace spricka::contact {
 
-SurfaceFrames::SurfaceFrames(const SpaceSurface& surface) {
+SurfaceFrames::SurfaceFrames(const FacetSurface& surface) {
+  if (surface.facets.empty() || surface.facets.front().is_edge()) {
+    return;
+  }
   std::vector<Vec3> most(surface.rounds.size(), Vec3::Zero()); // |n| along x, y, z
-  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    const geometry::ElementSide& face = surface.faces[f];
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    const geometry::ElementSide& face = surface.facets[f];
     const geometry::SidePoint centre = face.point(face.centre());
     Vec3& part = most[surface.part[f]];
     part = part.cwiseMax(surface_normal(surface, f, centre).cwiseAbs());
@@ -23,6 +26,9 @@ SurfaceFrames::SurfaceFrames(const SpaceSurface& surface) {
 
 std::array<Vec3, 3> SurfaceFrames::at(std::size_t part, const Vec3& n) const {
   constexpr double along_normal = 1e-6; // a part all round: where the axis leaves it any will do
+  if (axis_.empty()) {
+    return {n, Vec3::UnitZ().cross(n), Vec3::UnitZ()};
+  }
   const Vec3& a = axis_[part];
   const Vec3 across = a - a.dot(n) * n;
   const Vec3 t = across.norm() > along_normal ? across.normalized() : n.unitOrthogonal();

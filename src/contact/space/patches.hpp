@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/space/face_triangles.hpp"
+#include "contact/space/hat_elements.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,6 @@
 #include "contact/space/rigid_round.hpp"
 
 #include "contact/space/opposite.hpp"
-#include "shape/quadrature.hpp"
 
 #include <cmath>
 
@@ -42,37 +41,35 @@ AnalyticShape rigid_target_shape(const model::RigidTarget& rigid) {
   return round;
 }
 
-ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const AnalyticShape& target,
-                                     const SurfaceTriangle& triangle) {
-  const geometry::ElementSide& face = contact.faces[triangle.face];
-  const std::array<Vec2, 3> r = corner_coordinates(face, triangle.node);
-  const Vec2 a = r[1] - r[0];
-  const Vec2 b = r[2] - r[0];
-  const double r_area2 = a.x() * b.y() - a.y() * b.x();
+ProjectedElement project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
+                                    const HatElement& triangle) {
+  const geometry::ElementSide& face = contact.facets[triangle.facet];
   const double reach = farthest_opposite * contact.extent;
-  ProjectedTriangle projection;
-  for (const auto& [q, weight] : shape::triangle_rule(triangle_degree)) {
-    ProjectionPoint p;
-    p.hat = Eigen::Vector3d(1.0 - q[0] - q[1], q[0], q[1]);
-    p.r = r[0] + q[0] * a + q[1] * b;
-    const geometry::SidePoint here = face.point(p.r);
-    p.x = here.x;
-    p.weight = weight * r_area2 * here.area_vector().norm();
-    projection.whole += p.weight * p.hat;
-    // A motion along the normal closes the gap.
-    p.normal = -outer_normal(target, p.x);
-    p.turn = here.area_vector().normalized().dot(p.normal);
-    p.gap = zero_round_off(target.sense * distance_to(target, p.x), p.x.cwiseAbs().maxCoeff());
-    p.round_gap = p.gap;
-    if (const std::optional<AnalyticShape>& own = contact.analytic_shape(triangle.face);
-        own && own->exact) {
-      // Where the faces were the shape they stand for: along the target's normal.
-      p.round_gap -= distance_along(*own, p.x, p.normal).value_or(0.0);
-    }
-    if (p.turn > 0.0 && std::abs(p.gap) <= reach) {
-      projection.points.push_back(p);
-    }
-  }
+  ProjectedElement projection;
+  for_hat_points(
+      face, triangle.node, triangle_degree, [&](const Vec3& hat, const Vec2& r, double weight) {
+        PairPoint p;
+        p.facet = triangle.facet;
+        p.hat = hat;
+        p.r = r;
+        const geometry::SidePoint here = face.point(p.r);
+        p.x = here.x;
+        p.weight = weight * here.area_vector().norm();
+        projection.whole += p.weight * p.hat;
+        // A motion along the normal closes the gap.
+        p.normal = -outer_normal(target, p.x);
+        p.turn = here.area_vector().normalized().dot(p.normal);
+        p.gap = zero_round_off(target.sense * distance_to(target, p.x), p.x.cwiseAbs().maxCoeff());
+        p.round_gap = p.gap;
+        if (const std::optional<AnalyticShape>& own = contact.analytic_shape(triangle.facet);
+            own && own->exact) {
+          // Where the faces were the shape they stand for: along the target's normal.
+          p.round_gap -= distance_along(*own, p.x, p.normal).value_or(0.0);
+        }
+        if (p.turn > 0.0 && std::abs(p.gap) <= reach) {
+          projection.points.push_back(p);
+        }
+      });
   return projection;
 }
 

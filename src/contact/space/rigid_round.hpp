@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "contact/space/facet_surface.hpp"
 #include "contact/space/round.hpp"
-#include "contact/space/space_surface.hpp"
 #include "contact/space/surface_projection.hpp"
 #include "model/contacts.hpp"
 
@@ -15,7 +15,7 @@ AnalyticShape rigid_target_shape(const model::RigidTarget& rigid);
 /// What a triangle of the contact surface sees of a rigid target: all of it that looks at the
 /// target from no farther than a fifth of the surface's extent, point by point. Normals are the
 /// target's.
-ProjectedTriangle project_onto_rigid(const SpaceSurface& contact, const AnalyticShape& target,
-                                     const SurfaceTriangle& triangle);
+ProjectedElement project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
+                                    const HatElement& triangle);
 
 } // namespace spricka::contact

@@ -21,13 +21,13 @@ constexpr double least_piece = 1e-12; // of a triangle's area
 constexpr double steepest = 0.17;     // cosine between both normals, 80 degrees
 constexpr int piece_degree = 5;
 
-std::array<Vec3, 3> corners_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
-  const geometry::SidePositions& X = surface.faces[t.face].X;
+std::array<Vec3, 3> corners_of(const FacetSurface& surface, const HatElement& t) {
+  const geometry::SidePositions& X = surface.facets[t.facet].X;
   return {X.col(t.node[0]), X.col(t.node[1]), X.col(t.node[2])};
 }
 
-std::array<Vec2, 3> places_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
-  return corner_coordinates(surface.faces[t.face], t.node);
+std::array<Vec2, 3> places_of(const FacetSurface& surface, const HatElement& t) {
+  return corner_coordinates(surface.facets[t.facet], t.node);
 }
 
 Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
@@ -35,7 +35,7 @@ Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
 }
 
 // How far along n the shape that a surface's nodes lie on is from a point of its faces.
-double to_round(const SpaceSurface& surface, std::size_t face, const Vec3& x, const Vec3& n) {
+double to_round(const FacetSurface& surface, std::size_t face, const Vec3& x, const Vec3& n) {
   const std::optional<AnalyticShape>& round = surface.analytic_shape(face);
   return round && round->exact ? distance_along(*round, x, n).value_or(0.0) : 0.0;
 }
@@ -53,8 +53,8 @@ struct SurfaceProjection::Frame {
   double area2 = 0.0;   ///< twice the area in the plane
   double r_area2 = 0.0; ///< the same in reference coordinates
 
-  Frame(const SpaceSurface& surface, const SurfaceTriangle& t)
-      : face(surface.faces[t.face]), number(t.face), x(corners_of(surface, t)),
+  Frame(const FacetSurface& surface, const HatElement& t)
+      : face(surface.facets[t.facet]), number(t.facet), x(corners_of(surface, t)),
         r(places_of(surface, t)) {
     const Vec3 across = (x[1] - x[0]).cross(x[2] - x[0]);
     n = across.normalized();
@@ -71,22 +71,22 @@ struct SurfaceProjection::Frame {
   [[nodiscard]] double height(const Vec3& y) const { return (y - x[0]).dot(n); }
 };
 
-SurfaceProjection::SurfaceProjection(const SpaceSurface& contact, const SpaceSurface& target,
+SurfaceProjection::SurfaceProjection(const FacetSurface& contact, const FacetSurface& target,
                                      double farther)
     : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther) {
   std::vector<geometry::Box<3>> boxes;
-  for (const SurfaceTriangle& t : target.triangles) {
+  for (const HatElement& t : target.elements) {
     corner_.push_back(corners_of(target, t));
     boxes.push_back(geometry::Box<3>::around(corner_.back()));
-    size_ += boxes.back().diagonal() / static_cast<double>(target.triangles.size());
+    size_ += boxes.back().diagonal() / static_cast<double>(target.elements.size());
   }
   tree_ = geometry::BoxTree<3>(boxes);
 }
 
-bool SurfaceProjection::meet(std::size_t face, ProjectionPoint& point) const {
+bool SurfaceProjection::meet(std::size_t face, PairPoint& point) const {
   constexpr int most_steps = 12;
   constexpr double beyond = 0.3; // of a face's own size: rays beside it meet its continuation
-  const geometry::ElementSide& target = target_.faces[face];
+  const geometry::ElementSide& target = target_.facets[face];
   double g = 0.0;
   geometry::SidePoint y = target.point(point.s);
   double last = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ bool SurfaceProjection::meet(std::size_t face, ProjectionPoint& point) const {
 }
 
 void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
-                                   ProjectedTriangle& projection) const {
+                                   ProjectedElement& projection) const {
   const std::array<Vec3, 3>& y = corner_[target];
   const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
   const auto [low, high] = std::ranges::minmax(height);
@@ -130,8 +130,8 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
     return;
   }
   const std::vector<Vec2> polygon = common_polygon(frame.flat, flat);
-  const SurfaceTriangle& t = target_.triangles[target];
-  const std::array<Vec2, 3> s = places_of(target_, {t.face, {t.node[0], t.node[2], t.node[1]}});
+  const HatElement& t = target_.elements[target];
+  const std::array<Vec2, 3> s = places_of(target_, {t.facet, {t.node[0], t.node[2], t.node[1]}});
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     const PlaneTriangle piece{polygon[0], polygon[k], polygon[k + 1]};
     const double area2 = twice_area(piece);
@@ -141,8 +141,9 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
     bool met = false;
     for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
       const Vec2 at = mixed(piece, {1.0 - q[0] - q[1], q[0], q[1]});
-      ProjectionPoint point;
-      point.target = t.face;
+      PairPoint point;
+      point.facet = frame.number;
+      point.target = t.facet;
       point.hat = barycentric(frame.flat, at);
       point.r = mixed(frame.r, point.hat);
       point.s = mixed(s, barycentric(flat, at));
@@ -150,37 +151,38 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
       point.x = here.x;
       point.normal = surface_normal(contact_, frame.number, here);
       point.weight = weight * here.area_vector().norm() * area2 * frame.r_area2 / frame.area2;
-      if (!meet(t.face, point)) {
+      if (!meet(t.facet, point)) {
         projection.unprojected_area += point.weight;
         continue;
       }
       met = true;
-      point.round_gap = point.gap - to_round(contact_, frame.number, point.x, point.normal) +
-                        to_round(target_, t.face, point.x + point.gap * point.normal, point.normal);
+      point.round_gap =
+          point.gap - to_round(contact_, frame.number, point.x, point.normal) +
+          to_round(target_, t.facet, point.x + point.gap * point.normal, point.normal);
       projection.points.push_back(point);
     }
     projection.flat_seen += met ? 0.5 * area2 : 0.0;
   }
 }
 
-std::optional<ProjectionPoint> SurfaceProjection::project_along_normal(const Vec3& x,
-                                                                       const Vec3& n) const {
+std::optional<PairPoint> SurfaceProjection::project_along_normal(const Vec3& x,
+                                                                 const Vec3& n) const {
   // Twice as far each time: most points have the target right before them.
   for (double far = size_ > 0.0 ? std::min(size_, reach_) : reach_;;
        far = std::min(2.0 * far, reach_)) {
-    std::optional<ProjectionPoint> found = look_as_far(x, n, far);
+    std::optional<PairPoint> found = look_as_far(x, n, far);
     if ((found && std::abs(found->gap) <= far) || !(far < reach_)) {
       return found;
     }
   }
 }
 
-std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec3& n,
-                                                              double far) const {
+std::optional<PairPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec3& n,
+                                                        double far) const {
   constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
   constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
-  std::optional<ProjectionPoint> found;
+  std::optional<PairPoint> found;
   for (const std::size_t t : tree_.boxes_meeting({x - up, x + up})) {
     const std::array<Vec3, 3>& y = corner_[t];
     Eigen::Matrix3d J;
@@ -189,13 +191,13 @@ std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, con
     if (!b.allFinite() || std::min({b[0], b[1], 1.0 - b[0] - b[1]}) < -near) {
       continue;
     }
-    const std::array<Vec2, 3> s = places_of(target_, target_.triangles[t]);
-    ProjectionPoint point;
-    point.target = target_.triangles[t].face;
+    const std::array<Vec2, 3> s = places_of(target_, target_.elements[t]);
+    PairPoint point;
+    point.target = target_.elements[t].facet;
     point.x = x;
     point.normal = n;
     point.s = mixed(s, {1.0 - b[0] - b[1], b[0], b[1]});
-    if (meet(point.target, point) && target_.faces[point.target].distance_outside(point.s) <= on &&
+    if (meet(point.target, point) && target_.facets[point.target].distance_outside(point.s) <= on &&
         (!found || std::abs(point.gap) < std::abs(found->gap))) {
       found = point;
     }
@@ -203,15 +205,14 @@ std::optional<ProjectionPoint> SurfaceProjection::look_as_far(const Vec3& x, con
   return found;
 }
 
-ProjectedTriangle SurfaceProjection::project_triangle(const SurfaceTriangle& triangle) const {
+ProjectedElement SurfaceProjection::project_triangle(const HatElement& triangle) const {
   const Frame frame(contact_, triangle);
-  ProjectedTriangle projection;
+  ProjectedElement projection;
   projection.flat_area = 0.5 * frame.area2;
-  for (const auto& [q, weight] : shape::triangle_rule(piece_degree)) {
-    const Eigen::Vector3d hat(1.0 - q[0] - q[1], q[0], q[1]);
-    const geometry::SidePoint here = frame.face.point(mixed(frame.r, hat));
-    projection.whole += weight * frame.r_area2 * here.area_vector().norm() * hat;
-  }
+  for_hat_points(frame.face, triangle.node, piece_degree,
+                 [&](const Vec3& hat, const Vec2& r, double weight) {
+                   projection.whole += weight * frame.face.area_vector(r).norm() * hat;
+                 });
   // The prism over the triangle, as far as a target may lie off.
   const Vec3 up = reach_ * frame.n.cwiseAbs();
   geometry::Box<3> box = geometry::Box<3>::around(frame.x);

@@ -2,7 +2,6 @@
 #include "contact/space/twin_projection.hpp"
 
 #include "geometry/box_tree.hpp"
-#include "shape/quadrature.hpp"
 
 #include <Eigen/Geometry>
 
@@ -56,21 +55,21 @@ Vec2 place_on_twin(const TwinFace& twin, std::size_t corners, const Vec2& r) {
 
 } // namespace
 
-std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
-                                                const SpaceSurface& other) {
+std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own,
+                                                const FacetSurface& other) {
   const double apart = twins_apart * own.mean_size;
   std::vector<geometry::Box<3>> boxes;
-  for (const geometry::ElementSide& face : other.faces) {
+  for (const geometry::ElementSide& face : other.facets) {
     boxes.push_back({centre_of(face), centre_of(face)});
   }
   const geometry::BoxTree<3> tree(boxes);
   std::vector<TwinFace> twins;
-  for (const geometry::ElementSide& face : own.faces) {
+  for (const geometry::ElementSide& face : own.facets) {
     const Vec3 centre = centre_of(face);
     std::optional<TwinFace> twin;
     for (const std::size_t f : tree.boxes_meeting(geometry::Box<3>{centre, centre}.grown(apart))) {
-      if (!twin && other.faces[f].nodes.size() == face.nodes.size()) {
-        twin = matched(face, other.faces[f], apart);
+      if (!twin && other.facets[f].nodes.size() == face.nodes.size()) {
+        twin = matched(face, other.facets[f], apart);
         if (twin) {
           twin->face = f;
         }
@@ -84,30 +83,28 @@ std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own,
   return twins;
 }
 
-ProjectedTriangle project_onto_twin(const SpaceSurface& own, const TwinFace& twin,
-                                    const SurfaceTriangle& triangle) {
-  const geometry::ElementSide& face = own.faces[triangle.face];
-  const std::array<Vec2, 3> r = corner_coordinates(face, triangle.node);
-  const Vec2 a = r[1] - r[0];
-  const Vec2 b = r[2] - r[0];
-  const double r_area2 = a.x() * b.y() - a.y() * b.x();
+ProjectedElement project_onto_twin(const FacetSurface& own, const TwinFace& twin,
+                                   const HatElement& triangle) {
+  const geometry::ElementSide& face = own.facets[triangle.facet];
   const std::size_t corners = corner_count(face);
-  ProjectedTriangle projection;
-  for (const auto& [q, weight] : shape::triangle_rule(twin_degree)) {
-    ProjectionPoint point;
-    point.target = twin.face;
-    point.r = r[0] + q[0] * a + q[1] * b;
-    point.s = place_on_twin(twin, corners, point.r);
-    point.hat = {1.0 - q[0] - q[1], q[0], q[1]};
-    const geometry::SidePoint at = face.point(point.r);
-    point.x = at.x;
-    point.normal = surface_normal(own, triangle.face, at);
-    point.turn = 1.0;
-    point.weight = weight * r_area2 * at.area_vector().norm();
-    projection.whole += point.weight * point.hat;
-    projection.flat_area += point.weight;
-    projection.points.push_back(point);
-  }
+  ProjectedElement projection;
+  for_hat_points(face, triangle.node, twin_degree,
+                 [&](const Vec3& hat, const Vec2& r, double weight) {
+                   PairPoint point;
+                   point.facet = triangle.facet;
+                   point.target = twin.face;
+                   point.r = r;
+                   point.s = place_on_twin(twin, corners, r);
+                   point.hat = hat;
+                   const geometry::SidePoint at = face.point(point.r);
+                   point.x = at.x;
+                   point.normal = surface_normal(own, triangle.facet, at);
+                   point.turn = 1.0;
+                   point.weight = weight * at.area_vector().norm();
+                   projection.whole += point.weight * point.hat;
+                   projection.flat_area += point.weight;
+                   projection.points.push_back(point);
+                 });
   projection.flat_seen = projection.flat_area;
   return projection;
 }

@@ -19,10 +19,10 @@ struct TwinFace {
 
 /// [face of `own`] its twin, whose corners are at the same places. Empty: a face has
 /// none.
-std::optional<std::vector<TwinFace>> twin_faces(const SpaceSurface& own, const SpaceSurface& other);
+std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own, const FacetSurface& other);
 
 /// What a triangle sees of the twin of its face: all of it, without a gap, by a rule of degree 5.
-ProjectedTriangle project_onto_twin(const SpaceSurface& own, const TwinFace& twin,
-                                    const SurfaceTriangle& triangle);
+ProjectedElement project_onto_twin(const FacetSurface& own, const TwinFace& twin,
+                                   const HatElement& triangle);
 
 } // namespace spricka::contact

@@ -2,7 +2,7 @@
 #include "contact/pairing.hpp"
 #include "contact/recovery.hpp"
 #include "contact/rigid_target.hpp"
-#include "contact/sharp_end.hpp"
+#include "contact/singular_edges.hpp"
 #include "contact/survey.hpp"
 #include "model/model.hpp"
 #include "two_blocks.hpp"

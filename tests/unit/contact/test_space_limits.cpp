@@ -124,8 +124,8 @@ TEST_P(RoundRows, SpinClosesNothing) {
   const model::Model model = bent_solids(spec, radius);
   const contact::PairConstraints pair = pair_of(model);
   ASSERT_TRUE(pair.found) << pair.trouble;
-  ASSERT_TRUE(pair.contact.space.rounds[0].has_value());
-  EXPECT_EQ(pair.contact.space.rounds[0]->kind, contact::AnalyticShapeKind::cylinder);
+  ASSERT_TRUE(pair.contact.rounds[0].has_value());
+  EXPECT_EQ(pair.contact.rounds[0]->kind, contact::AnalyticShapeKind::cylinder);
   const base::Vector spin = field(model.mesh, [&](const Vec3& x, base::NetId net) {
     return net == up ? Vec3(Vec3::UnitY().cross(Vec3(x.x(), 0.0, x.z() + radius)) / radius)
                      : Vec3(Vec3::Zero());
@@ -214,7 +214,7 @@ TEST(Unrest, IsNotTheCurveOfAPressureThatRisesToAnEdge) {
   const model::Model model = test::stacked_solids(spec);
   const contact::PairConstraints pair = pair_of(model);
   std::set<base::NodeId> corners;
-  for (const geometry::ElementSide& face : pair.contact.space.faces) {
+  for (const geometry::ElementSide& face : pair.contact.facets) {
     corners.insert(face.nodes.begin(), face.nodes.begin() + 3);
   }
   double far = 0.0; // of the foot along x
@@ -252,7 +252,7 @@ TEST_P(NodePairs, OfAUniformPressureAreTheSameEverywhere) {
   ASSERT_TRUE(pair.trouble.empty()) << pair.trouble;
   // The forces of a pressure of 2: what it puts on each node through the shape functions.
   std::map<base::NodeId, double> force;
-  for (const geometry::ElementSide& face : pair.contact.space.faces) {
+  for (const geometry::ElementSide& face : pair.contact.facets) {
     const double area = face.area();
     const std::size_t n = face.nodes.size();
     for (std::size_t i = 0; i < n; ++i) {

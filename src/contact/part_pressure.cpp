@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/space_recovery.hpp"
+#include "contact/part_pressure.hpp"
 
-#include "base/index.hpp"
+#include "contact/make_rows.hpp"
 #include "contact/space_averages.hpp"
-#include "contact/space_rows.hpp"
 #include "contact/space_spot.hpp"
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 #include <cmath>
 #include <map>
 #include <utility>
-
-#include <Eigen/Geometry>
 
 namespace spricka::contact {
 
@@ -40,7 +37,7 @@ std::array<base::Vector, 3> averaged_shear(const PairConstraints& pair,
 // By how much averages change across the faces round each function.
 base::Vector changes_of(const PairConstraints& pair, const base::Vector& smooth) {
   base::Vector most = base::Vector::Zero(smooth.size());
-  for (const std::vector<std::size_t>& face : functions_by_face(pair)) {
+  for (const std::vector<std::size_t>& face : functions_by_facet(pair)) {
     const auto [low, high] =
         std::ranges::minmax(face, {}, [&](std::size_t i) { return smooth[index(i)]; });
     const double change = smooth[index(high)] - smooth[index(low)];
@@ -79,123 +76,76 @@ NodePressure place_of(const PairConstraints& pair, const MultiplierFunction& fun
   NodePressure at;
   at.node = function.node;
   at.x = x;
-  if (const std::optional<AnalyticShape>& round = pair.contact.space.rounds[function.part]) {
+  if (const std::optional<AnalyticShape>& round = pair.contact.rounds[function.part]) {
     const CylindricalCoordinates place = cylindrical_coordinates(*round, x);
     at.theta = place.angle;
     at.arc = place.along;
   }
-  at.row = function.row;
   return at;
-}
-
-// What a unit of each row, normal ones first, does to the contact side.
-struct RowForces {
-  std::vector<base::Vec3> force;  ///< [row]
-  std::vector<base::Vec3> moment; ///< [row] about the origin
-};
-
-RowForces forces_on_contact_side(const PairConstraints& pair,
-                                 const std::map<base::NodeId, base::Vec3>& x) {
-  RowForces all;
-  for (const std::vector<ConstraintRow>* rows : {&pair.normal, &pair.tangent}) {
-    for (const ConstraintRow& row : *rows) {
-      base::Vec3& force = all.force.emplace_back(base::Vec3::Zero());
-      base::Vec3& moment = all.moment.emplace_back(base::Vec3::Zero());
-      for (const RowEntry& entry : row.entries) {
-        if (const auto own = x.find(entry.node); own != x.end()) {
-          force += entry.weight;
-          moment += own->second.cross(entry.weight);
-        }
-      }
-    }
-  }
-  return all;
 }
 
 // Shear tractions on the deck's slave [normal row]: of a row's functions, along their mean tangent.
 std::vector<base::Vec3> shear_on_slave(const PairConstraints& pair, const base::Vector& lambda,
-                                       const std::vector<base::Vec3>& forces) {
+                                       const ContactSideForce& side) {
   std::vector<base::Vec3> shear(pair.normal.size(), base::Vec3::Zero());
   for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
     const ConstraintRow& row = pair.tangent[i];
-    const std::size_t at = pair.normal.size() + i;
+    base::Vec3 force = base::Vec3::Zero();
+    for (const RowEntry& entry : row.entries) {
+      force += side.x.contains(entry.node) ? entry.weight : base::Vec3(base::Vec3::Zero());
+    }
     shear[static_cast<std::size_t>(row.normal)] +=
-        (pair.swapped ? -1.0 : 1.0) / row.area * lambda[index(at)] * forces[at];
+        (pair.swapped ? -1.0 : 1.0) / row.area * lambda[index(pair.normal.size() + i)] * force;
   }
   return shear;
 }
 
-std::map<base::NodeId, base::Vec3> places_of_nodes(const SpaceSurface& surface) {
-  std::map<base::NodeId, base::Vec3> x;
-  for (const geometry::ElementSide& face : surface.faces) {
-    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      x[face.nodes[i]] = face.X.col(index(i));
+// Triangles on which pressures are linear, by place among the nodes, and the mean radius of a
+// surface about one axis.
+void add_surface(const PairConstraints& pair, PairPressure& result) {
+  const FacetSurface& surface = pair.contact;
+  const std::vector<std::vector<std::size_t>> faces = functions_by_facet(pair);
+  for (const HatElement& t : surface.elements) {
+    const std::vector<std::size_t>& at = faces[t.facet];
+    const auto place = [&](int i) { return at[static_cast<std::size_t>(i)]; };
+    result.triangles.push_back({place(t.node[0]), place(t.node[1]), place(t.node[2])});
+  }
+  if (surface.rounds.size() == 1 && surface.rounds[0] && has_axis(*surface.rounds[0])) {
+    for (const NodePressure& at : result.nodes) {
+      const double here = surface.rounds[0]->radius + surface.rounds[0]->slope * at.arc;
+      result.radius += here / static_cast<double>(result.nodes.size());
     }
   }
-  return x;
-}
-
-// What the rows say together.
-void add_totals(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& gap,
-                const std::vector<bool>& closed, PairPressure& result) {
-  double thrust = 0.0;
-  double area = 0.0;
-  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-    const auto i = index(r);
-    const double own = pair.normal[r].area;
-    thrust += lambda[i] * own;
-    area += closed[r] ? own : 0.0;
-    result.min_pressure = r == 0 ? lambda[i] : std::min(result.min_pressure, lambda[i]);
-    result.max_pressure = std::max(result.max_pressure, lambda[i]);
-    result.closed += closed[r] ? 1 : 0;
-    result.max_penetration = std::max(result.max_penetration, -gap[i] / own);
-  }
-  result.area = area;
-  result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
 }
 
 } // namespace
 
-PairPressure recover_space_pressure(const PairConstraints& pair, const base::Vector& lambda,
-                                    const base::Vector& gap, const std::vector<bool>& closed) {
+double recover_part_pressure(const PairConstraints& pair, const ContactRowValues& rows,
+                             const ContactSideForce& force, PairPressure& result) {
   const auto n = index(pair.functions.size());
   base::Vector p = base::Vector::Zero(n);
   std::vector<bool> touches(pair.functions.size(), false);
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
     if (const int row = pair.functions[i].row; row >= 0) {
-      p[index(i)] = lambda[row];
-      touches[i] = closed[static_cast<std::size_t>(row)];
+      p[index(i)] = rows.lambda[row];
+      touches[i] = rows.closed[static_cast<std::size_t>(row)];
     }
   }
   const base::Vector smooth = corner_averages(pair, p, touches);
-  const std::map<base::NodeId, base::Vec3> x = places_of_nodes(pair.contact.space);
-
-  PairPressure result;
-  const RowForces unit = forces_on_contact_side(pair, x);
-  base::Vec3 total = base::Vec3::Zero();
-  base::Vec3 moment = base::Vec3::Zero();
-  for (std::size_t i = 0; i < unit.force.size(); ++i) {
-    total += lambda[index(i)] * unit.force[i];
-    moment += lambda[index(i)] * unit.moment[i];
-  }
-  const std::vector<base::Vec3> shear = shear_on_slave(pair, lambda, unit.force);
+  const std::vector<base::Vec3> shear = shear_on_slave(pair, rows.lambda, force);
   const std::array<base::Vector, 3> smooth_shear = averaged_shear(pair, shear, touches);
-  result.moment_on_slave = pair.swapped ? base::Vec3(-moment) : moment;
-  result.force_on_slave = pair.swapped ? base::Vec3(-total) : total;
-  add_totals(pair, lambda, gap, closed, result);
   if (!pair.segments && n > 0) { // multipliers at nodes where no pressure acts say nothing
     result.min_pressure = smooth.minCoeff();
     result.max_pressure = smooth.maxCoeff();
   }
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
     const MultiplierFunction& function = pair.functions[i];
-    NodePressure at = place_of(pair, function, x.at(function.node));
+    NodePressure at = place_of(pair, function, force.x.at(function.node));
     at.p_consistent = p[index(i)];
     at.p_lumped = smooth[index(i)];
-    at.closed = touches[i];
     if (function.row >= 0) {
       const auto row = static_cast<std::size_t>(function.row);
-      at.gap = gap[function.row] / pair.normal[row].area;
+      rows.set_row(pair, row, at);
       at.q_consistent = shear[row].norm();
       if (!pair.tangent.empty()) {
         at.shear = {smooth_shear[0][index(i)], smooth_shear[1][index(i)],
@@ -206,21 +156,12 @@ PairPressure recover_space_pressure(const PairConstraints& pair, const base::Vec
     result.nodes.push_back(at);
   }
   result.unrest = unrest_of(pair, p, smooth);
-  result.across_peak = elements_across_peak(pair, lambda, closed);
-  const SpaceSurface& surface = pair.contact.space;
-  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
-  for (const SurfaceTriangle& t : surface.triangles) {
-    const std::vector<std::size_t>& at = faces[t.face];
-    const auto place = [&](int i) { return at[static_cast<std::size_t>(i)]; };
-    result.triangles.push_back({place(t.node[0]), place(t.node[1]), place(t.node[2])});
+  result.across_peak = elements_across_peak(pair, rows.lambda, rows.closed);
+  add_surface(pair, result);
+  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+    result.area += rows.closed[r] ? pair.normal[r].area : 0.0;
   }
-  if (surface.rounds.size() == 1 && surface.rounds[0] && has_axis(*surface.rounds[0])) {
-    for (const NodePressure& at : result.nodes) {
-      const double here = surface.rounds[0]->radius + surface.rounds[0]->slope * at.arc;
-      result.radius += here / static_cast<double>(result.nodes.size());
-    }
-  }
-  return result;
+  return result.area;
 }
 
 } // namespace spricka::contact
