@@ -118,7 +118,7 @@ void add_auxiliary_pressure(const TipSetting& set, const std::vector<ExtensionFi
       const auto freedom = 2 * static_cast<Eigen::Index>(p.nodes[i].index());
       opens += p.dN[static_cast<Eigen::Index>(i)] * p.normal.dot(u.segment<2>(freedom));
     }
-    for (std::size_t k = 1; k < partners; ++k) {
+    for (std::size_t k = 1; k < auxiliary_field_count; ++k) {
       const double outwards = auxiliary_field_displacement(set, p.place, k).x();
       for (std::size_t i = 0; i < p.nodes.size(); ++i) {
         out[p.nodes[i]][k].head<2>() -=

@@ -61,7 +61,7 @@ public:
 
 private:
   /// Of the nodes.
-  using ModeForces = std::vector<std::array<base::Vec3, partners>*>;
+  using ModeForces = std::vector<std::array<base::Vec3, auxiliary_field_count>*>;
 
   void add_point(const ModeForces& force, const shape::Point<2>& r, double weight, bool strained,
                  bool filled) const {
@@ -73,7 +73,7 @@ private:
     // Partners of K and T meet the affine temperature alone; what differs from it is heat_term's
     // (crack.34).
     const Here met = filled && set_.affine ? under_affine(own, x) : own;
-    for (std::size_t k = 0; k < partners; ++k) {
+    for (std::size_t k = 0; k < auxiliary_field_count; ++k) {
       const Here& here = k == 0 ? own : met;
       const AuxiliaryField v = k == 0 ? itself(here) : auxiliary_field_at(set_, k_, x, k);
       const Momentum M = strained || set_.is_axisymmetric()
@@ -111,7 +111,7 @@ private:
       const PlaneValues N = element_.N(r);
       const base::Vec2 x = X_ * N;
       const Polar place = polar(set_.tip, x);
-      for (std::size_t k = 0; k < partners; ++k) {
+      for (std::size_t k = 0; k < auxiliary_field_count; ++k) {
         const Tensor<2> Hv =
             k == 0 ? Tensor<2>(U_.lazyProduct(at.dNdx)) : auxiliary_field_gradient(set_, place, k);
         // - q b . u,k (crack.19), or with v in the place of u (crack.23).

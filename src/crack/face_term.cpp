@@ -37,7 +37,7 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
     const base::Vec2 normal(tangent.y(), -tangent.x());
     const base::Vec2 t = set.relative_depth(x) * traction(acting, x, normal);
     const Polar place = polar_on_face({{0.0, 0.0}, set.tip.e1, set.tip.e2}, from, normal);
-    for (std::size_t k = 0; k < partners; ++k) {
+    for (std::size_t k = 0; k < auxiliary_field_count; ++k) {
       const base::Vec2 du =
           k == 0 ? base::Vec2(U * dN) : base::Vec2(auxiliary_field_gradient(set, place, k) * along);
       // (crack.20): du goes along the face, and the tangent's part along e1 gives it the sign of

@@ -108,13 +108,13 @@ public:
 
   // - beta D div(q v,1) of a auxiliary field v.
   void add_to_K(const shape::Point<2>& r, double area, double D,
-                std::array<double, partners>& sum) const {
+                std::array<double, auxiliary_field_count>& sum) const {
     const Vec2 at = x(r);
     const Polar place = polar(set_.tip, at);
     const double q = extension(r);
     const double round = extension_round(r);
     const Vec2 grad = strained_ ? Vec2(map(r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
-    for (std::size_t k = 1; k < partners; ++k) {
+    for (std::size_t k = 1; k < auxiliary_field_count; ++k) {
       const Swelling v = swelling(set_, at, k);
       double div = q * v.slope + round * v.hoop;
       if (strained_) {
@@ -141,7 +141,8 @@ public:
            (grad.dot(carried) + extension(r) * along + extension_round(r) * hoop(r));
   }
 
-  void add(const mesh::CrackFront& front, bool wants_G, std::array<double, partners>& sum) const {
+  void add(const mesh::CrackFront& front, bool wants_G,
+           std::array<double, auxiliary_field_count>& sum) const {
     // What the element takes less the affine temperature, times auxiliary fields that are singular
     // at the tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip_point().node};
@@ -364,9 +365,11 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
   });
 }
 
-std::array<double, partners> heat_term(const TipSetting& set, const mesh::CrackFront& front,
-                                       const ExtensionField& field, const base::Vector& u) {
-  std::array<double, partners> sum{};
+std::array<double, auxiliary_field_count> heat_term(const TipSetting& set,
+                                                    const mesh::CrackFront& front,
+                                                    const ExtensionField& field,
+                                                    const base::Vector& u) {
+  std::array<double, auxiliary_field_count> sum{};
   const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<ElementId> all = all_elements(field);
   const bool wants_G = !has_temperature_jump(set, field) && (u.array() != 0.0).any();

@@ -18,7 +18,9 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field);
 /// Of one domain, by auxiliary field: to K and T what the temperature less the affine one makes of
 /// them, by parts, so that it needs no gradient (manual, crack.34); to G what the temperature less
 /// that of the elements does, its jumps between elements included (crack.35).
-std::array<double, partners> heat_term(const TipSetting& set, const mesh::CrackFront& front,
-                                       const ExtensionField& field, const base::Vector& u);
+std::array<double, auxiliary_field_count> heat_term(const TipSetting& set,
+                                                    const mesh::CrackFront& front,
+                                                    const ExtensionField& field,
+                                                    const base::Vector& u);
 
 } // namespace spricka::crack

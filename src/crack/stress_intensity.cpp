@@ -146,11 +146,10 @@ TipBody tip_place(const TipSetting& set, const mesh::CrackFront& front) {
 }
 
 // What temperatures and forces between the crack faces add to the sums of one domain.
-std::array<double, partners> added_terms(const TipSetting& set, const mesh::CrackFront& front,
-                                         const ExtensionField& field,
-                                         const CrackFaceForces* crack_faces,
-                                         const base::Vector& u) {
-  std::array<double, partners> sum{};
+std::array<double, auxiliary_field_count>
+added_terms(const TipSetting& set, const mesh::CrackFront& front, const ExtensionField& field,
+            const CrackFaceForces* crack_faces, const base::Vector& u) {
+  std::array<double, auxiliary_field_count> sum{};
   if (set.affine) {
     sum = heat_term(set, front, field, u);
   }
@@ -197,10 +196,10 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     invalid_reason = std::max(invalid_reason, factors.halves * G_uncertainty(set, field));
   }
   for (const ExtensionField& field : fields) {
-    std::array<double, partners> sum = forces.released_energies(field);
-    const std::array<double, partners> more =
+    std::array<double, auxiliary_field_count> sum = forces.released_energies(field);
+    const std::array<double, auxiliary_field_count> more =
         added_terms(set, front, field, request.crack_faces, u);
-    for (std::size_t k = 0; k < partners; ++k) {
+    for (std::size_t k = 0; k < auxiliary_field_count; ++k) {
       sum[k] += more[k];
     }
     DomainIntensity value{.rings = field.rings,

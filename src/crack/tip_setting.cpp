@@ -57,7 +57,7 @@ bool between_materials(const TipSetting& set, const ExtensionField& field) {
   return std::ranges::any_of(field.elements, differs) || std::ranges::any_of(field.inside, differs);
 }
 
-std::array<base::Vec3, partners>& ConfigurationalForces::operator[](base::NodeId n) {
+std::array<base::Vec3, auxiliary_field_count>& ConfigurationalForces::operator[](base::NodeId n) {
   const auto [place, fresh] = at.try_emplace(n);
   if (fresh) {
     place->second.fill(base::Vec3::Zero());
@@ -65,14 +65,14 @@ std::array<base::Vec3, partners>& ConfigurationalForces::operator[](base::NodeId
   return place->second;
 }
 
-std::array<double, partners>
+std::array<double, auxiliary_field_count>
 ConfigurationalForces::released_energies(const ExtensionField& field) const {
-  std::array<double, partners> sum{};
+  std::array<double, auxiliary_field_count> sum{};
   for (const NodeMotion& moved : field.motion) {
     const auto P = at.find(moved.node);
     // Nodes that no term has touched release nothing.
     if (P != at.end()) {
-      for (std::size_t k = 0; k < partners; ++k) {
+      for (std::size_t k = 0; k < auxiliary_field_count; ++k) {
         sum[k] += moved.q * moved.along.dot(P->second[k]);
       }
     }

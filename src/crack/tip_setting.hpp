@@ -72,17 +72,18 @@ bool between_materials(const TipSetting& set, const ExtensionField& field);
 
 /// Partners of the solution: itself (G), the near-tip fields of K1 = 1 and K2 = 1, and the field of
 /// a unit force along the crack at the tip (T).
-inline constexpr std::size_t partners = 4;
+inline constexpr std::size_t auxiliary_field_count = 4;
 
 /// Configurational forces: how much energy is released as nodes move, per unit thickness
 /// [force/length], of the solution with each auxiliary field. Terms add to them; G, K and T are
 /// their product with a virtual extension.
 struct ConfigurationalForces {
-  std::map<base::NodeId, std::array<base::Vec3, partners>> at;
+  std::map<base::NodeId, std::array<base::Vec3, auxiliary_field_count>> at;
 
-  std::array<base::Vec3, partners>& operator[](base::NodeId n);
+  std::array<base::Vec3, auxiliary_field_count>& operator[](base::NodeId n);
   /// Sum over nodes of their motion times P, of each auxiliary field.
-  [[nodiscard]] std::array<double, partners> released_energies(const ExtensionField& field) const;
+  [[nodiscard]] std::array<double, auxiliary_field_count>
+  released_energies(const ExtensionField& field) const;
 };
 
 /// Displacement gradient of auxiliary field 1 to 3 at a point off the tip.

@@ -46,7 +46,7 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontSetting& set, const FrontExt
     for (const auto& point : quadrature_rule(element, e)) {
       const TurningAxes axes(set.axes.locate_point(X * element.N(point.r)));
       AllowedVariables& at = fields_.emplace_back();
-      for (std::size_t k = 1; k < front_partners; ++k) {
+      for (std::size_t k = 1; k < front_auxiliary_field_count; ++k) {
         const FrontAuxiliaryField w = front_auxiliary_field(k, axes, set.body);
         at[k - 1] = {w.H, w.divergence};
       }
@@ -65,11 +65,11 @@ bool AuxiliaryFieldTable::is_valid_for(const FrontSetting& set) const {
 
 std::shared_ptr<const AuxiliaryFieldTable> cached_auxiliary_table(const FrontSetting& set,
                                                                   const FrontExtensions& fields) {
-  if (!fields.partners) {
+  if (!fields.auxiliary_cache) {
     return std::make_shared<const AuxiliaryFieldTable>(set, fields);
   }
-  const std::lock_guard<std::mutex> guard(fields.partners->mutex);
-  std::shared_ptr<const AuxiliaryFieldTable>& table = fields.partners->table;
+  const std::lock_guard<std::mutex> guard(fields.auxiliary_cache->mutex);
+  std::shared_ptr<const AuxiliaryFieldTable>& table = fields.auxiliary_cache->table;
   if (!table || !table->is_valid_for(set)) {
     table = std::make_shared<const AuxiliaryFieldTable>(set, fields);
   }

@@ -42,7 +42,7 @@ private:
     Tensor<3> H;
     base::Vec3 divergence;
   };
-  using AllowedVariables = std::array<TabulatedAuxiliaryField, front_partners - 1>;
+  using AllowedVariables = std::array<TabulatedAuxiliaryField, front_auxiliary_field_count - 1>;
 
   FrontBody body_;
   std::vector<base::ElementId> elements_;

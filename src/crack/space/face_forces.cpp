@@ -62,7 +62,7 @@ void add_face_forces(const FrontSetting& set, const FrontExtensions& fields,
         continue; // the front itself, a line without an area
       }
       const TurningAxes axes(place);
-      for (std::size_t k = 0; k < front_partners; ++k) {
+      for (std::size_t k = 0; k < front_auxiliary_field_count; ++k) {
         const Tensor<3> H = k == 0 ? Tensor<3>(U.lazyProduct(surface_gradients(side, r)))
                                    : front_auxiliary_field(k, axes, set.body).H;
         subtract_at_nodes(side, N, k, H.transpose() * point.force, out);
@@ -81,7 +81,7 @@ void add_auxiliary_tractions(const FrontSetting& set, const FrontExtensions& fie
       const TurningAxes axes(set.axes.locate_point(side.X * N, moved.on));
       const Vec3 area = point.weight * side.area_vector(point.r);
       const Tensor<3> H = U.lazyProduct(surface_gradients(side, point.r));
-      for (std::size_t k = 1; k < front_partners; ++k) {
+      for (std::size_t k = 1; k < front_auxiliary_field_count; ++k) {
         subtract_at_nodes(side, N, k,
                           H.transpose() * (front_auxiliary_field(k, axes, set.body).sigma * area),
                           out);

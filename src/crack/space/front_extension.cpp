@@ -446,7 +446,7 @@ FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::C
   for (const ElementId e : strained_by(fields.points)) {
     fields.degree.emplace(e, rule_degree(cracked.mesh, e, *front.curve));
   }
-  fields.partners = std::make_shared<AuxiliaryFieldCache>();
+  fields.auxiliary_cache = std::make_shared<AuxiliaryFieldCache>();
   return fields;
 }
 

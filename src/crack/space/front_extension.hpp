@@ -38,7 +38,7 @@ struct FrontExtensions {
   std::vector<OmittedDomain> left_out;
   /// Of the rule over each element that some domain strains (rule_degree).
   std::map<base::ElementId, int> degree;
-  std::shared_ptr<AuxiliaryFieldCache> partners =
+  std::shared_ptr<AuxiliaryFieldCache> auxiliary_cache =
       nullptr; ///< what was made of them in these domains
 
   [[nodiscard]] bool empty() const;

@@ -23,13 +23,13 @@ FrontConfigurationalForces::OfNode& FrontConfigurationalForces::operator[](base:
   return at_[static_cast<std::size_t>(slot)];
 }
 
-std::array<double, front_partners>
+std::array<double, front_auxiliary_field_count>
 FrontConfigurationalForces::released_energies(const ExtensionField& field) const {
-  std::array<double, front_partners> sum{};
+  std::array<double, front_auxiliary_field_count> sum{};
   for (const NodeMotion& moved : field.motion) {
     const std::int32_t slot = slot_[moved.node.index()];
     if (slot >= 0) { // nodes that no term has touched release nothing
-      for (std::size_t k = 0; k < front_partners; ++k) {
+      for (std::size_t k = 0; k < front_auxiliary_field_count; ++k) {
         sum[k] += moved.q * moved.along.dot(at_[static_cast<std::size_t>(slot)][k]);
       }
     }
@@ -58,7 +58,7 @@ std::vector<FrontBodyLoad> body_loads(const model::Mesh& mesh, const TipLoads& l
 /// What the kernels of all elements read.
 struct FrontElements {
   const FrontSetting& set;
-  const AuxiliaryFieldTable& partners;
+  const AuxiliaryFieldTable& auxiliary_table;
   const std::vector<FrontBodyLoad>& body;
   const TipLoads& loads;
   std::optional<LinearTemperature> linear; ///< the temperature, if it is that in all of them
@@ -89,13 +89,13 @@ public:
       P[n].fill(Vec3::Zero());
     }
     std::size_t number = 0;
-    for (const auto& point : all_.partners.quadrature_rule(element_, e_)) {
+    for (const auto& point : all_.auxiliary_table.quadrature_rule(element_, e_)) {
       add_point(point, number++, P);
     }
     add_body_loads(P);
     for (std::size_t n = 0; n < nodes; ++n) {
       FrontConfigurationalForces::OfNode& sum = out[set_.mesh.element_nodes(e_)[n]];
-      for (std::size_t k = 0; k < front_partners; ++k) {
+      for (std::size_t k = 0; k < front_auxiliary_field_count; ++k) {
         sum[k] += P[n][k];
       }
     }
@@ -113,7 +113,7 @@ private:
     const Tensor<3> H = U_.lazyProduct(at.dNdx);
     const Tensor<3> cold = isotropic_stress(set_.body, H);
     const Warmth heat = warmth(at.J, point.r, x);
-    for (std::size_t k = 0; k < front_partners; ++k) {
+    for (std::size_t k = 0; k < front_auxiliary_field_count; ++k) {
       Tensor<3> sigma = cold;
       sigma.diagonal().array() -= heat.beta_T;
       Tensor<3> T;
@@ -122,7 +122,7 @@ private:
         T = energy_momentum<3>({H, sigma}, heat.beta_T * H.trace());
         c = H.trace() * heat.beta_grad_T;
       } else {
-        const FrontAuxiliaryField w = all_.partners.at(e_, number, k);
+        const FrontAuxiliaryField w = all_.auxiliary_table.at(e_, number, k);
         T = energy_momentum<3>({H, sigma}, {w.H, w.sigma});
         c = w.H.trace() * heat.beta_grad_T;
         if (all_.terms.divergence) {
@@ -195,7 +195,7 @@ private:
         const Vec3 x = X_ * N;
         const Vec3 b = acting.factor * point.weight * at.det * fe::load_value(*acting.load, x);
         const TurningAxes axes(set_.axes.locate_point(x));
-        for (std::size_t k = 0; k < front_partners; ++k) {
+        for (std::size_t k = 0; k < front_auxiliary_field_count; ++k) {
           const Tensor<3> H = k == 0 ? Tensor<3>(U_.lazyProduct(at.dNdx))
                                      : front_auxiliary_field(k, axes, set_.body).H;
           const Vec3 c = H.transpose() * b;
@@ -226,10 +226,15 @@ void add_element_forces(const FrontSetting& set, const FrontExtensions& fields,
                         FrontConfigurationalForces& out, const FrontTermSwitches& terms) {
   const std::vector<FrontBodyLoad> body = body_loads(set.mesh, loads);
   const std::vector<base::ElementId> elements = fields.elements();
-  const std::shared_ptr<const AuxiliaryFieldTable> partners = cached_auxiliary_table(set, fields);
-  const FrontElements all{
-      set, *partners, body, loads, exact_linear_temperature(set.mesh, elements, loads.temperature),
-      u,   terms};
+  const std::shared_ptr<const AuxiliaryFieldTable> auxiliary_table =
+      cached_auxiliary_table(set, fields);
+  const FrontElements all{set,
+                          *auxiliary_table,
+                          body,
+                          loads,
+                          exact_linear_temperature(set.mesh, elements, loads.temperature),
+                          u,
+                          terms};
   for (const base::ElementId e : elements) {
     FrontElement(all, e).add(out);
   }

@@ -14,10 +14,10 @@ class FrontConfigurationalForces {
 public:
   explicit FrontConfigurationalForces(std::size_t nodes) : slot_(nodes, -1) {}
 
-  using OfNode = std::array<base::Vec3, front_partners>;
+  using OfNode = std::array<base::Vec3, front_auxiliary_field_count>;
   OfNode& operator[](base::NodeId n);
   /// Sum over nodes of their motion times P, of each auxiliary field.
-  [[nodiscard]] std::array<double, front_partners>
+  [[nodiscard]] std::array<double, front_auxiliary_field_count>
   released_energies(const ExtensionField& field) const;
 
 private:

@@ -230,7 +230,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     const double sigma = at_front.across[i] + (loads.across.empty() ? 0.0 : loads.across[i]);
     const double free = at_front.thermal[i];
     for (const ExtensionField& field : fields.points[i]) {
-      std::array<double, front_partners> sum = forces.released_energies(field);
+      std::array<double, front_auxiliary_field_count> sum = forces.released_energies(field);
       for (std::size_t k = 0; k < sum.size(); ++k) {
         sum[k] *= set.conversion_factor(k) / front.points[i].weight;
       }

@@ -36,9 +36,11 @@ inline PointMotion point_motion(const mesh::FrontPoint& point,
 
 /// Which auxiliary fields, and where their rows go.
 struct AuxiliaryFieldColumns {
-  std::vector<std::size_t> partners;
+  std::vector<std::size_t> auxiliary_fields;
 
-  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(partners.size()); }
+  [[nodiscard]] Eigen::Index count() const {
+    return static_cast<Eigen::Index>(auxiliary_fields.size());
+  }
 };
 
 using RowEntries = std::vector<Eigen::Triplet<double>>;
@@ -63,7 +65,7 @@ public:
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
   /// [3 * node, columns * points] Once for each builder.
   [[nodiscard]] SparseRows rows() {
-    partners_ = cached_auxiliary_table(set_, fields_);
+    auxiliary_table_ = cached_auxiliary_table(set_, fields_);
     for (const base::ElementId e : fields_.elements()) {
       add_element(e);
     }
@@ -76,7 +78,7 @@ public:
   /// Rows of what multiplies other functions, in place of the nodal ones.
   /// [3 * count, columns * points] Once for each builder.
   [[nodiscard]] SparseRows supplementary_rows(const SupplementaryFunctions& others) {
-    partners_ = cached_auxiliary_table(set_, fields_);
+    auxiliary_table_ = cached_auxiliary_table(set_, fields_);
     for (const base::ElementId e : fields_.elements()) {
       add_others(e, others);
     }
@@ -157,10 +159,10 @@ private:
         moved.emplace_back(i, q);
       }
     }
-    const std::size_t width = columns_.partners.size();
+    const std::size_t width = columns_.auxiliary_fields.size();
     std::vector<Values> sums(moved.size() * width, zero);
     std::size_t number = 0;
-    for (const auto& point : partners_->quadrature_rule(element, e)) {
+    for (const auto& point : auxiliary_table_->quadrature_rule(element, e)) {
       const ElementMap at = fe::jacobian(element, X, point.r);
       const fe::AnyElement<3>::Values N = element.N(point.r);
       const Values slopes = slopes_at(number, at);
@@ -168,7 +170,8 @@ private:
         const Tensor<3> grad = moved[j].second.lazyProduct(at.dNdx);
         const base::Vec3 q = moved[j].second * N;
         for (std::size_t k = 0; k < width; ++k) {
-          const FrontAuxiliaryField w = partners_->at(e, number, columns_.partners[k]);
+          const FrontAuxiliaryField w =
+              auxiliary_table_->at(e, number, columns_.auxiliary_fields[k]);
           const Tensor<3> M = point.weight * at.det * contracted(w, grad, q);
           sums[width * j + k] += M.lazyProduct(slopes);
         }
@@ -177,7 +180,8 @@ private:
     }
     for (std::size_t j = 0; j < moved.size(); ++j) {
       for (std::size_t k = 0; k < width; ++k) {
-        take(moved[j].first, k, set_.conversion_factor(columns_.partners[k]) * sums[width * j + k]);
+        take(moved[j].first, k,
+             set_.conversion_factor(columns_.auxiliary_fields[k]) * sums[width * j + k]);
       }
     }
   }
@@ -224,8 +228,8 @@ private:
         const base::Vec3 area = point.weight * own.area_vector(point.r);
         const base::Vec3 moved = q * N;
         const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
-        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
-          const std::size_t auxiliary = columns_.partners[k];
+        for (std::size_t k = 0; k < columns_.auxiliary_fields.size(); ++k) {
+          const std::size_t auxiliary = columns_.auxiliary_fields[k];
           const base::Vec3 t = set_.conversion_factor(auxiliary) *
                                (front_auxiliary_field(auxiliary, axes, set_.body).sigma * area);
           take(i, k, Eigen::Matrix3Xd(-t * along));
@@ -280,7 +284,7 @@ private:
     const base::ElementType type = set_.mesh.type[e.index()];
     std::vector<Eigen::MatrixX3d>& table = slopes_[{type, fields_.degree.at(e)}];
     if (table.empty()) {
-      for (const auto& point : partners_->quadrature_rule(shape_of(e), e)) {
+      for (const auto& point : auxiliary_table_->quadrature_rule(shape_of(e), e)) {
         table.push_back(others.slopes(type, point.r));
       }
     }
@@ -321,8 +325,8 @@ private:
           continue; // the front itself, a line without an area
         }
         const TurningAxes axes(place);
-        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
-          const std::size_t auxiliary = columns_.partners[k];
+        for (std::size_t k = 0; k < columns_.auxiliary_fields.size(); ++k) {
+          const std::size_t auxiliary = columns_.auxiliary_fields[k];
           put(first + 3 * static_cast<Eigen::Index>(p), i, k,
               -set_.conversion_factor(auxiliary) *
                   (front_auxiliary_field(auxiliary, axes, set_.body).H * (q * N)));
@@ -334,7 +338,7 @@ private:
   const FrontSetting& set_;
   const FrontExtensions& fields_;
   AuxiliaryFieldColumns columns_;
-  std::shared_ptr<const AuxiliaryFieldTable> partners_;
+  std::shared_ptr<const AuxiliaryFieldTable> auxiliary_table_;
   std::vector<PointMotion> motion_; ///< [point]
   std::map<base::ElementId, std::set<std::size_t>> points_of_;
   RowEntries entries_;

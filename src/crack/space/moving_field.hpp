@@ -10,7 +10,7 @@ namespace spricka::crack {
 
 /// Partners of the solution along a front: itself (G), the near-front fields of K1, K2, K3 = 1 and
 /// the field of a unit force per length along m (T).
-inline constexpr std::size_t front_partners = 5;
+inline constexpr std::size_t front_auxiliary_field_count = 5;
 inline constexpr std::size_t line_force_auxiliary = 4;
 
 /// An isotropic body round a front, and a length to count logarithms in.
