@@ -54,7 +54,7 @@ struct MesherCost {
 struct RunProfile {
   double begin = 0.0, end = 0.0; ///< moments [s]
   double cpu = 0.0;              ///< [s] of the process, in all
-  std::vector<ProcessorInterval> stretches;
+  std::vector<ProcessorInterval> intervals;
   std::vector<NetCost> nets;
   std::vector<CrackLengthCost> lengths;
   std::vector<MesherCost> mesher;

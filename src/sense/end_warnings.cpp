@@ -138,7 +138,7 @@ bool never_opens(const results::RunResult& run, const std::string& crack) {
 }
 
 // The nets that press on another one.
-std::vector<std::string> partners_of(const model::Model& model, base::NetId net) {
+std::vector<std::string> touching_nets(const model::Model& model, base::NetId net) {
   std::vector<std::string> names;
   const auto net_of = [&](base::FaceSetId set) {
     return set.valid() && !model.mesh.set_with_id(set).faces.empty()
@@ -162,15 +162,15 @@ std::vector<std::string> partners_of(const model::Model& model, base::NetId net)
 void add_closed_cracks(const model::Model& model, const results::RunResult& run,
                        std::vector<RunWarning>& list) {
   for (const model::CrackDefinition& crack : model.cracks) {
-    const std::vector<std::string> partners =
-        crack.net.valid() ? partners_of(model, crack.net) : std::vector<std::string>();
-    if (!partners.empty() && never_opens(run, crack.name)) {
+    const std::vector<std::string> joined_nets =
+        crack.net.valid() ? touching_nets(model, crack.net) : std::vector<std::string>();
+    if (!joined_nets.empty() && never_opens(run, crack.name)) {
       list.push_back(
-          {"W575",
-           fmt::format("crack {}: its faces touch all along its front in every step, K1 = "
-                       "0. It lies in the net {}, which touches {}: is the cracked body "
-                       "the one you mean (NET), and are the loads?",
-                       crack.name, model.nets[crack.net.index()].name, fmt::join(partners, ", "))});
+          {"W575", fmt::format("crack {}: its faces touch all along its front in every step, K1 = "
+                               "0. It lies in the net {}, which touches {}: is the cracked body "
+                               "the one you mean (NET), and are the loads?",
+                               crack.name, model.nets[crack.net.index()].name,
+                               fmt::join(joined_nets, ", "))});
     }
   }
 }

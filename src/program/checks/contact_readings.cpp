@@ -132,7 +132,7 @@ double force(const Question& q) {
   return q.contact.force_on_slave[q.axis];
 }
 double moment(const Question& q) {
-  if (!q.contact) {
+  if (!q.contact.space) {
     throw MissingQuantity(
         fmt::format("contact {} is one of the plane: it has no moment", q.contact.name));
   }
@@ -187,7 +187,7 @@ double member_of(const results::ContactResult& contact, const results::ContactQu
   }
   const bool space = quantity.given == results::ContactQuantityCondition::in_space ||
                      quantity.given == results::ContactQuantityCondition::with_friction_in_space;
-  if (space && !contact) {
+  if (space && !contact.space) {
     throw MissingQuantity(
         fmt::format("contact {} is one of the plane, which has arcs", contact.name));
   }
@@ -234,7 +234,7 @@ double contact_quantity(const model::Model& model, const std::string& word, Chec
   }
   const results::StepResult& found = *find_checked_step(run, step, args.next_number()).step;
   const results::ContactResult contact = contact_of(model, found, name);
-  if (contact && plane_only(argument, word)) {
+  if (contact.space && plane_only(argument, word)) {
     throw MissingQuantity(
         fmt::format("contact {} is one of solids, which has no arc: ask CPRESS.NEAR "
                     "with x, y and z",

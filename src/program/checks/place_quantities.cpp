@@ -18,7 +18,7 @@ double contact_value_near(const results::ContactResult& contact,
   }
   double best = std::numeric_limits<double>::infinity();
   double found = 0.0;
-  if (contact) {
+  if (contact.space) {
     for (const results::ContactPoint& p : contact.points) {
       if ((p.x - x).norm() < best) {
         best = (p.x - x).norm();

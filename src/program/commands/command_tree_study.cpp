@@ -46,7 +46,7 @@ void CommandTree::add_study() {
           "--vary",
           [this](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
-              study_.wishes.push_back(request_of(text));
+              study_.requests.push_back(request_of(text));
             }
           },
           "a parameter and its values, in place of what is found; may be given again")

@@ -32,7 +32,7 @@ public:
   explicit Sums(const RunProfile& profile) : profile_(profile) {}
 
   ProcessorCostTable make() {
-    for (const ProcessorInterval& span : profile_.stretches) {
+    for (const ProcessorInterval& span : profile_.intervals) {
       add_span(span);
     }
     add_mesher();

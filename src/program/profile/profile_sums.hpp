@@ -11,7 +11,7 @@
 /// What a profile adds up to.
 namespace spricka::program {
 
-/// All stretches of a processor. STIFFNESS is what nets took of CONDENSE; MESHER is a process of
+/// All intervals of a processor. STIFFNESS is what nets took of CONDENSE; MESHER is a process of
 /// its own, and the time that the program waits for it is not that of who asked.
 struct ProcessorCostSum {
   std::string processor;

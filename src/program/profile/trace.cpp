@@ -39,7 +39,7 @@ public:
     of_run["cpu_s"] = profile_.cpu;
     event("run", "run", {}, {profile_.begin, profile_.end}, std::move(of_run));
     add_lengths();
-    add_stretches();
+    add_intervals();
     add_nets();
     if (!profile_.mesher.empty()) {
       name("process_name", {mesher_number, 0}, "spricka-mesher");
@@ -110,8 +110,8 @@ private:
     }
   }
 
-  void add_stretches() {
-    for (const results::ProcessorInterval& span : profile_.stretches) {
+  void add_intervals() {
+    for (const results::ProcessorInterval& span : profile_.intervals) {
       Json args = Json::object();
       args["what"] = span.text;
       args["cpu_s"] = span.cpu;

@@ -51,7 +51,7 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
   if (contact.closed == 0) {
     return "open";
   }
-  if (contact) {
+  if (contact.space) {
     return fmt::format("{}/{} closed, area {:.6g}", contact.closed, contact.rows, contact.area);
   }
   return fmt::format("{}/{} closed, {} .. {}", contact.closed, contact.rows,
@@ -119,7 +119,7 @@ std::string pressure_reply(const ShellSession& session, const results::ContactRe
 std::string arc_reply(const ShellSession& session, const results::ContactResult& contact) {
   std::string text =
       fmt::format("{:<12} {}\n", contact.name, closed_part(contact, session.model().units));
-  if (contact) { // a part of a surface has no two ends
+  if (contact.space) { // a part of a surface has no two ends
     return text;
   }
   const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);

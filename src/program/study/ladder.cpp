@@ -52,7 +52,7 @@ struct Difference {
 
 Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
   Difference found;
-  const ModelVariantResult& richest = ladder.rungs[*ladder.richest];
+  const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const AnswerReading& own = variant.readings[a];
     const AnswerReading& rich = richest.readings[a];
@@ -92,15 +92,15 @@ bool is_enough(const ModelVariantResult& variant) {
 }
 
 // Rungs stand in the order of their richness.
-std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& rungs) {
+std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& variants) {
   constexpr double alike = 1.15; // CPU of one and the same run differs so much
   double least = std::numeric_limits<double>::infinity();
-  for (const ModelVariantResult& variant : rungs) {
+  for (const ModelVariantResult& variant : variants) {
     least = is_enough(variant) ? std::min(least, variant.end.cpu) : least;
   }
   std::optional<std::size_t> found;
-  for (std::size_t r = 0; r < rungs.size(); ++r) {
-    if (is_enough(rungs[r]) && rungs[r].end.cpu <= alike * least) {
+  for (std::size_t r = 0; r < variants.size(); ++r) {
+    if (is_enough(variants[r]) && variants[r].end.cpu <= alike * least) {
       found = r;
     }
   }
@@ -144,18 +144,18 @@ bool lacks_answer(const ModelVariantResult& variant, std::size_t answer) {
 
 void compare(ModelHierarchy& ladder) {
   const auto first = std::ranges::find_if(
-      ladder.rungs, [](const ModelVariantResult& variant) { return !variant.readings.empty(); });
-  if (first == ladder.rungs.end()) {
+      ladder.variants, [](const ModelVariantResult& variant) { return !variant.readings.empty(); });
+  if (first == ladder.variants.end()) {
     return;
   }
-  ladder.richest = static_cast<std::size_t>(first - ladder.rungs.begin());
+  ladder.richest = static_cast<std::size_t>(first - ladder.variants.begin());
   std::vector<double> values;
   for (const AnswerReading& reading : first->readings) {
     values.push_back(reading.value);
   }
   ladder.scales = answer_scales(ladder.answers, values);
-  for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-    ModelVariantResult& variant = ladder.rungs[r];
+  for (std::size_t r = 0; r < ladder.variants.size(); ++r) {
+    ModelVariantResult& variant = ladder.variants[r];
     if (variant.readings.empty()) {
       continue;
     }
@@ -172,20 +172,20 @@ void compare(ModelHierarchy& ladder) {
                                                    : ModelVariantVerdict::missing;
   }
   ladder.stopped.clear();
-  for (const ModelVariantResult& variant : ladder.rungs) {
+  for (const ModelVariantResult& variant : ladder.variants) {
     if (was_stopped(variant)) {
       ladder.stopped.push_back(variant.variant.name);
     }
   }
   if (ladder.stopped.empty()) {
-    ladder.cheapest = cheapest_of(ladder.rungs);
+    ladder.cheapest = cheapest_of(ladder.variants);
   }
 }
 
 deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
   deck::DeckCard checks;
   checks.name = "CHECK";
-  const ModelVariantResult& richest = ladder.rungs[*ladder.richest];
+  const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const bool part = ladder.answers[a].group == AnswerGroup::energy;
     const double factor = variant.asked.empty()

@@ -40,7 +40,7 @@ struct ModelHierarchy {
   double tolerance = 0.02;
   std::vector<Answer> answers; ///< of one group
   std::vector<double> scales;  ///< [answer] what differences are parts of
-  std::vector<ModelVariantResult> rungs;
+  std::vector<ModelVariantResult> variants;
   std::optional<std::size_t> richest;
   /// Of those within, by CPU time; of those that take as long (within 15 %) the simplest.
   std::optional<std::size_t> cheapest;

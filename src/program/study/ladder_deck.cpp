@@ -47,7 +47,7 @@ public:
       ModelVariantResult result;
       result.trouble = variant.reason;
       result.variant = std::move(variant);
-      ladder_.rungs.push_back(std::move(result));
+      ladder_.variants.push_back(std::move(result));
     }
     const base::Outcome outcome = climb(scratch_->path());
     if (children_.stopped()) { // what was not run says nothing; the interrupt ends the program
@@ -76,7 +76,8 @@ private:
 
   // The deck itself first: it decides what is compared.
   base::Outcome climb(const std::filesystem::path& scratch) {
-    const VariantOutcome given = run_variant(children_, child_of(ladder_.rungs.front(), scratch));
+    const VariantOutcome given =
+        run_variant(children_, child_of(ladder_.variants.front(), scratch));
     if (children_.stopped()) {
       return base::Outcome::stopped;
     }
@@ -95,10 +96,10 @@ private:
     take(0, given);
     std::vector<std::size_t> chosen;
     std::vector<ChildRun> children;
-    for (std::size_t r = 1; r < ladder_.rungs.size(); ++r) {
-      if (ladder_.rungs[r].variant.text) {
+    for (std::size_t r = 1; r < ladder_.variants.size(); ++r) {
+      if (ladder_.variants[r].variant.text) {
         chosen.push_back(r);
-        children.push_back(child_of(ladder_.rungs[r], scratch));
+        children.push_back(child_of(ladder_.variants[r], scratch));
       }
     }
     run_variants(children_, children, options_.jobs,
@@ -107,7 +108,7 @@ private:
   }
 
   void take(std::size_t r, const VariantOutcome& end) {
-    ModelVariantResult& result = ladder_.rungs[r];
+    ModelVariantResult& result = ladder_.variants[r];
     result.end = end.end;
     result.unknowns = end.unknowns;
     result.trouble = end.trouble;
@@ -132,14 +133,14 @@ private:
 
   void keep(RunFolder& folder) const {
     const std::filesystem::path place = resolved_folder(options_.deck.out);
-    for (const ModelVariantResult& result : ladder_.rungs) {
+    for (const ModelVariantResult& result : ladder_.variants) {
       if (result.variant.text) {
         folder.add_file(result.variant.file,
                         write_deck(*result.variant.text, place, {result.variant.words}));
       }
     }
     if (ladder_.cheapest) {
-      const ModelVariantResult& cheapest = ladder_.rungs[*ladder_.cheapest];
+      const ModelVariantResult& cheapest = ladder_.variants[*ladder_.cheapest];
       folder.add_file("cheapest.deck", write_deck(deck_with_checks(ladder_, cheapest), place,
                                                   {fmt::format("{}: {}", cheapest.variant.name,
                                                                cheapest.variant.words)}));

@@ -33,7 +33,7 @@ std::string number_or_none(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
 }
 
-report::ReportTable rungs_table(const model::Model& model, const ModelHierarchy& ladder) {
+report::ReportTable variants_table(const model::Model& model, const ModelHierarchy& ladder) {
   report::ReportTable table{"Rungs", {{"rung", "", true}}, {}};
   const std::string unit = unit_of(model, ladder.answers.front().group);
   table.columns.push_back({ladder.answers.front().text, unit, false});
@@ -47,7 +47,7 @@ report::ReportTable rungs_table(const model::Model& model, const ModelHierarchy&
                         {"memory", "MiB", false},
                         {"freedoms", "", false},
                         {fmt::format("{:g} %", 100.0 * ladder.tolerance), "", true}});
-  for (const ModelVariantResult& variant : ladder.rungs) {
+  for (const ModelVariantResult& variant : ladder.variants) {
     if (variant.readings.empty()) {
       continue;
     }
@@ -71,7 +71,7 @@ report::ReportTable rungs_table(const model::Model& model, const ModelHierarchy&
 
 report::ReportTable left_out_table(const ModelHierarchy& ladder) {
   report::ReportTable table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
-  for (const ModelVariantResult& variant : ladder.rungs) {
+  for (const ModelVariantResult& variant : ladder.variants) {
     if (variant.readings.empty()) {
       table.rows.push_back({variant.variant.name, variant.trouble});
     }
@@ -89,7 +89,7 @@ std::string ladder_sentence(const ModelHierarchy& ladder) {
   if (!ladder.cheapest) {
     return "no rung has an answer";
   }
-  const ModelVariantResult& cheapest = ladder.rungs[*ladder.cheapest];
+  const ModelVariantResult& cheapest = ladder.variants[*ladder.cheapest];
   if (cheapest.verdict == ModelVariantVerdict::richest) {
     return fmt::format("{} within {:g} %: no simpler and cheaper model will do; the deck as given "
                        "takes {:.2f} s",
@@ -98,8 +98,8 @@ std::string ladder_sentence(const ModelHierarchy& ladder) {
   return fmt::format("{} within {:g} %: '{}' is enough ({}), {:+.2g} % at most from '{}', for "
                      "{:.2f} s in place of {:.2f} s",
                      what, 100.0 * ladder.tolerance, cheapest.variant.name, cheapest.variant.words,
-                     100.0 * cheapest.difference, ladder.rungs[*ladder.richest].variant.name,
-                     cheapest.end.cpu, ladder.rungs[*ladder.richest].end.cpu);
+                     100.0 * cheapest.difference, ladder.variants[*ladder.richest].variant.name,
+                     cheapest.end.cpu, ladder.variants[*ladder.richest].end.cpu);
 }
 
 report::Plot ladder_plot(const ModelHierarchy& ladder) {
@@ -112,8 +112,8 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
   plot.log_y = true;
   double low = 1e300;
   double high = 0.0;
-  for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-    const ModelVariantResult& variant = ladder.rungs[r];
+  for (std::size_t r = 0; r < ladder.variants.size(); ++r) {
+    const ModelVariantResult& variant = ladder.variants[r];
     if (variant.readings.empty()) {
       continue;
     }
@@ -143,7 +143,7 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
 } // namespace
 
 std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder) {
-  std::string out = report::to_text(rungs_table(model, ladder)) + "\n";
+  std::string out = report::to_text(variants_table(model, ladder)) + "\n";
   const report::ReportTable left = left_out_table(ladder);
   out += left.rows.empty() ? "" : report::to_text(left) + "\n";
   return out + ladder_sentence(ladder) + "\n";
@@ -151,7 +151,7 @@ std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladd
 
 std::string hierarchy_csv(const ModelHierarchy& ladder) {
   std::string out = "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference\n";
-  for (const ModelVariantResult& variant : ladder.rungs) {
+  for (const ModelVariantResult& variant : ladder.variants) {
     const std::string head =
         fmt::format("\"{}\",{},{},{},{},{},{}", variant.variant.name, display_name(variant.verdict),
                     variant.unknowns, variant.end.cpu, variant.end.wall, variant.end.peak_memory,
@@ -161,7 +161,7 @@ std::string hierarchy_csv(const ModelHierarchy& ladder) {
     }
     for (std::size_t a = 0; a < variant.readings.size(); ++a) {
       const AnswerReading& reading = variant.readings[a];
-      const double rich = ladder.rungs[*ladder.richest].readings[a].value;
+      const double rich = ladder.variants[*ladder.richest].readings[a].value;
       const double part = (reading.value - rich) / ladder.scales[a];
       out += fmt::format("{},\"{}\",{},{},{}\n", head, ladder.answers[a].text,
                          std::isfinite(reading.value) ? fmt::format("{}", reading.value) : "",
@@ -186,7 +186,7 @@ std::string hierarchy_page(const base::SourceTexts& sources, const model::Model&
        "",
        "The largest difference of each rung from the richest, of all answers, against the "
        "CPU time of its run."});
-  page.add_table(rungs_table(model, ladder));
+  page.add_table(variants_table(model, ladder));
   page.add_table(left_out_table(ladder));
   return page.finish_page(title);
 }

@@ -119,12 +119,12 @@ public:
       add("plane strain", "plane strain in place of plane stress", state("STRESS", "STRAIN"));
       add("plane stress", "plane stress in place of plane strain", state("STRAIN", "STRESS"));
     }
-    return std::move(rungs_);
+    return std::move(variants_);
   }
 
 private:
   void add(const std::string& name, const std::string& words, Made made) {
-    ModelVariant& variant = rungs_.emplace_back();
+    ModelVariant& variant = variants_.emplace_back();
     variant.name = name;
     variant.file = file_name(name);
     variant.words = words;
@@ -137,7 +137,7 @@ private:
   void add_part() {
     SymmetricPart part = reduce_by_symmetry(model_, given_);
     add(part.name, part.words, {std::move(part.text), std::move(part.reason)});
-    rungs_.back().mirrored = part.mirrored;
+    variants_.back().mirrored = part.mirrored;
   }
 
   [[nodiscard]] bool any(bool JointContact::*what) const {
@@ -294,7 +294,7 @@ private:
   DeckText given_;
   DeckText smooth_;
   DeckText at_once_;
-  std::vector<ModelVariant> rungs_;
+  std::vector<ModelVariant> variants_;
 };
 
 } // namespace

@@ -102,16 +102,16 @@ void erase_tolerance(DeckText& text) {
   }
 }
 
-// Element types of $MESH by their linear partners; false: there is nothing to change.
+// Element types of $MESH and the linear ones they stand beside; false: there is nothing to change.
 bool make_linear(DeckText& text, const fs::path& folder) {
-  constexpr std::array<std::array<const char*, 2>, 5> partners{{{"TRIMC6", "TRIM3"},
-                                                                {"QUAMC8", "QUAM4"},
-                                                                {"QUAMC9", "QUAM4"},
-                                                                {"HEXEC20", "HEXE8"},
-                                                                {"HEXEC27", "HEXE8"}}};
+  constexpr std::array<std::array<const char*, 2>, 5> linear_types{{{"TRIMC6", "TRIM3"},
+                                                                    {"QUAMC8", "QUAM4"},
+                                                                    {"QUAMC9", "QUAM4"},
+                                                                    {"HEXEC20", "HEXE8"},
+                                                                    {"HEXEC27", "HEXE8"}}};
   bool changed = false;
   for (DeckCard& card : text) {
-    for (const auto& [curved, linear] : partners) {
+    for (const auto& [curved, linear] : linear_types) {
       if (card.name == "MESH" && card.word_value("TYPE") == curved) {
         card.set("TYPE", linear);
         changed = true;
@@ -146,14 +146,14 @@ public:
     dim_ = deck.ready->model->mesh.dim;
   }
 
-  StudyPlan run(const std::vector<ParameterRequest>& wishes) {
+  StudyPlan run(const std::vector<ParameterRequest>& requests) {
     plan_.mesh_parameter = find_mesh_parameters(deck_, folder_);
     plan_.notes = plan_.mesh_parameter.fixed;
     add("as given", SettingFamily::given, 1.0, base_, {});
-    for (const ParameterRequest& request : wishes) {
+    for (const ParameterRequest& request : requests) {
       add_request(request);
     }
-    if (wishes.empty()) {
+    if (requests.empty()) {
       add_series();
       add_routes();
     }
@@ -375,9 +375,9 @@ const char* display_name(SettingFamily family) {
   return names.at(static_cast<std::size_t>(family));
 }
 
-StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& wishes,
+StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& requests,
                         const fs::path& folder) {
-  return Planner(deck, folder).run(wishes);
+  return Planner(deck, folder).run(requests);
 }
 
 } // namespace spricka::program

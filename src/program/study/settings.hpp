@@ -52,7 +52,7 @@ struct StudyPlan {
 
 /// Writes the decks of all settings into `folder`. Finenesses at which numbers of elements would be
 /// broken are replaced by the next that a deck can be read with.
-StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& wishes,
+StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& requests,
                         const std::filesystem::path& folder);
 
 } // namespace spricka::program

@@ -46,7 +46,7 @@ public:
       folder.abandon();
       return 128 + signal;
     });
-    const StudyPlan plan = plan_settings(deck, options_.wishes, scratch.path());
+    const StudyPlan plan = plan_settings(deck, options_.requests, scratch.path());
     study_.notes = plan.notes;
     if (const base::Outcome outcome = run_given(plan, scratch.path());
         outcome != base::Outcome::done) {

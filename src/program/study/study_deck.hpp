@@ -11,7 +11,7 @@ namespace spricka::program {
 /// What the command line asks of a study.
 struct StudyOptions {
   RunOptions deck;                      ///< out empty: the deck's name with .study
-  std::vector<ParameterRequest> wishes; ///< in place of what is found in the deck
+  std::vector<ParameterRequest> requests; ///< in place of what is found in the deck
   int jobs = 1;                         ///< runs at once; one alone has an honest CPU time
   double budget = 600.0;                ///< [s] CPU of all runs; what would not fit is left out
 };

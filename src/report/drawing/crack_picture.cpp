@@ -3,7 +3,7 @@
 
 #include "model/mesh.hpp"
 #include "report/drawing/colour_scale.hpp"
-#include "report/drawing/crack_frame.hpp"
+#include "report/drawing/crack_opening.hpp"
 #include "report/drawing/svg.hpp"
 
 #include <Eigen/Geometry>

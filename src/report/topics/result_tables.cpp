@@ -83,7 +83,7 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   Row row{step.step, contact.name};
   if (!contact.mounted) {
     row.push_back("absent");
-    row.resize(row.size() + (contact ? 6 : 7) + along.size());
+    row.resize(row.size() + (contact.space ? 6 : 7) + along.size());
     return row;
   }
   row.push_back(fmt::format("{}/{}", contact.closed, contact.rows));
@@ -92,7 +92,7 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   row.push_back(six_digits_beside(contact.mean_pressure, scale.pressure));
   row.push_back(six_digits_beside(contact.max_pressure, scale.pressure));
   add_cells(row, contact.force_on_slave, along, scale.force);
-  if (contact) {
+  if (contact.space) {
     row.push_back(six_digits(contact.area));
   } else {
     for (const double end : {contact.arc_from, contact.arc_to}) {

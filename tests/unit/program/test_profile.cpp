@@ -35,7 +35,7 @@ RunProfile sample() {
   p.end = 110.0;
   p.cpu = 9.0;
   p.peak = 900;
-  p.stretches = {
+  p.intervals = {
       {.processor = "DECK", .text = "deck", .begin = 100.0, .end = 102.0, .cpu = 1.0, .peak = 100},
       {.processor = "TOPOLOGY",
        .text = "a = 1",
@@ -228,7 +228,7 @@ TEST(RunProfile, TheTraceIsValidAndItsEventsNest) {
   for (const json& event : tracks.at({1, 0})) {
     processors += event["cat"] == "processor" ? event["dur"].get<double>() : 0.0;
   }
-  EXPECT_NEAR(processors, 8e6, 1.0); // the stretches, in microseconds
+  EXPECT_NEAR(processors, 8e6, 1.0); // the intervals, in microseconds
   for (const json& event : trace["traceEvents"]) {
     const std::string kind = event["ph"];
     EXPECT_TRUE(kind == "X" || kind == "M" || kind == "C") << kind;
@@ -274,10 +274,10 @@ TEST(RunProfile, ARecorderTakesDownStretchesAndLengths) {
   }
   { const analysis::RecordedInterval stretch(&recorder, "OUTPUT", "tables"); }
   const RunProfile profile = recorder.finish();
-  ASSERT_EQ(profile.stretches.size(), 2U);
-  EXPECT_EQ(profile.stretches[0].length, 0U);
-  EXPECT_FALSE(profile.stretches[1].length);
-  EXPECT_TRUE(profile.stretches[0].resident && *profile.stretches[0].resident > 0);
+  ASSERT_EQ(profile.intervals.size(), 2U);
+  EXPECT_EQ(profile.intervals[0].length, 0U);
+  EXPECT_FALSE(profile.intervals[1].length);
+  EXPECT_TRUE(profile.intervals[0].resident && *profile.intervals[0].resident > 0);
   ASSERT_EQ(profile.lengths.size(), 1U);
   EXPECT_EQ(profile.lengths[0].a, 3.0);
   EXPECT_FALSE(profile.lengths[0].counts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plane of a crack from the points of its front, and which faces are drawn as opened.
-#include "report/drawing/crack_frame.hpp"
+#include "report/drawing/crack_opening.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

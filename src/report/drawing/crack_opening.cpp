@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/drawing/crack_frame.hpp"
+#include "report/drawing/crack_opening.hpp"
 
 #include <Eigen/Geometry>
 
