@@ -30,9 +30,10 @@ GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations, L
                                    std::size_t points)
     : stations_(stations), law_(std::move(law)), points_(std::min(points, stations.size())) {
   for (const SolvedStation& station : stations_) {
-    levers_ = levers_ || std::ranges::any_of(station.tips, [](const TipStation& tip) {
-                return tip.extent_rate_ratio != 1.0;
-              });
+    extents_differ_ =
+        extents_differ_ || std::ranges::any_of(station.tips, [](const TipStation& tip) {
+          return tip.extent_rate_ratio != 1.0;
+        });
   }
 }
 
@@ -127,7 +128,7 @@ double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s) cons
           return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
         },
         0, stations_.size());
-    return levers_ ? extent_rate_ratio(tip, i, s) * law_(K, R * K) : law_(K, R * K);
+    return extents_differ_ ? extent_rate_ratio(tip, i, s) * law_(K, R * K) : law_(K, R * K);
   }
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
   const auto usual = [&](std::size_t k) {

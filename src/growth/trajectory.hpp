@@ -79,7 +79,7 @@ private:
   const std::vector<SolvedStation>& stations_;
   Law law_;
   std::size_t points_;
-  bool levers_ = false; ///< some arm does not grow as its place does
+  bool extents_differ_ = false; ///< some arm does not grow as its place does
 };
 
 /// First place between s0 and s1 (found to 1e-12 of s1) where `value` is not below 0 any more, if

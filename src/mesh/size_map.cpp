@@ -17,21 +17,22 @@ constexpr int along = 64;
 
 } // namespace
 
-SizeMap::SizeMap(std::vector<SizeRequest> wishes) : given_(std::move(wishes)), wishes_(given_) {
-  if (wishes_.empty()) {
+SizeMap::SizeMap(std::vector<SizeRequest> requests)
+    : given_(std::move(requests)), levelled_(given_) {
+  if (levelled_.empty()) {
     return;
   }
-  low_ = wishes_.front().at;
+  low_ = levelled_.front().at;
   Vec2 high = low_;
-  for (const SizeRequest& request : wishes_) {
+  for (const SizeRequest& request : levelled_) {
     low_ = low_.cwiseMin(request.at);
     high = high.cwiseMax(request.at);
   }
   const double extent = (high - low_).maxCoeff();
   pitch_ = extent > 0.0 ? extent / along : 1.0;
   cells_.resize(std::size_t{along} * along);
-  for (std::size_t i = 0; i < wishes_.size(); ++i) {
-    const auto [column, row] = cell_of(wishes_[i].at);
+  for (std::size_t i = 0; i < levelled_.size(); ++i) {
+    const auto [column, row] = cell_of(levelled_[i].at);
     cells_[static_cast<std::size_t>(row * along + column)].push_back(i);
   }
   level();
@@ -54,10 +55,10 @@ const std::vector<std::size_t>& SizeMap::in_cell(int i, int j) const {
 // Distances in the plane obey the triangle inequality, so that one pass over the sources is enough.
 void SizeMap::level() {
   double largest = 0.0;
-  for (const SizeRequest& request : wishes_) {
+  for (const SizeRequest& request : levelled_) {
     largest = std::max(largest, request.size);
   }
-  for (const SizeRequest& source : wishes_) {
+  for (const SizeRequest& source : levelled_) {
     if (!source.fresh) {
       continue;
     }
@@ -67,7 +68,7 @@ void SizeMap::level() {
     for (int j = from.second; j <= to.second; ++j) {
       for (int i = from.first; i <= to.first; ++i) {
         for (const std::size_t k : in_cell(i, j)) {
-          SizeRequest& request = wishes_[k];
+          SizeRequest& request = levelled_[k];
           request.size =
               std::min(request.size, source.size + growth * (request.at - source.at).norm());
         }
@@ -79,16 +80,16 @@ void SizeMap::level() {
 double SizeMap::operator()(const Vec2& p) const {
   double closest = std::numeric_limits<double>::infinity();
   double size = closest;
-  if (wishes_.empty()) {
+  if (levelled_.empty()) {
     return size;
   }
   const auto [column, row] = cell_of(p);
   const auto look = [&](int i, int j) {
     for (const std::size_t k : in_cell(i, j)) {
-      const double distance = (wishes_[k].at - p).norm();
+      const double distance = (levelled_[k].at - p).norm();
       if (distance < closest) {
         closest = distance;
-        size = wishes_[k].size;
+        size = levelled_[k].size;
       }
     }
   };

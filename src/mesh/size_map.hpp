@@ -20,7 +20,7 @@ public:
     double size = 0.0;
     bool fresh = true; ///< it may be smaller than its neighbours allow, so that these follow
   };
-  explicit SizeMap(std::vector<SizeRequest> wishes);
+  explicit SizeMap(std::vector<SizeRequest> requests);
 
   /// Infinite if there are no requests.
   [[nodiscard]] double operator()(const base::Vec2& p) const;
@@ -35,8 +35,8 @@ private:
   void level();
 
   std::vector<SizeRequest> given_;
-  std::vector<SizeRequest> wishes_; ///< levelled
-  double pitch_ = 1.0;              ///< of the grid that finds near points
+  std::vector<SizeRequest> levelled_; ///< levelled
+  double pitch_ = 1.0;                ///< of the grid that finds near points
   base::Vec2 low_ = base::Vec2::Zero();
   std::vector<std::vector<std::size_t>> cells_; ///< row by row
 };

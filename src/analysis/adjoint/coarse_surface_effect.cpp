@@ -40,7 +40,7 @@ struct AdjacentSurfacePiece {
 };
 
 /// Both sides of a contact or tie.
-struct Partners {
+struct JoinedSurfaces {
   std::string name;
   std::vector<AdjacentSurfacePiece> sides;
   std::vector<Vec3> touching; ///< where it is closed; empty with `everywhere`: all along
@@ -76,10 +76,11 @@ void add_sides(const contact::ContactSurface& surface, std::vector<AdjacentSurfa
   }
 }
 
-Partners partners_of(const Discretisation& scene, const StepState& state, std::size_t c) {
+JoinedSurfaces joined_surfaces(const Discretisation& scene, const StepState& state, std::size_t c) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const model::Contact& contact = scene.contacts[c];
-  Partners found{"contact " + contact.name, {}, {}, contact.type == model::ContactType::bonded};
+  JoinedSurfaces found{
+      "contact " + contact.name, {}, {}, contact.type == model::ContactType::bonded};
   add_sides(pair.contact, found.sides);
   add_sides(pair.target, found.sides);
   for (std::size_t r = 0; r < pair.normal.size() && !found.everywhere; ++r) {
@@ -90,9 +91,9 @@ Partners partners_of(const Discretisation& scene, const StepState& state, std::s
   return found;
 }
 
-Partners partners_of(const SolvedMeshState& set, const model::TransitionTie& transition) {
+JoinedSurfaces joined_surfaces(const SolvedMeshState& set, const model::TransitionTie& transition) {
   const model::Mesh& mesh = set.scene.cracked.mesh;
-  Partners found{"the TRANSITION", {}, {}, true};
+  JoinedSurfaces found{"the TRANSITION", {}, {}, true};
   add_sides(contact::make_surface(set.model, mesh, transition.master), found.sides);
   std::vector<bool> slave(mesh.node_count(), false);
   for (const base::NodeId n : mesh.set_with_id(transition.slave).nodes) {
@@ -110,11 +111,11 @@ Partners partners_of(const SolvedMeshState& set, const model::TransitionTie& tra
 }
 
 // The node where a tip's crack starts on a surface; invalid: inside its body, or elsewhere.
-base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked,
+base::NodeId mouth_on(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
                       const mesh::CrackFront& front) {
   const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
-    for (const AdjacentSurfacePiece& side : partners.sides) {
+    for (const AdjacentSurfacePiece& side : joined.sides) {
       if (!crack_face->empty() &&
           std::ranges::find(side.ends, crack_face->front()) != side.ends.end()) {
         return crack_face->front();
@@ -124,29 +125,29 @@ base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked
   return {};
 }
 
-bool touches(const Partners& partners, const AdjacentSurfacePiece& side) {
-  return partners.everywhere || std::ranges::any_of(partners.touching, [&](const Vec3& place) {
+bool touches(const JoinedSurfaces& joined, const AdjacentSurfacePiece& side) {
+  return joined.everywhere || std::ranges::any_of(joined.touching, [&](const Vec3& place) {
            return distance_to(side, place) <= 0.5 * side.length;
          });
 }
 
-CoarseSurfaceEffect effect_of(const Partners& partners, const mesh::CrackedMesh& cracked,
+CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front) {
   const Vec3 x = base::to_space(front.tip_point().x.head<2>());
   double closest = std::numeric_limits<double>::infinity();
-  for (const AdjacentSurfacePiece& side : partners.sides) {
+  for (const AdjacentSurfacePiece& side : joined.sides) {
     closest = std::min(closest, distance_to(side, x));
   }
-  const base::NodeId mouth = mouth_on(partners, cracked, front);
+  const base::NodeId mouth = mouth_on(joined, cracked, front);
   if (mouth.valid() && (cracked.mesh.x[mouth.index()] - x).norm() <= near * closest) {
     return {};
   }
   // The side that is longest against its own distance from the tip.
   const AdjacentSurfacePiece* worst = nullptr;
   double ratio = share_that_counts;
-  for (const AdjacentSurfacePiece& side : partners.sides) {
+  for (const AdjacentSurfacePiece& side : joined.sides) {
     const double distance = distance_to(side, x);
-    if (touches(partners, side) && distance <= near * closest && side.length > ratio * distance) {
+    if (touches(joined, side) && distance <= near * closest && side.length > ratio * distance) {
       ratio = side.length / distance;
       worst = &side;
     }
@@ -160,20 +161,20 @@ CoarseSurfaceEffect effect_of(const Partners& partners, const mesh::CrackedMesh&
         "edges of {} near ({:.6g}, {:.6g}) are {:.3g} long, {:.2g} times their distance from the "
         "tip: no error estimate covers how stiffly the body beyond them supports the crack; refine "
         "both sides there, to twice that distance at most",
-        partners.name, worst->x[1].x(), worst->x[1].y(), worst->length, ratio);
+        joined.name, worst->x[1].x(), worst->x[1].y(), worst->length, ratio);
   }
   return effect;
 }
 
 // Edges of the other body against the depth of the front under the surface that it ends on.
-CoarseSurfaceEffect effect_of(const Partners& partners, const FrontWithDomains& front) {
+CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const FrontWithDomains& front) {
   constexpr double ends_on = 0.1; // of its depth: where the first or last domain of a front ends
   constexpr double worth_a_word = 0.02;
   double closest = std::numeric_limits<double>::infinity();
   double depth = 0.0;
   for (const mesh::FrontPoint& point : front.front.points) {
     double distance = std::numeric_limits<double>::infinity();
-    for (const AdjacentSurfacePiece& side : partners.sides) {
+    for (const AdjacentSurfacePiece& side : joined.sides) {
       distance = std::min(distance, distance_to(side, point.x));
     }
     closest = std::min(closest, distance);
@@ -183,12 +184,12 @@ CoarseSurfaceEffect effect_of(const Partners& partners, const FrontWithDomains& 
   const double size = mouth ? depth : closest;
   const AdjacentSurfacePiece* worst = nullptr;
   double ratio = 0.0;
-  for (const AdjacentSurfacePiece& side : partners.sides) {
+  for (const AdjacentSurfacePiece& side : joined.sides) {
     double distance = std::numeric_limits<double>::infinity();
     for (const mesh::FrontPoint& point : front.front.points) {
       distance = std::min(distance, distance_to(side, point.x));
     }
-    if (distance <= size && side.length > ratio * size && touches(partners, side)) {
+    if (distance <= size && side.length > ratio * size && touches(joined, side)) {
       ratio = side.length / size;
       worst = &side;
     }
@@ -202,7 +203,7 @@ CoarseSurfaceEffect effect_of(const Partners& partners, const FrontWithDomains& 
         "elements of {} near ({:.6g}, {:.6g}, {:.6g}) are {:.3g} large, {:.2g} times the size "
         "of the crack: the body there follows the crack too stiffly, K may be off by {:.2g} %; "
         "refine both sides there, to that size at most",
-        partners.name, worst->x[0].x(), worst->x[0].y(), worst->x[0].z(), worst->length, ratio,
+        joined.name, worst->x[0].x(), worst->x[0].y(), worst->x[0].z(), worst->length, ratio,
         100.0 * effect.part);
   }
   return effect;
@@ -216,7 +217,7 @@ CoarseSurfaceEffect coarse_surface_effect(const Discretisation& scene, const Ste
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];
     if (state.mounted[c] && !pair.faces && !pair.rigid) {
-      const CoarseSurfaceEffect one = effect_of(partners_of(scene, state, c), front);
+      const CoarseSurfaceEffect one = effect_of(joined_surfaces(scene, state, c), front);
       all.why_not = one.part > all.part ? one.why_not : all.why_not;
       all.part = std::max(all.part, one.part);
     }
@@ -227,20 +228,20 @@ CoarseSurfaceEffect coarse_surface_effect(const Discretisation& scene, const Ste
 CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
                                           const mesh::CrackFront& front) {
   CoarseSurfaceEffect all;
-  const auto add = [&](const Partners& partners) {
-    const CoarseSurfaceEffect one = effect_of(partners, set.scene.cracked, front);
+  const auto add = [&](const JoinedSurfaces& joined) {
+    const CoarseSurfaceEffect one = effect_of(joined, set.scene.cracked, front);
     all.part += one.part;
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };
   for (std::size_t c = 0; c < set.scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = set.scene.pairs[c];
     if (set.state.mounted[c] && !pair.faces && !pair.rigid) {
-      add(partners_of(set.scene, set.state, c));
+      add(joined_surfaces(set.scene, set.state, c));
     }
   }
   for (const model::Mpc& mpc : set.model.mpcs) {
     if (const auto* transition = std::get_if<model::TransitionTie>(&mpc)) {
-      add(partners_of(set, *transition));
+      add(joined_surfaces(set, *transition));
     }
   }
   return all;

@@ -35,13 +35,13 @@ void ProfileRecorder::add_work(const std::string& processor, const std::string& 
   if (length_) {
     span.length = profile_.lengths.size();
   }
-  profile_.stretches.push_back(std::move(span));
+  profile_.intervals.push_back(std::move(span));
 }
 
 void ProfileRecorder::add_start(const base::Stopwatch& since) {
   add_work("START", "libraries, command line", since);
   const std::scoped_lock lock(guard_);
-  profile_.stretches.back().cpu = base::cpu_seconds() - cpu_before_;
+  profile_.intervals.back().cpu = base::cpu_seconds() - cpu_before_;
 }
 
 void ProfileRecorder::add_work(std::vector<results::NetCost> nets) {

@@ -17,7 +17,7 @@ base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e);
 /// Mean length of the sides of a plane element, from corner to corner [length].
 double element_size(const model::Mesh& mesh, base::ElementId e);
 
-using Wishes = std::map<std::string, std::vector<mesh::SizeMap::SizeRequest>>; // by net
+using SizeRequestsByNet = std::map<std::string, std::vector<mesh::SizeMap::SizeRequest>>; // by net
 
 /// A place on contact surfaces that needs smaller elements.
 struct RefinementPoint {
@@ -45,13 +45,13 @@ base::CrackId face_contact_crack(const model::Model& model, const std::string& c
 
 /// Elements of the present mesh where they are and as large as they are, by net.
 struct PresentElementSizes {
-  Wishes kept; ///< of the host
-  Wishes cut;  ///< what patches stand in for
+  SizeRequestsByNet kept; ///< of the host
+  SizeRequestsByNet cut;  ///< what patches stand in for
 };
 
 /// What follows the places.
 struct RefinementTargets {
-  Wishes nets;
+  SizeRequestsByNet nets;
   std::vector<double> patch; ///< [crack] its patch is to be finer by this
 };
 

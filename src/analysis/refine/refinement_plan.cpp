@@ -135,7 +135,8 @@ std::string net_of(const model::Model& model, const model::Mesh& mesh, std::size
 }
 
 // What patches stand in for keeps its size: it is cut out again.
-void add_cavities(const model::Model& model, const results::Increment& increment, Wishes& wishes) {
+void add_cavities(const model::Model& model, const results::Increment& increment,
+                  SizeRequestsByNet& requests) {
   const model::Mesh& host = model.mesh;
   std::set<std::pair<std::int32_t, base::Label>> kept;
   for (std::size_t e = 0; e < increment.kept; ++e) {
@@ -143,8 +144,8 @@ void add_cavities(const model::Model& model, const results::Increment& increment
   }
   for (std::size_t e = 0; e < host.element_count(); ++e) {
     if (!kept.contains({host.element_net[e].value, host.element_label[e]})) {
-      wishes[net_of(model, host, e)].push_back({element_centroid(host, base::ElementId(e)),
-                                                element_size(host, base::ElementId(e)), false});
+      requests[net_of(model, host, e)].push_back({element_centroid(host, base::ElementId(e)),
+                                                  element_size(host, base::ElementId(e)), false});
     }
   }
 }
@@ -165,7 +166,7 @@ double even_factor(const model::Mesh& mesh, const ElementSizeFactors& factors, b
 
 /// What all increments of a run ask for.
 struct Demands {
-  Wishes wishes;
+  SizeRequestsByNet requests;
   PresentElementSizes elements;
   std::map<std::string, double> even;  ///< by net: of its size, for meshes refined evenly
   std::map<std::string, double> least; ///< by net: the smallest factor of its elements
@@ -182,7 +183,7 @@ void add_elements(const model::Model& model, const results::Increment& increment
     const base::Vec2 centre = element_centroid(increment.mesh, base::ElementId(e));
     const double size = element_size(increment.mesh, base::ElementId(e));
     demands.elements.kept[net].push_back({centre, size, false});
-    demands.wishes[net].push_back({centre, f * size, f < no_change});
+    demands.requests[net].push_back({centre, f * size, f < no_change});
     double& least = demands.least.try_emplace(net, 1.0).first->second;
     least = std::min(least, f);
   }
@@ -263,9 +264,9 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
   Demands demands = demands_of(model, run);
   const RefinementTargets followers =
       nets_to_refine(demands.places, demands.elements, demands.patch.size());
-  for (const Wishes* more : {&std::as_const(demands.elements.cut), &followers.nets}) {
+  for (const SizeRequestsByNet* more : {&std::as_const(demands.elements.cut), &followers.nets}) {
     for (const auto& [net, list] : *more) {
-      demands.wishes[net].insert(demands.wishes[net].end(), list.begin(), list.end());
+      demands.requests[net].insert(demands.requests[net].end(), list.begin(), list.end());
     }
   }
   std::vector<std::string> moved;
@@ -279,7 +280,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
       moved.push_back(fmt::format("patch of {} {:.2f} times", model.cracks[c].name, finer));
     }
   }
-  for (auto& [net, list] : demands.wishes) {
+  for (auto& [net, list] : demands.requests) {
     const bool near_ends = followers.nets.contains(net);
     const double f = demands.even[net];
     // A net that is fine on the whole may still have elements that are much too large.

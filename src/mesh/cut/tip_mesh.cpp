@@ -27,20 +27,21 @@ constexpr int fewest_sectors = 6;
 } // namespace
 
 TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
-                                  const model::TipMeshSettings* wishes,
+                                  const model::TipMeshSettings* settings,
                                   std::span<const CrackLine> all) {
   TipMeshParameters tip;
-  const double finer = wishes == nullptr ? 1.0 : wishes->finer;
-  if (wishes != nullptr) {
-    tip.rings = std::max(fewest_rings, static_cast<int>(std::lround(finer * wishes->rings)));
-    tip.sectors = std::max(fewest_sectors, static_cast<int>(std::lround(finer * wishes->sectors)));
-    tip.quarter_point = wishes->quarter_point;
-    tip.patch = wishes->patch;
-    tip.transition = wishes->join == model::PatchCoupling::transition;
+  const double finer = settings == nullptr ? 1.0 : settings->finer;
+  if (settings != nullptr) {
+    tip.rings = std::max(fewest_rings, static_cast<int>(std::lround(finer * settings->rings)));
+    tip.sectors =
+        std::max(fewest_sectors, static_cast<int>(std::lround(finer * settings->sectors)));
+    tip.quarter_point = settings->quarter_point;
+    tip.patch = settings->patch;
+    tip.transition = settings->join == model::PatchCoupling::transition;
   }
   const CrackFrame frame = make_crack_frame(line);
-  if (wishes != nullptr && wishes->radius) {
-    tip.radius = *wishes->radius;
+  if (settings != nullptr && settings->radius) {
+    tip.radius = *settings->radius;
   } else {
     std::vector<Vec2> local;
     for (const Vec3& p : line.points) {
@@ -58,8 +59,8 @@ TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
     }
     tip.radius = radius_part * frame.a * room;
   }
-  if (wishes != nullptr && wishes->size) {
-    tip.size = *wishes->size / finer;
+  if (settings != nullptr && settings->size) {
+    tip.size = *settings->size / finer;
   } else {
     // So many times more rings over the same radius: sizes grow as before with the distance.
     const double q = std::pow(ring_growth, 1.0 / finer);

@@ -12,7 +12,7 @@ namespace spricka::mesh {
 /// distance of a tip to the nearest boundary (the ligament, a hole, a contact surface), to other
 /// cracks in `all` and to earlier parts of its own. What the deck gives is taken as it is.
 TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
-                                  const model::TipMeshSettings* wishes,
+                                  const model::TipMeshSettings* settings,
                                   std::span<const CrackLine> all = {});
 
 } // namespace spricka::mesh

@@ -175,15 +175,15 @@ bool read_import_request(ByteReader& in, MesherImport& import) {
   import.constants = in.read_texts();
   if (in.read_value<bool>()) {
     import.size.scale = in.read_value<double>();
-    std::vector<SizeMap::SizeRequest> wishes;
+    std::vector<SizeMap::SizeRequest> requests;
     for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
       SizeMap::SizeRequest request;
       request.at = read_point(in);
       request.size = in.read_value<double>();
       request.fresh = in.read_value<bool>();
-      wishes.push_back(request);
+      requests.push_back(request);
     }
-    import.size.map = std::make_shared<const SizeMap>(std::move(wishes));
+    import.size.map = std::make_shared<const SizeMap>(std::move(requests));
   }
   return in.at_end();
 }

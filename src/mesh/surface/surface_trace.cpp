@@ -271,7 +271,7 @@ public:
     if (points_.size() < 2) {
       return {{}, 0, {"the crack's mouth has no length", from.x}};
     }
-    return {{SurfaceTrace(surface_, plane_, std::move(points_), std::move(stretches_))}, end, {}};
+    return {{SurfaceTrace(surface_, plane_, std::move(points_), std::move(segments_))}, end, {}};
   }
 
 private:
@@ -307,11 +307,11 @@ private:
   void add(std::size_t passing, const Vec2& r0, const TracePoint& point, const Vec2& r1) {
     TracePoint& before = points_.back();
     if ((point.place.x - before.place.x).norm() > same * plane_.length) {
-      stretches_.push_back({line_.facet(passing).face, r0, r1, 0.0});
+      segments_.push_back({line_.facet(passing).face, r0, r1, 0.0});
       points_.push_back(point);
     } else if (point.edge != nowhere) {
-      if (before.edge != nowhere && stretches_.size() > 0 && before.edge != point.edge &&
-          surface_.smooth_piece(stretches_.back().face) ==
+      if (before.edge != nowhere && segments_.size() > 0 && before.edge != point.edge &&
+          surface_.smooth_piece(segments_.back().face) ==
               surface_.smooth_piece(line_.facet(passing).face)) {
         return;
       }
@@ -324,28 +324,28 @@ private:
   const CrackReferencePlane& plane_;
   PlaneLine line_;
   std::vector<TracePoint> points_;
-  std::vector<SurfaceTrace::TraceSegment> stretches_;
+  std::vector<SurfaceTrace::TraceSegment> segments_;
   std::size_t visited_ = 0;
 };
 
 } // namespace
 
 SurfaceTrace::SurfaceTrace(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                           std::vector<TracePoint> points, std::vector<TraceSegment> stretches)
+                           std::vector<TracePoint> points, std::vector<TraceSegment> segments)
     : surface_(&surface), plane_(plane), points_(std::move(points)),
-      stretches_(std::move(stretches)), arc_{0.0} {
+      segments_(std::move(segments)), arc_{0.0} {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-    stretches_[i].s = arc_.back();
+    segments_[i].s = arc_.back();
     arc_.push_back(arc_.back() + (points_[i + 1].place.x - points_[i].place.x).norm());
   }
 }
 
 SurfacePlace SurfaceTrace::at(double s) const {
-  if (stretches_.empty()) {
+  if (segments_.empty()) {
     return points_.front().place;
   }
   const auto [i, part] = geometry::position_at_length(arc_, s);
-  const TraceSegment& segment = stretches_[i];
+  const TraceSegment& segment = segments_[i];
   const Vec2 r = (1.0 - part) * segment.r0 + part * segment.r1;
   return surface_->place_on_face(segment.face, onto_plane(surface_->face(segment.face), plane_, r));
 }

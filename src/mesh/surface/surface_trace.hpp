@@ -64,7 +64,7 @@ public:
     double s = 0.0; ///< length of the trace at r0
   };
   SurfaceTrace(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-               std::vector<TracePoint> points, std::vector<TraceSegment> stretches);
+               std::vector<TracePoint> points, std::vector<TraceSegment> segments);
 
   [[nodiscard]] double length() const { return arc_.back(); }
   /// Points in their order, first and last included, several on each curved face, one at each edge
@@ -81,7 +81,7 @@ private:
   const SurfaceGeometry* surface_;
   CrackReferencePlane plane_;
   std::vector<TracePoint> points_;
-  std::vector<TraceSegment> stretches_; ///< one less than points
+  std::vector<TraceSegment> segments_; ///< one less than points
   std::vector<double> arc_;
 };
 
