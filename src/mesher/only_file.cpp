@@ -93,6 +93,9 @@ void on_call(int /*signal*/, siginfo_t* info, void* context) {
 } // namespace
 
 bool make_memory_file() {
+#if !defined(__x86_64__) && !defined(__aarch64__)
+  return false; // where an answer goes is known of these two only
+#endif
   memory_file = memfd_create("spricka", MFD_CLOEXEC);
   if (memory_file < 0) {
     return false;

@@ -2,175 +2,88 @@
 #include "mesher/sandbox.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <vector>
+#include <initializer_list>
+#include <memory>
+#include <type_traits>
 
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <sched.h>
-#include <sys/prctl.h>
+#include <seccomp.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace spricka::mesher {
 namespace {
 
-#if defined(__x86_64__)
-constexpr std::uint32_t machine = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-constexpr std::uint32_t machine = AUDIT_ARCH_AARCH64;
-#else
-constexpr std::uint32_t machine = 0;
-#endif
-
-/// A filter of the kernel: instructions of the classic Berkeley packet filter on seccomp_data.
-/// Source: Linux, Documentation/userspace-api/seccomp_filter.rst.
-class Filter {
+/// A filter of system calls of this process. A call that none of its rules names is refused with
+/// EPERM; one of a foreign convention (32 bits, x32) ends the process. A call that this processor
+/// does not have needs no rule and gets none.
+class SystemCallFilter {
 public:
-  Filter() {
-    load(offsetof(seccomp_data, arch));
-    skip_unless(BPF_JEQ, machine, 1);
-    jump_over(1);
-    end(SECCOMP_RET_KILL_PROCESS);
-    load(offsetof(seccomp_data, nr));
-#if defined(__x86_64__)
-    constexpr std::uint32_t x32 = 0x40000000U; // calls of another convention, under other numbers
-    skip_unless(BPF_JGE, x32, 1);
-    end(SECCOMP_RET_KILL_PROCESS);
-#endif
+  SystemCallFilter() {
+    const bool made = filter_ != nullptr;
+    complete_ = made && set(SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS) &&
+                set(SCMP_FLTATR_CTL_TSYNC, 1); // fails where the kernel has no such filters
   }
-  /// This is what happens on a call.
-  void on(long call, std::uint32_t action) {
-    skip_unless(BPF_JEQ, static_cast<std::uint32_t>(call), 1);
-    end(action);
+  /// What happens on each of these calls: an SCMP_ACT_.. .
+  void add_rules(std::uint32_t action, std::initializer_list<const char*> calls) {
+    for (const char* const call : calls) {
+      complete_ = complete_ && seccomp_rule_add(filter_.get(), action, number(call), 0) == 0;
+    }
   }
-  /// The call is allowed if its argument lies between two values, else refused with an error.
-  void between(long call, std::size_t argument, std::uint32_t low, std::uint32_t high) {
-    constexpr std::uint8_t length = 5;
-    skip_unless(BPF_JEQ, static_cast<std::uint32_t>(call), length);
-    load(static_cast<std::uint32_t>(offsetof(seccomp_data, args) + 8 * argument));
-    skip_unless(BPF_JGE, low, 2); // to the refusal
-    add(BPF_JMP | BPF_JGT | BPF_K, high, 1, 0);
-    end(SECCOMP_RET_ALLOW);
-    end(SECCOMP_RET_ERRNO | EPERM);
+  /// The call is allowed where its first argument, of which the kernel reads 32 bits, is `value`.
+  void allow_with_argument(const char* call, std::uint32_t value) {
+    constexpr std::uint32_t all_bits = ~0U;
+    const scmp_arg_cmp equal = SCMP_A0(SCMP_CMP_MASKED_EQ, all_bits, value);
+    complete_ = complete_ &&
+                seccomp_rule_add_array(filter_.get(), SCMP_ACT_ALLOW, number(call), 1, &equal) == 0;
   }
-  void end(std::uint32_t action) {
-    add(BPF_RET | BPF_K, action, 0, 0);
-  }
-
-  [[nodiscard]] bool install() {
-    const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
-    return machine != 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
-  }
+  /// The filter holds for all threads of the process from now on. False if it does not.
+  [[nodiscard]] bool install() { return complete_ && seccomp_load(filter_.get()) == 0; }
 
 private:
-  void add(int what, std::uint32_t value, std::uint8_t if_true, std::uint8_t if_false) {
-    code_.push_back({static_cast<std::uint16_t>(what), if_true, if_false, value});
-  }
-  void load(std::uint32_t offset) {
-    add(BPF_LD | BPF_W | BPF_ABS, offset, 0, 0);
-  }
-  void skip_unless(int comparison, std::uint32_t value, std::uint8_t count) {
-    add(BPF_JMP | comparison | BPF_K, value, 0, count);
-  }
-  void jump_over(std::uint32_t count) {
-    add(BPF_JMP | BPF_JA, count, 0, 0);
+  static int number(const char* call) { return seccomp_syscall_resolve_name(call); }
+  bool set(scmp_filter_attr attribute, std::uint32_t value) {
+    return seccomp_attr_set(filter_.get(), attribute, value) == 0;
   }
 
-  std::vector<sock_filter> code_;
-};
-
-// What a program needs that only computes.
-constexpr std::array harmless{
-    SYS_read,
-    SYS_mmap,
-    SYS_pwrite64,
-    SYS_pread64,
-    SYS_readv,
-    SYS_close,
-    SYS_fstat,
-    SYS_lseek,
-    SYS_ftruncate,
-    SYS_dup,
-    SYS_munmap,
-    SYS_mremap,
-    SYS_brk,
-    SYS_madvise,
-    SYS_futex,
-    SYS_rt_sigaction,
-    SYS_rt_sigprocmask,
-    SYS_rt_sigreturn,
-    SYS_sigaltstack,
-    SYS_exit,
-    SYS_exit_group,
-    SYS_clock_gettime,
-    SYS_clock_getres,
-    SYS_gettimeofday,
-    SYS_getrusage,
-    SYS_times,
-    SYS_sched_yield,
-    SYS_getpid,
-    SYS_getppid,
-    SYS_gettid,
-    SYS_getuid,
-    SYS_geteuid,
-    SYS_getgid,
-    SYS_getegid,
-    SYS_sysinfo,
-    SYS_getrandom,
-    SYS_restart_syscall,
-    SYS_mprotect,
-    SYS_sched_getaffinity,
-#ifdef SYS_time
-    SYS_time,
-#endif
-};
-
-// Answered by the process itself, see only_file.hpp.
-constexpr std::array of_files{
-    SYS_openat, SYS_newfstatat,
-#ifdef SYS_open
-    SYS_open,   SYS_stat,       SYS_access,
-#endif
-};
-
-// Only an attack comes here.
-constexpr std::array hostile{
-    SYS_execve, SYS_execveat, SYS_socket, SYS_connect, SYS_ptrace, SYS_process_vm_writev,
-#ifdef SYS_fork
-    SYS_fork,   SYS_vfork,
-#endif
+  std::unique_ptr<std::remove_pointer_t<scmp_filter_ctx>, decltype(&seccomp_release)> filter_{
+      seccomp_init(SCMP_ACT_ERRNO(EPERM)), &seccomp_release};
+  bool complete_ = false; ///< every rule so far was taken
 };
 
 } // namespace
 
 bool enter_sandbox() {
-  Filter filter;
-  for (const long call : harmless) {
-    filter.on(call, SECCOMP_RET_ALLOW);
+  SystemCallFilter filter;
+  // What a program needs that only computes: memory; files that are open; signals and its end;
+  // time; what it is itself.
+  filter.add_rules(SCMP_ACT_ALLOW,
+                   {"mmap", "munmap", "mremap", "mprotect", "madvise", "brk", "futex"});
+  filter.add_rules(SCMP_ACT_ALLOW, {"read", "readv", "pread64", "pwrite64", "lseek", "ftruncate",
+                                    "fstat", "dup", "close"});
+  filter.add_rules(SCMP_ACT_ALLOW, {"rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "sigaltstack",
+                                    "restart_syscall", "exit", "exit_group"});
+  filter.add_rules(SCMP_ACT_ALLOW, {"time", "gettimeofday", "clock_gettime", "clock_getres",
+                                    "times", "getrusage", "sched_yield"});
+  filter.add_rules(SCMP_ACT_ALLOW, {"getpid", "getppid", "gettid", "getuid", "geteuid", "getgid",
+                                    "getegid", "sched_getaffinity", "sysinfo", "getrandom"});
+  // Answered by the process itself, see only_file.hpp.
+  filter.add_rules(SCMP_ACT_TRAP, {"openat", "newfstatat", "open", "stat", "access"});
+  // Only an attack comes here; threads are not needed either.
+  filter.add_rules(SCMP_ACT_KILL_PROCESS,
+                   {"execve", "execveat", "socket", "connect", "ptrace", "process_vm_writev",
+                    "fork", "vfork", "clone", "clone3"});
+  filter.allow_with_argument("tgkill", static_cast<std::uint32_t>(getpid())); // abort()
+  filter.allow_with_argument("prlimit64", 0);
+  for (std::uint32_t descriptor = STDOUT_FILENO; descriptor <= 3; ++descriptor) {
+    filter.allow_with_argument("write", descriptor);
+    filter.allow_with_argument("writev", descriptor);
   }
-  for (const long call : of_files) {
-    filter.on(call, SECCOMP_RET_TRAP);
-  }
-  for (const long call : hostile) {
-    filter.on(call, SECCOMP_RET_KILL_PROCESS);
-  }
-  filter.on(SYS_clone, SECCOMP_RET_KILL_PROCESS); // threads are not needed either
-  filter.on(SYS_clone3, SECCOMP_RET_KILL_PROCESS);
-  const auto self = static_cast<std::uint32_t>(getpid());
-  filter.between(SYS_tgkill, 0, self, self); // abort()
-  filter.between(SYS_prlimit64, 0, 0, 0);
-  filter.between(SYS_write, 0, STDOUT_FILENO, 3);
-  filter.between(SYS_writev, 0, STDOUT_FILENO, 3);
-  filter.end(SECCOMP_RET_ERRNO | EPERM);
   return filter.install();
 }
 

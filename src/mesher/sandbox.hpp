@@ -4,8 +4,8 @@
 
 namespace spricka::mesher {
 
-/// Locks the process in, for good, by a seccomp filter of the Linux kernel: no program can be
-/// started and no socket made (the attempt ends the process), no file opened but the one of
+/// Locks the process in, for good, by a seccomp filter of the Linux kernel (libseccomp): no program
+/// can be started and no socket made (the attempt ends the process), no file opened but the one of
 /// only_file.hpp, nothing written but to the descriptors 1 to 3, no signal sent to others. False
 /// where the kernel has no such filters.
 bool enter_sandbox();

@@ -17,7 +17,6 @@ class Outside(MeshTest):
             ('SystemCall "touch made";', "SystemCall"),
             ('NonBlockingSystemCall "touch made";', "NonBlockingSystemCall"),
             ('OnelabRun("foo", "touch made ");', "OnelabRun"),
-            ('Printf("x") > "made";', "Printf to a file"),
             ('Save "made";', "Save"),
             ('Print "made.png";', "Print"),
             ('Merge "other.geo";', "Merge"),
@@ -33,6 +32,13 @@ class Outside(MeshTest):
                 before = self.files()
                 self.assertIn(f"x.geo:7: {name} ", self.refused("E480", name, deck))
                 self.assertEqual(self.files(), before)
+
+    def test_a_text_is_printed_to_no_file(self):
+        for arrow in (">", ">>"):
+            deck = self.square(f'Printf("x") {arrow} "made";')
+            before = self.files()
+            self.refused("E331", "Unable to open file 'made'", deck)
+            self.assertEqual(self.files(), before)
 
     def test_libraries_that_start_threads_start_none(self):
         # The distance from a surface is one of the places where OpenCASCADE works in parallel.

@@ -41,7 +41,8 @@ struct GeometryScriptConstant {
 };
 
 /// Looks through a gmsh geometry script, past comments and texts in quotes, for statements that
-/// start programs, read or write files, read the environment or end gmsh, and for the names that it
+/// start programs, read or write files, read the environment or end gmsh, so that a message can
+/// name them (that they do no harm is the work of mesher/sandbox.hpp), and for the names that it
 /// gives values. Source: gmsh 4.8 reference manual, section 4 and the words of its parser.
 ScriptScan scan_script(std::string_view text);
 

@@ -24,9 +24,6 @@ using Words = std::vector<std::string>;
 TEST(ScriptScan, NamesWhatReachesOutside) {
   EXPECT_EQ(refused("a = 1;\nSystemCall \"x\";\nMerge \"y\"; Exit;"),
             (Words{"2 SystemCall", "3 Merge", "3 Exit"}));
-  EXPECT_EQ(refused("Printf(\"a %g\", (1 + 2)) > \"f\";"), Words{"1 Printf to a file"});
-  EXPECT_EQ(refused("Printf[\"a\"] >> \"f\";"), Words{"1 Printf to a file"});
-  EXPECT_EQ(refused("Printf(\"a > b\"); c = 2 > 1;"), Words{});
   EXPECT_EQ(refused("View.Light = 0; Print.Text = 1;"), Words{});
   EXPECT_EQ(refused("View \"a\" {}; Print \"a.png\";"), (Words{"1 View", "1 Print"}));
 }
@@ -75,8 +72,7 @@ TEST(ScriptScan, FindsConstantsAndAssignments) {
 // Texts made to take long: time grows with their length, not its square.
 TEST(ScriptScan, IsLinear) {
   const auto begin = std::chrono::steady_clock::now();
-  for (const char* piece :
-       {"Printf(", "DefineConstant[", "DefineConstant[a=", "a=1;", "\"", "/*"}) {
+  for (const char* piece : {"DefineConstant[", "DefineConstant[a=", "a=1;", "\"", "/*"}) {
     std::string text;
     for (int i = 0; i < 100000; ++i) {
       text += piece;
