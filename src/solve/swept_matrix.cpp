@@ -5,9 +5,8 @@
 #include "solve/set_solution.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
-
-#include <Eigen/LU>
 
 namespace spricka::solve {
 
@@ -28,8 +27,7 @@ double SweptMatrix::unit(int i, bool closed) const {
 bool SweptMatrix::begin(const std::vector<bool>& closed) {
   closed_ = closed;
   first_closed_ = closed;
-  list_.clear();
-  block_ = {.sound = true, .rows = {}, .columns = base::Matrix(size(), 0), .core = {}};
+  list_.clear(size());
   made_.assign(static_cast<std::size_t>(n_), base::Vector());
   age_.assign(static_cast<std::size_t>(n_), 0);
   std::vector<int> A;
@@ -59,51 +57,6 @@ base::Vector SweptMatrix::initial_state(const base::Vector& b, const base::Vecto
   c.segment(n_, m_) = s.alpha;
   c.tail(of_force_.rows()) = of_force_ * s.lambda + of_mode_ * s.alpha;
   return c;
-}
-
-void SweptMatrix::add_to_block(const PivotExchange& pivot) {
-  const int i = pivot.rows[0];
-  block_.sound = block_.sound && pivot.rows.size() == 1 &&
-                 std::find(block_.rows.begin(), block_.rows.end(), i) == block_.rows.end();
-  if (!block_.sound) {
-    return;
-  }
-  const auto l = index(block_.rows.size());
-  if (l == block_.columns.cols()) {
-    // Room doubles, so that columns are copied seldom.
-    const Eigen::Index more = 2 * l + 64;
-    block_.columns.conservativeResize(Eigen::NoChange, more);
-    block_.core.conservativeResize(more, more);
-  }
-  // From here on row i holds -s of this pivot. What earlier columns have in it is used once, to
-  // find this s, and is then cleared: advance() must not subtract it again.
-  block_.core.row(l).head(l) = block_.columns.row(i).head(l);
-  block_.core(l, l) = pivot.columns(i, 0);
-  block_.columns.row(i).head(l).setZero();
-  block_.columns.col(l) = pivot.columns.col(0);
-  block_.columns(i, l) = 0.0;
-  block_.rows.push_back(i);
-}
-
-void SweptMatrix::advance(base::Matrix& columns) const {
-  const auto l = index(block_.rows.size());
-  base::Matrix s(l, columns.cols());
-  for (Eigen::Index j = 0; j < l; ++j) {
-    // A row is exchanged once only while the block is sound, so the order of taking does not
-    // matter.
-    s.row(j) = columns.row(block_.rows[at(j)]);
-    columns.row(block_.rows[at(j)]).setZero();
-  }
-  block_.core.topLeftCorner(l, l).triangularView<Eigen::Lower>().solveInPlace(s);
-  base::Matrix change(columns.rows(), columns.cols());
-  const auto length = static_cast<int>(columns.rows());
-  const auto count = static_cast<int>(l);
-  blas::gemm({.m = length, .n = static_cast<int>(columns.cols()), .k = count},
-             {block_.columns.data(), length}, {s.data(), count}, {change.data(), length});
-  columns -= change;
-  for (Eigen::Index j = 0; j < l; ++j) {
-    columns.row(block_.rows[at(j)]) -= s.row(j);
-  }
 }
 
 // T at begin: a gap of a closed row, or a force on an open one, is answered by the forces of the
@@ -161,9 +114,9 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
   }
   // Columns are those at begin. Through the pivots since then they go all at once, or, where rows
   // have been exchanged twice or in pairs, one by one in column(): the age says how far they are.
-  const bool at_once = block_.sound && !list_.empty();
+  const bool at_once = list_.is_block() && !list_.empty();
   if (at_once) {
-    advance(all);
+    list_.advance(all);
   }
   for (Eigen::Index c = 0; c < k; ++c) {
     made_[at(rows[at(c)])] = all.col(c);
@@ -172,20 +125,13 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
 }
 
 base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
+  base::Vector x;
+  std::size_t from = 0;
   // The last pivot that exchanged row i has its column in itself: no solution with the factor, and
   // none of the earlier pivots count.
-  std::size_t from = list_.size();
-  while (from > 0) {
-    const PivotExchange& p = list_[from - 1];
-    if (std::find(p.rows.begin(), p.rows.end(), i) != p.rows.end()) {
-      break;
-    }
-    --from;
-  }
-  base::Vector x;
-  if (from > 0) {
-    // `from` is one behind that pivot already: the loop below goes on with those after it.
-    x = own_column(list_[from - 1], i);
+  if (const std::optional<std::size_t> last = list_.find_last(i)) {
+    x = list_.own_column(*last, i);
+    from = *last + 1;
   } else {
     if (made_[at(i)].size() == 0) {
       std::vector<int> rows{i};
@@ -200,58 +146,24 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
     from = age_[at(i)];
   }
   for (; from < list_.size(); ++from) {
-    apply(list_[from], x);
+    list_.apply(from, x);
   }
   return x;
 }
 
-// (solve.30) for one column or state, P the exchanged rows: in the place of x_P comes what
-// z_P has to be, -inverse x_P, and the rest follows along the columns of the pivot.
-void SweptMatrix::apply(const PivotExchange& pivot, base::Vector& x) {
-  if (pivot.rows.size() == 1) {
-    const double z = x(pivot.rows[0]) * pivot.inverse(0, 0);
-    if (z != 0.0) {
-      x.noalias() -= z * pivot.columns.col(0);
-    }
-    x(pivot.rows[0]) = -z;
-    return;
-  }
-  const Eigen::Vector2d z = pivot.inverse * Eigen::Vector2d(x(pivot.rows[0]), x(pivot.rows[1]));
-  x.noalias() -= pivot.columns * z;
-  x(pivot.rows[0]) = -z(0);
-  x(pivot.rows[1]) = -z(1);
-}
-
-// The column of a row that this pivot exchanges, right after it: columns times inverse, the inverse
-// itself in the exchanged rows.
-base::Vector SweptMatrix::own_column(const PivotExchange& pivot, int i) {
-  const Eigen::Index k = pivot.rows[0] == i ? 0 : 1;
-  base::Vector x = pivot.columns * pivot.inverse.col(k);
-  for (std::size_t r = 0; r < pivot.rows.size(); ++r) {
-    x(pivot.rows[r]) = pivot.inverse(index(r), k);
-  }
-  return x;
-}
-
-void SweptMatrix::exchange(PivotExchange pivot, std::span<base::Vector* const> states) {
-  const auto p = index(pivot.rows.size());
-  base::Matrix core(p, p);
-  for (Eigen::Index r = 0; r < p; ++r) {
-    core.row(r) = pivot.columns.row(pivot.rows[at(r)]);
-  }
-  pivot.inverse = core.inverse();
-  for (base::Vector* state : states) {
-    apply(pivot, *state);
-  }
-  for (const int i : pivot.rows) {
+void SweptMatrix::exchange(std::vector<int> rows, base::Matrix columns,
+                           std::span<base::Vector* const> states) {
+  for (const int i : rows) {
     closed_[at(i)] = !closed_[at(i)];
   }
-  add_to_block(pivot);
-  list_.push_back(std::move(pivot));
+  list_.append(std::move(rows), std::move(columns));
+  for (base::Vector* state : states) {
+    list_.apply(list_.size() - 1, *state);
+  }
 }
 
 void SweptMatrix::pivot(int i, const base::Vector& column, std::span<base::Vector* const> states) {
-  exchange({{i}, column, {}}, states);
+  exchange({i}, column, states);
 }
 
 void SweptMatrix::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> columns,
@@ -259,7 +171,7 @@ void SweptMatrix::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> col
   base::Matrix both(size(), 2);
   both.col(0) = columns[0];
   both.col(1) = columns[1];
-  exchange({{rows[0], rows[1]}, std::move(both), {}}, states);
+  exchange({rows[0], rows[1]}, std::move(both), states);
 }
 
 base::Vector SweptMatrix::forces(const base::Vector& state) const {

@@ -4,6 +4,7 @@
 #include "base/vec.hpp"
 #include "solve/bordered_factor.hpp"
 #include "solve/held_problem.hpp"
+#include "solve/pivot_sequence.hpp"
 
 #include <array>
 #include <span>
@@ -51,25 +52,7 @@ public:
   [[nodiscard]] base::Vector open_gaps(const base::Vector& state) const;
 
 private:
-  struct PivotExchange {
-    std::vector<int> rows; ///< one or two
-    base::Matrix columns;  ///< [size, rows] before the exchange
-    base::Matrix inverse;  ///< of their common part
-  };
-  /// The pivots since begin as one step for many columns: with x_P the entries of a column in the
-  /// exchanged rows, core s = x_P (lower triangular), x <- x - columns s, x_P <- -s + what later
-  /// pivots do to it. Holds while every pivot is of one row and no row has two.
-  struct PivotBlock {
-    bool sound = true;
-    std::vector<int> rows;
-    base::Matrix columns; ///< [size, n] entries that a later exchange of their row overwrites are 0
-    base::Matrix core;    ///< [n, n]
-  };
-  void exchange(PivotExchange pivot, std::span<base::Vector* const> states);
-  void add_to_block(const PivotExchange& pivot);
-  void advance(base::Matrix& columns) const;
-  static void apply(const PivotExchange& pivot, base::Vector& x);
-  [[nodiscard]] static base::Vector own_column(const PivotExchange& pivot, int i);
+  void exchange(std::vector<int> rows, base::Matrix columns, std::span<base::Vector* const> states);
   void make_columns(const std::vector<int>& rows);
   [[nodiscard]] double unit(int i, bool closed) const;
 
@@ -82,8 +65,7 @@ private:
   base::Matrix W_open_;                     ///< [open, n]
   std::vector<base::Vector> made_;          ///< [n] columns, or empty
   std::vector<std::size_t> age_;            ///< [n] how many pivots a column has been through
-  std::vector<PivotExchange> list_;
-  PivotBlock block_;
+  PivotSequence list_;
 };
 
 } // namespace spricka::solve
