@@ -1,47 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/tip_setting.hpp"
+#include "crack/energy_momentum.hpp"
+#include "crack/williams.hpp"
 
-/// Partners of a solution in the plane and about an axis.
+#include <cstddef>
+
+/// Displacements at a point of a body, and those that the solution is combined with.
 namespace spricka::crack {
 
-/// Elastic constants of an element of a domain.
-struct SectionElasticity {
-  fe::Elasticity<2> D; ///< in the section
-  fe::ConstitutiveLaw law;
+/// Partners of the solution at a front: itself (G), the near-tip fields of K1, K2 and in space K3
+/// = 1, and the field of a unit force along the crack at the front (T).
+template <int dim> inline constexpr std::size_t auxiliary_field_count = dim + 2;
+/// Number of the last one.
+template <int dim> inline constexpr std::size_t force_auxiliary = dim + 1;
+/// Number of a partner among the fields of a section (section_field).
+template <int dim> [[nodiscard]] constexpr std::size_t section_number(std::size_t auxiliary) {
+  return auxiliary == force_auxiliary<dim> ? line_force_auxiliary : auxiliary;
+}
 
-  SectionElasticity(const TipSetting& set, base::ElementId e)
-      : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
-};
-
-/// A displacement at a point of a section: gradient and stress there, and about an axis those round
-/// it (both 0 in the plane, where nothing works on them).
-struct SectionState {
-  Tensor<2> H = Tensor<2>::Zero();
-  double hoop = 0.0; ///< u_x / x
-  Tensor<2> sigma = Tensor<2>::Zero();
+/// A displacement at a point: gradient and stress, and about an axis those round it (both 0 in
+/// other bodies, where nothing works on them).
+template <int dim> struct DeformationState {
+  Tensor<dim> H = Tensor<dim>::Zero(); ///< du_i/dx_j
+  double hoop = 0.0;                   ///< u_x / x
+  Tensor<dim> sigma = Tensor<dim>::Zero();
   double sigma_hoop = 0.0;
 
-  /// Volume change, of what lies in the section and round the axis.
+  /// Volume change, the part round the axis included.
   [[nodiscard]] double dilatation() const { return H.trace() + hoop; }
   /// Work density of this state's stress on the strain of another, the part round the axis included
   /// [stress].
-  [[nodiscard]] double work_on(const SectionState& other) const {
+  [[nodiscard]] double work_on(const DeformationState& other) const {
     return sigma.cwiseProduct(other.H).sum() + sigma_hoop * other.hoop;
   }
 };
 
-/// With the stress of a gradient.
-SectionState state_from_gradient(const SectionElasticity& k, const Tensor<2>& H, double hoop);
-
-/// Partner 1 to 3 at a point x off the tip. About an axis it is carried round with the section: a
-/// displacement of the body, but none of a body at rest (crack.38).
-struct AuxiliaryField : SectionState {
-  base::Vec2 divergence = base::Vec2::Zero(); ///< of its stress [stress/length]
+/// An auxiliary field at a point off the front. About an axis it is carried round with the section,
+/// in space along the front: a displacement of the body, but none of a body at rest.
+template <int dim> struct AuxiliaryField : DeformationState<dim> {
+  /// Of its stress [stress/length] (crack.38, crack_space.5).
+  shape::Point<dim> divergence = shape::Point<dim>::Zero();
 };
-/// The auxiliary field at x by its number, stress by the element's own elasticity; the divergence
-/// is zero in the plane (crack.39).
-AuxiliaryField auxiliary_field_at(const TipSetting& set, const SectionElasticity& k,
-                                  const base::Vec2& x, std::size_t auxiliary);
 
 } // namespace spricka::crack

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/extension.hpp"
 
+#include "crack/front_layers.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace spricka::crack {
 
@@ -90,58 +92,42 @@ std::map<base::NodeId, double> ExtensionField::extension_by_node() const {
   return by_node;
 }
 
-ExtensionField TipNeighbourhood::field(const mesh::FrontPoint& point, int rings) const {
-  std::set<base::NodeId> rigid{point.node};
-  std::set<base::ElementId> inside;
-  std::set<base::ElementId> rim;
-  // The elements at all nodes that move as one so far are the next ring. The last round keeps those
-  // that q strains (crack.2).
-  for (int ring = 0; ring <= rings; ++ring) {
-    rim.clear();
-    for (const base::NodeId n : rigid) {
-      for (const base::ElementId e : elements_.elements_around(n)) {
-        if (!inside.contains(e)) {
-          rim.insert(e);
-        }
-      }
-    }
-    if (ring == rings) {
-      break;
-    }
-    for (const base::ElementId e : rim) {
-      inside.insert(e);
-      const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
-      rigid.insert(nodes.begin(), nodes.end());
-    }
-  }
+ExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int rings) const {
+  // The last layer keeps the elements that q strains (crack.2).
+  FrontLayers layers = front_layers(mesh_, elements_, front, {}, rings + 1);
   ExtensionField result;
   result.rings = rings;
-  result.elements.assign(rim.begin(), rim.end());
-  result.inside.assign(inside.begin(), inside.end());
-  std::map<base::NodeId, double> q;
-  for (const base::NodeId n : rigid) {
-    q[n] = 1.0;
+  result.elements = std::move(layers.elements.back());
+  layers.elements.pop_back();
+  std::map<base::NodeId, double> q{{front.tip_point().node, 1.0}};
+  for (const std::vector<base::ElementId>& layer : layers.elements) {
+    result.inside.insert(result.inside.end(), layer.begin(), layer.end());
+    for (const base::ElementId e : layer) {
+      for (const base::NodeId n : mesh_.element_nodes(e)) {
+        q[n] = 1.0;
+      }
+    }
   }
-  for (const base::ElementId e : rim) {
+  std::ranges::sort(result.inside);
+  for (const base::ElementId e : result.elements) {
     const base::ElementType type = mesh_.type[e.index()];
     const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
     for (int s = 0; s < base::element_info(type).sides; ++s) {
       const std::span<const int> side = shape::side_nodes(type, s);
-      if (side.size() == 3) {
-        const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
-        const base::NodeId b = nodes[static_cast<std::size_t>(side[1])];
-        const base::NodeId mid = nodes[static_cast<std::size_t>(side[2])];
-        // A middle node between a corner that moves and one that rests goes half the way.
-        const double mean =
-            0.5 * ((rigid.contains(a) ? 1.0 : 0.0) + (rigid.contains(b) ? 1.0 : 0.0));
-        if (!rigid.contains(mid) && mean > 0.0) {
-          q[mid] = mean;
-        }
+      if (side.size() < 3) {
+        continue;
+      }
+      const auto node = [&](std::size_t i) { return nodes[static_cast<std::size_t>(side[i])]; };
+      // A middle node between a corner that moves and one that rests goes half the way.
+      const double mean = 0.5 * (layers.extension_factor(node(0), rings) +
+                                 layers.extension_factor(node(1), rings));
+      if (mean > 0.0) {
+        q.try_emplace(node(2), mean);
       }
     }
   }
   for (const auto& [node, amount] : q) {
-    result.motion.push_back({.node = node, .q = amount, .along = point.growth});
+    result.motion.push_back({.node = node, .q = amount, .along = front.tip_point().growth});
   }
   return result;
 }
@@ -186,7 +172,7 @@ std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::Crack
   };
   std::vector<ExtensionField> result;
   for (const int count : rings) {
-    ExtensionField f = field(front.tip_point(), count);
+    ExtensionField f = field(front, count);
     const bool moves_fixed =
         std::ranges::any_of(f.motion, [&](const NodeMotion& m) { return fixed(m.node); });
     const bool leaves = std::ranges::any_of(f.motion, [&](const NodeMotion& m) {

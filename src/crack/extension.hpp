@@ -32,6 +32,16 @@ struct ExtensionField {
   [[nodiscard]] std::map<base::NodeId, double> extension_by_node() const; ///< by node
 };
 
+/// Which face of the crack a point lies on: there theta is pi or -pi, whatever round-off makes of
+/// it.
+enum class CrackFaceSide { none, upper, lower };
+
+/// A free side of an element that a domain moves.
+struct MovedFreeSide {
+  model::Face face;
+  CrackFaceSide on = CrackFaceSide::none; ///< which face of the crack, if it is one
+};
+
 /// What domains must keep clear of, beside what the mesh says; empty: nothing.
 struct DomainLimits {
   std::vector<bool> node; ///< [node] must not move
@@ -57,7 +67,7 @@ public:
 
 private:
   [[nodiscard]] bool on_boundary(base::NodeId n) const;
-  [[nodiscard]] ExtensionField field(const mesh::FrontPoint& point, int rings) const;
+  [[nodiscard]] ExtensionField field(const mesh::CrackFront& front, int rings) const;
 
   const model::Mesh& mesh_;
   mesh::NodeElements elements_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/finite_shift.hpp"
 
+#include "crack/interaction_terms.hpp"
 #include "crack/load_fields.hpp"
-#include "crack/plane_side.hpp"
 #include "fe/thermal_kernel.hpp"
 
 namespace spricka::crack {
@@ -52,7 +52,7 @@ double body_work(const Shift& shift, const ShiftedElement& at) {
     work += weight * fe::jacobian(at.element, at.X, r).det * set.relative_depth(at.X * N) *
             b.dot(value);
   };
-  for_body_forces(set, shift.fields, at.e, at.X, add);
+  for_body_forces<2>(set.mesh, shift.fields, at.e, at.X, add);
   return work;
 }
 
@@ -108,18 +108,18 @@ double element_energy(const Shift& shift, base::ElementId e) {
 
 double face_work(const Shift& shift, const ActingLoad& acting, const model::Face& face,
                  const base::Vec2& u_tip, const fe::FieldScale& scale) {
-  PlaneSide side(shift.set.mesh, face);
+  geometry::ElementSide side = model::element_side(shift.set.mesh, face);
   for (std::size_t i = 0; i < side.nodes.size(); ++i) {
     side.X.col(static_cast<Eigen::Index>(i)).head<2>() += shift.step_of(side.nodes[i]);
   }
-  const SideVectors U = side.gather(shift.u).colwise() - u_tip;
+  const SideVectors<2> U = side_displacements<2>(side, shift.u).colwise() - u_tip;
   double work = 0.0;
-  for (const auto& point : fe::load_rule<1>(side.shape, side.X, *acting.load, scale).points) {
-    const SideValues N = side.shape.N(point.r);
-    const base::Vec2 area = side.area_vector({point.r[0], 0.0}).head<2>();
-    const base::Vec2 x = side.X.topRows<2>() * N;
-    work += point.weight * area.norm() * shift.set.relative_depth(x) *
-            traction(acting, x, area.normalized()).dot(base::Vec2(U * N));
+  for (const auto& point : fe::load_rule(side, *acting.load, scale).points) {
+    const geometry::SideValues N = side.N(point.r);
+    const base::Vec3 x = side.X * N;
+    const base::Vec2 u = U * N;
+    work += point.weight * shift.set.relative_depth(x.head<2>()) *
+            face_force(acting, x, side.area_vector(point.r)).head<2>().dot(u);
   }
   return work;
 }
@@ -144,7 +144,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
     }
   }
   for (const ActingLoad& acting : set.loads.loads) {
-    const fe::FieldScale scale = face_scale(set, acting);
+    const fe::FieldScale scale = face_scale(set.mesh, acting);
     for (const model::Face& face : acting.faces) {
       energy -= face_work(shift, acting, face, u_tip, scale);
     }
@@ -157,7 +157,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
 double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
                             const base::Vector& u) {
   const std::map<base::NodeId, double> q = field.extension_by_node();
-  const std::vector<BodyForceField> fields = body_force_fields(set);
+  const std::vector<BodyForceField> fields = body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
   // (crack.15).
   const double back =
       potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);

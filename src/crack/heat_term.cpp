@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace spricka::crack {
@@ -17,7 +16,6 @@ namespace {
 
 using base::ElementId;
 using base::Vec2;
-using std::numbers::pi;
 
 std::vector<ElementId> all_elements(const ExtensionField& field) {
   std::vector<ElementId> all = field.elements;
@@ -26,17 +24,11 @@ std::vector<ElementId> all_elements(const ExtensionField& field) {
   return all;
 }
 
-// Derivative along the crack of the volume change in the section of auxiliary field 1 to 3: of
-// harmonic functions, from sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
+// Derivative along the crack of the volume change in the section of auxiliary field 1 to 3.
 double section_slope(const TipSetting& set, const Polar& at, std::size_t auxiliary) {
-  const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
-  // Volume change in the plane by sigma_11 + sigma_22.
-  const double bulk = (kolosov(set.material.nu, set.state()) - 1.0) / (4.0 * shear);
-  if (auxiliary == 3) {
-    return bulk * std::cos(2.0 * at.theta) / (pi * at.r * at.r);
-  }
-  const double root = -bulk / (at.r * std::sqrt(2.0 * pi * at.r));
-  return auxiliary == 1 ? root * std::cos(1.5 * at.theta) : -root * std::sin(1.5 * at.theta);
+  const SectionField w = section_field(section_number<2>(auxiliary), {at.r, at.theta},
+                                       section_body(set.material, set.state()));
+  return w.w_yy.x() + w.w_yz.y();
 }
 
 /// The volume change of a auxiliary field along the crack, and about an axis its strain round it.
@@ -108,13 +100,13 @@ public:
 
   // - beta D div(q v,1) of a auxiliary field v.
   void add_to_K(const shape::Point<2>& r, double area, double D,
-                std::array<double, auxiliary_field_count>& sum) const {
+                std::array<double, auxiliary_field_count<2>>& sum) const {
     const Vec2 at = x(r);
     const Polar place = polar(set_.tip, at);
     const double q = extension(r);
     const double round = extension_round(r);
     const Vec2 grad = strained_ ? Vec2(map(r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
-    for (std::size_t k = 1; k < auxiliary_field_count; ++k) {
+    for (std::size_t k = 1; k < auxiliary_field_count<2>; ++k) {
       const Swelling v = swelling(set_, at, k);
       double div = q * v.slope + round * v.hoop;
       if (strained_) {
@@ -142,7 +134,7 @@ public:
   }
 
   void add(const mesh::CrackFront& front, bool wants_G,
-           std::array<double, auxiliary_field_count>& sum) const {
+           std::array<double, auxiliary_field_count<2>>& sum) const {
     // What the element takes less the affine temperature, times auxiliary fields that are singular
     // at the tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip_point().node};
@@ -365,11 +357,11 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
   });
 }
 
-std::array<double, auxiliary_field_count> heat_term(const TipSetting& set,
+std::array<double, auxiliary_field_count<2>> heat_term(const TipSetting& set,
                                                     const mesh::CrackFront& front,
                                                     const ExtensionField& field,
                                                     const base::Vector& u) {
-  std::array<double, auxiliary_field_count> sum{};
+  std::array<double, auxiliary_field_count<2>> sum{};
   const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<ElementId> all = all_elements(field);
   const bool wants_G = !has_temperature_jump(set, field) && (u.array() != 0.0).any();

@@ -18,7 +18,7 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field);
 /// Of one domain, by auxiliary field: to K and T what the temperature less the affine one makes of
 /// them, by parts, so that it needs no gradient (manual, crack.34); to G what the temperature less
 /// that of the elements does, its jumps between elements included (crack.35).
-std::array<double, auxiliary_field_count> heat_term(const TipSetting& set,
+std::array<double, auxiliary_field_count<2>> heat_term(const TipSetting& set,
                                                     const mesh::CrackFront& front,
                                                     const ExtensionField& field,
                                                     const base::Vector& u);

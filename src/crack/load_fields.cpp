@@ -7,38 +7,52 @@
 
 namespace spricka::crack {
 
-std::vector<BodyForceField> body_force_fields(const TipSetting& set) {
+std::vector<BodyForceField> body_force_fields(const model::Model& model, const model::Mesh& mesh,
+                                              const TipLoads& loads, ScaleElements scale) {
   std::vector<BodyForceField> fields;
-  for (const ActingLoad& acting : set.loads.loads) {
+  for (const ActingLoad& acting : loads.loads) {
     if (acting.elements.empty() || acting.load->type == model::LoadType::temperature) {
       continue;
     }
     BodyForceField field{&acting, {}, {}};
     if (acting.load->elements.valid()) {
-      field.shares = fe::set_shares(set.model, set.mesh, acting.load->elements);
-      field.scale = fe::load_scale(set.mesh, *acting.load, field.shares.elements);
+      field.shares = fe::set_shares(model, mesh, acting.load->elements);
+      field.scale = fe::load_scale(mesh, *acting.load,
+                                   scale == ScaleElements::whole_set ? field.shares.elements
+                                                                     : acting.elements);
     }
     fields.push_back(std::move(field));
   }
   return fields;
 }
 
-void for_body_forces(const TipSetting& set, const std::vector<BodyForceField>& fields,
-                     base::ElementId e, const PlaneVectors& X, const BodyForceVisit& visit) {
-  const PlaneElement& element = plane_element(set.mesh, e);
+template <int dim>
+void for_body_forces(const model::Mesh& mesh, const std::vector<BodyForceField>& fields,
+                     base::ElementId e, const fe::AnyNodeVectors<dim>& X,
+                     const BodyForceVisit<dim>& visit) {
+  const fe::AnyElement<dim>& element = shape::reference_element<dim>(mesh.type[e.index()]);
   for (const BodyForceField& field : fields) {
     const ActingLoad& acting = *field.acting;
     if (!std::ranges::binary_search(acting.elements, e)) {
       continue;
     }
     const fe::ElementShare* share = field.shares.find_share(e);
-    for (const auto& point : fe::body_load_rule<2>(element, X, *acting.load, field.scale).points) {
+    for (const auto& point :
+         fe::body_load_rule<dim>(element, X, *acting.load, field.scale).points) {
       base::Vec3 x = base::Vec3::Zero();
-      x.head<2>() = X * element.N(point.r);
+      x.head<dim>() = X * element.N(point.r);
       const double factor = share == nullptr ? acting.factor : acting.factor * (*share)(x);
-      visit(point.r, point.weight, base::Vec2(factor * fe::load_value(*acting.load, x).head<2>()));
+      visit(point.r, point.weight,
+            shape::Point<dim>(factor * fe::load_value(*acting.load, x).template head<dim>()));
     }
   }
 }
+
+template void for_body_forces<2>(const model::Mesh&, const std::vector<BodyForceField>&,
+                                 base::ElementId, const fe::AnyNodeVectors<2>&,
+                                 const BodyForceVisit<2>&);
+template void for_body_forces<3>(const model::Mesh&, const std::vector<BodyForceField>&,
+                                 base::ElementId, const fe::AnyNodeVectors<3>&,
+                                 const BodyForceVisit<3>&);
 
 } // namespace spricka::crack

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/load_jumps.hpp"
 
-#include "crack/load_fields.hpp"
-#include "crack/plane_side.hpp"
+#include "model/mesh_side.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +16,21 @@ struct Roughness {
   double discontinuous = 0.0, all = 0.0;
 };
 
-Roughness roughness(const ActingLoad& acting, const fe::FieldScale& scale, const PlaneSide& side) {
-  const fe::AdaptedRule<1> rule = fe::load_rule<1>(side.shape, side.X, *acting.load, scale);
+Roughness roughness(const ActingLoad& acting, const fe::FieldScale& scale, 
+                    const geometry::ElementSide& side) {
+  const fe::AdaptedRule<2> rule = fe::load_rule(side, *acting.load, scale);
   // by Legendre's polynomials of the arc length that a straight side has, twice over it -1 .. 1
   const base::Vec2 from = side.X.col(0).head<2>();
   const base::Vec2 chord = side.X.col(1).head<2>() - from;
-  const base::Vec2 normal = base::Vec2(chord.y(), -chord.x()).normalized();
+  const base::Vec3 normal = base::Vec3(chord.y(), -chord.x(), 0.0).normalized();
   base::Vec2 mean = base::Vec2::Zero();
   base::Vec2 slope = base::Vec2::Zero();
   double square = 0.0;
   for (const auto& point : rule.points) {
-    const base::Vec2 x = side.X.topRows<2>() * side.shape.N(point.r);
-    const base::Vec2 along = side.X.topRows<2>() * side.shape.dN(point.r);
-    const double s = 2.0 * (x - from).dot(chord) / chord.squaredNorm() - 1.0;
-    const double w = 2.0 * point.weight * along.norm() / chord.norm();
-    const base::Vec2 t = traction(acting, x, normal);
+    const base::Vec3 x = side.position(point.r);
+    const double s = 2.0 * (x.head<2>() - from).dot(chord) / chord.squaredNorm() - 1.0;
+    const double w = 2.0 * point.weight * side.tangents(point.r).col(0).norm() / chord.norm();
+    const base::Vec2 t = face_force(acting, x, normal).head<2>();
     mean += 0.5 * w * t;
     slope += 1.5 * w * s * t;
     square += w * t.squaredNorm();
@@ -53,9 +52,9 @@ void for_discontinuous_sides(const TipSetting& set, const ExtensionField& field,
     if (acting.faces.empty() || fe::is_constant(*acting.load)) {
       continue;
     }
-    const fe::FieldScale scale = face_scale(set, acting);
+    const fe::FieldScale scale = face_scale(set.mesh, acting);
     for (const model::Face& face : acting.faces) {
-      const PlaneSide side(set.mesh, face);
+      const geometry::ElementSide side = model::element_side(set.mesh, face);
       if (std::ranges::any_of(
               side.nodes, [&](base::NodeId n) { return std::ranges::binary_search(moved, n); })) {
         visit(face, roughness(acting, scale, side));

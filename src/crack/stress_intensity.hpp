@@ -53,6 +53,13 @@ struct StressIntensity {
   std::optional<FrontPointIntensity> front;     ///< in space
 };
 
+/// G [energy/length^2] of stress intensity factors K1, K2, K3: K1^2 / E' + K2^2 / E' + K3^2 / 2 mu.
+double energy_release_rate(double E_effective, double mu, const std::array<double, 3>& K);
+
+/// From the domains of a point, one at least, its means, G of K and spread: the largest range of the
+/// first `compared` modes over sqrt(E' G of K). Two materials and E' are known.
+void summarise_domains(double mu, std::size_t compared, StressIntensity& result);
+
 struct TipIntensityRequest {
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic
   model::TipConstraint state = model::TipConstraint::automatic;
@@ -77,8 +84,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
                                  const TipIntensityRequest& request, const base::Vector& u,
                                  const TipLoads& loads);
 
-/// K1 and K2 as functions of u, rows^T u + intensity_constant: what stress_intensity finds by the
-/// analytic derivative. The rows are their exact gradient. [dim * node, 2]
+/// K1 and K2 as functions of u, rows^T u + what the loads add at u = 0: what stress_intensity finds
+/// by the analytic derivative. The rows are their exact gradient. [dim * node, 2]
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                             const mesh::CrackFront& front,
                             const std::vector<ExtensionField>& fields, model::TipConstraint state);
@@ -106,19 +113,5 @@ base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::Cr
                                        const std::vector<ExtensionField>& fields,
                                        model::TipConstraint state,
                                        const std::vector<model::Face>& faces);
-/// The same of T. [dim * node]
-base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
-                          const mesh::CrackFront& front, const std::vector<ExtensionField>& fields);
-
-/// What K1, K2 and T have at u = 0: linear in the loads.
-struct IntensityConstant {
-  double K1 = 0.0, K2 = 0.0, T = 0.0;
-};
-/// K1, K2 and T that the loads and temperatures of a tip add by themselves (crack.23), evaluated
-/// with all displacements zero; zero without loads.
-IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                     const mesh::CrackFront& front,
-                                     const std::vector<ExtensionField>& fields,
-                                     model::TipConstraint state, const TipLoads& loads);
 
 } // namespace spricka::crack

@@ -2,33 +2,46 @@
 #include "crack/tip_loads.hpp"
 
 #include "model/loads.hpp"
+#include "model/mesh_side.hpp"
 
 #include <algorithm>
 
 namespace spricka::crack {
-
-namespace {
-
-base::Vec2 components(const model::Load& load, const base::Vec2& x) {
-  const base::Vec3 at(x.x(), x.y(), 0.0);
-  base::Vec2 value = base::Vec2::Zero();
-  for (std::size_t k = 0; k < std::min<std::size_t>(2, load.value.size()); ++k) {
-    value[static_cast<Eigen::Index>(k)] = load.value[k](at);
-  }
-  return value;
-}
-
-} // namespace
 
 bool TipLoads::has_element_loads() const {
   return temperature.size() > 0 ||
          std::ranges::any_of(loads, [](const ActingLoad& a) { return !a.elements.empty(); });
 }
 
-base::Vec2 traction(const ActingLoad& acting, const base::Vec2& x, const base::Vec2& n) {
-  const base::Vec2 value = components(*acting.load, x);
-  return acting.load->type == model::LoadType::pressure ? base::Vec2(-acting.factor * value.x() * n)
-                                                        : base::Vec2(acting.factor * value);
+base::Vec3 face_force(const ActingLoad& acting, const base::Vec3& x, const base::Vec3& area) {
+  const base::Vec3 value = fe::load_value(*acting.load, x);
+  return acting.load->type == model::LoadType::pressure
+             ? base::Vec3(-acting.factor * value.x() * area)
+             : base::Vec3(acting.factor * area.norm() * value);
+}
+
+fe::FieldScale face_scale(const model::Mesh& mesh, const ActingLoad& acting) {
+  return acting.faces.empty() || !acting.load->faces.valid() ? fe::FieldScale()
+                                                             : fe::load_scale(mesh, *acting.load);
+}
+
+std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads) {
+  std::vector<FacePointForces> forces;
+  for (const ActingLoad& acting : loads.loads) {
+    const fe::FieldScale scale = face_scale(mesh, acting);
+    for (const model::Face& face : acting.faces) {
+      const geometry::ElementSide side = model::element_side(mesh, face);
+      FacePointForces on{face, {}};
+      for (const auto& point : fe::load_rule(side, *acting.load, scale).points) {
+        fe::LoadPoint& at = on.points.emplace_back();
+        at.r.head<2>() = point.r;
+        at.force = point.weight *
+                   face_force(acting, side.X * side.N(point.r), side.area_vector(point.r));
+      }
+      forces.push_back(std::move(on));
+    }
+  }
+  return forces;
 }
 
 } // namespace spricka::crack

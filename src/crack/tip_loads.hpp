@@ -2,12 +2,14 @@
 #pragma once
 #include "base/vec.hpp"
 #include "fe/heat.hpp"
+#include "fe/load_points.hpp"
+#include "fe/load_rule.hpp"
 #include "model/forward.hpp"
 #include "model/mesh.hpp"
 
 #include <vector>
 
-/// What acts on the elements and faces round a tip.
+/// What acts on the elements and faces round a front.
 namespace spricka::crack {
 
 /// A load of the deck with the factor it has: TRACTION and PRESSURE act on `faces`, the others on
@@ -28,7 +30,20 @@ struct TipLoads {
   [[nodiscard]] bool has_element_loads() const;
 };
 
-/// Force per area of one load on a face whose outer normal is n [stress].
-base::Vec2 traction(const ActingLoad& acting, const base::Vec2& x, const base::Vec2& n);
+/// Force of one load on a place x of a face [force], per unit thickness in the plane; `area` is the
+/// face's normal as long as the area or length that the place stands for.
+base::Vec3 face_force(const ActingLoad& acting, const base::Vec3& x, const base::Vec3& area);
+
+/// Scale of a load on faces, for fe::load_rule.
+fe::FieldScale face_scale(const model::Mesh& mesh, const ActingLoad& acting);
+
+/// Forces on a side at its points.
+struct FacePointForces {
+  model::Face face;
+  std::vector<fe::LoadPoint> points;
+};
+/// Forces of the loads on sides round the front, at points; of the deck's own rules. About an axis
+/// what stands behind a point is not in them.
+std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads);
 
 } // namespace spricka::crack

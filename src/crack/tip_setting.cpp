@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/tip_setting.hpp"
 
-#include "crack/point_force.hpp"
-#include "fe/corner_rule.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -37,7 +35,8 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
           front.crack.index() < cracked.faces.size() ? &cracked.faces[front.crack.index()]
                                                      : nullptr,
           loads,
-          std::nullopt};
+          std::nullopt,
+          front.symmetric_half ? 2.0 : 1.0};
 }
 
 fe::Elasticity<2> TipSetting::elasticity(base::ElementId e) const {
@@ -57,42 +56,16 @@ bool between_materials(const TipSetting& set, const ExtensionField& field) {
   return std::ranges::any_of(field.elements, differs) || std::ranges::any_of(field.inside, differs);
 }
 
-std::array<base::Vec3, auxiliary_field_count>& ConfigurationalForces::operator[](base::NodeId n) {
-  const auto [place, fresh] = at.try_emplace(n);
-  if (fresh) {
-    place->second.fill(base::Vec3::Zero());
-  }
-  return place->second;
-}
-
-std::array<double, auxiliary_field_count>
-ConfigurationalForces::released_energies(const ExtensionField& field) const {
-  std::array<double, auxiliary_field_count> sum{};
-  for (const NodeMotion& moved : field.motion) {
-    const auto P = at.find(moved.node);
-    // Nodes that no term has touched release nothing.
-    if (P != at.end()) {
-      for (std::size_t k = 0; k < auxiliary_field_count; ++k) {
-        sum[k] += moved.q * moved.along.dot(P->second[k]);
-      }
-    }
-  }
-  return sum;
-}
-
 Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
                                          std::size_t auxiliary) {
-  return auxiliary == 3 ? point_force_gradient(set.tip, at, set.material, set.state())
-                        : near_tip_gradient(set.tip, at, static_cast<int>(auxiliary), set.material,
-                                            set.state());
+  return near_tip_gradient(set.tip, at, section_number<2>(auxiliary),
+                           section_body(set.material, set.state()));
 }
 
 base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
                                         std::size_t auxiliary) {
-  return auxiliary == 3
-             ? point_force_displacement(set.tip, at, set.tip.x.x(), set.material, set.state())
-             : near_tip_displacement(set.tip, at, static_cast<int>(auxiliary), set.material,
-                                     set.state());
+  return near_tip_displacement(set.tip, at, section_number<2>(auxiliary),
+                               section_body(set.material, set.state(), set.tip.x.x()));
 }
 
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
@@ -104,22 +77,6 @@ PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
     moved[static_cast<Eigen::Index>(n)] = at == q.end() ? 0.0 : at->second;
   }
   return moved;
-}
-
-void for_domain_points(const TipSetting& set, base::ElementId e,
-                       const std::function<void(const shape::Point<2>& r, double weight)>& visit) {
-  const PlaneElement& element = plane_element(set.mesh, e);
-  const std::array<base::NodeId, 1> tips{set.tip_node};
-  const int corner = set.is_axisymmetric() ? fe::find_tip_corner(set.mesh, e, tips) : -1;
-  if (corner < 0) {
-    for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {
-      visit(point.r, point.weight);
-    }
-    return;
-  }
-  for (const fe::ReferenceChart& chart : fe::charts(element, corner)) {
-    fe::for_chart_points(chart, {0.0, 0.0, 1.0}, visit);
-  }
 }
 
 } // namespace spricka::crack

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/energy_momentum.hpp"
+#include "crack/auxiliary_field.hpp"
 #include "crack/extension.hpp"
 #include "crack/tip_loads.hpp"
-#include "crack/williams.hpp"
 #include "fe/element.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
@@ -15,7 +14,7 @@
 #include <map>
 #include <optional>
 
-/// What the terms of G, K and T have in common.
+/// What the terms of G, K and T of a tip in the plane have in common.
 namespace spricka::crack {
 
 /// An element of a section, and vectors and values at its nodes.
@@ -50,6 +49,7 @@ struct TipSetting {
   const mesh::CrackFaces* crack_faces; ///< of the tip's crack; null: unknown
   const TipLoads& loads;
   std::optional<AffineTemperature> affine = std::nullopt;
+  double halves = 1.0; ///< 2: one half of the body is in the mesh
 
   [[nodiscard]] model::StressState state() const { return property.state; }
   [[nodiscard]] bool is_axisymmetric() const { return state() == model::StressState::axisymmetric; }
@@ -58,8 +58,22 @@ struct TipSetting {
   [[nodiscard]] double relative_depth(const base::Vec2& x) const {
     return is_axisymmetric() ? x.x() / tip.x.x() : 1.0;
   }
+  /// Of a displacement v at x the strain round the axis; 0 in the plane.
+  [[nodiscard]] double hoop(const base::Vec2& v, const base::Vec2& x) const {
+    return is_axisymmetric() ? v.x() / x.x() : 0.0;
+  }
+  /// A stress round the axis at x as a force per volume: along the radius; 0 in the plane.
+  [[nodiscard]] base::Vec2 hoop_force(double stress, const base::Vec2& x) const {
+    return {is_axisymmetric() ? stress / x.x() : 0.0, 0.0};
+  }
   /// Of an element's own, in the section.
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
+  /// What turns the product of an extension and the forces of an auxiliary field into G, K1, K2 and
+  /// T (crack.11, crack.12, crack.26), K as that of the property's own E'.
+  [[nodiscard]] double conversion_factor(std::size_t auxiliary) const {
+    const double E = fe::effective_modulus(material, state());
+    return halves * (auxiliary == 0 ? 1.0 : auxiliary == force_auxiliary<2> ? E : 0.5 * E);
+  }
 };
 /// Gathers the material, axes, crack faces and loads of a tip. There must be a domain; the property
 /// is that of its first element.
@@ -69,22 +83,6 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
 
 /// Whether the elements of a field have more than one material or state.
 bool between_materials(const TipSetting& set, const ExtensionField& field);
-
-/// Partners of the solution: itself (G), the near-tip fields of K1 = 1 and K2 = 1, and the field of
-/// a unit force along the crack at the tip (T).
-inline constexpr std::size_t auxiliary_field_count = 4;
-
-/// Configurational forces: how much energy is released as nodes move, per unit thickness
-/// [force/length], of the solution with each auxiliary field. Terms add to them; G, K and T are
-/// their product with a virtual extension.
-struct ConfigurationalForces {
-  std::map<base::NodeId, std::array<base::Vec3, auxiliary_field_count>> at;
-
-  std::array<base::Vec3, auxiliary_field_count>& operator[](base::NodeId n);
-  /// Sum over nodes of their motion times P, of each auxiliary field.
-  [[nodiscard]] std::array<double, auxiliary_field_count>
-  released_energies(const ExtensionField& field) const;
-};
 
 /// Displacement gradient of auxiliary field 1 to 3 at a point off the tip.
 Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
@@ -102,11 +100,5 @@ PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
 /// In the elements where q varies the auxiliary fields behave like r^-1/2 or r^-1 but are smooth;
 /// degree 9 leaves 1e-7 of them.
 inline constexpr int domain_degree = 9;
-
-/// Visits the points of an element of a domain with their weights. About an axis the elements at
-/// the tip count as well (crack.37), where auxiliary fields are singular: by charts collapsed into
-/// it.
-void for_domain_points(const TipSetting& set, base::ElementId e,
-                       const std::function<void(const shape::Point<2>& r, double weight)>& visit);
 
 } // namespace spricka::crack

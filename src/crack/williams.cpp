@@ -3,6 +3,7 @@
 
 #include "model/materials.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,29 +11,49 @@ namespace spricka::crack {
 
 namespace {
 
-// u = sqrt(r / 2 pi) / (2 mu) g(theta) in the tip's axes; g and dg/dtheta for a unit K.
-struct Angular {
-  base::Vec2 g, dg;
+// amplitude (r^power g(theta) + a ln r), g with its derivatives by theta.
+struct AngularParts {
+  double amplitude = 0.0, power = 0.0;
+  base::Vec3 g = base::Vec3::Zero(), dg = base::Vec3::Zero(), ddg = base::Vec3::Zero();
+  base::Vec3 a = base::Vec3::Zero();
 };
 
-Angular angular(double theta, int mode, double kappa) {
-  const double c = std::cos(0.5 * theta);
-  const double s = std::sin(0.5 * theta);
-  const double C = std::cos(theta);
-  const double S = std::sin(theta);
-  // (crack.6), then (crack.7).
+// (crack.6), (crack.7) and mode 3, their products of cosines and sines resolved.
+AngularParts near_front(std::size_t mode, const SectionPolarPoint& at, const SectionBody& body) {
+  const double kappa = body.kappa;
+  const auto [c1, s1, c3, s3] = std::array{at.c1, at.s1, at.c3, at.s3};
+  AngularParts f;
+  f.amplitude = 1.0 / (2.0 * body.mu * std::sqrt(2.0 * std::numbers::pi));
+  f.power = 0.5;
   if (mode == 1) {
-    return {{c * (kappa - C), s * (kappa - C)},
-            {-0.5 * s * (kappa - C) + c * S, 0.5 * c * (kappa - C) + s * S}};
+    f.g = {(kappa - 0.5) * c1 - 0.5 * c3, (kappa + 0.5) * s1 - 0.5 * s3, 0.0};
+    f.dg = {-0.5 * (kappa - 0.5) * s1 + 0.75 * s3, 0.5 * (kappa + 0.5) * c1 - 0.75 * c3, 0.0};
+    f.ddg = {-0.25 * (kappa - 0.5) * c1 + 1.125 * c3, -0.25 * (kappa + 0.5) * s1 + 1.125 * s3, 0.0};
+  } else if (mode == 2) {
+    f.g = {(kappa + 1.5) * s1 + 0.5 * s3, -(kappa - 1.5) * c1 - 0.5 * c3, 0.0};
+    f.dg = {0.5 * (kappa + 1.5) * c1 + 0.75 * c3, 0.5 * (kappa - 1.5) * s1 + 0.75 * s3, 0.0};
+    f.ddg = {-0.25 * (kappa + 1.5) * s1 - 1.125 * s3, 0.25 * (kappa - 1.5) * c1 + 1.125 * c3, 0.0};
+  } else {
+    f.g.z() = 4.0 * s1;
+    f.dg.z() = 2.0 * c1;
+    f.ddg.z() = -s1;
   }
-  return {{s * (kappa + 2.0 + C), -c * (kappa - 2.0 + C)},
-          {0.5 * c * (kappa + 2.0 + C) - s * S, 0.5 * s * (kappa - 2.0 + C) + c * S}};
+  return f;
 }
 
-// The factor in front of g [length^0.5 / stress].
-double amplitude(double r, const model::ElasticMaterial& m) {
-  const double shear = m.E / (2.0 * (1.0 + m.nu));
-  return std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * shear);
+// (crack.24).
+AngularParts line_force(const SectionPolarPoint& at, const SectionBody& body) {
+  const double kappa = body.kappa;
+  const double theta = at.theta;
+  const double C = at.C * at.C - at.S * at.S; // of twice the angle
+  const double S = 2.0 * at.C * at.S;
+  AngularParts f;
+  f.amplitude = -1.0 / (8.0 * std::numbers::pi * body.mu);
+  f.a.x() = kappa + 1.0;
+  f.g = {1.0 - C, (kappa - 1.0) * theta - S, 0.0};
+  f.dg = {2.0 * S, kappa - 1.0 - 2.0 * C, 0.0};
+  f.ddg = {4.0 * C, 4.0 * S, 0.0};
+  return f;
 }
 
 } // namespace
@@ -54,28 +75,56 @@ double kolosov(double nu, model::StressState state) {
   return state == model::StressState::plane_stress ? (3.0 - nu) / (1.0 + nu) : 3.0 - 4.0 * nu;
 }
 
-Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, int mode,
-                                  const model::ElasticMaterial& material,
-                                  model::StressState state) {
-  const auto [r, theta] = at;
-  const Angular f = angular(theta, mode, kolosov(material.nu, state));
-  const double a = amplitude(r, material) / r;
-  const double C = std::cos(theta);
-  const double S = std::sin(theta);
-  // u_,r = u / 2r; u_,1 = C u_,r - S u_,theta / r; u_,2 = S u_,r + C u_,theta / r (crack.8)
+SectionBody section_body(const model::ElasticMaterial& material, model::StressState state,
+                         double unit) {
+  return {material.E / (2.0 * (1.0 + material.nu)), kolosov(material.nu, state), unit};
+}
+
+SectionPolarPoint::SectionPolarPoint(double radius, double angle)
+    : r(radius), theta(angle), c1(std::cos(0.5 * angle)), s1(std::sin(0.5 * angle)),
+      C(c1 * c1 - s1 * s1), S(2.0 * c1 * s1), c3(C * c1 - S * s1), s3(S * c1 + C * s1) {}
+
+SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
+                           const SectionBody& body) {
+  const bool force = auxiliary == line_force_auxiliary;
+  const AngularParts f = force ? line_force(at, body) : near_front(auxiliary, at, body);
+  const double C = at.C;
+  const double S = at.S;
+  const double p = f.power;
+  // r^(p-1) Y and r^(p-1) Z are the derivatives by y and z, as (crack.8); they once more.
+  const base::Vec3 Y = p * C * f.g - S * f.dg + C * f.a;
+  const base::Vec3 dY = -p * S * f.g + (p - 1.0) * C * f.dg - S * f.ddg - S * f.a;
+  const base::Vec3 Z = p * S * f.g + C * f.dg + S * f.a;
+  const base::Vec3 dZ = p * C * f.g + (p - 1.0) * S * f.dg + C * f.ddg + C * f.a;
+  const double zeroth = f.amplitude * (force ? 1.0 : std::sqrt(at.r)); // the powers 0 and 1/2
+  const double first = zeroth / at.r;
+  const double second = first / at.r;
+  SectionField w;
+  w.w = zeroth * f.g;
+  if (force) {
+    w.w += f.amplitude * std::log(at.r / body.unit) * f.a;
+  }
+  w.w_y = first * Y;
+  w.w_z = first * Z;
+  w.w_yy = second * ((p - 1.0) * C * Y - S * dY);
+  w.w_yz = second * ((p - 1.0) * C * Z - S * dZ);
+  w.w_zz = second * ((p - 1.0) * S * Z + C * dZ);
+  return w;
+}
+
+Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
+                                  const SectionBody& body) {
+  const SectionField f = section_field(auxiliary, {at.r, at.theta}, body);
   Eigen::Matrix2d local;
-  local.col(0) = a * (0.5 * C * f.g - S * f.dg);
-  local.col(1) = a * (0.5 * S * f.g + C * f.dg);
+  local << f.w_y.head<2>(), f.w_z.head<2>();
   Eigen::Matrix2d Q;
   Q << tip.e1, tip.e2;
   return Q * local * Q.transpose();
 }
 
-base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, int mode,
-                                 const model::ElasticMaterial& material, model::StressState state) {
-  const auto [r, theta] = at;
-  const Angular f = angular(theta, mode, kolosov(material.nu, state));
-  const base::Vec2 u = amplitude(r, material) * f.g;
+base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
+                                 const SectionBody& body) {
+  const base::Vec3 u = section_field(auxiliary, {at.r, at.theta}, body).w;
   return u.x() * tip.e1 + u.y() * tip.e2;
 }
 

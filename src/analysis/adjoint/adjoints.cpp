@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/adjoints.hpp"
 
-#include "analysis/steps/crack_face_contact.hpp"
-#include "crack/stress_intensity.hpp"
+#include "analysis/scene/front_functionals.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -44,12 +43,10 @@ void KAdjoints::condense_rows() {
   base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
                      layout.count());
   for (std::size_t t = 0; t < cracked.fronts.size(); ++t) {
-    const mesh::CrackFront& front = cracked.fronts[t];
-    rows_.push_back(crack::intensity_rows(model_, cracked, front, scene_.tips[t].fields,
-                                          model_.cracks[front.crack.index()].state));
+    rows_.push_back(tip_K_rows(model_, scene_, t));
     layout.columns(nodal, t) = rows_.back();
   }
-  by_force_ = K_from_face_forces(model_, scene_).transpose();
+  by_force_ = K_by_forces(model_, scene_).transpose();
   scene_.ties->transfer_to_masters(nodal);
   for (const SubstructuredBody& body : bodies_) {
     condensed_.push_back(touches(body.body, cracked.mesh.dim, nodal)

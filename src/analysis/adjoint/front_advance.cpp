@@ -113,8 +113,8 @@ VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Disc
   move();
   move_pairs();
   if (why_never_.empty()) {
-    rows_ = front_K_rows(model_, moved_);
-    of_force_ = pairs_.empty() ? base::Matrix() : front_K_by_forces(model_, moved_);
+    rows_ = K_rows(model_, moved_);
+    of_force_ = pairs_.empty() ? base::Matrix() : K_by_forces(model_, moved_);
   }
 }
 
@@ -334,11 +334,8 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
                                           const FrontKFunctionals& K) const {
   const StepState& state = step.state;
   base::Vector out = rows_.transpose() * state.u - K.rows.transpose() * state.u;
-  if (acts_on_fronts(model_, scene_, state.case_factor)) {
-    const base::Vector still = base::Vector::Zero(state.u.size());
-    out += front_K_values(model_, moved_, still, state.case_factor) -
-           front_K_values(model_, scene_, still, state.case_factor);
-  }
+  out += K_of_loads(model_, moved_, state.case_factor) -
+         K_of_loads(model_, scene_, state.case_factor);
   if (!pairs_.empty()) {
     base::Vector lambda(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {

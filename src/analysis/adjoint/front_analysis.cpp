@@ -13,7 +13,7 @@ void FrontErrorsAndSensitivities::add_to_fronts(const StepSolver& solver, const 
                                                 results::StepResult& result) {
   if (!functionals_) {
     functionals_.emplace(
-        FrontKFunctionals{front_K_rows(model_, scene_), front_K_by_forces(model_, scene_)});
+        FrontKFunctionals{K_rows(model_, scene_), K_by_forces(model_, scene_)});
   }
   const ClosedContactRows rows = closed_rows(solver, scene_);
   const FrozenContactSystem system(solver, scene_, bodies_,

@@ -3,6 +3,7 @@
 
 #include "analysis/adjoint/contact_rates.hpp"
 #include "analysis/adjoint/front_advance.hpp"
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "model/model.hpp"
 
@@ -14,14 +15,6 @@
 namespace spricka::analysis {
 
 namespace {
-
-std::size_t front_material(const model::Model& model, const Discretisation& scene,
-                           const FrontWithDomains& at) {
-  const std::vector<base::ElementId> elements = at.fields.elements();
-  return elements.empty()
-             ? model.materials.size()
-             : model.element_property(scene.cracked.mesh, elements.front()).material.index();
-}
 
 // Faces that touch hold K1 at 0.
 void hold_closed_points(const crack::KLayout& layout, const results::StepResult& result,
@@ -51,17 +44,7 @@ void FrontSensitivityAnalysis::prepare() {
   }
   prepared_ = true;
   case_load_ = loads_with_supports(model_, scene_);
-  const auto cases = static_cast<Eigen::Index>(model_.cases.size());
-  of_loads_ = base::Matrix::Zero(scene_.k_layout().count(), cases);
-  const Eigen::Index columns = std::max(cases, scene_.case_load.cols()); // that of ties, too
-  const base::Vector still =
-      base::Vector::Zero(3 * static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()));
-  for (Eigen::Index c = 0; c < cases; ++c) {
-    const base::Vector one = base::Vector::Unit(columns, c);
-    if (acts_on_fronts(model_, scene_, one)) {
-      of_loads_.col(c) = front_K_values(model_, scene_, still, one);
-    }
-  }
+  of_loads_ = K_of_cases(model_, scene_);
   for (std::size_t c = 0; c < model_.cracks.size(); ++c) {
     if (model_.cracks[c].kind == model::CrackDefinitionKind::ellipse) {
       for (const EllipseAxis axis : {EllipseAxis::a, EllipseAxis::c}) {
@@ -70,38 +53,6 @@ void FrontSensitivityAnalysis::prepare() {
       }
     }
   }
-}
-
-KDependence FrontSensitivityAnalysis::dependence(const FrozenContactStep& step,
-                                                 const FrontKFunctionals& K) const {
-  KDependence of{.model = model_,
-                 .scene = scene_,
-                 .solver = step.solver,
-                 .state = step.state,
-                 .case_load = case_load_,
-                 .of_loads = of_loads_,
-                 .material = {},
-                 .of_displacements = {},
-                 .of_modulus = {}};
-  for (const FrontWithDomains& at : scene_.fronts) {
-    of.material.insert(of.material.end(), at.front.points.size(),
-                       front_material(model_, scene_, at));
-  }
-  of.of_displacements = [&K](const base::Vector& u) -> base::Vector {
-    return K.rows.transpose() * u;
-  };
-  // What loads add is a constant and a part that goes with E: twice the modulus shows that.
-  of.of_modulus = [this, &step](std::size_t m) -> base::Vector {
-    if (!acts_on_fronts(model_, scene_, step.state.case_factor)) {
-      return base::Vector::Zero(of_loads_.rows());
-    }
-    model::Model stiffer = model_;
-    stiffer.materials[m].E *= 2.0;
-    const base::Vector still = base::Vector::Zero(step.state.u.size());
-    return front_K_values(stiffer, scene_, still, step.state.case_factor) -
-           front_K_values(model_, scene_, still, step.state.case_factor);
-  };
-  return of;
 }
 
 void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
@@ -165,7 +116,9 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
     return;
   }
   prepare();
-  const KDependence of = dependence(step, K);
+  const KDependence of =
+      k_dependence(model_, scene_, step.solver, step.state, case_load_, of_loads_,
+                   [&K](const base::Vector& u) -> base::Vector { return K.rows.transpose() * u; });
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(of);
   if ((step.solver.mount_offset().array() != 0.0).any()) {
     add_sensitivity_note("no derivatives by moduli: parts were mounted on deformed ones", result);

@@ -25,8 +25,6 @@ public:
 
 private:
   void prepare();
-  [[nodiscard]] KDependence dependence(const FrozenContactStep& step,
-                                       const FrontKFunctionals& K) const;
   void add_lengths(const FrozenContactStep& step, const FrontKFunctionals& K,
                    std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
   void solve(const FrozenContactStep& step, const FrontKFunctionals& K,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/parameter_derivatives.hpp"
 
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/scene/scene_heat.hpp"
 #include "analysis/steps/row_opening.hpp"
 #include "base/index.hpp"
@@ -85,7 +86,47 @@ base::Matrix loads_by_materials(const KDependence& K) {
   return loads;
 }
 
+// [point] by a first element of its domains; that behind the last where it has none.
+std::vector<std::size_t> point_materials(const model::Model& model, const Discretisation& scene) {
+  const auto material = [&](const std::vector<base::ElementId>& elements) {
+    return elements.empty()
+               ? model.materials.size()
+               : model.element_property(scene.cracked.mesh, elements.front()).material.index();
+  };
+  std::vector<std::size_t> materials;
+  for (const TipDomainFields& tip : scene.tips) {
+    materials.push_back(tip.fields.empty() ? model.materials.size()
+                                           : material(tip.fields.front().elements));
+  }
+  for (const FrontWithDomains& at : scene.fronts) {
+    materials.insert(materials.end(), at.front.points.size(), material(at.fields.elements()));
+  }
+  return materials;
+}
+
 } // namespace
+
+KDependence k_dependence(const model::Model& model, const Discretisation& scene,
+                         const StepSolver& solver, const StepState& state,
+                         const base::Matrix& case_load, const base::Matrix& of_loads,
+                         std::function<base::Vector(const base::Vector&)> of_displacements) {
+  // What loads add is a constant and a part that goes with E: twice the modulus shows that.
+  const auto of_modulus = [&model, &scene, &state](std::size_t m) -> base::Vector {
+    model::Model stiffer = model;
+    stiffer.materials[m].E *= 2.0;
+    return K_of_loads(stiffer, scene, state.case_factor) -
+           K_of_loads(model, scene, state.case_factor);
+  };
+  return {.model = model,
+          .scene = scene,
+          .solver = solver,
+          .state = state,
+          .case_load = case_load,
+          .of_loads = of_loads,
+          .material = point_materials(model, scene),
+          .of_displacements = std::move(of_displacements),
+          .of_modulus = of_modulus};
+}
 
 std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K) {
   std::vector<ParameterDerivative> causes;

@@ -38,6 +38,13 @@ struct KDependence {
   std::function<base::Vector(std::size_t)> of_modulus;
 };
 
+/// That of a step, with the material of the first element of each point's domains; `case_load` and
+/// `of_loads` (K_of_cases) must outlive it.
+KDependence k_dependence(const model::Model& model, const Discretisation& scene,
+                         const StepSolver& solver, const StepState& state,
+                         const base::Matrix& case_load, const base::Matrix& of_loads,
+                         std::function<base::Vector(const base::Vector&)> of_displacements);
+
 /// The derivatives by loads, then those by fits.
 std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K);
 /// Adds a derivative by each material's modulus: by the loads of its elements, and at points in it

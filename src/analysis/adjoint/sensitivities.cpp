@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/sensitivities.hpp"
 
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "model/model.hpp"
@@ -19,14 +20,6 @@ namespace {
 using results::Sensitivity;
 
 constexpr double same = 1e-10; ///< of the larger: two derivatives are one
-
-std::size_t tip_material(const model::Model& model, const Discretisation& scene, std::size_t t) {
-  const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
-  return fields.empty()
-             ? model.materials.size()
-             : model.element_property(scene.cracked.mesh, fields.front().elements.front())
-                   .material.index();
-}
 
 // dK of all tips by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
 base::Vector slopes(const Discretisation& scene, const ParameterDerivative& cause,
@@ -82,51 +75,10 @@ void TipSensitivityAnalysis::prepare() {
     return;
   }
   case_load_ = loads_with_supports(model_, scene_);
-  const crack::KLayout layout = scene_.k_layout();
-  of_loads_.resize(layout.count(), static_cast<Eigen::Index>(model_.cases.size()));
-  of_moduli_ = base::Matrix::Zero(of_loads_.rows(), of_loads_.cols());
+  of_loads_ = K_of_cases(model_, scene_);
   for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-    const base::Matrix own = K_from_loads(model_, scene_, t);
-    of_loads_.middleRows(layout.first_index(t), layout.modes()) = own;
-    if ((own.array() != 0.0).any()) {
-      // What loads add to K is a constant and a part that goes with E: twice the modulus shows
-      // that.
-      model::Model stiffer = model_;
-      stiffer.materials[tip_material(model_, scene_, t)].E *= 2.0;
-      of_moduli_.middleRows(layout.first_index(t), layout.modes()) =
-          K_from_loads(stiffer, scene_, t) - own;
-    }
     advances_.push_back(std::make_unique<VirtualTipExtension>(model_, scene_, t));
   }
-}
-
-KDependence
-TipSensitivityAnalysis::dependence(const StepSolver& solver, const StepState& state,
-                                   const std::vector<estimate::IntensityAdjoint>& adjoints) const {
-  KDependence K{.model = model_,
-                .scene = scene_,
-                .solver = solver,
-                .state = state,
-                .case_load = case_load_,
-                .of_loads = of_loads_,
-                .material = {},
-                .of_displacements = {},
-                .of_modulus = {}};
-  const crack::KLayout layout = scene_.k_layout();
-  for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-    K.material.push_back(tip_material(model_, scene_, t));
-  }
-  K.of_displacements = [&adjoints, layout](const base::Vector& u) {
-    base::Vector out(layout.count());
-    for (std::size_t t = 0; t < adjoints.size(); ++t) {
-      layout.point_entries(out, t) = adjoints[t].rows.transpose() * u;
-    }
-    return out;
-  };
-  K.of_modulus = [this, &state](std::size_t) -> base::Vector {
-    return of_moduli_ * state.case_factor.head(of_moduli_.cols());
-  };
-  return K;
 }
 
 void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vector<bool>& closed,
@@ -243,7 +195,16 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
     return;
   }
   prepare();
-  const KDependence K = dependence(solver, state, adjoint);
+  const crack::KLayout layout = scene_.k_layout();
+  const auto of_displacements = [&adjoint, layout](const base::Vector& u) {
+    base::Vector out(layout.count());
+    for (std::size_t t = 0; t < adjoint.size(); ++t) {
+      layout.point_entries(out, t) = adjoint[t].rows.transpose() * u;
+    }
+    return out;
+  };
+  const KDependence K =
+      k_dependence(model_, scene_, solver, state, case_load_, of_loads_, of_displacements);
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(K);
   const std::size_t with_range = causes.size();
   if ((solver.mount_offset().array() != 0.0).any()) {

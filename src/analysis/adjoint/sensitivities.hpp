@@ -26,9 +26,6 @@ public:
 
 private:
   void prepare();
-  [[nodiscard]] KDependence
-  dependence(const StepSolver& solver, const StepState& state,
-             const std::vector<estimate::IntensityAdjoint>& adjoints) const;
   void add_lengths(const StepState& state, const std::vector<bool>& closed,
                    std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
   /// Of the first causes, loads and fits only.
@@ -46,7 +43,6 @@ private:
   std::vector<base::Matrix> case_externals_; ///< [body of the contact system] condensed
   contact::UnconstrainedResponse of_cases_;
   base::Matrix of_loads_;  ///< [K, case] what loads add to K themselves
-  base::Matrix of_moduli_; ///< [K, case] E d/dE of that, E of the tip's material
   std::vector<std::unique_ptr<VirtualTipExtension>> advances_; ///< [tip]
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/tip_advance.hpp"
 
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/scene/front_name.hpp"
 #include "analysis/scene/scene_heat.hpp"
-#include "analysis/scene/tip_surroundings.hpp"
-#include "crack/stress_intensity.hpp"
 #include "fe/assemble.hpp"
 #include "model/model.hpp"
 
@@ -15,12 +14,6 @@
 namespace spricka::analysis {
 
 namespace {
-
-base::Matrix rows_of(const model::Model& model, const Discretisation& scene, std::size_t t) {
-  const mesh::CrackFront& front = scene.cracked.fronts[t];
-  return crack::intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
-                               model.cracks[front.crack.index()].state);
-}
 
 // Whether a case acts on an element or a node that moves.
 bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
@@ -41,20 +34,6 @@ bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
 }
 
 } // namespace
-
-base::Matrix K_from_loads(const model::Model& model, const Discretisation& scene, std::size_t t) {
-  const auto cases = static_cast<Eigen::Index>(model.cases.size());
-  const mesh::CrackFront& front = scene.cracked.fronts[t];
-  base::Matrix out = base::Matrix::Zero(2, cases);
-  const Eigen::Index columns = std::max(cases, scene.case_temperature.cols()); // that of ties, too
-  for (Eigen::Index c = 0; c < cases; ++c) {
-    const crack::IntensityConstant K = crack::intensity_constant(
-        model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
-        tip_loads(model, scene, scene.tips[t].fields, base::Vector::Unit(columns, c)));
-    out.col(c) = base::Vec2(K.K1, K.K2);
-  }
-  return out;
-}
 
 VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discretisation& scene,
                                          std::size_t tip)
@@ -83,7 +62,7 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
     if (model::axisymmetric(model) ||
         !estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
       row_rate_[t] =
-          (rows_of(model, *ahead_, t) - rows_of(model, *behind_, t)) / (2.0 * motion_.step);
+          (tip_K_rows(model, *ahead_, t) - tip_K_rows(model, *behind_, t)) / (2.0 * motion_.step);
     }
   }
 }
@@ -200,32 +179,30 @@ base::Vector VirtualTipExtension::load_derivative(const base::Vector& u,
   return out;
 }
 
-base::Vec2 VirtualTipExtension::explicit_derivative(std::size_t tip, const base::Vector& u,
-                                                    const base::Vector& case_factor) const {
-  base::Vec2 out = base::Vec2::Zero();
-  if (row_rate_[tip].size() > 0) {
-    out += row_rate_[tip].transpose() * u;
+base::Vector VirtualTipExtension::explicit_derivative(const base::Vector& u,
+                                                      const base::Vector& case_factor) const {
+  const crack::KLayout layout = scene_.k_layout();
+  base::Vector out = base::Vector::Zero(layout.count());
+  for (std::size_t t = 0; t < row_rate_.size(); ++t) {
+    if (row_rate_[t].size() > 0) {
+      layout.point_entries(out, t) += row_rate_[t].transpose() * u;
+    }
   }
   if (load_rate_.size() > 0) {
     const base::Matrix rate =
-        (K_from_loads(model_, *ahead_, tip) - K_from_loads(model_, *behind_, tip)) /
-        (2.0 * motion_.step);
+        (K_of_cases(model_, *ahead_) - K_of_cases(model_, *behind_)) / (2.0 * motion_.step);
     out += rate * case_factor.head(rate.cols());
   }
   return out;
 }
 
 ParameterDerivative VirtualTipExtension::length_derivative(const StepState& state) const {
-  const crack::KLayout layout = scene_.k_layout();
   ParameterDerivative out;
   out.is.cause = results::SensitivityParameter::length;
   out.is.name = name_;
   out.is.value = a_;
   out.load = load_derivative(state.u, state.case_factor);
-  out.direct.resize(layout.count());
-  for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
-    layout.point_entries(out.direct, t) = explicit_derivative(t, state.u, state.case_factor);
-  }
+  out.direct = explicit_derivative(state.u, state.case_factor);
   return out;
 }
 

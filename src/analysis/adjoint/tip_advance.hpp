@@ -32,9 +32,9 @@ private:
   /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.9).
   [[nodiscard]] base::Vector load_derivative(const base::Vector& u,
                                              const base::Vector& case_factor) const;
-  /// dK/da of a tip at u kept: of its rows and of what its loads add.
-  [[nodiscard]] base::Vec2 explicit_derivative(std::size_t tip, const base::Vector& u,
-                                               const base::Vector& case_factor) const;
+  /// dK/da [K] at u kept: of the rows of all tips and of what their loads add.
+  [[nodiscard]] base::Vector explicit_derivative(const base::Vector& u,
+                                                 const base::Vector& case_factor) const;
 
   const model::Model& model_;
   const Discretisation& scene_;
@@ -50,8 +50,5 @@ private:
   bool discontinuous_ = false;            ///< a temperature jumps within elements that move
   bool singular_ = false;                 ///< loads have no rate where the tip is
 };
-
-/// K1 and K2 of a tip that its loads add to rows^T u. [2, case]
-base::Matrix K_from_loads(const model::Model& model, const Discretisation& scene, std::size_t tip);
 
 } // namespace spricka::analysis

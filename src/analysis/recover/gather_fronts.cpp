@@ -9,7 +9,7 @@
 #include "base/tidy.hpp"
 #include "contact/space_tractions.hpp"
 #include "crack/load_jumps.hpp"
-#include "crack/space/front_intensity.hpp"
+#include "crack/front_intensity.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/tube/cracks_in_solids.hpp"
 #include "model/model.hpp"

@@ -8,7 +8,6 @@
 #include "analysis/steps/history_program.hpp"
 #include "analysis/steps/row_opening.hpp"
 #include "contact/crack_face_pairing.hpp"
-#include "crack/stress_intensity.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -55,17 +54,9 @@ std::vector<LoadPathSolver::FaceNodePair> LoadPathSolver::watch_faces(const mode
 base::Matrix LoadPathSolver::functional_columns(Eigen::Index first, Eigen::Index most) const {
   const auto size =
       static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
-  const crack::KLayout layout = scene_.k_layout();
-  const Eigen::Index K = layout.count();
-  if (first < K) { // all K at once
-    base::Matrix nodal = base::Matrix::Zero(size, K);
-    for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-      const mesh::CrackFront& front = scene_.cracked.fronts[t];
-      layout.columns(nodal, t) =
-          crack::intensity_rows(model_, scene_.cracked, front, scene_.tips[t].fields,
-                                model_.cracks[front.crack.index()].state);
-    }
-    return nodal;
+  const Eigen::Index K = first_watched();
+  if (first < K) {
+    return base::Matrix(K_rows_.middleCols(first, std::min(most, K - first)));
   }
   const Eigen::Index columns = std::min(most, functional_count() - first);
   base::Matrix nodal = base::Matrix::Zero(size, columns);

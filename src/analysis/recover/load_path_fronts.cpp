@@ -161,10 +161,6 @@ LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_fo
   return rows;
 }
 
-base::Matrix LoadPathSolver::front_columns(Eigen::Index first, Eigen::Index most) const {
-  return base::Matrix(front_rows_.middleCols(first, std::min(most, front_rows_.cols() - first)));
-}
-
 // K1, K2, K3 of the points of a front by t, which begin among the functionals at `first`.
 results::LoadPathFront LoadPathSolver::follow_front(std::size_t f, Eigen::Index first,
                                                     const solve::SolutionPath& found,

@@ -24,16 +24,6 @@ namespace {
 // Functionals that are condensed at a time.
 constexpr Eigen::Index most_columns = 64;
 
-crack::StressIntensity intensity(const model::Model& model, const Discretisation& scene,
-                                 std::size_t t, const base::Vector& u,
-                                 const base::Vector& case_factor) {
-  const mesh::CrackFront& front = scene.cracked.fronts[t];
-  crack::TipIntensityRequest request; // without SHIFT: linear in u
-  request.state = model.cracks[front.crack.index()].state;
-  return crack::stress_intensity(model, scene.cracked, front, scene.tips[t].fields, request, u,
-                                 tip_loads(model, scene, scene.tips[t].fields, case_factor));
-}
-
 std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solver) {
   switch (found.status) {
   case solve::PathStatus::complete:
@@ -82,10 +72,7 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
   if (solver.contact_system() == nullptr || count == 0) {
     return out;
   }
-  const bool space = !scene_.fronts.empty();
-  if (space) {
-    front_rows_ = front_K_rows(model_, scene_);
-  }
+  K_rows_ = K_rows(model_, scene_);
   const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed_bodies()) {
@@ -95,8 +82,7 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
   out.of_row.resize(count, rows);
   out.of_mode.resize(count, modes);
   for (Eigen::Index first = 0; first < count;) {
-    base::Matrix nodal =
-        space ? front_columns(first, most_columns) : functional_columns(first, most_columns);
+    base::Matrix nodal = functional_columns(first, most_columns);
     // A functional is condensed as a load is (solve.32).
     scene_.ties->transfer_to_masters(nodal);
     std::vector<base::Matrix> external;
@@ -120,24 +106,8 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
     first += nodal.cols();
   }
   // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
-  out.of_row.topRows(first_watched()) +=
-      space ? front_K_by_forces(model_, scene_) : K_from_face_forces(model_, scene_);
+  out.of_row.topRows(first_watched()) += K_by_forces(model_, scene_);
   return out;
-}
-
-base::Vector LoadPathSolver::intensities_of(const base::Vector& u,
-                                            const base::Vector& case_factor) const {
-  if (!scene_.fronts.empty()) {
-    return front_K_values(model_, scene_, u, case_factor);
-  }
-  const crack::KLayout layout = scene_.k_layout();
-  base::Vector values(layout.count());
-  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-    const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
-    values[layout.at(t, 1)] = found.K1;
-    values[layout.at(t, 2)] = found.K2;
-  }
-  return values;
 }
 
 // K and faces of the bodies alone, without contact forces and rigid motions.
@@ -151,7 +121,7 @@ base::Vector LoadPathSolver::free_values(const base::Vector& case_factor) const 
     recover_body(body, external, case_factor, u);
   }
   base::Vector values(functional_count());
-  values.head(first_watched()) = intensities_of(u, case_factor);
+  values.head(first_watched()) = K_values(model_, scene_, u, case_factor);
   values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
   return values;
 }

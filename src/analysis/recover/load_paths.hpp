@@ -70,7 +70,6 @@ private:
   void close_points(const contact::ContactSystem::IncrementProblem& problem,
                     const contact::ContactSystem::IncrementSolution& solution,
                     base::Vector& value) const;
-  [[nodiscard]] base::Matrix front_columns(Eigen::Index first, Eigen::Index most) const;
   /// Of watches, from displacements [dim * node].
   [[nodiscard]] base::Vector watched(const base::Vector& u) const;
   /// Adds lines to `touching_` whose faces overlap at a knot.
@@ -84,9 +83,6 @@ private:
     base::Matrix of_mode; ///< [functional, mode of the system]
   };
   [[nodiscard]] ContactForceFunctionals functionals(const StepSolver& solver);
-  /// K of the bodies alone from their displacements. [K]
-  [[nodiscard]] base::Vector intensities_of(const base::Vector& u,
-                                            const base::Vector& case_factor) const;
   [[nodiscard]] base::Vector free_values(const base::Vector& case_factor) const;
   [[nodiscard]] solve::ParametricProblem problem(const LoadPathEnd& from, const LoadPathEnd& to,
                                                  const StepSolver& solver) const;
@@ -108,7 +104,7 @@ private:
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
   std::map<std::size_t, LoadPathEnd> ends_;     ///< by step
-  crack::SparseRows front_rows_;                ///< in space; made with rows_
+  crack::SparseRows K_rows_;                    ///< made with rows_
   std::optional<ContactForceFunctionals> rows_; ///< made once
   base::Matrix of_case_; ///< [functional, case] of the bodies alone; made once
   std::vector<FaceNodePair> watches_;

@@ -2,8 +2,11 @@
 #include "analysis/scene/front_functionals.hpp"
 
 #include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/tip_surroundings.hpp"
 #include "contact/space_tractions.hpp"
-#include "crack/space/front_intensity.hpp"
+#include "crack/front_intensity.hpp"
+#include "crack/stress_intensity.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <set>
@@ -45,32 +48,70 @@ ForcePlaces force_places(const Discretisation& scene, const crack::FrontExtensio
   return places;
 }
 
+// Of forces between the faces of plane cracks, which are nodal ones (crack.33).
+void add_K_by_face_forces(const model::Model& model, const Discretisation& scene,
+                          base::Matrix& of_row) {
+  const crack::KLayout layout = scene.k_layout();
+  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
+    const mesh::CrackFront& front = scene.cracked.fronts[t];
+    const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+    if (!crack_face) {
+      continue;
+    }
+    // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
+    const base::Matrix weight = crack::crack_face_intensity_rows(
+        model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
+        crack_face->sides);
+    for (std::size_t r = scene.table.first[crack_face->pair];
+         r < scene.table.first[crack_face->pair + 1]; ++r) {
+      for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
+        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
+        layout.point_entries(of_row.col(static_cast<Eigen::Index>(r)), t) +=
+            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
+      }
+    }
+  }
+}
+
 } // namespace
 
-crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene) {
+base::Matrix tip_K_rows(const model::Model& model, const Discretisation& scene, std::size_t t) {
+  const mesh::CrackFront& front = scene.cracked.fronts[t];
+  return crack::intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
+                               model.cracks[front.crack.index()].state);
+}
+
+crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene) {
   std::vector<Eigen::Triplet<double>> entries;
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
-  for (const FrontWithDomains& at : scene.fronts) {
-    const crack::SparseRows own =
-        crack::front_intensity_rows(model, scene.cracked, at.front, at.fields);
+  const auto add = [&](const crack::SparseRows& own, std::size_t points) {
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
       }
     }
-    first += at.front.points.size();
+    first += points;
+  };
+  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
+    add(tip_K_rows(model, scene, t).sparseView(), 1);
   }
-  crack::SparseRows rows(3 * static_cast<Eigen::Index>(scene.cracked.mesh.node_count()),
+  for (const FrontWithDomains& at : scene.fronts) {
+    add(crack::front_intensity_rows(model, scene.cracked, at.front, at.fields),
+        at.front.points.size());
+  }
+  crack::SparseRows rows(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
+                             scene.cracked.mesh.dim,
                          layout.count());
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 
-base::Matrix front_K_by_forces(const model::Model& model, const Discretisation& scene) {
+base::Matrix K_by_forces(const model::Model& model, const Discretisation& scene) {
   const crack::KLayout layout = scene.k_layout();
   const auto count = static_cast<Eigen::Index>(scene.table.size());
   base::Matrix of_row = base::Matrix::Zero(layout.count(), count);
+  add_K_by_face_forces(model, scene, of_row);
   std::size_t first = 0;
   for (const FrontWithDomains& at : scene.fronts) {
     const ForcePlaces places = force_places(scene, at.fields);
@@ -87,31 +128,68 @@ base::Matrix front_K_by_forces(const model::Model& model, const Discretisation& 
   return of_row;
 }
 
-base::Vector front_K_values(const model::Model& model, const Discretisation& scene,
-                            const base::Vector& u, const base::Vector& case_factor) {
+base::Vector K_values(const model::Model& model, const Discretisation& scene, const base::Vector& u,
+                      const base::Vector& case_factor) {
   const crack::KLayout layout = scene.k_layout();
   base::Vector values = base::Vector::Zero(layout.count());
   std::size_t first = 0;
+  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
+    const mesh::CrackFront& front = scene.cracked.fronts[t];
+    const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
+    crack::TipIntensityRequest request; // without SHIFT: linear in u
+    request.state = model.cracks[front.crack.index()].state;
+    const crack::StressIntensity K =
+        crack::stress_intensity(model, scene.cracked, front, fields, request, u,
+                                tip_loads(model, scene, fields, case_factor));
+    layout.point_entries(values, first++) << K.K1, K.K2;
+  }
   for (const FrontWithDomains& at : scene.fronts) {
     crack::FrontLoads loads;
     loads.given = front_loads(model, scene, at.fields, case_factor);
     for (const crack::StressIntensity& K :
          crack::front_intensity(model, scene.cracked, at.front, at.fields, {}, u, loads)) {
-      values.segment<3>(layout.first_index(first++)) << K.K1, K.K2, K.K3;
+      layout.point_entries(values, first++) << K.K1, K.K2, K.K3;
     }
   }
   return values;
 }
 
-bool acts_on_fronts(const model::Model& model, const Discretisation& scene,
-                    const base::Vector& case_factor) {
-  return std::ranges::any_of(scene.fronts, [&](const FrontWithDomains& at) {
-    const crack::TipLoads loads = front_loads(model, scene, at.fields, case_factor);
+base::Vector K_of_loads(const model::Model& model, const Discretisation& scene,
+                        const base::Vector& case_factor) {
+  const auto size = static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
+                    scene.cracked.mesh.dim;
+  return acts_on_domains(model, scene, case_factor)
+             ? K_values(model, scene, base::Vector::Zero(size), case_factor)
+             : base::Vector::Zero(scene.k_layout().count());
+}
+
+base::Matrix K_of_cases(const model::Model& model, const Discretisation& scene) {
+  const auto cases = static_cast<Eigen::Index>(model.cases.size());
+  // That of ties, too.
+  const Eigen::Index columns =
+      std::max({cases, scene.case_load.cols(), scene.case_temperature.cols()});
+  base::Matrix K(scene.k_layout().count(), cases);
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    K.col(c) = K_of_loads(model, scene, base::Vector::Unit(columns, c));
+  }
+  return K;
+}
+
+bool acts_on_domains(const model::Model& model, const Discretisation& scene,
+                     const base::Vector& case_factor) {
+  const auto acts = [](const crack::TipLoads& loads) {
     return loads.temperature.size() > 0 ||
            std::ranges::any_of(loads.loads, [](const crack::ActingLoad& acting) {
              return !acting.elements.empty() || !acting.faces.empty();
            });
-  });
+  };
+  return std::ranges::any_of(scene.tips,
+                             [&](const TipDomainFields& tip) {
+                               return acts(tip_loads(model, scene, tip.fields, case_factor));
+                             }) ||
+         std::ranges::any_of(scene.fronts, [&](const FrontWithDomains& at) {
+           return acts(front_loads(model, scene, at.fields, case_factor));
+         });
 }
 
 std::vector<std::array<double, 3>> smooth_front_K(const FrontWithDomains& at, const base::Vector& K,

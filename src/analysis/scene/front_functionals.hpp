@@ -1,29 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/scene/scene.hpp"
-#include "crack/space/front_rows.hpp"
+#include "crack/front_rows.hpp"
 
 #include <array>
 #include <vector>
 
-/// K along the fronts of a scene in space as linear functions, by its KLayout: rows^T u, what
-/// contact forces add on sides that the domains move, and what loads add.
+/// K of the fronts of a scene as linear functions, by its KLayout: rows^T u, what contact forces add
+/// on sides that the domains move and between faces of cracks, and what loads add.
 namespace spricka::analysis {
 
-/// K as functions of displacements. [3 * node, K]
-crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene);
+/// K1 and K2 of a tip in the plane as functions of displacements. [dim * node, 2]
+base::Matrix tip_K_rows(const model::Model& model, const Discretisation& scene, std::size_t t);
+
+/// K as functions of displacements. [dim * node, K]
+crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene);
 
 /// What a unit of each row of the table adds to K by its traction on sides that domains move
-/// (crack_space.9). [K, row]
-base::Matrix front_K_by_forces(const model::Model& model, const Discretisation& scene);
+/// (crack_space.9), in the plane by its forces between faces of cracks (crack.33). [K, row]
+base::Matrix K_by_forces(const model::Model& model, const Discretisation& scene);
 
-/// K of displacements [3 * node] under the cases' factors [case], without contact forces.
-base::Vector front_K_values(const model::Model& model, const Discretisation& scene,
-                            const base::Vector& u, const base::Vector& case_factor);
+/// K of displacements [dim * node] under the cases' factors [case], without contact forces and
+/// without the SHIFT of $VCE: linear in both.
+base::Vector K_values(const model::Model& model, const Discretisation& scene, const base::Vector& u,
+                      const base::Vector& case_factor);
+
+/// What loads add to K by themselves, that at u = 0; zero where none acts on domains. [K]
+base::Vector K_of_loads(const model::Model& model, const Discretisation& scene,
+                        const base::Vector& case_factor);
+/// The same of each load case. [K, case]
+base::Matrix K_of_cases(const model::Model& model, const Discretisation& scene);
 
 /// Whether cases act on what the domains of some front take.
-bool acts_on_fronts(const model::Model& model, const Discretisation& scene,
-                    const base::Vector& case_factor);
+bool acts_on_domains(const model::Model& model, const Discretisation& scene,
+                     const base::Vector& case_factor);
 
 /// Smooth values of K1, K2, K3 of the points of a front from those in `K` [K], of which the front's
 /// begin at `first`; at the surface what points further in go on to (crack_space.15,

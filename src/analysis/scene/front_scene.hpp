@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "base/diagnostics.hpp"
-#include "crack/space/front_setting.hpp"
+#include "crack/front_setting.hpp"
 
 namespace spricka::analysis {
 

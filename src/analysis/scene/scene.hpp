@@ -4,7 +4,7 @@
 #include "contact/constraint.hpp"
 #include "crack/extension.hpp"
 #include "crack/k_layout.hpp"
-#include "crack/space/front_extension.hpp"
+#include "crack/front_extension.hpp"
 #include "fe/dependence.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/contacts.hpp"

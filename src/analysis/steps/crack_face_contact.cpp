@@ -179,32 +179,6 @@ std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& 
   return rows;
 }
 
-base::Matrix K_from_face_forces(const model::Model& model, const Discretisation& scene) {
-  const crack::KLayout layout = scene.k_layout();
-  base::Matrix of_row =
-      base::Matrix::Zero(layout.count(), static_cast<Eigen::Index>(scene.table.size()));
-  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
-    const mesh::CrackFront& front = scene.cracked.fronts[t];
-    const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
-    if (!crack_face) {
-      continue;
-    }
-    // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
-    const base::Matrix weight = crack::crack_face_intensity_rows(
-        model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
-        crack_face->sides);
-    for (std::size_t r = scene.table.first[crack_face->pair];
-         r < scene.table.first[crack_face->pair + 1]; ++r) {
-      for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
-        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-        layout.point_entries(of_row.col(static_cast<Eigen::Index>(r)), t) +=
-            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
-      }
-    }
-  }
-  return of_row;
-}
-
 std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,
                                                         const mesh::CrackFront& front,
                                                         const StepState& state) {

@@ -41,10 +41,6 @@ std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::C
 std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& scene,
                                                           const mesh::CrackFront& front);
 
-/// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
-/// forces between the faces of cracks (crack.33). [crack::KLayout, table row]
-base::Matrix K_from_face_forces(const model::Model& model, const Discretisation& scene);
-
 /// Forces between the faces of the tip's crack; none without a pair.
 std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,
                                                         const mesh::CrackFront& front,

@@ -4,7 +4,7 @@
 #include "analysis/scene/front_scene.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/solid_face_contact.hpp"
-#include "crack/space/front_intensity.hpp"
+#include "crack/front_intensity.hpp"
 #include "tests/places.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 #include "tests/unit/support/solved_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/space/front_intensity.hpp"
+#include "crack/front_intensity.hpp"
 #include "model/model.hpp"
 
 #include <functional>

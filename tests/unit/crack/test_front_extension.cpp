@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extensions along fronts in space, and smooth values along them.
-#include "crack/space/front_extension.hpp"
-#include "crack/space/smooth_front.hpp"
+#include "crack/front_extension.hpp"
+#include "crack/smooth_front.hpp"
 #include "tests/unit/crack/front_tube.hpp"
 
 #include <cmath>

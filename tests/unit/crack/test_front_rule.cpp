@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How finely the integrals of K along a front are summed.
-#include "crack/space/front_rule.hpp"
-#include "crack/space/moving_field.hpp"
+#include "crack/front_rule.hpp"
+#include "crack/moving_field.hpp"
 #include "tests/unit/crack/front_tube.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields carried along fronts: their gradients and the divergence of their stress against
 // differences, on a front that bends and turns.
-#include "crack/space/moving_field.hpp"
+#include "crack/moving_field.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crack/point_force.hpp"
 #include "crack/stress_intensity.hpp"
+#include "crack/williams.hpp"
 #include "fe/element.hpp"
 #include "mesh/generate/generate.hpp"
 #include "model/model.hpp"
@@ -27,7 +27,8 @@ class PointForce : public testing::TestWithParam<model::StressState> {
 protected:
   [[nodiscard]] Eigen::Matrix2d stress(const TipFrame& tip, const base::Vec2& x) const {
     const Eigen::Matrix2d H =
-        crack::point_force_gradient(tip, crack::polar(tip, x), material, GetParam());
+        crack::near_tip_gradient(tip, crack::polar(tip, x), crack::line_force_auxiliary,
+                                 crack::section_body(material, GetParam()));
     const fe::Strain<2> s = fe::elasticity<2>(material, GetParam()) * fe::strain<2>(H);
     return fe::stress_tensor<2>(s);
   }
@@ -37,12 +38,14 @@ protected:
 TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
   const TipFrame tip = turned(0.7);
   const auto u = [&](const base::Vec2& x) {
-    return crack::point_force_displacement(tip, crack::polar(tip, x), 1.0, material, GetParam());
+    return crack::near_tip_displacement(tip, crack::polar(tip, x), crack::line_force_auxiliary,
+                                        crack::section_body(material, GetParam()));
   };
   for (const double angle : {-2.9, -1.0, 0.2, 1.7, 3.0}) {
     const base::Vec2 x = tip.x + 0.8 * (std::cos(angle) * tip.e1 + std::sin(angle) * tip.e2);
     const Eigen::Matrix2d H =
-        crack::point_force_gradient(tip, crack::polar(tip, x), material, GetParam());
+        crack::near_tip_gradient(tip, crack::polar(tip, x), crack::line_force_auxiliary,
+                                 crack::section_body(material, GetParam()));
     const double h = 1e-6;
     for (int j = 0; j < 2; ++j) {
       const base::Vec2 d = h * base::Vec2::Unit(j);

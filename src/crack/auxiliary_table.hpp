@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/front_setting.hpp"
+#include "fe/jacobian.hpp"
+#include "shape/quadrature.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace spricka::crack {
+
+/// The auxiliary fields' fields at the points of the rule of the domains' elements. They belong to
+/// the mesh and the material: steps, rows of K and rows of other functions all read the same.
+class AuxiliaryFieldTable {
+public:
+  AuxiliaryFieldTable(const FrontSetting& set, const FrontExtensions& fields);
+
+  /// The rule over an element.
+  [[nodiscard]] std::span<const shape::QuadraturePoint<3>>
+  quadrature_rule(const fe::AnyElement<3>& element, base::ElementId e) const {
+    return shape::quadrature<3>(element.domain, degree_[slot_[e.index() - first_]]);
+  }
+
+  /// The auxiliary fields 1 to 4 of an element at a point of its rule.
+  [[nodiscard]] AuxiliaryField<3> at(base::ElementId e, std::size_t point,
+                                       std::size_t auxiliary) const {
+    const AllowedVariables& fields = fields_[start_[slot_[e.index() - first_]] + point];
+    AuxiliaryField<3> w;
+    w.H = fields[auxiliary - 1].H;
+    w.sigma = isotropic_stress(body_, w.H);
+    w.divergence = fields[auxiliary - 1].divergence;
+    return w;
+  }
+
+  /// Whether it is of this body and of a mesh with nodes at the same places.
+  [[nodiscard]] bool is_valid_for(const FrontSetting& set) const;
+
+private:
+  struct TabulatedAuxiliaryField {
+    Tensor<3> H;
+    base::Vec3 divergence;
+  };
+  using AllowedVariables = std::array<TabulatedAuxiliaryField, auxiliary_field_count<3> - 1>;
+
+  FrontBody body_;
+  std::vector<base::ElementId> elements_;
+  std::size_t first_ = 0;          ///< the lowest element
+  std::vector<int> degree_;        ///< [slot] of the rule
+  std::vector<std::size_t> slot_;  ///< [element - first] into start_
+  std::vector<std::size_t> start_; ///< [slot] into fields_
+  std::vector<base::Vec3> places_; ///< [element] of its nodes, as a sum
+  std::vector<AllowedVariables> fields_;
+};
+
+/// Of the domains of a front, from their memory if they have one.
+std::shared_ptr<const AuxiliaryFieldTable> cached_auxiliary_table(const FrontSetting& set,
+                                                                  const FrontExtensions& fields);
+
+} // namespace spricka::crack

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/configurational_forces.hpp"
+#include "crack/load_fields.hpp"
+#include "fe/jacobian.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+/// The integral over the domains of a front, in the plane and in space.
+namespace spricka::crack {
+
+/// The solution at a point of an element, its stress with what the temperature takes out.
+template <int dim> struct LoadedState : DeformationState<dim> {
+  Tensor<dim> nodal = Tensor<dim>::Zero();    ///< gradient of the nodes' displacement
+  Tensor<dim> strained = Tensor<dim>::Zero(); ///< gradient that has this stress
+  double beta_T = 0.0;                        ///< stress that the temperature takes out
+  shape::Point<dim> beta_grad_T = shape::Point<dim>::Zero(); ///< and its gradient
+  double heated_dilatation = 0.0; ///< volume change that a temperature works on in G
+};
+
+/// Energy-momentum at a point, in the section and round an axis.
+template <int dim> struct AxialMomentum {
+  Tensor<dim> T = Tensor<dim>::Zero();
+  double hoop = 0.0;
+};
+
+/// One element of the domains: energy-momentum (crack.4, crack.10, crack_space.6), forces per
+/// volume (crack.19), the temperature's gradient (crack.22, crack.23) and the divergence of the
+/// auxiliary fields' stress (crack.39, crack_space.8). `Source` is TipFields or FrontFields;
+/// `ElementHeat` says what the temperature does in the element:
+///   heat(at, r, x, here)     sets what LoadedState has of it, and H where nodes are carried;
+///   cool(here, beta_T)       takes normal stresses out;
+///   met(own, x)              what auxiliary fields meet in the solution's place;
+///   is_carried(), expansion_gradient(x)   nodes that a free expansion carries.
+template <class Source, class ElementHeat> class ElementForces {
+public:
+  static constexpr int dim = Source::dim;
+
+  ElementForces(const Source& source, const ElementHeat& heat,
+                const std::vector<BodyForceField>& body, base::ElementId e, const base::Vector& u)
+      : source_(source), heat_(heat), body_(body), e_(e),
+        element_(shape::reference_element<dim>(mesh().type[e.index()])),
+        X_(fe::coordinates(element_, mesh(), e)), U_(fe::gather(element_, mesh(), e, u)),
+        elasticity_(source.elasticity(e)) {}
+
+  /// Adds all terms; `strained`: the extension is not constant in the element; `divergence`: that
+  /// of auxiliary fields counts.
+  void add(bool strained, bool divergence, ConfigurationalForces<dim>& out) const {
+    OfNodes P;
+    const auto nodes = static_cast<std::size_t>(element_.nodes);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      P[n].fill(shape::Point<dim>::Zero());
+    }
+    std::size_t number = 0;
+    for (const auto& point : source_.rule(e_)) {
+      add_point(point, number++, strained, divergence, P);
+    }
+    add_body_forces(P);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      typename ConfigurationalForces<dim>::OfNode& sum = out[mesh().element_nodes(e_)[n]];
+      for (std::size_t k = 0; k < sum.size(); ++k) {
+        sum[k] += P[n][k];
+      }
+    }
+  }
+
+private:
+  /// Of the first nodes, as many as the element has.
+  using OfNodes =
+      std::array<typename ConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
+  using Vector = shape::Point<dim>;
+
+  [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
+
+  void add_point(const shape::QuadraturePoint<dim>& point, std::size_t number, bool strained,
+                 bool divergence, OfNodes& P) const {
+    const fe::Jacobian<fe::AnyElement<dim>> at = fe::jacobian(element_, X_, point.r);
+    const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(point.r);
+    const Vector x = X_ * N;
+    const double weight = point.weight * at.det * source_.set().relative_depth(x);
+    const LoadedState<dim> own = solution(at, point.r, N, x);
+    // Auxiliary fields may meet another temperature than G (crack.34).
+    const LoadedState<dim>& met = heat_.met(own, x);
+    for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
+      AxialMomentum<dim> M;
+      // What N_n itself is multiplied with.
+      Vector c;
+      if (k == 0) {
+        M = own_momentum(own);
+        c = own.heated_dilatation * own.beta_grad_T;
+      } else {
+        const AuxiliaryField<dim> v = source_.field(e_, number, x, k, elasticity_);
+        M = momentum_of_both(met, v);
+        c = v.dilatation() * met.beta_grad_T;
+        if (divergence) {
+          c += met.nodal.transpose() * v.divergence;
+        }
+      }
+      // About an axis the way outwards (crack.37).
+      c += source_.set().hoop_force(M.hoop, x);
+      for (int n = 0; n < element_.nodes; ++n) {
+        Vector& P_n = P[static_cast<std::size_t>(n)][k];
+        const Vector gradient = at.dNdx.row(n).transpose();
+        P_n += weight * (strained ? Vector(M.T * gradient + N[n] * c) : Vector(N[n] * c));
+        if (k == 0 && heat_.is_carried()) { // nodes carried through the free expansion
+          P_n += weight *
+                 (heat_.expansion_gradient(X_.col(n)).transpose() * (own.sigma * gradient));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] LoadedState<dim> solution(const fe::Jacobian<fe::AnyElement<dim>>& at,
+                                          const shape::Point<dim>& r,
+                                          const fe::NodeValues<fe::AnyElement<dim>>& N,
+                                          const Vector& x) const {
+    LoadedState<dim> here;
+    here.nodal = here.H = here.strained = U_.lazyProduct(at.dNdx);
+    here.hoop = source_.set().hoop(U_ * N, x);
+    here.heated_dilatation = here.dilatation();
+    heat_.heat(at, r, x, here);
+    static_cast<DeformationState<dim>&>(here) = elasticity_.state(here.H, here.hoop);
+    heat_.cool(here, here.beta_T);
+    return here;
+  }
+
+  // Of u with itself, halved: W is half of (sigma - beta T) : eps.
+  static AxialMomentum<dim> own_momentum(const LoadedState<dim>& u) {
+    const double thermal = u.beta_T * u.heated_dilatation;
+    const double round = u.sigma_hoop * u.hoop;
+    return {energy_momentum<dim>({u.strained, u.sigma}, thermal - round),
+            round - 0.5 * (u.sigma.cwiseProduct(u.strained).sum() + round - thermal)};
+  }
+
+  // (crack.10), with the components round the axis.
+  static AxialMomentum<dim> momentum_of_both(const LoadedState<dim>& u,
+                                             const AuxiliaryField<dim>& v) {
+    Tensor<dim> T = energy_momentum<dim>({u.H, u.sigma}, {v.H, v.sigma});
+    T.diagonal().array() -= u.sigma_hoop * v.hoop;
+    return {T, u.sigma_hoop * v.hoop + v.sigma_hoop * u.hoop - u.work_on(v)};
+  }
+
+  // - q b . u,k (crack.19) and the same of the auxiliary fields (crack.23), at points of the load's
+  // own: it may bend and jump where the fields do not.
+  void add_body_forces(OfNodes& P) const {
+    const auto add = [&](const shape::Point<dim>& r, double weight, const Vector& b) {
+      const fe::Jacobian<fe::AnyElement<dim>> at = fe::jacobian(element_, X_, r);
+      const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(r);
+      const Vector x = X_ * N;
+      const typename Source::Place place = source_.locate(x);
+      for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
+        const Tensor<dim> H =
+            k == 0 ? Tensor<dim>(U_.lazyProduct(at.dNdx)) : source_.gradient(place, k);
+        const Vector c = weight * at.det * source_.set().relative_depth(x) * (H.transpose() * b);
+        for (int n = 0; n < element_.nodes; ++n) {
+          P[static_cast<std::size_t>(n)][k] -= N[n] * c;
+        }
+      }
+    };
+    for_body_forces<dim>(mesh(), body_, e_, X_, add);
+  }
+
+  const Source& source_;
+  const ElementHeat& heat_;
+  const std::vector<BodyForceField>& body_;
+  base::ElementId e_;
+  const fe::AnyElement<dim>& element_;
+  fe::AnyNodeVectors<dim> X_;
+  fe::AnyNodeVectors<dim> U_;
+  decltype(std::declval<const Source&>().elasticity(base::ElementId())) elasticity_;
+};
+
+} // namespace spricka::crack

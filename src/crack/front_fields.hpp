@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/auxiliary_table.hpp"
+#include "crack/front_rule.hpp"
+#include "model/mesh_side.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace spricka::crack {
+
+/// The domains of a front in space and the auxiliary fields at their points, as the terms of K read
+/// them (crack/interaction_terms.hpp); those at the points of elements from a table, made when they
+/// are asked for first.
+class FrontFields {
+public:
+  static constexpr int dim = 3;
+  using Place = TurningAxes;
+
+  FrontFields(const FrontSetting& set, const FrontExtensions& fields)
+      : set_(set), fields_(fields), strained_(fields.elements()) {
+    for (const MovedFreeSide& side : fields.sides) {
+      moved_.emplace(side.face, side.on);
+    }
+  }
+
+  [[nodiscard]] const FrontSetting& set() const { return set_; }
+  /// All elements of all domains, ascending.
+  [[nodiscard]] const std::vector<base::ElementId>& strained() const { return strained_; }
+  /// Elements that a domain moves as one are among the others.
+  [[nodiscard]] static std::span<const base::ElementId> rigid() { return {}; }
+  [[nodiscard]] static bool is_contracted_inside() { return false; }
+  /// Free sides with a node that some domain moves.
+  [[nodiscard]] const std::vector<MovedFreeSide>& sides() const { return fields_.sides; }
+  /// Degree of the rule over an element.
+  [[nodiscard]] int degree(base::ElementId e) const { return fields_.degree.at(e); }
+
+  /// The points of an element of a domain.
+  [[nodiscard]] std::span<const shape::QuadraturePoint<3>> rule(base::ElementId e) const {
+    return table().quadrature_rule(shape::reference_element<3>(set_.mesh.type[e.index()]), e);
+  }
+  /// The body, which is one in all domains.
+  [[nodiscard]] const FrontBody& elasticity(base::ElementId /*e*/) const { return set_.body; }
+  /// Auxiliary field 1 to 4 at a point of the rule.
+  [[nodiscard]] AuxiliaryField<3> field(base::ElementId e, std::size_t number,
+                                        const base::Vec3& /*x*/, std::size_t auxiliary,
+                                        const FrontBody& /*body*/) const {
+    return table().at(e, number, auxiliary);
+  }
+  [[nodiscard]] Place locate(const base::Vec3& x) const { return Place(set_.axes.locate_point(x)); }
+  /// Gradient of an auxiliary field at a place.
+  [[nodiscard]] Tensor<3> gradient(const Place& at, std::size_t auxiliary) const {
+    return front_auxiliary_field(auxiliary, at, set_.body).H;
+  }
+
+  /// Which face of the crack a side is that a domain moves; nothing: none moves it.
+  [[nodiscard]] std::optional<CrackFaceSide> side_of(const model::Face& face) const {
+    const auto known = moved_.find(face);
+    return known == moved_.end() ? std::nullopt : std::optional(known->second);
+  }
+  [[nodiscard]] static std::span<const shape::QuadraturePoint<2>>
+  side_rule(const geometry::ElementSide& side) {
+    return shape::quadrature<2>(side.domain(), front_degree);
+  }
+  /// A point of a side; nothing on the front itself.
+  [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
+                                           CrackFaceSide on) const {
+    const FrontCoordinates at = set_.axes.locate_point(side.position(r), on);
+    return at.r > 0.0 ? std::optional(Place(at)) : std::nullopt;
+  }
+  /// Gradient of an auxiliary field on a side.
+  [[nodiscard]] Tensor<3> side_gradient(const Place& at, std::size_t auxiliary) const {
+    return gradient(at, auxiliary);
+  }
+  /// Force of an auxiliary field's stress on a side; `area`: normal as long as the area.
+  [[nodiscard]] base::Vec3 traction(const Place& at, std::size_t auxiliary,
+                                    const base::Vec3& area) const {
+    return front_auxiliary_field(auxiliary, at, set_.body).sigma * area;
+  }
+
+private:
+  [[nodiscard]] const AuxiliaryFieldTable& table() const {
+    if (!table_) {
+      table_ = cached_auxiliary_table(set_, fields_);
+    }
+    return *table_;
+  }
+
+  const FrontSetting& set_;
+  const FrontExtensions& fields_;
+  std::vector<base::ElementId> strained_;
+  std::map<model::Face, CrackFaceSide> moved_;
+  mutable std::shared_ptr<const AuxiliaryFieldTable> table_;
+};
+
+} // namespace spricka::crack

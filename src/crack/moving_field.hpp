@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/auxiliary_field.hpp"
+#include "crack/front_axes.hpp"
+
+#include <cstddef>
+
+/// Fields of plane strain and of antiplane shear, carried along a front by its axes.
+namespace spricka::crack {
+
+/// An isotropic body round a front, and a length to count logarithms in.
+struct FrontBody {
+  double lambda = 0.0, mu = 0.0; ///< Lame's constants [stress]
+  double nu = 0.0;
+  double unit = 1.0;
+
+  /// Of the fields in the section: that of plane strain.
+  [[nodiscard]] SectionBody section() const { return {mu, 3.0 - 4.0 * nu, unit}; }
+  /// With the stress of a gradient; nothing is round an axis.
+  [[nodiscard]] DeformationState<3> state(const Tensor<3>& H, double hoop = 0.0) const;
+};
+
+/// Of auxiliary field 1 to 4 in the section across a front.
+inline SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
+                                  const FrontBody& body) {
+  return section_field(auxiliary, at, body.section());
+}
+
+/// The axes at a place as matrices with columns m, b, t and their derivatives, and the gradients of
+/// s, y and z with theirs (crack_space.2): the same for all auxiliary fields, as the place in the
+/// section.
+struct TurningAxes {
+  struct CoordinateGradients {
+    base::Vec3 s, y, z;
+  };
+  Tensor<3> Q, dQ, ddQ;
+  CoordinateGradients grad, by_s, by_y, by_z;
+  SectionPolarPoint section;
+
+  explicit TurningAxes(const FrontCoordinates& at);
+};
+
+/// An auxiliary field 1 to 4, w = w1 m + w2 b + w3 t, carried along a front that turns: its gradient
+/// with the turning of the axes in it, stress and its divergence at a place (crack_space.4).
+AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
+                                          const FrontBody& body);
+
+/// The same at a point by its coordinates seen from the front.
+inline AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontCoordinates& at,
+                                                 const FrontBody& body) {
+  return front_auxiliary_field(auxiliary, TurningAxes(at), body);
+}
+
+/// Stress of a displacement gradient A in an isotropic body, lambda tr(A) I + mu (A + A^T)
+/// [stress].
+inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
+  Tensor<3> sigma = body.mu * (A + A.transpose());
+  sigma.diagonal().array() += body.lambda * A.trace();
+  return sigma;
+}
+
+inline DeformationState<3> FrontBody::state(const Tensor<3>& H, double hoop) const {
+  return {.H = H, .hoop = hoop, .sigma = isotropic_stress(*this, H), .sigma_hoop = 0.0};
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/tip_setting.hpp"
+#include "model/mesh_side.hpp"
+#include "shape/quadrature.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Partners of a solution in the plane and about an axis, as the terms of K read them
+/// (crack/interaction_terms.hpp).
+namespace spricka::crack {
+
+/// Elastic constants of an element of a domain.
+struct SectionElasticity {
+  fe::Elasticity<2> D; ///< in the section
+  fe::ConstitutiveLaw law;
+
+  SectionElasticity(const TipSetting& set, base::ElementId e)
+      : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
+  /// With the stress of a gradient.
+  [[nodiscard]] DeformationState<2> state(const Tensor<2>& H, double hoop) const;
+};
+
+/// A point as seen from the tip; on a face with the unit tangent of that.
+struct TipPlace {
+  Polar polar;
+  base::Vec2 x = base::Vec2::Zero();
+  base::Vec2 tangent = base::Vec2::Zero();
+  base::ElementId element = {}; ///< of the face
+};
+
+/// The domains of a tip and the auxiliary fields at their points. About an axis these fields are
+/// carried round with the section (crack.38) and press on the faces of the crack with lambda v_x /
+/// x, which does not come from the tip (crack.40).
+class TipFields {
+public:
+  static constexpr int dim = 2;
+  using Place = TipPlace;
+
+  TipFields(const TipSetting& set, const std::vector<ExtensionField>& fields);
+
+  [[nodiscard]] const TipSetting& set() const { return set_; }
+  /// Elements where q of some domain varies, ascending.
+  [[nodiscard]] const std::vector<base::ElementId>& strained() const { return strained_; }
+  /// Others where q is not zero, ascending.
+  [[nodiscard]] const std::vector<base::ElementId>& rigid() const { return rigid_; }
+  /// The sides that auxiliary fields press on, of the crack's faces.
+  [[nodiscard]] const std::vector<MovedFreeSide>& sides() const { return sides_; }
+
+  /// Whether a displacement counts in rigid() as well: about an axis these come to other radii.
+  [[nodiscard]] bool is_contracted_inside() const { return set_.is_axisymmetric(); }
+
+  /// The points of an element of a domain. About an axis the elements at the tip count as well
+  /// (crack.37), where auxiliary fields are singular: by charts collapsed into it.
+  [[nodiscard]] std::vector<shape::QuadraturePoint<2>> rule(base::ElementId e) const;
+  [[nodiscard]] SectionElasticity elasticity(base::ElementId e) const { return {set_, e}; }
+  /// Auxiliary field 1 to 3 at a point x of an element, off the tip, stress by the element's own
+  /// elasticity; the divergence is zero in the plane (crack.39). `number`: of the point.
+  [[nodiscard]] AuxiliaryField<2> field(base::ElementId e, std::size_t number, const base::Vec2& x,
+                                        std::size_t auxiliary, const SectionElasticity& k) const;
+  [[nodiscard]] Place locate(const base::Vec2& x) const { return {polar(set_.tip, x), x}; }
+  /// Gradient of an auxiliary field at a place.
+  [[nodiscard]] Tensor<2> gradient(const Place& at, std::size_t auxiliary) const {
+    return auxiliary_field_gradient(set_, at.polar, auxiliary);
+  }
+
+  /// Which face of the crack a loaded side is, as far as fields need it: its normal tells.
+  [[nodiscard]] std::optional<CrackFaceSide> side_of(const model::Face& /*face*/) const {
+    return CrackFaceSide::none;
+  }
+  /// The points of a side: products of auxiliary fields with derivatives of displacements go with
+  /// roots of the distance from the tip.
+  [[nodiscard]] std::vector<shape::QuadraturePoint<2>>
+  side_rule(const geometry::ElementSide& side) const;
+  /// A point of a side; nothing at the tip itself and where the side has no length.
+  [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
+                                           CrackFaceSide on) const;
+  /// The part of the gradient that is along a side: faces are straight.
+  [[nodiscard]] Tensor<2> side_gradient(const Place& at, std::size_t auxiliary) const {
+    return gradient(at, auxiliary) * at.tangent * at.tangent.transpose();
+  }
+  /// Force of an auxiliary field's stress on a face; `area`: normal as long as the face's length.
+  [[nodiscard]] base::Vec2 traction(const Place& at, std::size_t auxiliary,
+                                    const base::Vec2& area) const;
+
+private:
+  const TipSetting& set_;
+  std::vector<base::ElementId> strained_;
+  std::vector<base::ElementId> rigid_;
+  std::vector<MovedFreeSide> sides_;
+};
+
+} // namespace spricka::crack
