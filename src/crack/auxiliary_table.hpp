@@ -25,7 +25,7 @@ public:
 
   /// The auxiliary fields 1 to 4 of an element at a point of its rule.
   [[nodiscard]] AuxiliaryField<3> at(base::ElementId e, std::size_t point,
-                                       std::size_t auxiliary) const {
+                                     std::size_t auxiliary) const {
     const AllowedVariables& fields = fields_[start_[slot_[e.index() - first_]] + point];
     AuxiliaryField<3> w;
     w.H = fields[auxiliary - 1].H;

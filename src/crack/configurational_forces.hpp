@@ -10,8 +10,8 @@
 namespace spricka::crack {
 
 /// Configurational forces: how much energy is released as nodes move, of the solution with each
-/// auxiliary field [force], in the plane per unit thickness. Terms add to them; G, K and T are their
-/// product with a virtual extension. Assembled once for all points and domains of a front.
+/// auxiliary field [force], in the plane per unit thickness. Terms add to them; G, K and T are
+/// their product with a virtual extension. Assembled once for all points and domains of a front.
 template <int dim> class ConfigurationalForces {
 public:
   explicit ConfigurationalForces(std::size_t nodes) : slot_(nodes, -1) {}
@@ -34,8 +34,8 @@ public:
       const std::int32_t slot = slot_[moved.node.index()];
       if (slot >= 0) { // nodes that no term has touched release nothing
         for (std::size_t k = 0; k < sum.size(); ++k) {
-          sum[k] += moved.q * moved.along.template head<dim>().dot(
-                                  at_[static_cast<std::size_t>(slot)][k]);
+          sum[k] += moved.q *
+                    moved.along.template head<dim>().dot(at_[static_cast<std::size_t>(slot)][k]);
         }
       }
     }

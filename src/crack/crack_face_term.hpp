@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/extension.hpp"
-#include "crack/williams.hpp"
-#include "mesh/cut/cracked.hpp"
-#include "model/forward.hpp"
-#include "model/materials.hpp"
+#include "crack/tip_setting.hpp"
 #include "model/mesh.hpp"
 
 #include <array>
@@ -21,23 +17,11 @@ struct CrackFaceForces {
   double at_tip = 0.0;            ///< stress across the faces at a closed tip [stress]
 };
 
-/// A tip and the body it stands in.
-struct TipBody {
-  TipFrame frame;
-  base::NodeId node;
-  const model::ElasticMaterial& material;
-  model::StressState state;
-  double thickness = 1.0;
-
-  [[nodiscard]] bool is_axisymmetric() const { return state == model::StressState::axisymmetric; }
-};
-
 /// The terms by which integrals over a domain miss the tip's value (crack.31, crack.32), for
 /// tractions t on the faces, per unit thickness: of G, - integral q t1 u1,1 ds (normal tractions
 /// act where the faces do not part, and the tangential ones have no other component), and of the
 /// interaction with the near-tip fields of modes 1 and 2, - integral q t . v_m,1 ds.
-std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipBody& tip,
-                                      const ExtensionField& field,
+std::array<double, 3> crack_face_term(const TipSetting& tip, const ExtensionField& field,
                                       const CrackFaceForces& crack_faces, const base::Vector& u);
 
 /// The interaction terms as sums over nodal forces (crack.33), [mode - 1] by node: sum of weight .
@@ -45,8 +29,7 @@ std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipBody& ti
 using CrackFaceWeights = std::map<base::NodeId, std::array<base::Vec2, 2>>;
 /// Weights of the forces at nodes of `faces` in the interaction terms of modes 1 and 2. Nodes are
 /// left out whose edges the extension does not move.
-CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipBody& tip,
-                                    const ExtensionField& field,
+CrackFaceWeights crack_face_weights(const TipSetting& tip, const ExtensionField& field,
                                     const std::vector<model::Face>& faces);
 
 } // namespace spricka::crack

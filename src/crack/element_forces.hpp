@@ -68,8 +68,7 @@ public:
 
 private:
   /// Of the first nodes, as many as the element has.
-  using OfNodes =
-      std::array<typename ConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
+  using OfNodes = std::array<typename ConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
   using Vector = shape::Point<dim>;
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
@@ -105,8 +104,8 @@ private:
         const Vector gradient = at.dNdx.row(n).transpose();
         P_n += weight * (strained ? Vector(M.T * gradient + N[n] * c) : Vector(N[n] * c));
         if (k == 0 && heat_.is_carried()) { // nodes carried through the free expansion
-          P_n += weight *
-                 (heat_.expansion_gradient(X_.col(n)).transpose() * (own.sigma * gradient));
+          P_n +=
+              weight * (heat_.expansion_gradient(X_.col(n)).transpose() * (own.sigma * gradient));
         }
       }
     }

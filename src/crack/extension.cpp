@@ -119,8 +119,8 @@ ExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int rings)
       }
       const auto node = [&](std::size_t i) { return nodes[static_cast<std::size_t>(side[i])]; };
       // A middle node between a corner that moves and one that rests goes half the way.
-      const double mean = 0.5 * (layers.extension_factor(node(0), rings) +
-                                 layers.extension_factor(node(1), rings));
+      const double mean =
+          0.5 * (layers.extension_factor(node(0), rings) + layers.extension_factor(node(1), rings));
       if (mean > 0.0) {
         q.try_emplace(node(2), mean);
       }

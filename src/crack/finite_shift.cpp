@@ -157,7 +157,8 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
 double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
                             const base::Vector& u) {
   const std::map<base::NodeId, double> q = field.extension_by_node();
-  const std::vector<BodyForceField> fields = body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
+  const std::vector<BodyForceField> fields =
+      body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
   // (crack.15).
   const double back =
       potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/extension.hpp"
 #include "crack/auxiliary_cache.hpp"
+#include "crack/extension.hpp"
 #include "crack/front_axes.hpp"
 #include "crack/front_layers.hpp"
 #include "mesh/cut/cracked.hpp"

@@ -63,9 +63,7 @@ public:
     here.beta_grad_T = beta_ * slope;
   }
 
-  static void cool(LoadedState<3>& here, double beta_T) {
-    here.sigma.diagonal().array() -= beta_T;
-  }
+  static void cool(LoadedState<3>& here, double beta_T) { here.sigma.diagonal().array() -= beta_T; }
   // Auxiliary fields meet the solution as it is, and no free expansion carries nodes.
   static const LoadedState<3>& met(const LoadedState<3>& own, const Vec3& /*x*/) { return own; }
   static bool is_carried() { return false; }
@@ -87,8 +85,7 @@ private:
     const auto jumps = [&](const fe::ScaledTemperature& acting) {
       return varies(acting) && !acting.heat->is_known_inside(e_);
     };
-    return std::ranges::any_of(loads_.heat, varies) &&
-           std::ranges::none_of(loads_.heat, jumps);
+    return std::ranges::any_of(loads_.heat, varies) && std::ranges::none_of(loads_.heat, jumps);
   }
 
   const TipLoads& loads_;
@@ -113,7 +110,8 @@ void add_element_forces(const FrontFields& fields, const TipLoads& loads, const 
       exact_linear_temperature(set.mesh, fields.strained(), loads.temperature);
   for (const base::ElementId e : fields.strained()) {
     const SolidHeat heat(set, loads, linear, e);
-    ElementForces<FrontFields, SolidHeat>(fields, heat, body, e, u).add(true, terms.divergence, out);
+    ElementForces<FrontFields, SolidHeat>(fields, heat, body, e, u)
+        .add(true, terms.divergence, out);
   }
 }
 

@@ -20,7 +20,7 @@ SparseRows made_rows(const model::Model& model, const mesh::CrackedMesh& cracked
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
   const FrontFields source(set, fields);
-  Builder builder(source, front, fields.points);
+  Builder builder({source, front, fields.points});
   return make(builder);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/k_layout.hpp"
 #include "crack/front_forces.hpp"
+#include "crack/k_layout.hpp"
 #include "crack/supplementary_functions.hpp"
 
 /// K along a front as linear functions.

@@ -15,7 +15,7 @@ namespace spricka::crack {
 
 /// What acts on the elements and faces round a front.
 struct FrontLoads {
-  TipLoads given;                       ///< of the deck; its elements as a whole
+  TipLoads given; ///< of the deck; its elements as a whole
   /// On faces of the body that has the crack, of pressure and friction between surfaces in contact.
   std::vector<FacePointForces> contact;
   /// Of contact, the normal stress across the crack's faces at the front [point]; empty: none.

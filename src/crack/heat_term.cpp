@@ -358,9 +358,9 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
 }
 
 std::array<double, auxiliary_field_count<2>> heat_term(const TipSetting& set,
-                                                    const mesh::CrackFront& front,
-                                                    const ExtensionField& field,
-                                                    const base::Vector& u) {
+                                                       const mesh::CrackFront& front,
+                                                       const ExtensionField& field,
+                                                       const base::Vector& u) {
   std::array<double, auxiliary_field_count<2>> sum{};
   const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<ElementId> all = all_elements(field);

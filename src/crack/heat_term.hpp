@@ -19,8 +19,8 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field);
 /// them, by parts, so that it needs no gradient (manual, crack.34); to G what the temperature less
 /// that of the elements does, its jumps between elements included (crack.35).
 std::array<double, auxiliary_field_count<2>> heat_term(const TipSetting& set,
-                                                    const mesh::CrackFront& front,
-                                                    const ExtensionField& field,
-                                                    const base::Vector& u);
+                                                       const mesh::CrackFront& front,
+                                                       const ExtensionField& field,
+                                                       const base::Vector& u);
 
 } // namespace spricka::crack

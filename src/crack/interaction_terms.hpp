@@ -26,8 +26,7 @@ SideVectors<dim> side_displacements(const geometry::ElementSide& side, const bas
 
 /// Derivatives of the functions of a side along it as gradients. [node, dim]
 template <int dim>
-using SurfaceGradients =
-    Eigen::Matrix<double, Eigen::Dynamic, dim, 0, shape::most_nodes<2>, dim>;
+using SurfaceGradients = Eigen::Matrix<double, Eigen::Dynamic, dim, 0, shape::most_nodes<2>, dim>;
 /// Gradients of a side's shape functions at a reference point, tangent to the side [1/length].
 template <int dim>
 SurfaceGradients<dim> surface_gradients(const geometry::ElementSide& side, const base::Vec2& r) {
@@ -82,8 +81,8 @@ void add_face_forces(const Source& source, const std::vector<FacePointForces>& f
 }
 
 /// Of the auxiliary fields' own tractions on free sides, - t_aux_i u_i,k N_n: those of a front that
-/// turns and of fields carried round an axis are not zero on the crack's faces, and those of a plane
-/// strain are not where the front leaves the body (crack.40, crack_space.8).
+/// turns and of fields carried round an axis are not zero on the crack's faces, and those of a
+/// plane strain are not where the front leaves the body (crack.40, crack_space.8).
 template <class Source>
 void add_auxiliary_tractions(const Source& source, const base::Vector& u,
                              ConfigurationalForces<Source::dim>& out) {
@@ -98,9 +97,8 @@ void add_auxiliary_tractions(const Source& source, const base::Vector& u,
       }
       const geometry::SideValues N = side.N(point.r);
       const shape::Point<dim> x = (side.X * N).template head<dim>();
-      const shape::Point<dim> area =
-          (point.weight * source.set().relative_depth(x)) *
-          side.area_vector(point.r).template head<dim>();
+      const shape::Point<dim> area = (point.weight * source.set().relative_depth(x)) *
+                                     side.area_vector(point.r).template head<dim>();
       const Tensor<dim> H = U.lazyProduct(surface_gradients<dim>(side, point.r));
       for (std::size_t k = 1; k < auxiliary_field_count<dim>; ++k) {
         subtract_at_nodes<dim>(side, N, k, H.transpose() * source.traction(*place, k, area), out);

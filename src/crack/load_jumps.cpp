@@ -16,7 +16,7 @@ struct Roughness {
   double discontinuous = 0.0, all = 0.0;
 };
 
-Roughness roughness(const ActingLoad& acting, const fe::FieldScale& scale, 
+Roughness roughness(const ActingLoad& acting, const fe::FieldScale& scale,
                     const geometry::ElementSide& side) {
   const fe::AdaptedRule<2> rule = fe::load_rule(side, *acting.load, scale);
   // by Legendre's polynomials of the arc length that a straight side has, twice over it -1 .. 1

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/moving_field.hpp"
 
-
 namespace spricka::crack {
 
 using base::Vec3;
@@ -58,7 +57,7 @@ Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
 } // namespace
 
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
-                                          const FrontBody& body) {
+                                        const FrontBody& body) {
   const SectionField w = section_field(auxiliary, axes.section, body.section());
   // Q (w_,y grad y + w_,z grad z) + Q' w grad s, with these gradients or with derivatives of them.
   const Across field_across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w};

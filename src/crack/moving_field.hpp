@@ -40,14 +40,15 @@ struct TurningAxes {
   explicit TurningAxes(const FrontCoordinates& at);
 };
 
-/// An auxiliary field 1 to 4, w = w1 m + w2 b + w3 t, carried along a front that turns: its gradient
-/// with the turning of the axes in it, stress and its divergence at a place (crack_space.4).
+/// An auxiliary field 1 to 4, w = w1 m + w2 b + w3 t, carried along a front that turns: its
+/// gradient with the turning of the axes in it, stress and its divergence at a place
+/// (crack_space.4).
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
-                                          const FrontBody& body);
+                                        const FrontBody& body);
 
 /// The same at a point by its coordinates seen from the front.
 inline AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontCoordinates& at,
-                                                 const FrontBody& body) {
+                                               const FrontBody& body) {
   return front_auxiliary_field(auxiliary, TurningAxes(at), body);
 }
 

@@ -4,8 +4,8 @@
 #include "crack/domain_integral.hpp"
 #include "crack/finite_shift.hpp"
 #include "crack/heat_term.hpp"
-#include "crack/interaction_terms.hpp"
 #include "crack/intensity_row_builder.hpp"
+#include "crack/interaction_terms.hpp"
 #include "crack/load_jumps.hpp"
 #include "crack/opening.hpp"
 #include "crack/tip_stress.hpp"
@@ -33,8 +33,7 @@ double used_modulus(const TipSetting& set, model::TipConstraint request) {
 }
 // What makes K of it from K of the property's own E' (crack.13).
 double restated(const TipSetting& set, model::TipConstraint request) {
-  return std::sqrt(used_modulus(set, request) /
-                   fe::effective_modulus(set.material, set.state()));
+  return std::sqrt(used_modulus(set, request) / fe::effective_modulus(set.material, set.state()));
 }
 
 // All terms of G, K and T: each adds to the forces of the nodes it touches.
@@ -66,10 +65,6 @@ double stress_of_hoop(const TipSetting& set, const base::Vector& u) {
                                : 0.0;
 }
 
-TipBody tip_place(const TipSetting& set, const mesh::CrackFront& front) {
-  return {set.tip, front.tip_point().node, set.material, set.state(), set.property.thickness};
-}
-
 // What temperatures and forces between the crack faces add to the sums of one domain.
 std::array<double, auxiliary_field_count<2>>
 added_terms(const TipSetting& set, const mesh::CrackFront& front, const ExtensionField& field,
@@ -79,8 +74,7 @@ added_terms(const TipSetting& set, const mesh::CrackFront& front, const Extensio
     sum = heat_term(set, front, field, u);
   }
   if (crack_faces != nullptr) {
-    const std::array<double, 3> more =
-        crack_face_term(set.mesh, tip_place(set, front), field, *crack_faces, u);
+    const std::array<double, 3> more = crack_face_term(set, field, *crack_faces, u);
     for (std::size_t k = 0; k < more.size(); ++k) {
       sum[k] += more[k];
     }
@@ -212,7 +206,7 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
     return rows;
   }
   const TipFields source(set, fields);
-  rows = IntensityRowBuilder<TipFields>(source, front, {fields}).rows();
+  rows = IntensityRowBuilder<TipFields>({source, front, {fields}}).rows();
   return restated(set, state) * rows;
 }
 
@@ -232,9 +226,9 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
   }
   const double factor = restated(set, state) * set.conversion_factor(1);
   const TipFields source(set, fields);
-  const IntensityRowBuilder<TipFields> builder(source, front, {fields});
-  for (const base::ElementId e : builder.contracted_elements()) {
-    builder.for_contractions(e, builder.moving_points(e), [&](const auto& at) {
+  const FrontContractions<TipFields> contractions(source, front, {fields});
+  for (const base::ElementId e : contractions.contracted_elements()) {
+    contractions.for_contractions(e, contractions.moving_points(e), [&](const auto& at) {
       IntensityFunctionalPoint point{e, at.r, {Tensor<2>::Zero(), Tensor<2>::Zero()}, {}};
       for (std::size_t mode = 0; mode < at.tensors.size(); ++mode) {
         point.M[mode] = factor * at.tensors[mode].M;
@@ -261,8 +255,7 @@ base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::Cr
   const double factor =
       restated(set, state) * set.conversion_factor(1) / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
-    for (const auto& [node, weight] :
-         crack_face_weights(cracked.mesh, tip_place(set, front), field, faces)) {
+    for (const auto& [node, weight] : crack_face_weights(set, field, faces)) {
       const auto at = 2 * static_cast<Eigen::Index>(node.index());
       rows.col(0).segment<2>(at) += factor * weight[0];
       rows.col(1).segment<2>(at) += factor * weight[1];

@@ -56,8 +56,8 @@ struct StressIntensity {
 /// G [energy/length^2] of stress intensity factors K1, K2, K3: K1^2 / E' + K2^2 / E' + K3^2 / 2 mu.
 double energy_release_rate(double E_effective, double mu, const std::array<double, 3>& K);
 
-/// From the domains of a point, one at least, its means, G of K and spread: the largest range of the
-/// first `compared` modes over sqrt(E' G of K). Two materials and E' are known.
+/// From the domains of a point, one at least, its means, G of K and spread: the largest range of
+/// the first `compared` modes over sqrt(E' G of K). Two materials and E' are known.
 void summarise_domains(double mu, std::size_t compared, StressIntensity& result);
 
 struct TipIntensityRequest {

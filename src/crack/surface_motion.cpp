@@ -32,7 +32,8 @@ SurfaceNodeMotion::SurfaceNodeMotion(const model::Mesh& mesh, const std::vector<
       if (!in_the_way(node, face)) {
         continue;
       }
-      const shape::Point<2> at = (1.0 - into_side) * side.node_coordinates(i) + into_side * side.centre();
+      const shape::Point<2> at =
+          (1.0 - into_side) * side.node_coordinates(i) + into_side * side.centre();
       const Vec3 n = side.area_vector(at).normalized();
       std::vector<Vec3>& known = normals_[node];
       const auto alike = std::ranges::find_if(

@@ -37,9 +37,8 @@ private:
   std::map<base::NodeId, int> place_;
 };
 
-std::vector<base::ElementId>
-all_of_domains(const std::vector<ExtensionField>& fields,
-               std::vector<base::ElementId> ExtensionField::*member) {
+std::vector<base::ElementId> all_of_domains(const std::vector<ExtensionField>& fields,
+                                            std::vector<base::ElementId> ExtensionField::*member) {
   std::vector<base::ElementId> all;
   for (const ExtensionField& f : fields) {
     all.insert(all.end(), (f.*member).begin(), (f.*member).end());
@@ -118,11 +117,11 @@ AuxiliaryField<2> TipFields::field(base::ElementId /*e*/, std::size_t /*number*/
 }
 
 // Towards the tip 1 + xi = 2 t^2.
-std::vector<shape::QuadraturePoint<2>>
-TipFields::side_rule(const geometry::ElementSide& side) const {
-  const double from = side.nodes[0] == set_.tip_node   ? 1.0
-                      : side.nodes[1] == set_.tip_node ? -1.0
-                                                       : 0.0;
+std::vector<shape::QuadraturePoint<2>> tip_side_rule(const TipSetting& set,
+                                                     const geometry::ElementSide& side) {
+  const double from = side.nodes[0] == set.tip_node   ? 1.0
+                      : side.nodes[1] == set.tip_node ? -1.0
+                                                      : 0.0;
   std::vector<shape::QuadraturePoint<2>> points;
   for (const auto& [r, weight] : shape::line_rule(domain_degree)) {
     const double t = 0.5 * (1.0 + r[0]);

@@ -30,6 +30,12 @@ struct TipPlace {
   base::ElementId element = {}; ///< of the face
 };
 
+/// The points of a side in the plane: products of auxiliary fields with derivatives of
+/// displacements go with roots of the distance from the tip, and are polynomials of what is
+/// integrated by on straight sides, with and without a quarter point.
+std::vector<shape::QuadraturePoint<2>> tip_side_rule(const TipSetting& set,
+                                                     const geometry::ElementSide& side);
+
 /// The domains of a tip and the auxiliary fields at their points. About an axis these fields are
 /// carried round with the section (crack.38) and press on the faces of the crack with lambda v_x /
 /// x, which does not come from the tip (crack.40).
@@ -69,10 +75,10 @@ public:
   [[nodiscard]] std::optional<CrackFaceSide> side_of(const model::Face& /*face*/) const {
     return CrackFaceSide::none;
   }
-  /// The points of a side: products of auxiliary fields with derivatives of displacements go with
-  /// roots of the distance from the tip.
   [[nodiscard]] std::vector<shape::QuadraturePoint<2>>
-  side_rule(const geometry::ElementSide& side) const;
+  side_rule(const geometry::ElementSide& side) const {
+    return tip_side_rule(set_, side);
+  }
   /// A point of a side; nothing at the tip itself and where the side has no length.
   [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
                                            CrackFaceSide on) const;

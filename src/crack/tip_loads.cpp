@@ -35,8 +35,8 @@ std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipL
       for (const auto& point : fe::load_rule(side, *acting.load, scale).points) {
         fe::LoadPoint& at = on.points.emplace_back();
         at.r.head<2>() = point.r;
-        at.force = point.weight *
-                   face_force(acting, side.X * side.N(point.r), side.area_vector(point.r));
+        at.force =
+            point.weight * face_force(acting, side.X * side.N(point.r), side.area_vector(point.r));
       }
       forces.push_back(std::move(on));
     }

@@ -26,8 +26,8 @@ double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::CrackFron
           (side.nodes[0] == front.tip_point().node || side.nodes[1] == front.tip_point().node)) {
         // on the crack face, should the load end at the tip
         const base::Vec2 x = set.tip.x + beside * (middle - set.tip.x);
-        sum += normal.dot(face_force(acting, {x.x(), x.y(), 0.0}, {normal.x(), normal.y(), 0.0})
-                              .head<2>());
+        sum += normal.dot(
+            face_force(acting, {x.x(), x.y(), 0.0}, {normal.x(), normal.y(), 0.0}).head<2>());
       }
     }
   }

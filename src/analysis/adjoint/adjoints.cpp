@@ -142,15 +142,15 @@ std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver
 
 const std::vector<estimate::IntensityAdjoint>&
 KAdjoints::solve_last_step(const StepSolver& solver) {
-  const std::size_t tips = scene_.cracked.fronts.size();
+  const std::size_t count = scene_.cracked.fronts.size();
   const auto [closed, rubs] = closed_rows(solver, scene_);
   if (rubs) {
     held_.reset();
-    last_.assign(tips, {});
+    last_.assign(count, {});
     for (estimate::IntensityAdjoint& adjoint : last_) {
       adjoint.why_not = depends_on_history;
     }
-  } else if (tips > 0 &&
+  } else if (count > 0 &&
              (last_.empty() || !last_.front().is_available() || last_.front().closed != closed)) {
     held_ = constrain_rows(solver, closed);
     last_ = solve_closed_set(solver, closed, held_.get());

@@ -334,8 +334,8 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
                                           const FrontKFunctionals& K) const {
   const StepState& state = step.state;
   base::Vector out = rows_.transpose() * state.u - K.rows.transpose() * state.u;
-  out += K_of_loads(model_, moved_, state.case_factor) -
-         K_of_loads(model_, scene_, state.case_factor);
+  out +=
+      K_of_loads(model_, moved_, state.case_factor) - K_of_loads(model_, scene_, state.case_factor);
   if (!pairs_.empty()) {
     base::Vector lambda(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {

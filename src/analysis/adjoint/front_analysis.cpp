@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/front_analysis.hpp"
 
+#include "analysis/scene/front_functionals.hpp"
+
 namespace spricka::analysis {
 
 FrontErrorsAndSensitivities::FrontErrorsAndSensitivities(
@@ -12,8 +14,7 @@ FrontErrorsAndSensitivities::FrontErrorsAndSensitivities(
 void FrontErrorsAndSensitivities::add_to_fronts(const StepSolver& solver, const StepState& state,
                                                 results::StepResult& result) {
   if (!functionals_) {
-    functionals_.emplace(
-        FrontKFunctionals{K_rows(model_, scene_), K_by_forces(model_, scene_)});
+    functionals_.emplace(FrontKFunctionals{K_rows(model_, scene_), K_by_forces(model_, scene_)});
   }
   const ClosedContactRows rows = closed_rows(solver, scene_);
   const FrozenContactSystem system(solver, scene_, bodies_,

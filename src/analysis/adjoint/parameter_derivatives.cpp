@@ -112,6 +112,9 @@ KDependence k_dependence(const model::Model& model, const Discretisation& scene,
                          std::function<base::Vector(const base::Vector&)> of_displacements) {
   // What loads add is a constant and a part that goes with E: twice the modulus shows that.
   const auto of_modulus = [&model, &scene, &state](std::size_t m) -> base::Vector {
+    if (!acts_on_domains(model, scene, state.case_factor)) {
+      return base::Vector::Zero(scene.k_layout().count());
+    }
     model::Model stiffer = model;
     stiffer.materials[m].E *= 2.0;
     return K_of_loads(stiffer, scene, state.case_factor) -

@@ -42,7 +42,7 @@ private:
   base::Matrix case_load_;                   ///< [dim * node, case] with the pull of supports
   std::vector<base::Matrix> case_externals_; ///< [body of the contact system] condensed
   contact::UnconstrainedResponse of_cases_;
-  base::Matrix of_loads_;  ///< [K, case] what loads add to K themselves
+  base::Matrix of_loads_; ///< [K, case] what loads add to K themselves
   std::vector<std::unique_ptr<VirtualTipExtension>> advances_; ///< [tip]
 };
 

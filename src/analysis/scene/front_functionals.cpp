@@ -156,8 +156,8 @@ base::Vector K_values(const model::Model& model, const Discretisation& scene, co
 
 base::Vector K_of_loads(const model::Model& model, const Discretisation& scene,
                         const base::Vector& case_factor) {
-  const auto size = static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
-                    scene.cracked.mesh.dim;
+  const auto size =
+      static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) * scene.cracked.mesh.dim;
   return acts_on_domains(model, scene, case_factor)
              ? K_values(model, scene, base::Vector::Zero(size), case_factor)
              : base::Vector::Zero(scene.k_layout().count());

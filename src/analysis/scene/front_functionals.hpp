@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-/// K of the fronts of a scene as linear functions, by its KLayout: rows^T u, what contact forces add
-/// on sides that the domains move and between faces of cracks, and what loads add.
+/// K of the fronts of a scene as linear functions, by its KLayout: rows^T u, what contact forces
+/// add on sides that the domains move and between faces of cracks, and what loads add.
 namespace spricka::analysis {
 
 /// K1 and K2 of a tip in the plane as functions of displacements. [dim * node, 2]

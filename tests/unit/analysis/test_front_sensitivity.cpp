@@ -121,13 +121,13 @@ Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) 
   }
   test::SolvedScene solved(text, changes);
   if (const auto state = solved.solve(0)) {
-    out.K = analysis::front_K_values(solved.model(), solved.scene(), state->u, state->case_factor);
+    out.K = analysis::K_values(solved.model(), solved.scene(), state->u, state->case_factor);
     base::Vector lambda(static_cast<Eigen::Index>(solved.scene().table.size()));
     for (std::size_t c = 0; c < solved.scene().pairs.size(); ++c) {
       lambda.segment(static_cast<Eigen::Index>(solved.scene().table.first[c]),
                      state->pair_lambda[c].size()) = state->pair_lambda[c];
     }
-    out.K += analysis::front_K_by_forces(solved.model(), solved.scene()) * lambda;
+    out.K += analysis::K_by_forces(solved.model(), solved.scene()) * lambda;
   }
   return out;
 }

@@ -48,8 +48,10 @@ struct Faces {
     for (const std::size_t n : {1U, 2U, 3U, 4U}) {
       const bool upper = n < 3;
       const crack::Polar at{-cracked.mesh.x[n].x(), upper ? std::numbers::pi : -std::numbers::pi};
-      base::Vec2 moved = K1 * crack::near_tip_displacement({}, at, 1, model.materials[0], state) +
-                         K2 * crack::near_tip_displacement({}, at, 2, model.materials[0], state);
+      base::Vec2 moved = K1 * crack::near_tip_displacement(
+                                  {}, at, 1, crack::section_body(model.materials[0], state)) +
+                         K2 * crack::near_tip_displacement(
+                                  {}, at, 2, crack::section_body(model.materials[0], state));
       moved.y() += (upper ? linear : -linear) * at.r;
       u.segment<2>(2 * static_cast<Eigen::Index>(n)) = moved;
     }

@@ -181,9 +181,8 @@ TEST_P(TipTerm, IsTheConstantOfK) {
     const crack::StressIntensity K =
         crack::stress_intensity(model, cracked, plate.front(), fields, request, u, loads);
     const base::Matrix rows = crack::intensity_rows(model, cracked, plate.front(), fields, wish);
-    const crack::StressIntensity c =
-        crack::stress_intensity(model, cracked, plate.front(), fields, request,
-                                base::Vector::Zero(u.size()), loads);
+    const crack::StressIntensity c = crack::stress_intensity(
+        model, cracked, plate.front(), fields, request, base::Vector::Zero(u.size()), loads);
     const double size = rows.cwiseAbs().transpose().row(0).dot(u.cwiseAbs());
     EXPECT_NEAR(rows.col(0).dot(u) + c.K1, K.K1, 1e-12 * size);
     EXPECT_NEAR(rows.col(1).dot(u) + c.K2, K.K2, 1e-12 * size);

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/configurational_forces.hpp"
+#include "fe/jacobian.hpp"
+#include "mesh/cut/cracked.hpp"
+
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// K as a functional of any displacement, in the plane and in space.
+namespace spricka::crack {
+
+/// How nodes move with one point of the front, the mean over its domains per length of the front.
+using PointMotion = std::map<base::NodeId, base::Vec3>;
+
+/// Motion by node of one point of a front, the mean of its domains' extensions over the length that
+/// belongs to the point; none without a domain.
+inline PointMotion point_motion(const mesh::FrontPoint& point,
+                                const std::vector<ExtensionField>& domains) {
+  PointMotion motion;
+  const double part = 1.0 / (static_cast<double>(domains.size()) * point.weight);
+  for (const ExtensionField& field : domains) {
+    for (const NodeMotion& moved : field.motion) {
+      motion.try_emplace(moved.node, base::Vec3::Zero()).first->second +=
+          part * moved.q * moved.along;
+    }
+  }
+  return motion;
+}
+
+/// What a displacement is contracted with at a point: its gradient, and about an axis the strain
+/// round it.
+template <int dim> struct ContractionTensor {
+  Tensor<dim> M = Tensor<dim>::Zero();
+  double hoop = 0.0;
+};
+
+/// The points of a front with how they move nodes, and which of them move an element. `Source` is
+/// TipFields or FrontFields.
+template <class Source> class FrontContractions {
+public:
+  static constexpr int dim = Source::dim;
+
+  /// domains: [point][domain]. Of a half model the other modes than K1 are zero by symmetry.
+  FrontContractions(const Source& source, const mesh::CrackFront& front,
+                    const std::vector<std::vector<ExtensionField>>& domains)
+      : source_(source) {
+    for (std::size_t mode = 1; mode <= (front.symmetric_half ? 1 : std::size_t{dim}); ++mode) {
+      auxiliary_fields_.push_back(mode);
+    }
+    for (std::size_t i = 0; i < domains.size(); ++i) {
+      motion_.push_back(point_motion(front.points[i], domains[i]));
+      for (const ExtensionField& field : domains[i]) {
+        for (const std::vector<base::ElementId>* elements : {&field.elements, &field.inside}) {
+          for (const base::ElementId e : *elements) {
+            points_of_[e].insert(i);
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] const Source& source() const { return source_; }
+  [[nodiscard]] std::size_t point_count() const { return motion_.size(); }
+  /// The auxiliary fields of the modes that are not zero, 1 and on.
+  [[nodiscard]] const std::vector<std::size_t>& auxiliary_fields() const {
+    return auxiliary_fields_;
+  }
+  /// The points of the front that move an element of their domains, ascending.
+  [[nodiscard]] const std::set<std::size_t>& points_moving(base::ElementId e) const {
+    return points_of_.at(e);
+  }
+
+  /// Elements in which a displacement is contracted: about an axis also those that a domain moves
+  /// as one.
+  [[nodiscard]] std::vector<base::ElementId> contracted_elements() const {
+    std::vector<base::ElementId> all(source_.strained().begin(), source_.strained().end());
+    if (source_.is_contracted_inside()) {
+      all.insert(all.end(), source_.rigid().begin(), source_.rigid().end());
+    }
+    return all;
+  }
+
+  /// The motion of some nodes [dim, node] with a point of the front; false: they rest.
+  template <class Motion>
+  [[nodiscard]] bool gather(std::size_t point, std::span<const base::NodeId> nodes,
+                            Motion& q) const {
+    bool moves = false;
+    q.setZero(dim, static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto at = motion_[point].find(nodes[n]);
+      if (at != motion_[point].end()) {
+        q.col(static_cast<Eigen::Index>(n)) = at->second.template head<dim>();
+        moves = true;
+      }
+    }
+    return moves;
+  }
+
+  /// A point of an element with what a displacement is contracted with there.
+  struct ContractionPoint {
+    shape::Point<dim> r;
+    std::size_t number = 0; ///< of the rule's points
+    fe::Jacobian<fe::AnyElement<dim>> map;
+    fe::NodeValues<fe::AnyElement<dim>> N;
+    shape::Point<dim> x;
+    /// [place among the points of the front that move the element, auxiliary field] with the weight
+    /// of the point, but without the factor that makes K of it
+    std::vector<ContractionTensor<dim>> tensors;
+  };
+  /// The points of a front that move an element, and how they move its nodes.
+  using MovingPoints = std::vector<std::pair<std::size_t, fe::AnyNodeVectors<dim>>>;
+  [[nodiscard]] MovingPoints moving_points(base::ElementId e) const {
+    MovingPoints moved;
+    for (const std::size_t i : points_of_.at(e)) {
+      fe::AnyNodeVectors<dim> q;
+      if (gather(i, mesh().element_nodes(e), q)) {
+        moved.emplace_back(i, q);
+      }
+    }
+    return moved;
+  }
+  /// Visits the points of the rule over an element (crack_space.10; in the plane s(u) : A + (H e1)
+  /// . (s(v) grad q) with A = (H_v e1) (x) grad q - (div q) H_v is e1 . T grad q of the
+  /// interaction).
+  template <class Visit>
+  void for_contractions(base::ElementId e, const MovingPoints& moved, const Visit& visit) const {
+    const fe::AnyElement<dim>& element = shape::reference_element<dim>(mesh().type[e.index()]);
+    const fe::AnyNodeVectors<dim> X = fe::coordinates(element, mesh(), e);
+    const auto& elasticity = source_.elasticity(e);
+    ContractionPoint at;
+    at.tensors.resize(moved.size() * auxiliary_fields_.size());
+    for (const auto& point : source_.rule(e)) {
+      at.r = point.r;
+      at.map = fe::jacobian(element, X, point.r);
+      at.N = element.N(point.r);
+      at.x = X * at.N;
+      const double weight = point.weight * at.map.det * source_.set().relative_depth(at.x);
+      for (std::size_t k = 0; k < auxiliary_fields_.size(); ++k) {
+        const AuxiliaryField<dim> v =
+            source_.field(e, at.number, at.x, auxiliary_fields_[k], elasticity);
+        for (std::size_t j = 0; j < moved.size(); ++j) {
+          const Tensor<dim> grad = moved[j].second.lazyProduct(at.map.dNdx);
+          const Vector q = moved[j].second * at.N;
+          const ContractionTensor<dim> c =
+              contracted(elasticity, v, grad, q, source_.set().hoop(q, at.x));
+          at.tensors[auxiliary_fields_.size() * j + k] = {weight * c.M, weight * c.hoop};
+        }
+      }
+      visit(at);
+      ++at.number;
+    }
+  }
+
+private:
+  using Vector = shape::Point<dim>;
+
+  [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
+
+  // What the gradient H of a displacement is contracted with: s(A - (div q) H_v) + sigma_v (grad
+  // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37);
+  // `round`: of q, round the axis. D is symmetric, so s(u) : A = H_u : s(A).
+  template <class Elasticity>
+  [[nodiscard]] static ContractionTensor<dim>
+  contracted(const Elasticity& elasticity, const AuxiliaryField<dim>& v, const Tensor<dim>& grad,
+             const Vector& q, double round) {
+    const double div = grad.trace() + round;
+    const DeformationState<dim> A =
+        elasticity.state(v.H * grad - div * v.H, (round - div) * v.hoop);
+    return {A.sigma + v.sigma * grad.transpose() + v.divergence * q.transpose(),
+            A.sigma_hoop + v.sigma_hoop * round};
+  }
+
+  const Source& source_;
+  std::vector<std::size_t> auxiliary_fields_;
+  std::vector<PointMotion> motion_; ///< [point]
+  std::map<base::ElementId, std::set<std::size_t>> points_of_;
+};
+
+} // namespace spricka::crack
