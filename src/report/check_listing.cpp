@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,15 +41,8 @@ std::string megabytes(double bytes) {
 }
 
 ReportTable nets(const DeckPreview& p) {
-  ReportTable table{"Nets, freedoms by class",
-                    {{"net", "", true},
-                     {"nodes", "", false},
-                     {"elements", "", false},
-                     {"local", "", false},
-                     {"external", "", false},
-                     {"suppressed", "", false},
-                     {"prescribed", "", false}},
-                    {}};
+  ReportTable table = make_table("Nets, freedoms by class", "<net|nodes|elements|local|external|"
+                                                            "suppressed|prescribed");
   const bool tied = std::ranges::any_of(p.nets, [](const auto& net) { return net.dependent > 0; });
   if (tied) {
     table.columns.push_back({"dependent", "", false});
@@ -72,14 +64,8 @@ ReportTable nets(const DeckPreview& p) {
 }
 
 ReportTable quality(const DeckPreview& p) {
-  ReportTable table{"Worst elements",
-                    {{"of", "", true},
-                     {"measure", "", true},
-                     {"value", "", false},
-                     {"net", "", true},
-                     {"element", "", false},
-                     {"at", p.length_unit, true}},
-                    {}};
+  ReportTable table = make_table(
+      "Worst elements", fmt::format("<of|<measure|value|<net|element|<at [{}]", p.length_unit));
   for (const results::MeshQualityPreview& q : p.quality) {
     const bool angle = q.measure.ends_with("angle");
     table.rows.push_back({q.where, q.measure,
@@ -90,20 +76,12 @@ ReportTable quality(const DeckPreview& p) {
 }
 
 ReportTable pairs(const DeckPreview& p) {
-  ReportTable table{"Contact pairs: gaps as measured along the normals",
-                    {{"contact", "", true},
-                     {"smallest", p.length_unit, false},
-                     {"mean", p.length_unit, false},
-                     {"largest", p.length_unit, false},
-                     {"declared", p.length_unit, false},
-                     {"normals", "deg", false},
-                     {"slave", "faces", false},
-                     {"master", "faces", false},
-                     {"slave", "overhang", false},
-                     {"master", "overhang", false},
-                     {"rows", "", false},
-                     {"multipliers on", "", true}},
-                    {}};
+  ReportTable table = make_table(
+      "Contact pairs: gaps as measured along the normals",
+      fmt::format("<contact|smallest [{0}]|mean [{0}]|largest [{0}]|declared [{0}]|normals [deg]|"
+                  "slave [faces]|master [faces]|slave [overhang]|master [overhang]|rows|"
+                  "<multipliers on",
+                  p.length_unit));
   const auto faces = [](std::size_t facing, std::size_t edges) {
     return facing == edges ? count(edges) : fmt::format("{} of {}", facing, edges);
   };
@@ -119,16 +97,8 @@ ReportTable pairs(const DeckPreview& p) {
 }
 
 ReportTable bodies(const DeckPreview& p) {
-  ReportTable table{"Bodies: what holds their rigid modes",
-                    {{"body", "", true},
-                     {"nodes", "", false},
-                     {"elements", "", false},
-                     {"modes", "", false},
-                     {"supports", "", false},
-                     {"contact", "", false},
-                     {"nothing", "", false},
-                     {"free as to", "", true}},
-                    {}};
+  ReportTable table = make_table("Bodies: what holds their rigid modes",
+                                 "<body|nodes|elements|modes|supports|contact|nothing|<free as to");
   for (const results::BodyPreview& body : p.bodies) {
     table.rows.push_back({body.name, count(body.nodes), count(body.elements),
                           fmt::format("{}", body.modes), fmt::format("{}", body.by_supports),
@@ -138,25 +108,7 @@ ReportTable bodies(const DeckPreview& p) {
   return table;
 }
 
-using ReportColumns = std::vector<ReportTable::ReportColumn>;
-
-ReportColumns tip_columns(const std::string& unit) {
-  return {{"tip", "", true},      {"a", unit, false},       {"mouth", unit, true},
-          {"tip at", unit, true}, {"rosette", unit, false}, {"tip element", unit, false}};
-}
-
-ReportColumns front_columns(const std::string& unit) {
-  return {{"front", "", true},
-          {"kind", "", true},
-          {"as a circle of", unit, false},
-          {"length of front", unit, false},
-          {"half way at", unit, true},
-          {"elements", "", false},
-          {"tube", unit, false},
-          {"tip element", unit, false}};
-}
-
-/// Under these columns, of the tips and fronts of one length.
+/// The cells of the tips and fronts of one length.
 std::vector<std::vector<std::string>> crack_cells(const results::CrackLengthPreview& length,
                                                   int dim) {
   std::vector<std::vector<std::string>> cells;
@@ -173,11 +125,13 @@ std::vector<std::vector<std::string>> crack_cells(const results::CrackLengthPrev
 }
 
 ReportTable cracks(const DeckPreview& p) {
-  ReportTable table{"Cracks", {{"length", "", false}}, {}};
-  std::ranges::move(p.dim == 3 ? front_columns(p.length_unit) : tip_columns(p.length_unit),
-                    std::back_inserter(table.columns));
-  table.columns.push_back({"elements cut", "", false});
-  table.columns.push_back({"elements new", "", false});
+  const char* const tip = "<tip|a [{0}]|<mouth [{0}]|<tip at [{0}]|rosette [{0}]|tip element [{0}]";
+  const char* const front = "<front|<kind|as a circle of [{0}]|length of front [{0}]|"
+                            "<half way at [{0}]|elements|tube [{0}]|tip element [{0}]";
+  ReportTable table = make_table(
+      "Cracks", fmt::format(fmt::runtime(fmt::format("length|{}|elements cut|elements new",
+                                                     p.dim == 3 ? front : tip)),
+                            p.length_unit));
   for (const results::CrackLengthPreview& length : p.lengths) {
     bool first = true; // all of a length stand in one mesh
     for (std::vector<std::string>& row : crack_cells(length, p.dim)) {
@@ -192,18 +146,9 @@ ReportTable cracks(const DeckPreview& p) {
 }
 
 ReportTable forecast(const DeckPreview& p) {
-  ReportTable table{"Forecast",
-                    {{"length", "", false},
-                     {"nodes", "", false},
-                     {"contact rows", "", false},
-                     {"nets new", "", false},
-                     {"reused", "", false},
-                     {"unknowns new", "", false},
-                     {"nnz(L)", "", false},
-                     {"flops", "", false},
-                     {"memory", "MB", false},
-                     {"CPU", "s", false}},
-                    {}};
+  ReportTable table =
+      make_table("Forecast", "length|nodes|contact rows|nets new|reused|unknowns new|nnz(L)|flops|"
+                             "memory [MB]|CPU [s]");
   for (const results::CrackLengthPreview& length : p.lengths) {
     table.rows.push_back({fmt::format("{}", length.number), count(length.nodes), count(length.rows),
                           fmt::format("{}", length.condensed), fmt::format("{}", length.reused),

@@ -88,8 +88,9 @@ void HtmlPage::add_heading(std::string_view words, std::string_view id) {
   body_ += fmt::format("<h2{}>{}</h2>\n", mark, escape_xml(words));
 }
 
-void HtmlPage::add_paragraph(std::string_view words) {
-  body_ += fmt::format("<p class=\"note\">{}</p>\n", escape_xml(words));
+void HtmlPage::add_paragraph(std::string_view words, std::string_view kind) {
+  const std::string mark = kind.empty() ? std::string() : fmt::format(" class=\"{}\"", kind);
+  body_ += fmt::format("<p{}>{}</p>\n", mark, escape_xml(words));
 }
 
 void HtmlPage::add_table(const ReportTable& table) {

@@ -15,8 +15,9 @@ public:
   void add_html(std::string_view html) { body_ += html; }
   /// `id`: where links of the page may lead; may be empty.
   void add_heading(std::string_view words, std::string_view id = "");
-  /// Adds a paragraph of plain text, with escapes.
-  void add_paragraph(std::string_view words);
+  /// Adds a paragraph of plain text, with escapes. `kind` is its class in the style sheet: "note",
+  /// "about" or "failed"; may be empty.
+  void add_paragraph(std::string_view words, std::string_view kind = "note");
   /// Tables without rows are left out.
   void add_table(const ReportTable& table);
   /// Adds drawings with legend and caption under the next figure number.

@@ -87,50 +87,37 @@ std::string others(const model::Model& model, const SweepResult& sweep, const Sw
   return text;
 }
 
-/// Lives over the swept parameter, each divided by `unit`.
-std::vector<SweepCurve> lives_of(const model::Model& model, const SweepResult& sweep, double unit) {
-  const std::size_t axis = axis_of(sweep);
-  std::map<std::string, SweepCurve> curves;
-  for (const SweepPoint& point : sweep.points) {
-    if (const SweepCell* const life = find_cell(point, "N")) {
-      const std::string name = "N" + others(model, sweep, point, axis);
-      SweepCurve& curve = curves.try_emplace(name, SweepCurve{name, {}}).first->second;
-      curve.points.push_back({{point.values[axis], life->value / unit}});
-    }
-  }
-  std::vector<SweepCurve> list;
-  for (auto& [name, curve] : curves) {
-    std::ranges::stable_sort(curve.points, {},
-                             [](const SweepCurve::SweepCurvePoint& at) { return at.place.x; });
-    list.push_back(std::move(curve));
-  }
-  return list;
-}
-
+// A quantity of an increment over the swept parameter, each value divided by `unit`.
 std::vector<SweepCurve> curves_of(const model::Model& model, const SweepResult& sweep,
-                                  int increment) {
+                                  const std::string& quantity, int increment, double unit = 1.0) {
   const std::size_t axis = axis_of(sweep);
   std::vector<SweepCurve> curves;
   for (const SweepPoint& point : sweep.points) {
     for (const SweepCell& cell : point.cells) {
-      if (cell.quantity != "K1" || cell.increment != increment) {
+      if (cell.quantity != quantity || cell.increment != increment) {
         continue;
       }
       const std::string name =
-          fmt::format("{}: {}{}", cell.step, cell.name, others(model, sweep, point, axis));
-      auto curve = std::find_if(curves.begin(), curves.end(),
-                                [&](const SweepCurve& c) { return c.name == name; });
+          (cell.step.empty() ? quantity : fmt::format("{}: {}", cell.step, cell.name)) +
+          others(model, sweep, point, axis);
+      auto curve = std::ranges::find(curves, name, &SweepCurve::name);
       if (curve == curves.end()) {
         curve = curves.insert(curves.end(), {name, {}});
       }
-      curve->points.push_back({{point.values[axis], cell.value}, bar_of(point, cell)});
+      curve->points.push_back({{point.values[axis], cell.value / unit}, bar_of(point, cell)});
     }
   }
   for (SweepCurve& curve : curves) {
-    std::stable_sort(curve.points.begin(), curve.points.end(),
-                     [](const SweepCurve::SweepCurvePoint& a,
-                        const SweepCurve::SweepCurvePoint& b) { return a.place.x < b.place.x; });
+    std::ranges::stable_sort(curve.points, {},
+                             [](const SweepCurve::SweepCurvePoint& at) { return at.place.x; });
   }
+  return curves;
+}
+
+// Lives of all points, by the name of the curve.
+std::vector<SweepCurve> lives_of(const model::Model& model, const SweepResult& sweep, double unit) {
+  std::vector<SweepCurve> curves = curves_of(model, sweep, "N", 0, unit);
+  std::ranges::sort(curves, {}, &SweepCurve::name);
   return curves;
 }
 
@@ -316,12 +303,12 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   const auto failed =
       std::count_if(sweep.points.begin(), sweep.points.end(),
                     [](const SweepPoint& p) { return p.outcome != base::Outcome::done; });
-  page.add_html(
-      fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
-                  "failed. Computed by spricka {}.</p>\n",
-                  failed > 0 ? "failed" : "about", escape_xml(deck_name(sources, 0)),
-                  escape_xml(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
-                  sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
+  page.add_paragraph(
+      fmt::format("Sweep of {} over {}: {} of {} points were run, {} of them failed. Computed by "
+                  "spricka {}.",
+                  deck_name(sources, 0), fmt::join(sweep.parameters, ", "), sweep.points.size(),
+                  sweep.count, failed, SPRICKA_VERSION),
+      failed > 0 ? "failed" : "about");
   const std::map<int, double> lengths = lengths_of(sweep);
   if (!lengths.empty()) {
     page.add_heading("Stress intensity factors");
@@ -333,7 +320,8 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   const std::string K_name =
       fmt::format("K₁ [{}]", typeset_unit(model.units.stress_intensity_name()));
   for (const auto& [increment, a] : lengths) {
-    const Plot plot = plot_of(sweep, units, K_name, merged(curves_of(model, sweep, increment)));
+    const Plot plot =
+        plot_of(sweep, units, K_name, merged(curves_of(model, sweep, "K1", increment)));
     page.add_figure(
         {{draw_svg(plot)},
          "",
@@ -357,9 +345,10 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   if (const auto warned = std::ranges::count_if(
           sweep.points, [](const SweepPoint& point) { return point.warnings > 0; });
       warned > 0) {
-    page.add_html(fmt::format("<p class=\"failed\">{} of the points have warnings: their folders' "
-                              "report.html says which.</p>\n",
-                              warned));
+    page.add_paragraph(
+        fmt::format("{} of the points have warnings: their folders' report.html says which.",
+                    warned),
+        "failed");
   }
   page.add_table(points_table(model, sweep, units));
   return page.finish_page(title);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/csv.hpp"
 #include "base/exit_codes.hpp"
 #include "model/model.hpp"
 #include "report/drawing/file.hpp"
@@ -20,19 +21,6 @@ namespace {
 
 using results::SweepCell;
 using results::SweepPoint;
-
-// A field with commas, quotes or line ends stands in quotes (RFC 4180); line ends become blanks.
-std::string quoted(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.find_first_of(",\"") == std::string::npos) {
-    return text;
-  }
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return out + "\"";
-}
 
 const std::vector<SweepCell>* requested_of(const SweepPoint& point, const std::string& file) {
   const auto found = point.requested.find(file);
@@ -109,7 +97,7 @@ std::string table(const model::Model& model, const results::SweepResult& sweep,
                  fmt::join(columns, ","));
   for (const SweepPoint& point : sweep.points) {
     fmt::format_to(out, "{},{},{},{},{},{},{}", fmt::join(point.values, ","), point.folder,
-                   status_word(point), base::exit_code(point.outcome), quoted(point.error),
+                   status_word(point), base::exit_code(point.outcome), base::csv_field(point.error),
                    point.checks, point.passed);
     std::vector<const std::vector<SweepCell>*> lists;
     if (all) {

@@ -3,12 +3,8 @@
 
 #include "archive/deck_digest.hpp"
 #include "mesh/link/mesher_use.hpp"
-#include "program/profile/profile_csv.hpp"
-#include "program/profile/profile_record.hpp"
-#include "program/profile/profile_tables.hpp"
+#include "program/profile/profile_report.hpp"
 #include "program/profile/trace.hpp"
-
-#include <limits>
 
 namespace spricka::program {
 
@@ -35,16 +31,6 @@ std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::
   recorder->add_start(since);
   listen_to_mesher(recorder);
   return recorder;
-}
-
-double cost_over_floor(const ProfileRecord& record) {
-  double cpu = record.profile.cpu;
-  for (const results::MesherCost& work : record.profile.mesher) {
-    cpu += work.cpu.value_or(0.0);
-  }
-  return record.floor.why_not.empty() && record.floor.seconds_without_assembly() > 0.0
-             ? cpu / record.floor.seconds_without_assembly()
-             : std::numeric_limits<double>::quiet_NaN();
 }
 
 ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::SourceTexts& sources,

@@ -102,43 +102,36 @@ private:
 
   // What its nets took for their stiffness. Nets side by side share the time on the wall.
   void take_stiffness(const ProcessorInterval& span, double& cpu, double& wall) {
-    double stiffness = 0.0;
-    double both = 0.0;
-    double busy = 0.0; // on the wall, with one net or several
-    double until = span.begin;
-    double stiffness_cpu = 0.0;
-    std::size_t calls = 0;
-    for (const NetCost* net : nets_within(span)) {
-      stiffness += net->assembled - net->begin;
-      both += net->end - net->begin;
-      busy += std::max(0.0, net->end - std::max(until, net->begin));
-      until = std::max(until, net->end);
-      stiffness_cpu += net->stiffness_cpu;
-      ++calls;
-    }
-    if (calls == 0) {
-      return;
-    }
-    const double share = both > 0.0 ? stiffness / both * busy : 0.0;
-    ProcessorCostSum& row = row_of("STIFFNESS");
-    row.calls += calls;
-    row.cpu = row.cpu.value_or(0.0) + stiffness_cpu;
-    row.wall += share;
-    row.all_counted = false;
-    cpu -= stiffness_cpu;
-    wall -= share;
-  }
-
-  // Those condensed in a stretch, by when they began.
-  [[nodiscard]] std::vector<const NetCost*> nets_within(const ProcessorInterval& span) const {
-    std::vector<const NetCost*> nets;
+    std::vector<const NetCost*> nets; // those condensed in it, by when they began
     for (const NetCost& net : profile_.nets) {
       if (!net.reused && net.begin >= span.begin && net.begin <= span.end) {
         nets.push_back(&net);
       }
     }
+    if (nets.empty()) {
+      return;
+    }
     std::ranges::sort(nets, {}, [](const NetCost* net) { return net->begin; });
-    return nets;
+    double stiffness = 0.0;
+    double both = 0.0;
+    double busy = 0.0; // on the wall, with one net or several
+    double until = span.begin;
+    double stiffness_cpu = 0.0;
+    for (const NetCost* net : nets) {
+      stiffness += net->assembled - net->begin;
+      both += net->end - net->begin;
+      busy += std::max(0.0, net->end - std::max(until, net->begin));
+      until = std::max(until, net->end);
+      stiffness_cpu += net->stiffness_cpu;
+    }
+    const double share = both > 0.0 ? stiffness / both * busy : 0.0;
+    ProcessorCostSum& row = row_of("STIFFNESS");
+    row.calls += nets.size();
+    row.cpu = row.cpu.value_or(0.0) + stiffness_cpu;
+    row.wall += share;
+    row.all_counted = false;
+    cpu -= stiffness_cpu;
+    wall -= share;
   }
 
   void add_mesher() {

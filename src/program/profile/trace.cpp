@@ -35,9 +35,7 @@ public:
   std::string text() {
     name("process_name", {program_number, 0}, "spricka");
     name("thread_name", {program_number, 0}, "main");
-    Json of_run = Json::object();
-    of_run["cpu_s"] = profile_.cpu;
-    event("run", "run", {}, {profile_.begin, profile_.end}, std::move(of_run));
+    event("run", "run", {}, {profile_.begin, profile_.end}, {{"cpu_s", profile_.cpu}});
     add_lengths();
     add_intervals();
     add_nets();
@@ -46,10 +44,8 @@ public:
       name("thread_name", {mesher_number, 0}, "mesher");
     }
     for (const results::MesherCost& work : profile_.mesher) {
-      Json args = Json::object();
-      put(args, "cpu_s", work.cpu);
-      put(args, "peak_bytes", work.peak);
-      event("MESHER", "mesher", {mesher_number, 0}, {work.begin, work.end}, std::move(args));
+      event("MESHER", "mesher", {mesher_number, 0}, {work.begin, work.end},
+            {{"cpu_s", if_known(work.cpu)}, {"peak_bytes", if_known(work.peak)}});
     }
     // A line for each event, so that it can be read and searched as a text, too.
     std::string out = "{\"displayTimeUnit\": \"ms\", \"traceEvents\": [\n";
@@ -61,11 +57,18 @@ public:
   }
 
 private:
-  template <typename T>
-  static void put(Json& args, const char* name, const std::optional<T>& value) {
-    if (value) {
-      args[name] = *value;
+  // Without what is not known.
+  static Json known(const Json& all) {
+    Json args = Json::object();
+    for (const auto& [name, value] : all.items()) {
+      if (!value.is_null()) {
+        args[name] = value;
+      }
     }
+    return args;
+  }
+  template <typename T> static Json if_known(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
   }
 
   // Of 1/1024 microsecond, before anything is taken from them: what lies within another still does,
@@ -85,7 +88,7 @@ private:
   }
 
   void event(const std::string& title, const char* category, Track track,
-             std::pair<double, double> span, Json args) {
+             std::pair<double, double> span, const Json& args) {
     const std::int64_t begin = ticks(span.first);
     events_.push_back({{"name", title},
                        {"cat", category},
@@ -94,31 +97,26 @@ private:
                        {"dur", microseconds(ticks(span.second) - begin)},
                        {"pid", track.process},
                        {"tid", track.thread},
-                       {"args", std::move(args)}});
+                       {"args", known(args)}});
   }
 
   void add_lengths() {
     for (const CrackLengthCostSum& sum : length_costs(profile_)) {
       const results::CrackLengthCost& work = *sum.work;
-      Json args = Json::object();
-      args["cpu_s"] = work.cpu;
-      put(args, "a", work.a);
-      args["counts"] = work.counts;
       const std::string a = work.a ? fmt::format("{:.6g}", *work.a) : "unknown";
       event(fmt::format("{}, a = {}", sum.label, a), "length", {}, {work.begin, work.end},
-            std::move(args));
+            {{"cpu_s", work.cpu}, {"a", if_known(work.a)}, {"counts", work.counts}});
     }
   }
 
   void add_intervals() {
     for (const results::ProcessorInterval& span : profile_.intervals) {
-      Json args = Json::object();
-      args["what"] = span.text;
-      args["cpu_s"] = span.cpu;
-      put(args, "flops", span.flops);
-      put(args, "resident_bytes", span.resident);
-      put(args, "peak_bytes", span.peak);
-      event(span.processor, "processor", {}, {span.begin, span.end}, std::move(args));
+      event(span.processor, "processor", {}, {span.begin, span.end},
+            {{"what", span.text},
+             {"cpu_s", span.cpu},
+             {"flops", if_known(span.flops)},
+             {"resident_bytes", if_known(span.resident)},
+             {"peak_bytes", if_known(span.peak)}});
       if (span.resident) {
         events_.push_back({{"name", "memory"},
                            {"ph", "C"},
@@ -141,18 +139,15 @@ private:
     std::ranges::stable_sort(nets, {}, [](const results::NetCost* net) { return net->begin; });
     for (const results::NetCost* net : nets) {
       const Track track{program_number, net->beside ? free_thread(*net, busy_until) : 0};
-      Json assembling = Json::object();
-      assembling["cpu_s"] = net->stiffness_cpu;
       event("STIFFNESS " + net->name, "net", track, {net->begin, net->assembled},
-            std::move(assembling));
-      Json args = Json::object();
-      args["analysis_cpu_s"] = net->analysis_cpu;
-      args["numeric_cpu_s"] = net->numeric_cpu;
-      args["freedoms"] = net->freedoms;
-      args["externals"] = net->externals;
-      put(args, "nonzeros", net->entries);
-      put(args, "flops", net->flops);
-      event("CONDENSE " + net->name, "net", track, {net->assembled, net->end}, std::move(args));
+            {{"cpu_s", net->stiffness_cpu}});
+      event("CONDENSE " + net->name, "net", track, {net->assembled, net->end},
+            {{"analysis_cpu_s", net->analysis_cpu},
+             {"numeric_cpu_s", net->numeric_cpu},
+             {"freedoms", net->freedoms},
+             {"externals", net->externals},
+             {"nonzeros", if_known(net->entries)},
+             {"flops", if_known(net->flops)}});
     }
   }
 

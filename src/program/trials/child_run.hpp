@@ -42,6 +42,11 @@ struct ChildEnd {
   std::string messages; ///< the end of what it wrote to stderr
 };
 
+/// Memory as tables have it [MB], of bytes.
+inline double megabytes(std::size_t bytes) {
+  return 1e-6 * static_cast<double>(bytes);
+}
+
 /// The file of the running program.
 std::filesystem::path own_program();
 

@@ -117,20 +117,18 @@ VerificationComparison compare(const Verification& now, const Verification& befo
   return out;
 }
 
-std::string summary(const VerificationComparison& c) {
+bool VerificationComparison::is_unchanged() const {
+  return std::ranges::all_of(
+      change_kinds, [this](const ChangeKind& kind) { return (this->*kind.changes).empty(); });
+}
+
+std::string summary(const VerificationComparison& comparison) {
   std::string text;
-  const auto add = [&](const char* what, std::size_t n) {
-    if (n > 0) {
-      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", what, n);
+  for (const ChangeKind& kind : change_kinds) {
+    if (const std::size_t n = (comparison.*kind.changes).size(); n > 0) {
+      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", kind.in_summary, n);
     }
-  };
-  add("missed now", c.failed.size());
-  add("passed again", c.passed.size());
-  add("larger error", c.worse.size());
-  add("smaller error", c.better.size());
-  add("slower", c.slower.size());
-  add("faster", c.faster.size());
-  add("more memory", c.larger.size());
+  }
   return text.empty() ? "nothing has changed" : text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "program/verify/verification.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,26 @@ struct VerificationComparison {
   bool same_machine = false;
 
   /// Whether nothing failed, passed, changed its error, time or memory against the run before.
-  [[nodiscard]] bool is_unchanged() const {
-    return failed.empty() && passed.empty() && worse.empty() && better.empty() && slower.empty() &&
-           faster.empty() && larger.empty();
-  }
+  [[nodiscard]] bool is_unchanged() const;
 };
+
+/// One of the lists of changes, and how it is told.
+struct ChangeKind {
+  std::vector<VerificationChange> VerificationComparison::*changes;
+  const char* in_summary;
+  const char* in_table;
+  double unit = 1.0; ///< times which its values stand in the table
+};
+
+/// In the order of the table.
+inline constexpr std::array change_kinds{
+    ChangeKind{&VerificationComparison::failed, "missed now", "missed now (error)"},
+    ChangeKind{&VerificationComparison::worse, "larger error", "larger error"},
+    ChangeKind{&VerificationComparison::slower, "slower", "slower (CPU, s)"},
+    ChangeKind{&VerificationComparison::larger, "more memory", "more memory (MB)", 1e-6},
+    ChangeKind{&VerificationComparison::passed, "passed again", "passed again (error)"},
+    ChangeKind{&VerificationComparison::better, "smaller error", "smaller error"},
+    ChangeKind{&VerificationComparison::faster, "faster", "faster (CPU, s)"}};
 
 /// An error counts as another one where it differs by a tenth and by a hundredth of what is
 /// allowed. CPU is compared when the machine's name is the same: a deck is slower when it takes

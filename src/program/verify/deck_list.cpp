@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/verify/deck_list.hpp"
 
+#include "base/csv.hpp"
 #include "base/diagnostics.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
-#include "program/trials/csv_rows.hpp"
+#include "program/trials/child_run.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <iterator>
 #include <map>
+#include <sstream>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -19,25 +22,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double number_of(const std::string& text) {
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+// The rows of a table beside the decks; none where there is no table.
+std::vector<base::CsvRecord> records_of(const fs::path& file) {
+  return fs::exists(file) ? base::csv_records(base::read_file(file, base::largest_number_file))
+                          : std::vector<base::CsvRecord>();
 }
 
 std::map<std::string, DeckCost> read_costs(const fs::path& file) {
   std::map<std::string, DeckCost> costs;
-  if (!fs::exists(file)) {
-    return costs;
-  }
-  const auto rows = csv_rows(base::read_file(file, base::largest_number_file));
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].size() >= 3) {
-      costs[rows[i][0]] = {.cpu = number_of(rows[i][1]),
-                           .memory = static_cast<std::size_t>(bytes_of_MB * number_of(rows[i][2]))};
-    }
+  for (const base::CsvRecord& row : records_of(file)) {
+    costs[row.text("deck")] = {.cpu = row.number("cpu", 0.0),
+                               .memory = bytes_of(row.number("memory", 0.0))};
   }
   return costs;
+}
+
+std::vector<std::string> blank_separated(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
 }
 
 void mark_quick(std::vector<ListedDeck>& decks) {
@@ -129,11 +131,34 @@ void write_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
       }
     }
     if (cost) {
-      text += fmt::format("{},{:.2g},{:.2g}\n", deck.name, cost->cpu,
-                          static_cast<double>(cost->memory) / bytes_of_MB);
+      text += fmt::format("{},{:.2g},{:.2g}\n", deck.name, cost->cpu, megabytes(cost->memory));
     }
   }
   base::write_atomically(folder / costs_name, text);
+}
+
+std::vector<BenchmarkProblem> read_problems(const fs::path& folder) {
+  std::vector<BenchmarkProblem> problems;
+  for (const base::CsvRecord& row : records_of(folder / problems_name)) {
+    problems.push_back({.name = row.text("problem"),
+                        .title = row.text("title"),
+                        .decks = blank_separated(row.text("decks")),
+                        .tests = blank_separated(row.text("tests")),
+                        .remark = row.text("remark")});
+  }
+  return problems;
+}
+
+fs::path shipped_decks() {
+  const fs::path self = own_program();
+  const fs::path built = fs::path(SPRICKA_BUILD_TREE);
+  const bool in_build =
+      std::mismatch(built.begin(), built.end(), self.begin(), self.end()).first == built.end();
+  const fs::path decks = in_build
+                             ? fs::path(SPRICKA_SOURCE_TREE) / "decks"
+                             : self.parent_path().parent_path() / "share" / "spricka" / "decks";
+  std::error_code unknown;
+  return fs::is_directory(decks, unknown) ? decks : fs::path();
 }
 
 } // namespace spricka::program

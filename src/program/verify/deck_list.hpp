@@ -28,8 +28,10 @@ struct ListedDeck {
   bool quick = false;           ///< belongs to the tier `quick`
 };
 
-/// Memory stands in tables in MB [bytes].
-inline constexpr double bytes_of_MB = 1e6;
+/// Memory [bytes] of what tables have [MB].
+inline std::size_t bytes_of(double megabytes) {
+  return static_cast<std::size_t>(1e6 * megabytes);
+}
 
 /// CPU time that the decks of the tier `quick` may take together [s]: a minute of two cores, with
 /// two fifths to spare for machines that are slower, and for the last deck on one core.
@@ -50,5 +52,28 @@ std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
 /// so that the table changes when a deck does; decks that are gone go. Throws std::system_error.
 void write_costs(const std::filesystem::path& folder, const std::vector<ListedDeck>& decks,
                  const std::vector<std::pair<std::string, DeckCost>>& found);
+
+/// The table beside the decks that says which of them stands for which problem of the open
+/// collections: problem,title,decks,tests,remark.
+inline constexpr const char* problems_name = "problems.csv";
+
+/// A problem of the open collections.
+struct BenchmarkProblem {
+  std::string name; ///< "C03"
+  std::string title;
+  std::vector<std::string> decks; ///< by name
+  std::vector<std::string> tests; ///< other than decks: names of CTest's
+  std::string remark;             ///< of one that has neither: why it is not covered
+
+  [[nodiscard]] bool is_covered() const { return !decks.empty() || !tests.empty(); }
+};
+
+/// The problems of a folder of decks, in the order of the table; none where there is no table.
+/// Throws std::system_error.
+std::vector<BenchmarkProblem> read_problems(const std::filesystem::path& folder);
+
+/// The decks that ship with the running program: share/spricka/decks beside its bin, or for a
+/// program of a build tree those of its source. Empty if there are none.
+std::filesystem::path shipped_decks();
 
 } // namespace spricka::program

@@ -42,6 +42,16 @@ void count_check(const results::CheckResult& check, VerificationCounts& counts) 
 
 } // namespace
 
+std::size_t VerifiedDeck::missed_checks() const {
+  std::ptrdiff_t passed = 0;
+  std::size_t all = 0;
+  for (const VerifiedPoint& point : points) {
+    passed += std::ranges::count_if(point.checks, &results::CheckResult::passed);
+    all += point.checks.size();
+  }
+  return all - static_cast<std::size_t>(passed);
+}
+
 std::optional<double> reference_accuracy(const results::CheckResult& check) {
   const std::size_t sign = check.source.find("+- ");
   if (sign == std::string::npos) {

@@ -30,6 +30,7 @@ struct VerifiedDeck {
   std::vector<VerifiedPoint> points;
 
   [[nodiscard]] bool failed() const { return exit_code != 0; }
+  [[nodiscard]] std::size_t missed_checks() const;
 };
 
 struct Verification {

@@ -2,6 +2,7 @@
 #include "program/verify/verification_tables.hpp"
 
 #include "base/exit_codes.hpp"
+#include "program/trials/child_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,22 +88,6 @@ std::string standing(const Verification& verification, const BenchmarkProblem& p
                                      : fmt::format("{} of {} run", run, problem.decks.size());
 }
 
-void add_changes(const std::vector<VerificationChange>& changes, const char* how,
-                 report::ReportTable& table) {
-  for (const VerificationChange& change : changes) {
-    table.rows.push_back({how, change.deck, change.what, fmt::format("{:.3g}", change.before),
-                          fmt::format("{:.3g}", change.now)});
-  }
-}
-
-std::vector<VerificationChange> in_megabytes(std::vector<VerificationChange> changes) {
-  for (VerificationChange& change : changes) {
-    change.before *= 1e-6;
-    change.now *= 1e-6;
-  }
-  return changes;
-}
-
 } // namespace
 
 std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point) {
@@ -111,20 +96,12 @@ std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point) {
 
 std::string cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
   return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
-                     1e-6 * static_cast<double>(deck.memory),
-                     deck.points.size() > 1 ? " with all points" : "");
+                     megabytes(deck.memory), deck.points.size() > 1 ? " with all points" : "");
 }
 
 report::ReportTable check_table(const VerifiedPoint& point) {
-  report::ReportTable table{"",
-                            {{"check", "", true},
-                             {"reference", "", false},
-                             {"result", "", false},
-                             {"error", "", false},
-                             {"allowed", "", false},
-                             {"error bar", "", false},
-                             {"source", "", true}},
-                            {}};
+  report::ReportTable table =
+      report::make_table("", "<check|reference|result|error|allowed|error bar|<source");
   for (const results::CheckResult& check : point.checks) {
     const bool found = check.trouble.empty();
     table.rows.push_back({check.text, report::six_digits(check.wanted),
@@ -137,18 +114,11 @@ report::ReportTable check_table(const VerifiedPoint& point) {
 }
 
 report::ReportTable deck_table(const Verification& verification) {
-  report::ReportTable table{"",
-                            {{"deck", "", true},
-                             {"what", "", true},
-                             {"checks", "", false},
-                             {"passed", "", false},
-                             {"error / allowed", "", false},
-                             {"CPU, s", "", false},
-                             {"memory, MB", "", false}},
-                            {}};
+  report::ReportTable table =
+      report::make_table("", "<deck|<what|checks|passed|error / allowed|CPU, s|memory, MB");
   for (const VerifiedDeck& deck : verification.decks) {
     std::string cpu = fmt::format("{:.2f}", deck.cpu);
-    std::string memory = fmt::format("{:.0f}", 1e-6 * static_cast<double>(deck.memory));
+    std::string memory = fmt::format("{:.0f}", megabytes(deck.memory));
     for (const VerifiedPoint& point : deck.points) {
       table.rows.push_back({deck.name, what_of(deck, point), check_count(point),
                             passed_count(deck, point), largest_share(point), std::exchange(cpu, ""),
@@ -163,13 +133,8 @@ report::ReportTable deck_table(const Verification& verification) {
 
 report::ReportTable problem_table(const Verification& verification,
                                   const std::vector<BenchmarkProblem>& problems) {
-  report::ReportTable table{"",
-                            {{"problem", "", true},
-                             {"what", "", true},
-                             {"decks, other tests", "", true},
-                             {"", "", true},
-                             {"remark", "", true}},
-                            {}};
+  report::ReportTable table =
+      report::make_table("", "<problem|<what|<decks, other tests|<|<remark");
   for (const BenchmarkProblem& problem : problems) {
     if (problem.is_covered()) {
       std::vector<std::string> by = problem.decks;
@@ -182,8 +147,7 @@ report::ReportTable problem_table(const Verification& verification,
 }
 
 report::ReportTable uncovered_table(const std::vector<BenchmarkProblem>& problems) {
-  report::ReportTable table{
-      "", {{"problem", "", true}, {"what", "", true}, {"not covered, because", "", true}}, {}};
+  report::ReportTable table = report::make_table("", "<problem|<what|<not covered, because");
   for (const BenchmarkProblem& problem : problems) {
     if (!problem.is_covered()) {
       table.rows.push_back({problem.name, problem.title, problem.remark});
@@ -193,41 +157,26 @@ report::ReportTable uncovered_table(const std::vector<BenchmarkProblem>& problem
 }
 
 report::ReportTable failed_table(const Verification& verification) {
-  report::ReportTable table{"",
-                            {{"deck", "", true},
-                             {"ended with", "", true},
-                             {"checks missed", "", false},
-                             {"said last", "", true}},
-                            {}};
+  report::ReportTable table = report::make_table("", "<deck|<ended with|checks missed|<said last");
   for (const VerifiedDeck& deck : verification.decks) {
     if (!deck.failed()) {
       continue;
     }
-    std::ptrdiff_t missed = 0;
-    for (const VerifiedPoint& point : deck.points) {
-      missed +=
-          std::ranges::count_if(point.checks, [](const auto& check) { return !check.passed; });
-    }
-    table.rows.push_back({deck.name, end_of(deck), std::to_string(missed), deck.message});
+    table.rows.push_back(
+        {deck.name, end_of(deck), std::to_string(deck.missed_checks()), deck.message});
   }
   return table;
 }
 
 report::ReportTable change_table(const VerificationComparison& comparison) {
-  report::ReportTable table{"",
-                            {{"what", "", true},
-                             {"deck", "", true},
-                             {"check", "", true},
-                             {"before", "", false},
-                             {"now", "", false}},
-                            {}};
-  add_changes(comparison.failed, "missed now (error)", table);
-  add_changes(comparison.worse, "larger error", table);
-  add_changes(comparison.slower, "slower (CPU, s)", table);
-  add_changes(in_megabytes(comparison.larger), "more memory (MB)", table);
-  add_changes(comparison.passed, "passed again (error)", table);
-  add_changes(comparison.better, "smaller error", table);
-  add_changes(comparison.faster, "faster (CPU, s)", table);
+  report::ReportTable table = report::make_table("", "<what|<deck|<check|before|now");
+  for (const ChangeKind& kind : change_kinds) {
+    for (const VerificationChange& change : comparison.*kind.changes) {
+      table.rows.push_back({kind.in_table, change.deck, change.what,
+                            fmt::format("{:.3g}", kind.unit * change.before),
+                            fmt::format("{:.3g}", kind.unit * change.now)});
+    }
+  }
   return table;
 }
 

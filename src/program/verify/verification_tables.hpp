@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "program/verify/comparison.hpp"
-#include "program/verify/problems.hpp"
+#include "program/verify/deck_list.hpp"
 #include "program/verify/verification.hpp"
 #include "report/drawing/table.hpp"
 

@@ -3,26 +3,25 @@
 
 #include "base/clock.hpp"
 #include "base/output_file.hpp"
+#include "program/job/file_failures.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/log.hpp"
+#include "program/job/point_record.hpp"
 #include "program/job/restart_run.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/trials/child_run.hpp"
 #include "program/trials/deck_outcome.hpp"
 #include "program/trials/machine.hpp"
-#include "program/verify/chapter.hpp"
+#include "program/trials/scratch_folder.hpp"
 #include "program/verify/comparison.hpp"
 #include "program/verify/deck_list.hpp"
-#include "program/verify/decks_folder.hpp"
-#include "program/verify/problems.hpp"
 #include "program/verify/verification.hpp"
 #include "program/verify/verification_csv.hpp"
-#include "program/verify/verification_page.hpp"
+#include "program/verify/verification_report.hpp"
 #include "program/verify/verification_tables.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -41,63 +40,6 @@ constexpr const char* page_name = "verification.html";
 /// A deck that takes so many times what the costliest is known to take has lost its way.
 constexpr double far_longer = 20.0; // of its CPU time
 
-/// A new folder for the run folders: what an earlier verification has left is no part of this one.
-/// Removed at the end, unless it is kept.
-class Scratch {
-public:
-  Scratch(const fs::path& beside, bool keep) : keep_(keep) {
-    std::string name = (beside / "runs.XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), name);
-    }
-    path_ = name;
-  }
-  ~Scratch() { remove(); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  void remove() const {
-    std::error_code ignored;
-    if (!keep_) {
-      fs::remove_all(path_, ignored);
-    }
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-  bool keep_;
-};
-
-// The last line that says something.
-std::string last_line(const std::string& text) {
-  const std::size_t end = text.find_last_not_of(" \n\r");
-  if (end == std::string::npos) {
-    return {};
-  }
-  const std::size_t begin = text.rfind('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1,
-                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
-}
-
-// The line of the first error, or what was said last.
-std::string reason_of(const std::string& messages) {
-  const std::size_t error = messages.find("error");
-  if (error == std::string::npos) {
-    return last_line(messages);
-  }
-  const std::size_t begin = messages.rfind('\n', error);
-  const std::size_t first = begin == std::string::npos ? 0 : begin + 1;
-  return messages.substr(first, std::min(messages.find('\n', error), messages.size()) - first);
-}
-
-std::string point_words(const DeckOutcome& outcome) {
-  std::string text;
-  for (const auto& [name, value] : outcome.point) {
-    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
-  }
-  return text;
-}
-
 VerifiedDeck verified(const ListedDeck& deck, const ChildEnd& end, const fs::path& folder) {
   VerifiedDeck out;
   out.name = deck.name;
@@ -108,12 +50,12 @@ VerifiedDeck verified(const ListedDeck& deck, const ChildEnd& end, const fs::pat
   out.memory = end.peak_memory;
   for (DeckOutcome& outcome : read_outcomes(folder)) {
     out.title = outcome.title;
-    out.points.push_back({.values = point_words(outcome),
+    out.points.push_back({.values = point_words(outcome.point),
                           .unknowns = outcome.unknowns,
                           .checks = std::move(outcome.checks)});
   }
   if (out.failed()) {
-    out.message = reason_of(end.messages);
+    out.message = error_line(end.messages);
   }
   return out;
 }
@@ -157,7 +99,7 @@ private:
     for (const ListedDeck& deck : chosen_) {
       to_stdout(fmt::format("{:<36} {:<6} {}\n", deck.name, deck.quick ? "quick" : "",
                             deck.cost ? fmt::format("{:8.2f} s {:6.0f} MB", deck.cost->cpu,
-                                                    1e-6 * static_cast<double>(deck.cost->memory))
+                                                    megabytes(deck.cost->memory))
                                       : "  in no tier: its cost is not known"));
     }
   }
@@ -182,7 +124,7 @@ private:
   bool run_decks() {
     order_by_cost();
     const base::Stopwatch watch;
-    const Scratch scratch(options_.out, options_.keep);
+    const ScratchFolder scratch(options_.out / "runs", options_.keep);
     std::vector<ChildRun> runs;
     double most = 0.0;
     for (const ListedDeck& deck : all_) {
@@ -224,19 +166,15 @@ private:
     const bool terminal = isatty(STDERR_FILENO) != 0;
     known_done_ += listed.cost ? listed.cost->cpu : 0.0;
     std::size_t checks = 0;
-    std::size_t missed = 0;
     for (const VerifiedPoint& point : deck.points) {
       checks += point.checks.size();
-      missed += static_cast<std::size_t>(
-          std::ranges::count_if(point.checks, [](const auto& check) { return !check.passed; }));
     }
     if (!options_.quiet || deck.failed()) {
-      to_stdout(
-          fmt::format("{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",
-                      terminal && !options_.quiet ? "\r\x1b[K" : "", verification_.decks.size(),
-                      chosen_.size(), deck.failed() ? "FAILED" : "passed", deck.name, checks,
-                      deck.cpu, 1e-6 * static_cast<double>(deck.memory),
-                      deck.failed() ? fmt::format("  {} missed; {}", missed, deck.message) : ""));
+      to_stdout(fmt::format(
+          "{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",
+          terminal && !options_.quiet ? "\r\x1b[K" : "", verification_.decks.size(), chosen_.size(),
+          deck.failed() ? "FAILED" : "passed", deck.name, checks, deck.cpu, megabytes(deck.memory),
+          deck.failed() ? fmt::format("  {} missed; {}", deck.missed_checks(), deck.message) : ""));
       std::fflush(stdout);
     }
     if (terminal && !options_.quiet) {
@@ -313,7 +251,7 @@ private:
 
 base::Outcome verify(const VerifyOptions& options) {
   const Log log(LogFormat::text);
-  try {
+  return report_file_failures(log, [&] {
     const fs::path decks = options.decks.empty() ? shipped_decks() : options.decks;
     if (decks.empty()) {
       log.message(base::Severity::error, "E530",
@@ -321,10 +259,7 @@ base::Outcome verify(const VerifyOptions& options) {
       return base::Outcome::file_trouble;
     }
     return VerifyRun(options, decks).run();
-  } catch (const std::system_error& trouble) {
-    log.message(base::Severity::error, "E530", trouble.what());
-    return base::Outcome::file_trouble;
-  }
+  });
 }
 
 } // namespace spricka::program

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/verify/verification_page.hpp"
+#include "program/verify/verification_report.hpp"
 
+#include "program/trials/child_run.hpp"
 #include "program/verify/verification_tables.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/page.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,23 +42,20 @@ report::Figure error_over_cpu(const Verification& verification) {
   plot.y_name = "largest relative error";
   plot.log_x = plot.log_y = true;
   plot.legend_below = true;
-  report::PlotSeries passed;
-  passed.name = "all checks passed";
-  passed.joined = false;
-  passed.colour = report::palette_colour(0);
-  passed.marker = report::closed_marker(0);
-  report::PlotSeries failed = passed;
-  failed.name = "a check missed";
-  failed.colour = report::palette_colour(1);
-  failed.marker = report::closed_marker(1);
-  for (const VerifiedDeck& deck : verification.decks) {
-    if (const std::optional<report::DrawingPoint> mark = mark_of(deck)) {
-      (deck.failed() ? failed : passed).points.push_back(*mark);
+  for (const bool failed : {false, true}) {
+    report::PlotSeries series;
+    series.name = failed ? "a check missed" : "all checks passed";
+    series.joined = false;
+    series.colour = report::palette_colour(failed ? 1 : 0);
+    series.marker = report::closed_marker(failed ? 1 : 0);
+    for (const VerifiedDeck& deck : verification.decks) {
+      const std::optional<report::DrawingPoint> mark = mark_of(deck);
+      if (mark && deck.failed() == failed) {
+        series.points.push_back(*mark);
+      }
     }
-  }
-  for (report::PlotSeries& series : {std::ref(passed), std::ref(failed)}) {
     if (!series.points.empty()) {
-      plot.series.push_back(series);
+      plot.series.push_back(std::move(series));
     }
   }
   return {
@@ -72,7 +71,7 @@ std::string machine_words(const Verification& verification) {
       "{} on {}: {} at a time, one thread each. {:.1f} s CPU, {:.1f} s wall, at most "
       "{:.0f} MB for one.",
       verification.program, verification.machine, verification.at_once, count(verification).cpu,
-      verification.wall, 1e-6 * static_cast<double>(count(verification).memory));
+      verification.wall, megabytes(count(verification).memory));
 }
 
 void add_comparison(report::HtmlPage& page, const VerificationComparison& comparison) {
@@ -118,6 +117,75 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
   }
 }
 
+// A cell of a table: a bar of its own would end it.
+std::string cell_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    out += c == '|' ? "\\|" : std::string(1, c);
+  }
+  return out;
+}
+
+std::string markdown(const report::ReportTable& table, bool code_first) {
+  std::string names = "|";
+  std::string rule = "|";
+  for (const report::ReportTable::ReportColumn& column : table.columns) {
+    names += fmt::format(" {} |", column.name);
+    rule += column.words ? "---|" : "---:|";
+  }
+  std::string out = names + "\n" + rule + "\n";
+  for (const std::vector<std::string>& row : table.rows) {
+    out += "|";
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      out += c == 0 && code_first ? fmt::format(" `{}` |", row[c])
+                                  : fmt::format(" {} |", cell_text(row[c]));
+    }
+    out += "\n";
+  }
+  return out + "\n";
+}
+
+std::string chapter_head(const Verification& verification) {
+  std::string out = R"(# Verification
+
+Every deck in `decks/` carries its reference values and the error that is allowed (`$CHECK`). This page is what the
+decks find; [`spricka verify all --markdown FILE`](verify.md) writes it. The tests run the same decks. A check whose
+source is `RECORDED` compares with an earlier value of this program and proves only that the value has not changed.
+
+)";
+  for (const std::string& line : summary(verification)) {
+    out += line + "\n";
+  }
+  return out + fmt::format("Times and memory: {}, one thread, {} decks at a time.\n\n",
+                           verification.machine, verification.at_once);
+}
+
+std::string problem_sections(const Verification& verification,
+                             const std::vector<BenchmarkProblem>& problems) {
+  if (problems.empty()) {
+    return {};
+  }
+  const report::ReportTable missing = uncovered_table(problems);
+  return "## Problems of the open collections\n\n" +
+         markdown(problem_table(verification, problems), false) +
+         (missing.rows.empty() ? "" : "## Not covered\n\n" + markdown(missing, false));
+}
+
+std::string deck_section(const Verification& verification, const std::string& table_name) {
+  return fmt::format(R"(## Decks
+
+The table has a row for each deck, and for a deck with a sweep a row for each run. The column "error / allowed" has
+the largest error of the run's checks over the error that is allowed. CPU time and memory are those of the whole deck.
+
+All single checks are in the file [{0}]({0}), a row for each check: the run, the
+quantity with its crack and step, the value found, its reference, the error, the allowed error, the error bar of K and
+the source. The page [verify](verify.md#what-it-writes) explains the columns.
+
+)",
+                     table_name) +
+         markdown(deck_table(verification), true);
+}
+
 } // namespace
 
 std::string verification_page(const Verification& verification,
@@ -126,15 +194,11 @@ std::string verification_page(const Verification& verification,
   report::HtmlPage page;
   const bool failed = worst_outcome(verification) != base::Outcome::done;
   page.add_html("<h1>Verification</h1>\n");
-  page.add_html(
-      fmt::format("<p class=\"about\">{}</p>\n", report::escape_xml(machine_words(verification))));
+  page.add_paragraph(machine_words(verification), "about");
   for (const std::string& line : summary(verification)) {
-    page.add_html(fmt::format("<p class=\"{}\">{}</p>\n", failed ? "failed" : "about",
-                              report::escape_xml(line)));
+    page.add_paragraph(line, failed ? "failed" : "about");
   }
-  page.add_html(
-      fmt::format("<p class=\"about\">Asked for: {}.</p>\n",
-                  report::escape_xml(fmt::format("{}", fmt::join(verification.asked, " ")))));
+  page.add_paragraph(fmt::format("Asked for: {}.", fmt::join(verification.asked, " ")), "about");
   if (failed) {
     page.add_heading("Failed");
     page.add_table(failed_table(verification));
@@ -147,6 +211,15 @@ std::string verification_page(const Verification& verification,
   add_problems(page, verification, problems);
   add_decks(page, verification);
   return page.finish_page("Verification");
+}
+
+std::string verification_chapter(const Verification& verification,
+                                 const std::vector<BenchmarkProblem>& problems,
+                                 const std::string& table_name) {
+  std::string out = chapter_head(verification) + problem_sections(verification, problems) +
+                    deck_section(verification, table_name);
+  out.erase(out.find_last_not_of('\n') + 1);
+  return out + "\n";
 }
 
 } // namespace spricka::program

@@ -4,6 +4,7 @@
 #include "results/run_profile.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace spricka::program {
 
@@ -17,5 +18,12 @@ struct ProfileRecord {
 
 /// How many plain factorisations the run took; not a number where there is no floor.
 double cost_over_floor(const ProfileRecord& record);
+
+/// The profile as it is printed on a terminal: by processor, net and length, and the floor.
+std::string profile_text(const ProfileRecord& record);
+
+/// The same as one table, a row for each processor, net of a length and length, for the sum and for
+/// the floor. What is not known, and what a row does not have, is an empty cell.
+std::string profile_csv(const ProfileRecord& record);
 
 } // namespace spricka::program

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "program/verify/comparison.hpp"
-#include "program/verify/problems.hpp"
+#include "program/verify/deck_list.hpp"
 #include "program/verify/verification.hpp"
 
 #include <optional>
@@ -14,5 +14,11 @@ namespace spricka::program {
 std::string verification_page(const Verification& verification,
                               const std::vector<BenchmarkProblem>& problems,
                               const std::optional<VerificationComparison>& comparison);
+
+/// The chapter of the manual, manual/verification.md: totals, problems, a row for each deck and
+/// run. The single checks are in verification_csv, a file `table_name` beside the chapter.
+std::string verification_chapter(const Verification& verification,
+                                 const std::vector<BenchmarkProblem>& problems,
+                                 const std::string& table_name);
 
 } // namespace spricka::program
