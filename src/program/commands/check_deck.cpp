@@ -15,6 +15,7 @@
 #include "mesh/quality.hpp"
 #include "model/model.hpp"
 #include "program/commands/sweep_deck.hpp"
+#include "program/job/point_record.hpp"
 #include "program/job/remedy.hpp"
 #include "program/job/script_constants.hpp"
 #include "program/job/standard_streams.hpp"
@@ -171,10 +172,7 @@ base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, con
   const std::vector<PointValues> points = sweep_points(*deck.model);
   base::Diagnostics reported = deck.diagnostics;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::string words;
-    for (const auto& [name, value] : points[i]) {
-      words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
-    }
+    const std::string words = point_words(points[i]);
     const ReadyDeck point = read_and_check_deck(
         options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &reported);
     for (const base::Diagnostic& d : point.diagnostics.messages()) {

@@ -2,6 +2,8 @@
 #include "program/commands/command_tree.hpp"
 #include "program/commands/positive.hpp"
 
+#include <fmt/format.h>
+
 namespace spricka::program {
 
 namespace {
@@ -28,6 +30,20 @@ ParameterRequest request_of(const std::string& text) {
 
 } // namespace
 
+void CommandTree::add_variant_options(CLI::App& command, const std::string& extension, int& jobs) {
+  add_deck_options(command);
+  command
+      .add_option("--out", run_.out,
+                  fmt::format("folder (default: the deck's name with {})", extension))
+      ->type_name("FOLDER");
+  command
+      .add_option("--jobs", jobs,
+                  "runs at the same time; CPU times are reliable with 1 only (default)")
+      ->check(CLI::Range(1, 64))
+      ->type_name("NUMBER");
+  command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
+}
+
 void CommandTree::add_study() {
   CLI::App& command =
       add("study", "run a deck in many settings: what an answer costs, and how right it is",
@@ -38,9 +54,7 @@ void CommandTree::add_study() {
             study_.deck = run_;
             return study_deck(study_);
           });
-  add_deck_options(command);
-  command.add_option("--out", run_.out, "folder (default: the deck's name with .study)")
-      ->type_name("FOLDER");
+  add_variant_options(command, ".study", study_.jobs);
   command
       .add_option_function<std::vector<std::string>>(
           "--vary",
@@ -52,15 +66,9 @@ void CommandTree::add_study() {
           "a parameter and its values, in place of what is found; may be given again")
       ->type_name("NAME=V,V,..")
       ->allow_extra_args(false);
-  command
-      .add_option("--jobs", study_.jobs,
-                  "runs at the same time; CPU times are reliable with 1 only (default)")
-      ->check(CLI::Range(1, 64))
-      ->type_name("NUMBER");
   command.add_option("--time", study_.budget, "CPU time of all runs together (default: 600)")
       ->check(positive_validator())
       ->type_name("SECONDS");
-  command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
 }
 
 void CommandTree::add_ladder() {
@@ -73,20 +81,12 @@ void CommandTree::add_ladder() {
             ladder_.deck = run_;
             return run_hierarchy(ladder_);
           });
-  add_deck_options(command);
-  command.add_option("--out", run_.out, "folder (default: the deck's name with .ladder)")
-      ->type_name("FOLDER");
+  add_variant_options(command, ".ladder", ladder_.jobs);
   command
       .add_option("--tol", ladder_.tolerance,
                   "relative difference that the answers may have (default: 0.02)")
       ->check(positive_validator())
       ->type_name("NUMBER");
-  command
-      .add_option("--jobs", ladder_.jobs,
-                  "runs at the same time; CPU times are reliable with 1 only (default)")
-      ->check(CLI::Range(1, 64))
-      ->type_name("NUMBER");
-  command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
 }
 
 } // namespace spricka::program

@@ -9,6 +9,7 @@
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
 #include "model/model.hpp"
+#include "program/job/file_failures.hpp"
 #include "program/job/run_options.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/peers/inp_of_deck.hpp"
@@ -135,7 +136,7 @@ base::Outcome convert(const ConvertOptions& options) {
                           options.out.string()));
     return base::Outcome::usage;
   }
-  try {
+  return report_file_failures(log, [&] {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(options.in, unknown)) {
       log.message(base::Severity::error, "E530",
@@ -160,13 +161,7 @@ base::Outcome convert(const ConvertOptions& options) {
     refuse_to_replace_input(options, sources, *model);
     refuse_to_replace_output(options);
     return write(options, sources, *model, log);
-  } catch (const archive::FileFailure& trouble) {
-    log.message(base::Severity::error, trouble.code(), trouble.what());
-    return base::Outcome::file_trouble;
-  } catch (const std::system_error& trouble) {
-    log.message(base::Severity::error, "E530", trouble.what());
-    return base::Outcome::file_trouble;
-  }
+  });
 }
 
 } // namespace spricka::program

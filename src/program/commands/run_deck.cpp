@@ -2,11 +2,11 @@
 #include "program/commands/run_deck.hpp"
 
 #include "analysis/lengths/recorder.hpp"
-#include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
 #include "model/model.hpp"
 #include "program/commands/check_deck.hpp"
 #include "program/commands/sweep_deck.hpp"
+#include "program/job/file_failures.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/job.hpp"
 #include "program/job/restart_run.hpp"
@@ -15,7 +15,6 @@
 
 #include <mutex>
 #include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -104,7 +103,7 @@ base::Outcome run_deck(const RunOptions& given) {
   if (options.profile) {
     options.recorder = begin_profile_of_process(options.since);
   }
-  try {
+  return report_file_failures(log, [&] {
     const ReadyDeck deck = read_recorded(options, log);
     if (!deck.model) {
       return deck.refusal.kind;
@@ -117,13 +116,7 @@ base::Outcome run_deck(const RunOptions& given) {
     }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
-  } catch (const archive::FileFailure& trouble) {
-    log.message(base::Severity::error, trouble.code(), trouble.what());
-    return base::Outcome::file_trouble;
-  } catch (const std::system_error& trouble) {
-    log.message(base::Severity::error, "E530", trouble.what());
-    return base::Outcome::file_trouble;
-  }
+  });
 }
 
 } // namespace spricka::program

@@ -25,6 +25,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -35,20 +36,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::SweepPoint;
-
-// "delta = 0.084, mu = 0"
-std::string in_words(const PointValues& values) {
-  std::string text;
-  for (const auto& [name, value] : values) {
-    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
-  }
-  return text;
-}
-
-bool is_number(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(),
-                                      [](unsigned char c) { return c >= '0' && c <= '9'; });
-}
 
 class SweepRun {
 public:
@@ -126,20 +113,18 @@ private:
 
   // Points that this sweep does not have.
   void remove_others() const {
+    std::set<std::string> wanted;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      wanted.insert(folder_name(i));
+    }
     std::vector<fs::path> others;
     for (const fs::directory_entry& entry : fs::directory_iterator(out_)) {
       const std::string name = entry.path().filename().string();
-      bool wanted = !is_number(name);
-      for (std::size_t i = 0; i < points_.size() && !wanted; ++i) {
-        wanted = folder_name(i) == name;
-      }
-      if (!wanted) {
+      if (name.find_first_not_of("0123456789") == std::string::npos && !wanted.contains(name)) {
         others.push_back(entry.path());
       }
     }
-    for (const fs::path& folder : others) {
-      archive::remove_own_files(folder);
-    }
+    std::ranges::for_each(others, archive::remove_own_files);
   }
 
   void close_folder() const {
@@ -291,7 +276,7 @@ private:
   // One line for each point: failures to stderr, the others to stdout.
   void tell(const SweepPoint& point, const PointValues& values) const {
     const std::string head =
-        fmt::format("{} of {}: {}", point.folder, points_.size(), in_words(values));
+        fmt::format("{} of {}: {}", point.folder, points_.size(), point_words(values));
     if (point.outcome != base::Outcome::done) {
       log_.message(base::Severity::error, "E550",
                    fmt::format("point {}: {} ({}): {}", head, report::status_word(point),

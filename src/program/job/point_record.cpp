@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace spricka::program {
@@ -100,6 +101,25 @@ std::optional<SweepPoint> read_point_record(const std::filesystem::path& folder,
   } catch (const base::UnreadableFile&) {
     return std::nullopt;
   }
+}
+
+std::vector<std::pair<std::string, double>> read_point_values(const std::filesystem::path& record) {
+  const json text = json::parse(base::read_file(record, base::largest_number_file), nullptr, false);
+  std::vector<std::pair<std::string, double>> values;
+  if (text.is_object() && text.contains("parameters") && text["parameters"].is_object()) {
+    for (const auto& [name, value] : text["parameters"].items()) {
+      values.emplace_back(name, value.is_number() ? value.get<double>() : 0.0);
+    }
+  }
+  return values;
+}
+
+std::string point_words(const std::vector<std::pair<std::string, double>>& point) {
+  std::string text;
+  for (const auto& [name, value] : point) {
+    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
 }
 
 } // namespace spricka::program

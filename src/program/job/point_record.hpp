@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace spricka::program {
 
@@ -20,5 +22,12 @@ std::string write_point_record(const results::SweepResult& sweep, const results:
 /// another one.
 std::optional<results::SweepPoint> read_point_record(const std::filesystem::path& folder,
                                                      const std::string& digest);
+
+/// The values of the parameters in such a file; empty where it is no record. Throws
+/// std::system_error where it cannot be read.
+std::vector<std::pair<std::string, double>> read_point_values(const std::filesystem::path& record);
+
+/// "delta = 0.084, mu = 0": a point of a sweep in words.
+std::string point_words(const std::vector<std::pair<std::string, double>>& point);
 
 } // namespace spricka::program
