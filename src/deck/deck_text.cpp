@@ -37,25 +37,27 @@ bool is_text(std::string_view value) {
   return value.starts_with('\'');
 }
 
-void make_absolute(DeckCard& card, const fs::path& folder) {
+// Names of files that the card reads, changed by `change`.
+template <class Change> void change_file_names(DeckCard& card, const Change& change) {
   for (const char* key : file_keys) {
     const std::string* value = reads_file(card.name) ? card.find(key) : nullptr;
     if (value != nullptr && is_text(*value)) {
-      const fs::path file = folder / without_quotes(*value);
-      card.set(key, "'" + fs::absolute(file).lexically_normal().string() + "'");
+      const fs::path file = change(fs::path(without_quotes(*value)));
+      card.set(key, "'" + file.string() + "'");
     }
   }
 }
 
+void make_absolute(DeckCard& card, const fs::path& folder) {
+  change_file_names(
+      card, [&](const fs::path& file) { return fs::absolute(folder / file).lexically_normal(); });
+}
+
 void make_relative(DeckCard& card, const fs::path& folder) {
-  for (const char* key : file_keys) {
-    const std::string* value = reads_file(card.name) ? card.find(key) : nullptr;
-    if (value != nullptr && is_text(*value)) {
-      const fs::path file = without_quotes(*value);
-      const fs::path shorter = file.lexically_relative(fs::absolute(folder).lexically_normal());
-      card.set(key, "'" + (shorter.empty() ? file : shorter).string() + "'");
-    }
-  }
+  change_file_names(card, [&](const fs::path& file) {
+    const fs::path shorter = file.lexically_relative(fs::absolute(folder).lexically_normal());
+    return shorter.empty() ? file : shorter;
+  });
 }
 
 DeckCard text_of(const grammar::Card& card, const base::SourceTexts& sources) {
@@ -157,6 +159,15 @@ std::string write_deck(DeckText text, const fs::path& folder,
   base::Diagnostics diagnostics;
   const std::int32_t file = sources.add_text("deck", out);
   return grammar::format_deck(sources, file, diagnostics).value_or(out);
+}
+
+DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::string>> keys,
+                   std::string data) {
+  return {.name = std::move(name),
+          .net = {},
+          .keys = std::move(keys),
+          .data = std::move(data),
+          .card = {}};
 }
 
 void append_card(DeckText& text, DeckCard card) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -48,7 +49,29 @@ std::optional<DeckText> read_deck_text(const std::filesystem::path& deck,
 std::string write_deck(DeckText text, const std::filesystem::path& folder,
                        const std::vector<std::string>& head = {});
 
+/// A new card; `data` is empty or ended by a newline.
+DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::string>> keys = {},
+                   std::string data = {});
+
 /// Puts a card in front of $END, or at the end.
 void append_card(DeckText& text, DeckCard card);
+
+/// The cards of a name, in upper case, of a text that may be changed or not.
+template <class Text> auto cards_named(Text& text, std::string_view name) {
+  return text | std::views::filter([name](const DeckCard& card) { return card.name == name; });
+}
+
+/// The first card of a name whose key has the value `word` as word_value() gives it, null without
+/// one; the card may be changed where the text may.
+template <class Text>
+auto find_named_card(Text& text, std::string_view name, std::string_view key,
+                     const std::string& word) -> decltype(text.data()) {
+  for (auto& card : text) {
+    if (card.name == name && card.word_value(key) == word) {
+      return &card;
+    }
+  }
+  return nullptr;
+}
 
 } // namespace spricka::deck

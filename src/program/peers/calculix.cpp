@@ -35,71 +35,21 @@ double value_of(std::string_view line, std::size_t column) {
   return from < line.size() ? read<double>(line.substr(from, width)).value_or(none) : none;
 }
 
-/// Reads a .frd line by line.
-class FrdReader {
-public:
-  FrdReader(const std::vector<base::Label>& numbers, int dim) : index_(numbers), dim_(dim) {
-    const auto count = static_cast<Eigen::Index>(numbers.size());
-    fields_.u = base::Vector::Constant(count * dim, none);
-    fields_.stress.resize(numbers.size());
-    for (results::Stress& stress : fields_.stress) {
-      stress.fill(none);
-    }
-  }
+enum class FrdBlock { other, displacement, stress };
 
-  std::optional<NodalFields> run(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      take(text.substr(0, end));
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return moved_ && stressed_ ? std::optional(std::move(fields_)) : std::nullopt;
-  }
+FrdBlock block_of(std::string_view header) {
+  const std::string_view name = header.substr(std::min<std::size_t>(5, header.size()));
+  return name.starts_with("DISP ")     ? FrdBlock::displacement
+         : name.starts_with("STRESS ") ? FrdBlock::stress
+                                       : FrdBlock::other;
+}
 
-private:
-  enum class FrdBlock { other, displacement, stress };
-
-  void take(std::string_view line) {
-    if (line.starts_with(" -4")) {
-      const std::string_view name = line.substr(std::min<std::size_t>(5, line.size()));
-      block_ = name.starts_with("DISP ")     ? FrdBlock::displacement
-               : name.starts_with("STRESS ") ? FrdBlock::stress
-                                             : FrdBlock::other;
-    } else if (line.starts_with(" -3")) {
-      block_ = FrdBlock::other;
-    } else if (block_ != FrdBlock::other && line.starts_with(" -1")) {
-      take_values(line);
-    }
-  }
-
-  void take_values(std::string_view line) {
-    const auto number = read<base::Label>(line.substr(number_from, values_from - number_from));
-    const std::optional<std::size_t> node = number ? index_.find(*number) : std::nullopt;
-    if (!node) {
-      return;
-    }
-    if (block_ == FrdBlock::displacement) {
-      moved_ = true;
-      for (int c = 0; c < dim_; ++c) {
-        fields_.u[static_cast<Eigen::Index>(*node) * dim_ + c] =
-            value_of(line, static_cast<std::size_t>(c));
-      }
-    } else {
-      stressed_ = true;
-      results::Stress& stress = fields_.stress[*node];
-      for (std::size_t c = 0; c < stress.size(); ++c) {
-        stress[c] = value_of(line, c);
-      }
-    }
-  }
-
-  mesh::LabelIndex index_;
-  int dim_;
-  FrdBlock block_ = FrdBlock::other;
-  bool moved_ = false;
-  bool stressed_ = false;
-  NodalFields fields_;
-};
+// The first part of a text that ends with a mark, which is taken from it with the mark.
+std::string_view split_off_part(std::string_view& text, char mark) {
+  const std::string_view part = text.substr(0, text.find(mark));
+  text.remove_prefix(std::min(part.size() + 1, text.size()));
+  return part;
+}
 
 } // namespace
 
@@ -107,12 +57,11 @@ fs::path find_calculix() {
   const char* const path = std::getenv("PATH");
   std::string_view folders = path == nullptr ? "" : path;
   while (!folders.empty()) {
-    const std::size_t end = std::min(folders.find(':'), folders.size());
-    const fs::path file = fs::path(folders.substr(0, end)) / "ccx";
-    if (end > 0 && fs::is_regular_file(file) && access(file.c_str(), X_OK) == 0) {
+    const std::string_view folder = split_off_part(folders, ':');
+    const fs::path file = fs::path(folder) / "ccx";
+    if (!folder.empty() && fs::is_regular_file(file) && access(file.c_str(), X_OK) == 0) {
       return file;
     }
-    folders.remove_prefix(std::min(end + 1, folders.size()));
   }
   return {};
 }
@@ -141,7 +90,41 @@ std::string adapt_input_for_calculix(std::string inp, int dim) {
 
 std::optional<NodalFields> read_frd(std::string_view text, const std::vector<base::Label>& numbers,
                                     int dim) {
-  return FrdReader(numbers, dim).run(text);
+  const mesh::LabelIndex index(numbers);
+  NodalFields fields;
+  fields.u = base::Vector::Constant(static_cast<Eigen::Index>(numbers.size()) * dim, none);
+  fields.stress.resize(numbers.size());
+  for (results::Stress& stress : fields.stress) {
+    stress.fill(none);
+  }
+  bool moved = false;
+  bool stressed = false;
+  FrdBlock block = FrdBlock::other;
+  while (!text.empty()) {
+    const std::string_view line = split_off_part(text, '\n');
+    if (line.starts_with(" -4") || line.starts_with(" -3")) {
+      block = line.starts_with(" -4") ? block_of(line) : FrdBlock::other;
+    }
+    if (block == FrdBlock::other || !line.starts_with(" -1")) {
+      continue;
+    }
+    const auto number = read<base::Label>(line.substr(number_from, values_from - number_from));
+    const std::optional<std::size_t> node = number ? index.find(*number) : std::nullopt;
+    if (node && block == FrdBlock::displacement) {
+      moved = true;
+      for (int c = 0; c < dim; ++c) {
+        fields.u[static_cast<Eigen::Index>(*node) * dim + c] =
+            value_of(line, static_cast<std::size_t>(c));
+      }
+    } else if (node) {
+      stressed = true;
+      results::Stress& stress = fields.stress[*node];
+      for (std::size_t c = 0; c < stress.size(); ++c) {
+        stress[c] = value_of(line, c);
+      }
+    }
+  }
+  return moved && stressed ? std::optional(std::move(fields)) : std::nullopt;
 }
 
 } // namespace spricka::program

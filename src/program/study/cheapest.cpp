@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/cheapest.hpp"
+#include "program/study/variant_report.hpp"
+#include "program/study/verdict.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,10 +101,6 @@ std::string cheapest_sentence(const GroupVerdict& group, const std::vector<Trial
 }
 
 } // namespace
-
-std::string percent(double part) {
-  return std::isfinite(part) ? fmt::format("{:.2g} %", 100.0 * part) : "-";
-}
 
 std::vector<CheapestSetting> cheapest_settings(const GroupVerdict& group,
                                                const std::vector<Trial>& trials) {

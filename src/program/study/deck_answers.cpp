@@ -8,38 +8,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace spricka::program {
 
 namespace {
 
-struct GroupWord {
-  std::string_view word; ///< what stands in front of the first point
-  AnswerGroup group;
-};
-constexpr std::array group_words{
-    GroupWord{"K", AnswerGroup::K},           GroupWord{"K1", AnswerGroup::K},
-    GroupWord{"K2", AnswerGroup::K},          GroupWord{"K3", AnswerGroup::K},
-    GroupWord{"PATH", AnswerGroup::K},        GroupWord{"G", AnswerGroup::K},
-    GroupWord{"T", AnswerGroup::T},           GroupWord{"CPRESS", AnswerGroup::pressure},
-    GroupWord{"S", AnswerGroup::stress},      GroupWord{"U", AnswerGroup::displacement},
-    GroupWord{"ENERGY", AnswerGroup::energy}, GroupWord{"ARC", AnswerGroup::arc},
-    GroupWord{"STICK", AnswerGroup::arc},     GroupWord{"N", AnswerGroup::life},
-    GroupWord{"LIFE", AnswerGroup::life},     GroupWord{"SHEAR", AnswerGroup::pressure}};
-
-std::string_view stem_of(std::string_view quantity) {
-  return quantity.substr(0, quantity.find('.'));
-}
+// By what stands in front of the first point.
+const std::map<std::string_view, AnswerGroup> group_words{
+    {"K", AnswerGroup::K},           {"K1", AnswerGroup::K},
+    {"K2", AnswerGroup::K},          {"K3", AnswerGroup::K},
+    {"PATH", AnswerGroup::K},        {"G", AnswerGroup::K},
+    {"T", AnswerGroup::T},           {"CPRESS", AnswerGroup::pressure},
+    {"S", AnswerGroup::stress},      {"U", AnswerGroup::displacement},
+    {"ENERGY", AnswerGroup::energy}, {"ARC", AnswerGroup::arc},
+    {"STICK", AnswerGroup::arc},     {"N", AnswerGroup::life},
+    {"LIFE", AnswerGroup::life},     {"SHEAR", AnswerGroup::pressure}};
 
 std::optional<AnswerGroup> group_of(std::string_view quantity) {
-  const bool of_path = stem_of(quantity) == "PATH";
-  if ((of_path && !quantity.starts_with("PATH.K1") && !quantity.starts_with("PATH.K2")) ||
+  const auto found = group_words.find(quantity.substr(0, quantity.find('.')));
+  const bool of_path = quantity == "PATH" || quantity.starts_with("PATH.");
+  if (found == group_words.end() ||
+      (of_path && !quantity.starts_with("PATH.K1") && !quantity.starts_with("PATH.K2")) ||
       quantity.find(".BAR") != std::string_view::npos || quantity == "ARC.PARTS") {
     return std::nullopt;
   }
-  const auto* const found = std::ranges::find(group_words, stem_of(quantity), &GroupWord::word);
-  return found == group_words.end() ? std::nullopt : std::optional(found->group);
+  return found->second;
 }
 
 // "K1.BAR" for K and K1, "K2.BEST.PHI" for K2.PHI; empty where there is no such word.
@@ -150,27 +146,6 @@ private:
   std::vector<model::ResultCheck> made_;
 };
 
-// Evaluates lines on a run; trouble, or a line without a quantity, leaves no number.
-std::vector<double> values_of(model::Model& model, const std::vector<model::ResultCheck>& checks,
-                              const results::RunResult& run) {
-  std::vector<double> values(checks.size(), std::numeric_limits<double>::quiet_NaN());
-  std::vector<std::size_t> asked;
-  model.checks.clear();
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    if (!checks[i].quantity.empty()) {
-      asked.push_back(i);
-      model.checks.push_back(checks[i]);
-    }
-  }
-  const std::vector<results::CheckResult> found = evaluate_checks(model, run);
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    if (found[k].trouble.empty()) {
-      values[asked[k]] = found[k].found;
-    }
-  }
-  return values;
-}
-
 // Whose answer it is, where a name stands first; places are of their group.
 std::string subject_of(const Answer& answer) {
   const auto* const name = answer.check.arguments.empty()
@@ -229,22 +204,26 @@ std::vector<AnswerReading> read_answers(const model::Model& model,
                                         const std::vector<Answer>& answers,
                                         const results::RunResult& run) {
   model::Model asked = model;
-  std::vector<model::ResultCheck> value;
-  std::vector<model::ResultCheck> bar;
-  std::vector<model::ResultCheck> best;
-  for (const Answer& answer : answers) {
-    value.push_back(answer.check);
-    bar.push_back(answer.check);
-    bar.back().quantity = with_part(answer.check.quantity, "BAR");
-    best.push_back(answer.check);
-    best.back().quantity = with_part(answer.check.quantity, "BEST");
-  }
-  const std::vector<double> values = values_of(asked, value, run);
-  const std::vector<double> bars = values_of(asked, bar, run);
-  const std::vector<double> bests = values_of(asked, best, run);
-  std::vector<AnswerReading> readings;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    readings.push_back({values[i], bars[i], bests[i]});
+  std::vector<AnswerReading> readings(answers.size());
+  for (const auto& [part, member] :
+       {std::pair{"", &AnswerReading::value}, std::pair{"BAR", &AnswerReading::bar},
+        std::pair{"BEST", &AnswerReading::best}}) {
+    std::vector<std::size_t> of; // [check] answer
+    asked.checks.clear();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      model::ResultCheck check = answers[i].check;
+      check.quantity = *part == 0 ? check.quantity : with_part(check.quantity, part);
+      if (!check.quantity.empty()) {
+        of.push_back(i);
+        asked.checks.push_back(std::move(check));
+      }
+    }
+    const std::vector<results::CheckResult> found = evaluate_checks(asked, run);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (found[k].trouble.empty()) {
+        readings[of[k]].*member = found[k].found;
+      }
+    }
   }
   return readings;
 }

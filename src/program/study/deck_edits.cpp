@@ -64,59 +64,47 @@ bool lists_sets(std::string_view card) {
   return std::ranges::find(names, card) != names.end();
 }
 
-// Items of other nets stay, each in its line.
-void keep_items(DeckCard& card, const std::set<std::string>& nets) {
-  std::string kept;
-  std::size_t at = 0;
-  while (at < card.data.size()) {
+// Data lines, each with its continuations, as `change` makes them of the line and its fields.
+template <class Change> void change_lines(DeckCard& card, const Change& change) {
+  std::string changed;
+  for (std::size_t at = 0; at < card.data.size();) {
     const std::size_t end = end_of_line(card.data, at);
-    const std::string_view line = std::string_view(card.data).substr(at, end - at);
-    const std::vector<std::string> fields = data_fields(line);
-    if (!names_net(fields, nets)) {
-      kept += line;
-    } else {
-      std::string items;
-      for (const std::string& field : fields) {
-        items += names_net({field}, nets) ? "" : " " + field;
-      }
-      kept += items.empty() ? "" : " " + items + "\n";
-    }
+    const std::string line = card.data.substr(at, end - at);
+    changed += change(line, data_fields(line));
     at = end;
   }
-  card.data = std::move(kept);
+  card.data = std::move(changed);
 }
 
-bool has_lines(const DeckCard& card) {
-  std::size_t at = 0;
-  while (at < card.data.size()) {
-    const std::size_t end = std::min(card.data.find('\n', at), card.data.size());
-    if (!data_fields(std::string_view(card.data).substr(at, end - at)).empty()) {
-      return true;
+// Items of other nets stay, each in its line.
+void keep_items(DeckCard& card, const std::set<std::string>& nets) {
+  change_lines(card, [&](const std::string& line, const std::vector<std::string>& fields) {
+    if (!names_net(fields, nets)) {
+      return line;
     }
-    at = end + 1;
-  }
-  return false;
+    std::string items;
+    for (const std::string& field : fields) {
+      items += names_net({field}, nets) ? "" : " " + field;
+    }
+    return items.empty() ? items : " " + items + "\n";
+  });
 }
 
 void erase_nets(DeckText& text, const std::set<std::string>& nets) {
-  DeckText kept;
-  bool inside = false;
-  for (DeckCard& card : text) {
-    if (card.name == "NET") {
-      inside = nets.contains(card.word_value("NAME"));
-    }
+  bool inside = false; // cards come in their order
+  std::erase_if(text, [&](const DeckCard& card) {
+    inside = card.name == "NET" ? nets.contains(card.word_value("NAME")) : inside;
     const bool dropped = inside;
-    if (card.name == "ENDNET") {
-      inside = false;
-    }
-    if (!dropped) {
-      kept.push_back(std::move(card));
-    }
-  }
-  text = std::move(kept);
+    inside = inside && card.name != "ENDNET";
+    return dropped;
+  });
 }
 
 } // namespace
+
+std::string twelve_digits(double value) {
+  return fmt::format("{:.12g}", value);
+}
 
 std::string net_prefix(std::string_view name) {
   const std::size_t point = name.find('.');
@@ -153,112 +141,90 @@ std::vector<std::string> data_fields(std::string_view line) {
 
 void filter_lines(DeckCard& card,
                   const std::function<bool(const std::vector<std::string>&)>& keep) {
-  std::string kept;
-  std::size_t at = 0;
-  while (at < card.data.size()) {
-    const std::size_t end = end_of_line(card.data, at);
-    const std::vector<std::string> fields =
-        data_fields(std::string_view(card.data).substr(at, end - at));
-    if (fields.empty() || keep(fields)) {
-      kept += card.data.substr(at, end - at);
-    }
-    at = end;
-  }
-  card.data = std::move(kept);
+  change_lines(card, [&](const std::string& line, const std::vector<std::string>& fields) {
+    return fields.empty() || keep(fields) ? line : std::string();
+  });
+}
+
+void filter_actions(DeckCard& step,
+                    const std::function<bool(const std::string&, const std::string&)>& keep) {
+  filter_lines(step, [&](const std::vector<std::string>& fields) {
+    return keep(grammar::to_upper(fields.front()),
+                fields.size() < 2 ? std::string() : grammar::to_upper(fields[1]));
+  });
 }
 
 void drop_mounts(DeckText& text) {
-  for (DeckCard& card : text) {
-    if (card.name == "STEP") {
-      filter_lines(card, [](const std::vector<std::string>& fields) {
-        const std::string word = grammar::to_upper(fields.front());
-        return word != "MOUNT" && word != "DISMOUNT";
-      });
-    } else if (card.name == "GROW") {
-      card.erase("MOUNTED");
-    }
+  for (DeckCard& card : cards_named(text, "STEP")) {
+    filter_actions(card, [](const std::string& action, const std::string&) {
+      return action != "MOUNT" && action != "DISMOUNT";
+    });
+  }
+  for (DeckCard& card : cards_named(text, "GROW")) {
+    card.erase("MOUNTED");
   }
 }
 
 void drop_fits(DeckText& text, const std::set<std::string>& contacts) {
-  for (DeckCard& card : text) {
-    if (card.name == "STEP") {
-      filter_lines(card, [&](const std::vector<std::string>& fields) {
-        return grammar::to_upper(fields.front()) != "FIT" || fields.size() < 2 ||
-               !contacts.contains(grammar::to_upper(fields[1]));
-      });
-    }
+  for (DeckCard& card : cards_named(text, "STEP")) {
+    filter_actions(card, [&](const std::string& action, const std::string& contact) {
+      return action != "FIT" || !contacts.contains(contact);
+    });
   }
 }
 
 std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& nets) {
   erase_nets(text, nets);
   std::set<std::string> contacts;
-  for (const DeckCard& card : text) {
-    if (card.name == "CONTACT" && stands_on(card, nets)) {
+  for (const DeckCard& card : cards_named(text, "CONTACT")) {
+    if (stands_on(card, nets)) {
       contacts.insert(card.word_value("NAME"));
     }
   }
   std::erase_if(text, [&](const DeckCard& card) { return stands_on(card, nets); });
   for (DeckCard& card : text) {
-    const bool load = card.name == "LOAD";
-    if (load || lists_sets(card.name)) {
-      const bool had = has_lines(card);
-      if (load) {
-        filter_lines(card, [&](const auto& fields) { return !names_net({fields.front()}, nets); });
-      } else {
-        keep_items(card, nets);
-      }
-      card.name = had && !has_lines(card) ? "" : card.name; // nothing is left of it
-    } else if (card.name == "STEP") {
-      filter_lines(card, [&](const std::vector<std::string>& fields) {
-        return fields.size() < 2 || grammar::to_upper(fields.front()) == "LOAD" ||
-               !contacts.contains(grammar::to_upper(fields[1]));
-      });
+    const bool had_lines = !data_fields(card.data).empty();
+    if (card.name == "LOAD") {
+      filter_lines(card, [&](const auto& fields) { return !names_net({fields.front()}, nets); });
+    } else if (lists_sets(card.name)) {
+      keep_items(card, nets);
+    } else {
+      continue;
     }
+    card.name = had_lines && data_fields(card.data).empty() ? "" : card.name; // nothing is left
   }
   std::erase_if(text, [](const DeckCard& card) { return card.name.empty(); });
+  for (DeckCard& card : cards_named(text, "STEP")) {
+    filter_actions(card, [&](const std::string& action, const std::string& contact) {
+      return action == "LOAD" || !contacts.contains(contact);
+    });
+  }
   return contacts;
 }
 
 void drop_undefined_loads(DeckText& text) {
   std::set<std::string> cases;
-  for (const DeckCard& card : text) {
-    if (card.name == "LOAD") {
-      cases.insert(card.word_value("CASE"));
-    }
+  for (const DeckCard& card : cards_named(text, "LOAD")) {
+    cases.insert(card.word_value("CASE"));
   }
-  for (DeckCard& card : text) {
-    if (card.name == "STEP") {
-      filter_lines(card, [&](const std::vector<std::string>& fields) {
-        return fields.size() < 2 || grammar::to_upper(fields.front()) != "LOAD" ||
-               cases.contains(grammar::to_upper(fields[1]));
-      });
-    }
+  for (DeckCard& card : cards_named(text, "STEP")) {
+    filter_actions(card, [&](const std::string& action, const std::string& load_case) {
+      return action != "LOAD" || load_case.empty() || cases.contains(load_case);
+    });
   }
 }
 
 void apply_defines(DeckText& text,
                    const std::vector<std::pair<std::string, std::string>>& defines) {
-  for (DeckCard& card : text) {
-    if (card.name != "PARAMETER") {
-      continue;
-    }
-    std::string lines;
-    std::size_t at = 0;
-    while (at < card.data.size()) {
-      const std::size_t end = end_of_line(card.data, at);
-      const std::string line = card.data.substr(at, end - at);
-      const std::size_t equal = code_of(line).find('=');
+  for (DeckCard& card : cards_named(text, "PARAMETER")) {
+    change_lines(card, [&](const std::string& line, const std::vector<std::string>&) {
       const std::vector<std::string> left =
-          data_fields(line.substr(0, equal == std::string::npos ? 0 : equal));
+          data_fields(line.substr(0, std::min(line.find('='), line.size())));
       const auto own = std::ranges::find_if(defines, [&](const auto& define) {
         return left.size() == 1 && grammar::to_upper(define.first) == grammar::to_upper(left[0]);
       });
-      lines += own == defines.end() ? line : fmt::format("  {} = {}\n", left[0], own->second);
-      at = end;
-    }
-    card.data = std::move(lines);
+      return own == defines.end() ? line : fmt::format("  {} = {}\n", left[0], own->second);
+    });
   }
 }
 
@@ -267,6 +233,23 @@ void drop_requests(DeckText& text) {
     constexpr std::array names{"CHECK", "OUTPUT", "RESTART", "SWEEP", "TEST"};
     return std::ranges::find(names, card.name) != names.end();
   });
+}
+
+DeckCard rigid_line(const std::string& name, const base::Vec3& first, const base::Vec3& second) {
+  return deck::make_card("RIGID", {{"NAME", name},
+                                   {"SHAPE", "LINE"},
+                                   {"X0", twelve_digits(first.x())},
+                                   {"Y0", twelve_digits(first.y())},
+                                   {"X1", twelve_digits(second.x())},
+                                   {"Y1", twelve_digits(second.y())}});
+}
+
+DeckCard rigid_circle(const std::string& name, const base::Vec3& centre, double radius) {
+  return deck::make_card("RIGID", {{"NAME", name},
+                                   {"SHAPE", "ARC"},
+                                   {"X0", twelve_digits(centre.x())},
+                                   {"Y0", twelve_digits(centre.y())},
+                                   {"R", twelve_digits(radius)}});
 }
 
 } // namespace spricka::program

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/vec.hpp"
 #include "deck/deck_text.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,9 +17,20 @@ namespace spricka::program {
 /// Fields of one data line, as the deck writes them, comments left out.
 std::vector<std::string> data_fields(std::string_view line);
 
+/// A deck that was rewritten, or why there is none.
+struct RewrittenDeck {
+  std::optional<deck::DeckText> text;
+  std::string reason;
+};
+
 /// Data lines for which `keep` holds; comment and blank lines stay. `keep` gets the fields.
 void filter_lines(deck::DeckCard& card,
                   const std::function<bool(const std::vector<std::string>&)>& keep);
+
+/// Lines of a $STEP for which `keep` holds, given in upper case what they do and to which name;
+/// the name is empty where there is none.
+void filter_actions(deck::DeckCard& step,
+                    const std::function<bool(const std::string&, const std::string&)>& keep);
 
 /// Contacts stand from the beginning: MOUNT and DISMOUNT go.
 void drop_mounts(deck::DeckText& text);
@@ -39,7 +52,16 @@ void apply_defines(deck::DeckText& text,
 /// Checks, requests, tests and states of runs go: a variant is asked anew.
 void drop_requests(deck::DeckText& text);
 
+/// A number as cards of variants have it.
+std::string twelve_digits(double value);
+
 /// "LUG" of "LUG.BORE", upper case; empty without a point.
 std::string net_prefix(std::string_view name);
+
+/// A $RIGID card of the plane: a line with the body on its left.
+deck::DeckCard rigid_line(const std::string& name, const base::Vec3& first,
+                          const base::Vec3& second);
+/// The same of a circle, with the body outside, for a negative radius inside.
+deck::DeckCard rigid_circle(const std::string& name, const base::Vec3& centre, double radius);
 
 } // namespace spricka::program

@@ -48,10 +48,8 @@ SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckText
       }
       continue;
     }
-    deck::DeckCard card;
-    card.name = "SYMMETRY";
-    card.set("NORMAL", std::string(1, "XYZ"[mirror.axis]));
-    append_card(changed, std::move(card));
+    append_card(changed,
+                deck::make_card("SYMMETRY", {{"NORMAL", std::string(1, "XYZ"[mirror.axis])}}));
     part.mirrored += "XYZ"[mirror.axis];
     part.words += fmt::format("{}{} >= {:.4g}", part.words.empty() ? "" : ", ", axis, mirror.at);
   }

@@ -3,20 +3,19 @@
 #include "deck/deck_text.hpp"
 #include "model/forward.hpp"
 #include "program/study/deck_answers.hpp"
+#include "program/study/deck_edits.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 /// A deck whose model is one of two, four or eight mirror images.
 namespace spricka::program {
 
-struct SymmetricPart {
-  std::optional<deck::DeckText> text; ///< empty: the model has no plane of symmetry
-  std::string mirrored;               ///< across which axes, "XY"
-  std::string name;                   ///< "half by symmetry"
-  std::string words;                  ///< "y >= 0 alone"
-  std::string reason;                 ///< why there is no text
+/// Without a text the model has no plane of symmetry.
+struct SymmetricPart : RewrittenDeck {
+  std::string mirrored; ///< across which axes, "XY"
+  std::string name;     ///< "half by symmetry"
+  std::string words;    ///< "y >= 0 alone"
 };
 
 /// Puts a $SYMMETRY card for each plane that all of the model respects.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/judge.hpp"
-
-#include "program/study/cheapest.hpp"
-#include "program/study/plateau_reason.hpp"
+#include "program/study/variant_report.hpp"
+#include "program/study/verdict.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,31 +16,10 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double distance_of(double a, double b) {
-  return std::abs(a - b);
-}
-
-bool has_results(const Trial& trial) {
-  return !trial.readings.empty();
-}
-
 // Trials of the series that the reference comes from, coarse to fine.
 std::vector<std::size_t> reference_series(const std::vector<Trial>& trials) {
-  const auto rows = [&](SettingFamily family) {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      const SettingFamily own = trials[i].setting.family;
-      if (has_results(trials[i]) && (own == family || own == SettingFamily::given)) {
-        found.push_back(i);
-      }
-    }
-    std::ranges::stable_sort(found, [&](std::size_t a, std::size_t b) {
-      return trials[a].setting.fineness < trials[b].setting.fineness;
-    });
-    return found;
-  };
-  const std::vector<std::size_t> whole = rows(SettingFamily::whole);
-  return whole.size() > 1 ? whole : rows(SettingFamily::asked);
+  const std::vector<std::size_t> whole = series_rows(trials, SettingFamily::whole);
+  return whole.size() > 1 ? whole : series_rows(trials, SettingFamily::asked);
 }
 
 // How far the answer still moves at the fine end.
@@ -51,8 +28,8 @@ double movement(const std::vector<Trial>& trials, const std::vector<std::size_t>
   const std::size_t n = series.size();
   double most = 0.0;
   for (std::size_t back = 1; back <= 2 && back < n; ++back) {
-    most = std::max(most, distance_of(trials[series[n - 1]].readings[answer].value,
-                                      trials[series[n - 1 - back]].readings[answer].value));
+    most = std::max(most, std::abs(trials[series[n - 1]].readings[answer].value -
+                                   trials[series[n - 1 - back]].readings[answer].value));
   }
   return n > 1 ? most : std::numeric_limits<double>::infinity();
 }
@@ -66,7 +43,7 @@ AnswerReference reference_of(const Answer& answer, std::size_t a, const std::vec
   reference.uncertainty = barred ? finest.bar : moved;
   reference.value = barred ? finest.best : finest.value;
   if (answer.reference && std::isfinite(finest.value)) {
-    const double off = distance_of(finest.value, *answer.reference);
+    const double off = std::abs(finest.value - *answer.reference);
     constexpr double round_off = 1e-9;
     if (off <= std::max(reference.uncertainty, round_off * std::abs(*answer.reference))) {
       reference.value = *answer.reference;
@@ -85,46 +62,26 @@ void widen(double& largest, double value) {
   }
 }
 
-GroupErrors errors_of(AnswerGroup group, const std::vector<Answer>& answers,
-                      const std::vector<AnswerReference>& references, const Trial& trial,
-                      bool is_finest) {
+GroupErrors errors_of(AnswerGroup group, const Study& study, const Trial& trial, bool is_finest) {
   GroupErrors errors{none, none, none};
   bool all_best = true;
-  for (std::size_t a = 0; a < answers.size() && has_results(trial); ++a) {
-    const AnswerReference& reference = references[a];
-    if (answers[a].group != group || !(reference.scale > 0.0)) {
+  for (std::size_t a = 0; a < trial.readings.size(); ++a) {
+    const AnswerReference& reference = study.verdict.references[a];
+    if (study.answers[a].group != group || !(reference.scale > 0.0)) {
       continue;
     }
     const AnswerReading& reading = trial.readings[a];
     const bool itself = is_finest && !reference.of_deck;
     const bool barred = std::isfinite(reading.bar) && std::isfinite(reading.best);
     if (!itself || barred) { // against its own corrected value
-      widen(errors.plain, distance_of(reading.value, reference.value) / reference.scale);
+      widen(errors.plain, std::abs(reading.value - reference.value) / reference.scale);
     }
     all_best = all_best && barred && !itself;
-    widen(errors.best, distance_of(reading.best, reference.value) / reference.scale);
+    widen(errors.best, std::abs(reading.best - reference.value) / reference.scale);
     widen(errors.bar, reading.bar / reference.scale);
   }
   errors.best = all_best ? errors.best : none;
   return errors;
-}
-
-/// Series of one family, coarse to fine; the deck as it is belongs to all series of sizes.
-std::vector<std::size_t> series_of(SettingFamily family, const std::vector<Trial>& trials) {
-  constexpr std::array with_given{SettingFamily::whole, SettingFamily::host, SettingFamily::tip,
-                                  SettingFamily::asked};
-  const bool given = std::ranges::find(with_given, family) != with_given.end();
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const SettingFamily own = trials[i].setting.family;
-    if (has_results(trials[i]) && (own == family || (given && own == SettingFamily::given))) {
-      rows.push_back(i);
-    }
-  }
-  std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
-    return trials[a].setting.fineness < trials[b].setting.fineness;
-  });
-  return rows;
 }
 
 // Energy falls with twice the degree of the elements where nothing is singular (Strang and Fix
@@ -155,30 +112,16 @@ bool asks_of_cracks(const std::vector<Answer>& answers) {
                              [](const Answer& answer) { return answer.group == AnswerGroup::K; });
 }
 
-std::vector<ConvergencePoint> points_of(const std::vector<std::size_t>& rows,
-                                        const std::vector<Trial>& trials,
-                                        const std::vector<double>& errors) {
-  std::vector<ConvergencePoint> points;
-  for (const std::size_t row : rows) {
-    if (std::isfinite(errors[row])) {
-      points.push_back({1.0 / trials[row].setting.fineness, errors[row]});
-    }
-  }
-  return points;
-}
-
 class GroupJudge {
 public:
-  GroupJudge(const std::vector<Answer>& answers, const std::vector<Trial>& trials,
-             const StudyVerdict& verdict, AnswerGroup group)
-      : answers_(answers), trials_(trials), verdict_(verdict) {
+  GroupJudge(const Study& study, AnswerGroup group)
+      : study_(study), trials_(study.trials), verdict_(study.verdict) {
     found_.group = group;
   }
 
   std::optional<GroupVerdict> run() {
     for (std::size_t t = 0; t < trials_.size(); ++t) {
-      found_.errors.push_back(
-          errors_of(found_.group, answers_, verdict_.references, trials_[t], t == verdict_.finest));
+      found_.errors.push_back(errors_of(found_.group, study_, trials_[t], t == verdict_.finest));
     }
     const bool any = std::ranges::any_of(
         found_.errors, [](const GroupErrors& errors) { return std::isfinite(errors.plain); });
@@ -201,9 +144,9 @@ public:
 
 private:
   void floor() {
-    for (std::size_t a = 0; a < answers_.size(); ++a) {
+    for (std::size_t a = 0; a < study_.answers.size(); ++a) {
       const AnswerReference& reference = verdict_.references[a];
-      if (answers_[a].group == found_.group && reference.scale > 0.0) {
+      if (study_.answers[a].group == found_.group && reference.scale > 0.0) {
         own_ = own_ || !reference.of_deck;
         found_.floor = std::max(found_.floor, reference.uncertainty / reference.scale);
       }
@@ -211,12 +154,14 @@ private:
   }
 
   void judge_series(SettingFamily family, bool corrected) {
-    const std::vector<std::size_t> rows = series_of(family, trials_);
-    std::vector<double> errors;
-    for (const GroupErrors& all : found_.errors) {
-      errors.push_back(corrected ? all.best : all.plain);
+    const std::vector<std::size_t> rows = series_rows(trials_, family);
+    std::vector<ConvergencePoint> points;
+    for (const std::size_t row : rows) {
+      const double error = corrected ? found_.errors[row].best : found_.errors[row].plain;
+      if (std::isfinite(error)) {
+        points.push_back({1.0 / trials_[row].setting.fineness, error});
+      }
     }
-    const std::vector<ConvergencePoint> points = points_of(rows, trials_, errors);
     if (rows.size() < 2 || points.size() < 2 ||
         trials_[rows.front()].setting.fineness == trials_[rows.back()].setting.fineness) {
       return;
@@ -226,7 +171,7 @@ private:
     series.corrected = corrected;
     series.plateau = find_plateau(points);
     series.theory =
-        corrected ? std::nullopt : theory_of(found_.group, family, asks_of_cracks(answers_));
+        corrected ? std::nullopt : theory_of(found_.group, family, asks_of_cracks(study_.answers));
     // Differences to values of the finest mesh, which has an error of the same law.
     const bool alike = family == SettingFamily::whole || family == SettingFamily::asked;
     const bool to_finest = alike && own_ && !has_bars() && verdict_.finest;
@@ -237,7 +182,7 @@ private:
     series.slope = fit_slope(std::span(points).first(falling),
                              own_ && !to_finest ? better * found_.floor : 0.0, reference);
     if (series.plateau) {
-      series.reason = plateau_reason({found_, series, trials_, answers_, verdict_}, points);
+      series.reason = plateau_reason({found_, series, study_}, points);
     }
     found_.series.push_back(std::move(series));
   }
@@ -245,9 +190,8 @@ private:
   // The trial of the finest mesh that CalculiX has an error for.
   [[nodiscard]] std::optional<std::size_t> finest_peer() const {
     std::optional<std::size_t> finest;
-    for (std::size_t t = 0; t < trials_.size(); ++t) {
-      if (trials_[t].setting.family == SettingFamily::peer &&
-          std::isfinite(found_.errors[t].plain) &&
+    for (const std::size_t t : series_rows(trials_, SettingFamily::peer)) {
+      if (std::isfinite(found_.errors[t].plain) &&
           (!finest || trials_[t].setting.fineness > trials_[*finest].setting.fineness)) {
         finest = t;
       }
@@ -266,15 +210,14 @@ private:
              trial.setting.deck == trials_[*peer].setting.deck;
     });
     Trial own = *same_mesh;
-    for (std::size_t a = 0; a < answers_.size(); ++a) {
+    for (std::size_t a = 0; a < study_.answers.size(); ++a) {
       if (!std::isfinite(trials_[*peer].readings[a].value)) {
         own.readings[a] = AnswerReading();
       }
     }
     const bool is_finest = same_mesh - trials_.begin() ==
                            static_cast<std::ptrdiff_t>(verdict_.finest.value_or(trials_.size()));
-    const double error =
-        errors_of(found_.group, answers_, verdict_.references, own, is_finest).plain;
+    const double error = errors_of(found_.group, study_, own, is_finest).plain;
     return fmt::format("{} by CalculiX: {} gives {} for {:.2f} s, the program on the same mesh {} "
                        "for {:.2f} s",
                        display_name(found_.group), own.setting.name,
@@ -287,7 +230,7 @@ private:
     return verdict_.finest && std::isfinite(found_.errors[*verdict_.finest].bar);
   }
 
-  const std::vector<Answer>& answers_;
+  const Study& study_;
   const std::vector<Trial>& trials_;
   const StudyVerdict& verdict_;
   GroupVerdict found_;
@@ -296,28 +239,42 @@ private:
 
 } // namespace
 
-StudyVerdict assess_trials(const std::vector<Answer>& answers, const std::vector<Trial>& trials) {
-  StudyVerdict verdict;
-  const std::vector<std::size_t> series = reference_series(trials);
+std::vector<std::size_t> series_rows(const std::vector<Trial>& trials, SettingFamily family) {
+  constexpr std::array of_sizes{SettingFamily::whole, SettingFamily::host, SettingFamily::tip,
+                                SettingFamily::asked};
+  const bool given = std::ranges::find(of_sizes, family) != of_sizes.end();
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const SettingFamily own = trials[i].setting.family;
+    if (!trials[i].readings.empty() && (own == family || (given && own == SettingFamily::given))) {
+      rows.push_back(i);
+    }
+  }
+  std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return trials[i].setting.fineness; });
+  return rows;
+}
+
+void assess_trials(Study& study) {
+  StudyVerdict& verdict = study.verdict;
+  const std::vector<std::size_t> series = reference_series(study.trials);
   if (series.empty()) {
-    return verdict;
+    return;
   }
   verdict.finest = series.back();
   std::vector<double> values;
-  for (std::size_t a = 0; a < answers.size(); ++a) {
-    verdict.references.push_back(reference_of(answers[a], a, trials, series));
+  for (std::size_t a = 0; a < study.answers.size(); ++a) {
+    verdict.references.push_back(reference_of(study.answers[a], a, study.trials, series));
     values.push_back(verdict.references.back().value);
   }
-  const std::vector<double> scales = answer_scales(answers, values);
-  for (std::size_t a = 0; a < answers.size(); ++a) {
+  const std::vector<double> scales = answer_scales(study.answers, values);
+  for (std::size_t a = 0; a < scales.size(); ++a) {
     verdict.references[a].scale = scales[a];
   }
   for (int g = 0; g <= static_cast<int>(AnswerGroup::other); ++g) {
-    if (auto group = GroupJudge(answers, trials, verdict, static_cast<AnswerGroup>(g)).run()) {
+    if (auto group = GroupJudge(study, static_cast<AnswerGroup>(g)).run()) {
       verdict.groups.push_back(std::move(*group));
     }
   }
-  return verdict;
 }
 
 } // namespace spricka::program

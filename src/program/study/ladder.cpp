@@ -56,10 +56,7 @@ Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult&
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const AnswerReading& own = variant.readings[a];
     const AnswerReading& rich = richest.readings[a];
-    if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value)) {
-      continue;
-    }
-    if (lacks_answer(variant, a)) {
+    if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value) || lacks_answer(variant, a)) {
       continue;
     }
     const double part = (own.value - rich.value) / ladder.scales[a];
@@ -183,8 +180,7 @@ void compare(ModelHierarchy& ladder) {
 }
 
 deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
-  deck::DeckCard checks;
-  checks.name = "CHECK";
+  deck::DeckCard checks = deck::make_card("CHECK");
   const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const bool part = ladder.answers[a].group == AnswerGroup::energy;

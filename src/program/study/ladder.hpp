@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/study/deck_answers.hpp"
 #include "program/study/model_variants.hpp"
-#include "program/trials/child_run.hpp"
+#include "program/study/variant_runs.hpp"
 
 #include <optional>
 #include <string>
@@ -23,12 +22,8 @@ enum class ModelVariantVerdict {
 /// "within", "not within": for tables.
 const char* display_name(ModelVariantVerdict verdict);
 
-struct ModelVariantResult {
+struct ModelVariantResult : VariantRun {
   ModelVariant variant;
-  ChildEnd end;
-  std::size_t unknowns = 0;
-  std::vector<AnswerReading> readings; ///< [answer]; empty: none
-  std::string trouble;                 ///< why not
   /// [answer] How its deck asks for them, of a plane model of a solid; else empty.
   std::vector<SectionCounterpart> asked = {};
   double difference = 0.0; ///< the largest, with its sign, as a part of the answer

@@ -2,10 +2,8 @@
 #include "program/study/ladder_report.hpp"
 
 #include "model/model.hpp"
+#include "program/study/variant_report.hpp"
 #include "report/deck_name.hpp"
-#include "report/drawing/plot.hpp"
-#include "report/drawing/table.hpp"
-#include "report/page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,19 +32,16 @@ std::string number_or_none(double value) {
 }
 
 report::ReportTable variants_table(const model::Model& model, const ModelHierarchy& ladder) {
-  report::ReportTable table{"Rungs", {{"rung", "", true}}, {}};
   const std::string unit = unit_of(model, ladder.answers.front().group);
+  report::ReportTable table = report::make_table("Rungs", "<rung");
   table.columns.push_back({ladder.answers.front().text, unit, false});
   if (ladder.answers.size() > 1) {
     table.columns.push_back({ladder.answers.back().text, unit, false});
   }
-  table.columns.insert(table.columns.end(),
-                       {{"largest difference", "%", false},
-                        {"bar", "%", false},
-                        {"CPU", "s", false},
-                        {"memory", "MiB", false},
-                        {"freedoms", "", false},
-                        {fmt::format("{:g} %", 100.0 * ladder.tolerance), "", true}});
+  const report::ReportTable costs = report::make_table(
+      "", fmt::format("largest difference [%]|bar [%]|CPU [s]|memory [MiB]|freedoms|<{:g} %",
+                      100.0 * ladder.tolerance));
+  table.columns.insert(table.columns.end(), costs.columns.begin(), costs.columns.end());
   for (const ModelVariantResult& variant : ladder.variants) {
     if (variant.readings.empty()) {
       continue;
@@ -60,9 +55,8 @@ report::ReportTable variants_table(const model::Model& model, const ModelHierarc
                {variant.verdict == ModelVariantVerdict::richest
                     ? "-"
                     : fmt::format("{:+.2g}", 100.0 * variant.difference),
-                variant.bar > 0.0 ? fmt::format("{:.2g}", 100.0 * variant.bar) : "-",
-                fmt::format("{:.2f}", variant.end.cpu),
-                fmt::format("{:.0f}", static_cast<double>(variant.end.peak_memory) / 1048576.0),
+                variant.bar > 0.0 ? in_percent(variant.bar) : "-",
+                fmt::format("{:.2f}", variant.end.cpu), mebibytes(variant.end.peak_memory),
                 fmt::format("{}", variant.unknowns), display_name(variant.verdict)});
     table.rows.push_back(std::move(row));
   }
@@ -70,7 +64,7 @@ report::ReportTable variants_table(const model::Model& model, const ModelHierarc
 }
 
 report::ReportTable left_out_table(const ModelHierarchy& ladder) {
-  report::ReportTable table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
+  report::ReportTable table = report::make_table("Left out", "<rung|<why");
   for (const ModelVariantResult& variant : ladder.variants) {
     if (variant.readings.empty()) {
       table.rows.push_back({variant.variant.name, variant.trouble});
@@ -103,17 +97,12 @@ std::string ladder_sentence(const ModelHierarchy& ladder) {
 }
 
 report::Plot ladder_plot(const ModelHierarchy& ladder) {
-  report::Plot plot;
-  plot.label = "difference of each rung from the richest against CPU time";
-  plot.x_name = "CPU  [s]";
-  plot.y_name =
-      fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group));
-  plot.log_x = true;
-  plot.log_y = true;
+  report::Plot plot = cost_plot(
+      "difference of each rung from the richest against CPU time", "CPU  [s]",
+      fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group)));
   double low = 1e300;
   double high = 0.0;
-  for (std::size_t r = 0; r < ladder.variants.size(); ++r) {
-    const ModelVariantResult& variant = ladder.variants[r];
+  for (const ModelVariantResult& variant : ladder.variants) {
     if (variant.readings.empty()) {
       continue;
     }
@@ -130,13 +119,8 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
     series.joined = false;
     plot.series.push_back(std::move(series));
   }
-  report::PlotSeries limit;
-  limit.name = "the tolerance";
-  limit.colour = "#888";
-  limit.dash = "5 4";
-  limit.points = {{low, 100.0 * ladder.tolerance},
-                  {std::max(high, 1.01 * low), 100.0 * ladder.tolerance}};
-  plot.series.push_back(std::move(limit));
+  plot.series.push_back(
+      level_line("the tolerance", low, std::max(high, 1.01 * low), 100.0 * ladder.tolerance));
   return plot;
 }
 
@@ -150,42 +134,36 @@ std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladd
 }
 
 std::string hierarchy_csv(const ModelHierarchy& ladder) {
-  std::string out = "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference\n";
+  base::CsvTable csv("rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference");
   for (const ModelVariantResult& variant : ladder.variants) {
-    const std::string head =
-        fmt::format("\"{}\",{},{},{},{},{},{}", variant.variant.name, display_name(variant.verdict),
-                    variant.unknowns, variant.end.cpu, variant.end.wall, variant.end.peak_memory,
-                    variant.end.exit_code);
+    base::CsvRow head = cost_fields(variant);
+    head.insert(head.end(),
+                {{"rung", variant.variant.name}, {"verdict", display_name(variant.verdict)}});
     if (variant.readings.empty()) {
-      out += head + ",,,,\n";
+      csv.add_row(head);
     }
     for (std::size_t a = 0; a < variant.readings.size(); ++a) {
       const AnswerReading& reading = variant.readings[a];
       const double rich = ladder.variants[*ladder.richest].readings[a].value;
-      const double part = (reading.value - rich) / ladder.scales[a];
-      out += fmt::format("{},\"{}\",{},{},{}\n", head, ladder.answers[a].text,
-                         std::isfinite(reading.value) ? fmt::format("{}", reading.value) : "",
-                         std::isfinite(reading.bar) ? fmt::format("{}", reading.bar) : "",
-                         std::isfinite(part) ? fmt::format("{}", part) : "");
+      csv.add_row(head, {{"answer", ladder.answers[a].text},
+                         {"value", reading.value},
+                         {"bar", reading.bar},
+                         {"difference", (reading.value - rich) / ladder.scales[a]}});
     }
   }
-  return out;
+  return csv.text();
 }
 
 std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
                            const ModelHierarchy& ladder) {
   report::HtmlPage page;
-  const std::string title = model.title.empty() ? "spricka ladder" : model.title;
-  page.add_html(fmt::format("<h1>{}</h1>\n", report::escape_xml(title)));
-  page.add_html(
-      fmt::format("<p class=\"about\">Simpler models of {}. Computed by spricka {}.</p>\n",
-                  report::escape_xml(report::deck_name(sources, 0)), SPRICKA_VERSION));
-  page.add_html(fmt::format("<p>{}</p>\n", report::escape_xml(ladder_sentence(ladder))));
-  page.add_figure(
-      {{draw_svg(ladder_plot(ladder))},
-       "",
-       "The largest difference of each rung from the richest, of all answers, against the "
-       "CPU time of its run."});
+  const std::string title = begin_page(
+      page, model, "ladder", fmt::format("Simpler models of {}", report::deck_name(sources, 0)));
+  page.add_paragraph(ladder_sentence(ladder), "");
+  page.add_figure({{draw_svg(ladder_plot(ladder))},
+                   "",
+                   "The largest difference of each rung from the richest, of all answers, against "
+                   "the CPU time of its run."});
   page.add_table(variants_table(model, ladder));
   page.add_table(left_out_table(ladder));
   return page.finish_page(title);

@@ -4,7 +4,6 @@
 #include "base/input_file.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/lexeme.hpp"
-#include "program/study/mesh_probe.hpp"
 #include "program/study/name_uses.hpp"
 #include "report/drawing/file.hpp"
 
@@ -13,6 +12,7 @@
 #include <optional>
 #include <set>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace spricka::program {
@@ -21,52 +21,63 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> names_of_scripts(const ReadyDeck& ready, bool from_deck) {
-  std::set<std::string> names;
-  for (const deck::ImportedScript& script : ready.scripts) {
-    for (const mesh::GeometryScriptConstant& constant : script.constants) {
-      if (constant.from_deck || !from_deck) {
-        names.insert(grammar::to_upper(constant.name));
-      }
+using NamedBox = std::pair<std::string, Eigen::AlignedBox3d>;
+
+// Extents of all sets with elements or faces; of faces whole elements are measured.
+std::vector<NamedBox> extents(const model::Mesh& mesh) {
+  std::vector<NamedBox> boxes;
+  const auto extend = [&](base::ElementId e) {
+    for (const base::NodeId n : mesh.element_nodes(e)) {
+      boxes.back().second.extend(mesh.x[n.index()]);
     }
+  };
+  for (const model::ElementSet& set : mesh.element_sets) {
+    boxes.emplace_back(set.name, Eigen::AlignedBox3d());
+    std::ranges::for_each(set.elements, extend);
   }
-  return names;
-}
-
-MeshParameter parameter_of(const std::string& name, double value, double ratio) {
-  return {name, value, ratio > 1.0};
-}
-
-std::optional<MeshParameter> probe(const StudiedDeck& deck, const std::string& name, double value) {
-  deck::DeckReadOptions options{.defines = deck.defines};
-  std::erase_if(options.defines,
-                [&](const auto& define) { return grammar::to_upper(define.first) == name; });
-  options.defines.emplace_back(name, fmt::format("{:.9g}", 2.0 * value));
-  const ReadyDeck twice = read_silently(deck.file, options);
-  if (!twice.model || value <= 0.0) {
-    return std::nullopt;
+  for (const model::FaceSet& set : mesh.face_sets) {
+    boxes.emplace_back(set.name, Eigen::AlignedBox3d());
+    std::ranges::for_each(set.faces, extend, &model::Face::element);
   }
-  const auto ratio = element_count_ratio(deck.ready->model->mesh, twice.model->mesh);
-  return ratio ? std::optional(parameter_of(name, value, *ratio)) : std::nullopt;
+  return boxes;
 }
 
-// What the elements become by a change of the deck's text; empty as element_count_ratio().
-std::optional<double> probe_text(const StudiedDeck& deck, const deck::DeckText& text,
-                                 const fs::path& folder) {
-  const fs::path file = folder / "probe.deck";
-  report::write_file(file, write_deck(text, folder));
-  const ReadyDeck changed = read_silently(file, {.defines = deck.defines});
-  fs::remove(file);
-  return changed.model ? element_count_ratio(deck.ready->model->mesh, changed.model->mesh)
-                       : std::nullopt;
+// The depth of elements behind a face changes with their size.
+bool is_same_extent(const NamedBox& a, const NamedBox& b) {
+  constexpr double moved = 0.15; // of the set's size
+  if (a.second.isEmpty() || b.second.isEmpty()) {
+    return a.first == b.first && a.second.isEmpty() == b.second.isEmpty();
+  }
+  const double change = std::max((a.second.min() - b.second.min()).cwiseAbs().maxCoeff(),
+                                 (a.second.max() - b.second.max()).cwiseAbs().maxCoeff());
+  return a.first == b.first && change <= moved * a.second.diagonal().norm();
+}
+
+/// How many times as many elements `after` has as `before`, where sizes alone have changed: by more
+/// than 15 %, in sets of the same names and extents. Else empty.
+std::optional<double> element_count_ratio(const model::Mesh& before, const model::Mesh& after) {
+  constexpr double more = 1.15; // elements, or as many fewer
+  const double ratio = static_cast<double>(after.element_count()) /
+                       static_cast<double>(std::max<std::size_t>(before.element_count(), 1));
+  const bool changed = ratio > more || ratio < 1.0 / more;
+  return changed && std::ranges::equal(extents(before), extents(after), is_same_extent)
+             ? std::optional(ratio)
+             : std::nullopt;
+}
+
+// A parameter with its value, where the deck as it is read with another value has more elements, or
+// fewer.
+std::optional<MeshParameter> try_parameter(const StudiedDeck& deck, const std::string& name,
+                                           double value, const ReadyDeck& changed) {
+  const auto ratio = changed.model
+                         ? element_count_ratio(deck.ready->model->mesh, changed.model->mesh)
+                         : std::nullopt;
+  return ratio ? std::optional(MeshParameter{name, value, *ratio > 1.0}) : std::nullopt;
 }
 
 // A script takes its constants from parameters of the deck.
 void set_constant(deck::DeckText& text, const std::string& name, double value) {
-  deck::DeckCard card;
-  card.name = "PARAMETER";
-  card.data = fmt::format("  {} = {:.9g}\n", name, value);
-  append_card(text, std::move(card));
+  append_card(text, deck::make_card("PARAMETER", {}, fmt::format("  {} = {:.9g}\n", name, value)));
 }
 
 // Cards whose elements one of the parameters decides.
@@ -112,13 +123,16 @@ std::string file_of(const deck::DeckCard& card) {
                                                : value->substr(1, value->size() - 2);
 }
 
-bool is_script(const deck::DeckCard& card) {
-  return card.name == "IMPORT" && card.word_value("FORMAT") == "GEO";
-}
-
 std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
                                            const std::map<std::string, ParameterUse>& uses) {
-  const std::set<std::string> taken = names_of_scripts(*deck.ready, true);
+  std::set<std::string> taken; // by scripts
+  for (const deck::ImportedScript& script : deck.ready->scripts) {
+    for (const mesh::GeometryScriptConstant& constant : script.constants) {
+      if (constant.from_deck) {
+        taken.insert(grammar::to_upper(constant.name));
+      }
+    }
+  }
   const auto made_of = parameter_dependencies(deck.text, deck.ready->sources);
   std::vector<MeshParameter> found;
   std::set<std::string> names;
@@ -129,14 +143,17 @@ std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
         (use->second.counts.empty() && !taken.contains(name))) {
       continue;
     }
-    const std::set<std::string>& parts = made_of.at(name);
-    const bool follows =
-        std::ranges::any_of(parts, [&](const std::string& part) { return names.contains(part); });
-    if (follows) {
-      continue; // it changes with the other
+    const bool follows = // it changes with the other
+        std::ranges::any_of(made_of.at(name),
+                            [&](const auto& part) { return names.contains(part); });
+    if (follows || value <= 0.0) {
+      continue;
     }
-    if (std::optional<MeshParameter> parameter = probe(deck, name, value)) {
-      parameter->name = written;
+    const Defines twice{{name, fmt::format("{:.9g}", 2.0 * value)}};
+    const ReadyDeck changed =
+        read_silently(deck.file, {.defines = merge_defines(deck.defines, twice)});
+    if (const std::optional<MeshParameter> parameter =
+            try_parameter(deck, written, value, changed)) {
       names.insert(name);
       found.push_back(*parameter);
     }
@@ -159,47 +176,31 @@ std::vector<MeshParameter> find_constants(const StudiedDeck& deck,
       }
       deck::DeckText text = deck.text;
       set_constant(text, constant.name, 2.0 * *constant.value);
-      if (const auto ratio = probe_text(deck, text, folder)) {
-        found.push_back(parameter_of(constant.name, *constant.value, *ratio));
+      if (const auto parameter = try_parameter(deck, constant.name, *constant.value,
+                                               read_probe(text, deck.defines, folder))) {
+        found.push_back(*parameter);
       }
     }
   }
   return found;
 }
 
-/// Evaluates what stands in a card, with the deck's parameters.
-class CardValues {
-public:
-  explicit CardValues(const StudiedDeck& deck) {
-    scope_.sources = &deck.ready->sources;
-    scope_.units = deck.ready->model->units;
-    for (const auto& [name, value] : deck.ready->model->parameters) {
-      scope_.values[grammar::to_upper(name)] = value;
-    }
+void multiply_counts(const StudiedDeck& deck, double fineness, deck::DeckCard& card) {
+  grammar::ExpressionScope scope;
+  scope.sources = &deck.ready->sources;
+  scope.units = deck.ready->model->units;
+  for (const auto& [name, value] : deck.ready->model->parameters) {
+    scope.values[grammar::to_upper(name)] = value;
   }
-
-  [[nodiscard]] std::optional<double> of(const deck::DeckCard& card, std::string_view key) const {
-    for (const grammar::HeaderParameter& parameter : card.card.parameters) {
-      if (parameter.key == key) {
-        base::Diagnostics ignored;
-        return grammar::evaluate(parameter.values.front().expression, scope_, ignored);
-      }
-    }
-    return std::nullopt;
-  }
-
-private:
-  grammar::ExpressionScope scope_;
-};
-
-void multiply_counts(const CardValues& values, double fineness, deck::DeckCard& card) {
-  for (auto& [key, text] : card.keys) {
-    if (!is_count_key(key) || key == "BIAS") {
-      continue;
-    }
-    const double least = key == "NT" ? 3.0 : 1.0;
-    if (const std::optional<double> count = values.of(card, key)) {
-      text = fmt::format("{}", std::lround(std::max(least, std::round(*count * fineness))));
+  for (const grammar::HeaderParameter& parameter : card.card.parameters) {
+    base::Diagnostics ignored;
+    const auto count = is_count_key(parameter.key) && parameter.key != "BIAS"
+                           ? grammar::evaluate(parameter.values.front().expression, scope, ignored)
+                           : std::nullopt;
+    if (count) {
+      const double least = parameter.key == "NT" ? 3.0 : 1.0;
+      card.set(parameter.key,
+               fmt::format("{}", std::lround(std::max(least, std::round(*count * fineness)))));
     }
   }
 }
@@ -207,18 +208,16 @@ void multiply_counts(const CardValues& values, double fineness, deck::DeckCard& 
 // gmsh multiplies all sizes by it; numbers of Transfinite lines stay. Scripts in which that changes
 // nothing are found by it, too.
 void copy_finer(deck::DeckCard& card, double fineness, const fs::path& folder) {
-  const fs::path file = file_of(card);
-  const fs::path copy = folder / fmt::format("{}_{:g}.geo", file.stem().string(), fineness);
-  report::write_file(copy, base::read_file(file, base::largest_mesh_file) +
-                               fmt::format("\nMesh.MeshSizeFactor = {:.9g};\n", 1.0 / fineness));
-  card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
+  copy_script(card, fmt::format("{:g}", fineness),
+              fmt::format("Mesh.MeshSizeFactor = {:.9g};", 1.0 / fineness), folder);
 }
 
 bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& folder) {
   constexpr double finer = 2.0;
   deck::DeckText text = deck.text;
   copy_finer(text[card], finer, folder);
-  return probe_text(deck, text, folder).value_or(0.0) > 1.0;
+  const auto found = try_parameter(deck, {}, finer, read_probe(text, deck.defines, folder));
+  return found && found->larger_is_finer;
 }
 
 } // namespace
@@ -251,17 +250,16 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& f
 }
 
 FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                     double fineness, deck::DeckText& text, const fs::path& folder) {
-  FinerMesh finer;
+                     double fineness, const deck::DeckText& text, const fs::path& folder) {
+  FinerMesh finer{text, {}, {}};
   const std::map<std::string, ParameterUse> uses = parameter_uses(text, deck.ready->sources);
   const std::set<std::size_t> reached = reached_cards(mesh_parameter.parameters, uses);
-  const CardValues values(deck);
   for (std::size_t i = 0; i < text.size() && fineness != 1.0; ++i) {
     if (text[i].name == "MESH" && !reached.contains(i)) {
-      multiply_counts(values, fineness, text[i]);
+      multiply_counts(deck, fineness, finer.text[i]);
     } else if (is_script(text[i]) &&
                mesh_parameter.scaled.contains(name_of_file(file_of(text[i])))) {
-      copy_finer(text[i], fineness, folder);
+      copy_finer(finer.text[i], fineness, folder);
     }
   }
   const auto add_words = [&](const MeshParameter& parameter) {
@@ -275,12 +273,42 @@ FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_param
     finer.defines.emplace_back(parameter.name, fmt::format("{:.6g}", add_words(parameter)));
   }
   for (const MeshParameter& constant : mesh_parameter.constants) {
-    set_constant(text, constant.name, add_words(constant));
+    set_constant(finer.text, constant.name, add_words(constant));
   }
   if (finer.words.empty()) {
     finer.words = fmt::format("elements*{:.6g}", fineness);
   }
   return finer;
+}
+
+Defines merge_defines(Defines defines, const Defines& more) {
+  for (const auto& define : more) {
+    std::erase_if(defines, [&](const auto& given) {
+      return grammar::to_upper(given.first) == grammar::to_upper(define.first);
+    });
+    defines.push_back(define);
+  }
+  return defines;
+}
+
+ReadyDeck read_probe(const deck::DeckText& text, const Defines& defines, const fs::path& folder) {
+  const fs::path file = folder / "probe.deck";
+  report::write_file(file, write_deck(text, folder));
+  ReadyDeck ready = read_silently(file, {.defines = defines});
+  fs::remove(file);
+  return ready;
+}
+
+bool is_script(const deck::DeckCard& card) {
+  return card.name == "IMPORT" && card.word_value("FORMAT") == "GEO";
+}
+
+void copy_script(deck::DeckCard& card, const std::string& suffix, const std::string& line,
+                 const fs::path& folder) {
+  const fs::path file = file_of(card);
+  const fs::path copy = folder / fmt::format("{}_{}.geo", file.stem().string(), suffix);
+  report::write_file(copy, base::read_file(file, base::largest_mesh_file) + "\n" + line + "\n");
+  card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
 }
 
 } // namespace spricka::program

@@ -51,14 +51,31 @@ struct StudiedDeck {
 MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesystem::path& folder);
 
 /// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
-/// in `text`. Scripts are copied into `folder`.
+/// of its text.
 struct FinerMesh {
+  deck::DeckText text;
   Defines defines;
   std::string words; ///< "fine=0.5", "elements*0.5"
 };
-/// Changes cards in `text` and collects values of parameters for elements of 1/fineness of their
-/// size. A fineness of 1 leaves the counts of $MESH cards and the scripts alone.
+/// Changes cards of `text` and collects values of parameters for elements of 1/fineness of their
+/// size. A fineness of 1 leaves the counts of $MESH cards and the scripts alone. Scripts are copied
+/// into `folder`.
 FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                     double fineness, deck::DeckText& text, const std::filesystem::path& folder);
+                     double fineness, const deck::DeckText& text,
+                     const std::filesystem::path& folder);
+
+/// Values of parameters with some more; those of `more` count where both have one.
+Defines merge_defines(Defines defines, const Defines& more);
+
+/// Reads a changed text of a deck, written into `folder` and removed again.
+ReadyDeck read_probe(const deck::DeckText& text, const Defines& defines,
+                     const std::filesystem::path& folder);
+
+/// Whether a card imports what a geometry script makes.
+bool is_script(const deck::DeckCard& card);
+
+/// Makes the card import a copy of its script in `folder`, NAME_SUFFIX.geo, with one more line.
+void copy_script(deck::DeckCard& card, const std::string& suffix, const std::string& line,
+                 const std::filesystem::path& folder);
 
 } // namespace spricka::program

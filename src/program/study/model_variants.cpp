@@ -3,11 +3,11 @@
 
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
-#include "program/study/deck_edits.hpp"
 #include "program/study/halves.hpp"
 #include "program/study/rigid_bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,72 +19,42 @@ namespace {
 using deck::DeckCard;
 using deck::DeckText;
 
-/// A text, or why there is none.
-struct Made {
-  std::optional<DeckText> text;
-  std::string reason;
-  std::optional<SectionMapping> section = {};
-};
-
-Made no_place(std::string reason) {
+RewrittenDeck no_place(std::string reason) {
   return {std::nullopt, std::move(reason)};
 }
 
-std::string file_name(const std::string& name) {
-  std::string file;
-  for (const char c : name) {
-    file += c == ' ' ? '_' : c;
-  }
-  return file + ".deck";
-}
-
 void drop_friction(DeckText& text) {
-  for (DeckCard& card : text) {
-    if (card.name == "CONTACT" || card.name == "CRACK") {
-      card.erase("MU");
-    } else if (card.name == "STEP") {
-      card.erase("SUBSTEPS");
-    } else if (card.name == "GROW") {
-      card.erase("HISTORY");
+  constexpr std::array keys{std::pair{"CONTACT", "MU"}, std::pair{"CRACK", "MU"},
+                            std::pair{"STEP", "SUBSTEPS"}, std::pair{"GROW", "HISTORY"}};
+  for (const auto& [name, key] : keys) {
+    for (DeckCard& card : cards_named(text, name)) {
+      card.erase(key);
     }
   }
 }
 
-void drop_interference(DeckText& text, const Joint& joint) {
-  std::set<std::string> pressing;
-  for (const JointContact& contact : joint.contacts) {
-    if (contact.presses) {
-      pressing.insert(contact.name);
-    }
-  }
-  for (DeckCard& card : text) {
-    if (card.name == "CONTACT" && pressing.contains(card.word_value("NAME"))) {
+// Contacts of these names (upper case) are net: neither fits nor clearances.
+void make_net(DeckText& text, const std::set<std::string>& contacts) {
+  for (DeckCard& card : cards_named(text, "CONTACT")) {
+    if (contacts.contains(card.word_value("NAME"))) {
       card.erase("INTERFERENCE");
       card.erase("DIAMETRAL");
       card.set("GAP", "0");
     }
   }
-  drop_fits(text, pressing);
+  drop_fits(text, contacts);
 }
 
 // Clearances are closed as well: a bonded pair that starts apart would be pulled together.
 void bond(DeckText& text, bool keep_fits) {
   std::set<std::string> all;
-  for (DeckCard& card : text) {
-    if (card.name != "CONTACT") {
-      continue;
-    }
+  for (DeckCard& card : cards_named(text, "CONTACT")) {
     card.set("TYPE", "BONDED");
     card.erase("MU");
-    if (!keep_fits) {
-      card.erase("INTERFERENCE");
-      card.erase("DIAMETRAL");
-      card.set("GAP", "0");
-      all.insert(card.word_value("NAME"));
-    }
+    all.insert(card.word_value("NAME"));
   }
   if (!keep_fits) {
-    drop_fits(text, all);
+    make_net(text, all);
   }
 }
 
@@ -112,9 +82,9 @@ public:
     add("cosine pressure", "a cosine pressure in place of what presses", bearing("COSINE"));
     add("uniform pressure", "a uniform pressure in place of what presses", bearing("UNIFORM"));
     if (model_.mesh.dim == 3) {
-      add("axisymmetric", "the section of round bodies", section("AXI"));
-      add("plane strain", "the section of the bodies in plane strain", section("STRAIN"));
-      add("plane stress", "the section of the bodies in plane stress", section("STRESS"));
+      add_section("axisymmetric", "the section of round bodies", "AXI");
+      add_section("plane strain", "the section of the bodies in plane strain", "STRAIN");
+      add_section("plane stress", "the section of the bodies in plane stress", "STRESS");
     } else {
       add("plane strain", "plane strain in place of plane stress", state("STRESS", "STRAIN"));
       add("plane stress", "plane stress in place of plane strain", state("STRAIN", "STRESS"));
@@ -123,15 +93,16 @@ public:
   }
 
 private:
-  void add(const std::string& name, const std::string& words, Made made) {
+  void add(const std::string& name, const std::string& words, RewrittenDeck made,
+           const std::optional<SectionMapping>& section = {}) {
     ModelVariant& variant = variants_.emplace_back();
+    static_cast<RewrittenDeck&>(variant) = std::move(made);
     variant.name = name;
-    variant.file = file_name(name);
+    variant.file = name + ".deck";
+    std::ranges::replace(variant.file, ' ', '_');
     variant.words = words;
-    variant.text = std::move(made.text);
-    variant.section = std::move(made.section);
+    variant.section = section;
     variant.simpler = variant.section || !name.starts_with("plane");
-    variant.reason = std::move(made.reason);
   }
 
   void add_part() {
@@ -140,25 +111,37 @@ private:
     variants_.back().mirrored = part.mirrored;
   }
 
+  void add_section(const std::string& name, const std::string& words, const char* state) {
+    SectionDeck made = section_deck(model_, given_, state);
+    add(name, words, {made.text, made.reason}, made.text ? std::optional(made.view) : std::nullopt);
+  }
+
   [[nodiscard]] bool any(bool JointContact::*what) const {
     return std::ranges::any_of(joint_.contacts,
                                [&](const JointContact& contact) { return contact.*what; });
   }
 
-  [[nodiscard]] Made friction() const {
-    return joint_.friction ? Made{smooth_, {}} : no_place("nothing rubs");
+  [[nodiscard]] RewrittenDeck friction() const {
+    return joint_.friction ? RewrittenDeck{smooth_, {}} : no_place("nothing rubs");
   }
 
-  [[nodiscard]] Made mounting() const {
-    return any(&JointContact::mounted) ? Made{at_once_, {}} : no_place("nothing is mounted later");
+  [[nodiscard]] RewrittenDeck mounting() const {
+    return any(&JointContact::mounted) ? RewrittenDeck{at_once_, {}}
+                                       : no_place("nothing is mounted later");
   }
 
-  [[nodiscard]] Made interference() const {
+  [[nodiscard]] RewrittenDeck interference() const {
     if (!any(&JointContact::presses)) {
       return no_place("no contact has an interference");
     }
+    std::set<std::string> pressing;
+    for (const JointContact& contact : joint_.contacts) {
+      if (contact.presses) {
+        pressing.insert(contact.name);
+      }
+    }
     DeckText text = at_once_;
-    drop_interference(text, joint_);
+    make_net(text, pressing);
     return {std::move(text), {}};
   }
 
@@ -168,7 +151,7 @@ private:
     });
   }
 
-  [[nodiscard]] Made fits() const {
+  [[nodiscard]] RewrittenDeck fits() const {
     if (!any(&JointContact::presses)) {
       return no_place("no contact has an interference");
     }
@@ -180,7 +163,7 @@ private:
     return {std::move(text), {}};
   }
 
-  [[nodiscard]] Made bonding() const {
+  [[nodiscard]] RewrittenDeck bonding() const {
     if (joint_.contacts.empty()) {
       return no_place("there is no contact");
     }
@@ -192,12 +175,9 @@ private:
     return {std::move(text), {}};
   }
 
-  [[nodiscard]] Made rigid() const {
-    RigidBodyDeck made = make_rigid(model_, joint_, at_once_, given_);
-    return {std::move(made.text), std::move(made.reason)};
-  }
+  [[nodiscard]] RewrittenDeck rigid() const { return make_rigid(model_, joint_, at_once_, given_); }
 
-  [[nodiscard]] Made bearing(const char* shape) const {
+  [[nodiscard]] RewrittenDeck bearing(const char* shape) const {
     const std::set<std::string> nets = pressing_nets(joint_);
     if (nets.empty()) {
       return no_place(joint_.cracked.empty() ? "without a crack there is no body to keep"
@@ -205,15 +185,13 @@ private:
     }
     std::string surface;
     DeckText text = at_once_;
-    for (const DeckCard& card : text) {
-      const bool contact = card.name == "CONTACT";
-      const std::string slave = contact ? net_prefix(*card.find("SLAVE")) : std::string();
-      const std::string master = contact ? net_prefix(*card.find("MASTER")) : std::string();
-      if (contact && nets.contains(slave) != nets.contains(master)) {
+    for (const DeckCard& card : cards_named(text, "CONTACT")) {
+      const bool slave = nets.contains(net_prefix(*card.find("SLAVE")));
+      if (slave != nets.contains(net_prefix(*card.find("MASTER")))) {
         if (!surface.empty()) {
           return no_place("bodies press on more than one surface");
         }
-        surface = *card.find(nets.contains(slave) ? "MASTER" : "SLAVE");
+        surface = *card.find(slave ? "MASTER" : "SLAVE");
       }
     }
     if (surface.empty()) {
@@ -235,10 +213,7 @@ private:
   [[nodiscard]] std::string bearing_loads(const std::set<std::string>& nets,
                                           const std::string& surface, const char* shape,
                                           std::vector<DeckCard>& loads) const {
-    for (DeckCard card : at_once_) {
-      if (card.name != "LOAD") {
-        continue;
-      }
+    for (DeckCard card : cards_named(at_once_, "LOAD")) {
       std::vector<std::vector<std::string>> lines;
       filter_lines(card, [&](const std::vector<std::string>& fields) {
         if (nets.contains(net_prefix(fields.front()))) {
@@ -252,39 +227,25 @@ private:
       if (card.word_value("TYPE") != "RESULTANT" || lines.size() > 1) {
         return "the load of what presses is no single RESULTANT";
       }
-      DeckCard load;
-      load.name = "LOAD";
-      load.set("CASE", *card.find("CASE"));
-      load.set("TYPE", "BEARING");
-      load.set("SHAPE", shape);
-      load.data = "  " + surface;
-      for (std::size_t i = 1; i < lines.front().size(); ++i) {
-        load.data += "  " + lines.front()[i];
-      }
-      load.data += "\n";
-      loads.push_back(std::move(load));
+      lines.front().front() = surface;
+      loads.push_back(deck::make_card(
+          "LOAD", {{"CASE", *card.find("CASE")}, {"TYPE", "BEARING"}, {"SHAPE", shape}},
+          fmt::format("  {}\n", fmt::join(lines.front(), "  "))));
     }
     return loads.empty() ? "what presses is not loaded" : "";
   }
 
-  [[nodiscard]] Made section(const char* state) const {
-    SectionDeck made = section_deck(model_, given_, state);
-    return made.text ? Made{std::move(made.text), {}, std::move(made.view)}
-                     : no_place(std::move(made.reason));
-  }
-
-  [[nodiscard]] Made state(const std::string& from, const std::string& to) const {
+  [[nodiscard]] RewrittenDeck state(const std::string& from, const std::string& to) const {
     DeckText text = given_;
     bool changed = false;
     for (DeckCard& card : text) {
-      if (card.name == "PROPERTY" && card.word_value("STATE") == from) {
+      const bool body = card.name == "PROPERTY";
+      if ((body || card.name == "CRACK") && card.word_value("STATE") == from) {
         card.set("STATE", to);
-        changed = true;
-      } else if (card.name == "CRACK" && card.word_value("STATE") == from) {
-        card.set("STATE", to);
+        changed = changed || body;
       }
     }
-    return changed ? Made{std::move(text), {}}
+    return changed ? RewrittenDeck{std::move(text), {}}
                    : no_place(fmt::format("no body is in plane {}",
                                           from == "STRESS" ? "stress" : "strain"));
   }

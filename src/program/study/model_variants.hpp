@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "program/study/deck_edits.hpp"
 #include "program/study/joint.hpp"
 #include "program/study/mesh_parameters.hpp"
 #include "program/study/section_deck.hpp"
@@ -11,16 +12,14 @@
 /// Simpler models of a deck's joint, made by rewriting its cards.
 namespace spricka::program {
 
-/// One model of the joint.
-struct ModelVariant {
-  std::string name;  ///< "without friction": for tables
-  std::string file;  ///< "without_friction.deck"
-  std::string words; ///< what is simplified, a sentence
-  std::optional<deck::DeckText> text;
+/// One model of the joint; without a text the scene has no place for it.
+struct ModelVariant : RewrittenDeck {
+  std::string name;                      ///< "without friction": for tables
+  std::string file;                      ///< "without_friction.deck"
+  std::string words;                     ///< what is simplified, a sentence
   std::string mirrored;                  ///< across which axes its model is a part, "XY"
   std::optional<SectionMapping> section; ///< it is a plane model of a solid
   bool simpler = true; ///< false: another model, no simpler one; never the one that is enough
-  std::string reason;  ///< why the scene has no place for it, where there is no text
 };
 
 /// All variants, the richest (the deck itself, without its checks and requests) first: a half by

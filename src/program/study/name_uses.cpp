@@ -6,16 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <optional>
 #include <string_view>
 
 namespace spricka::program {
 
 namespace {
-
-bool is_letter_or_digit(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 // Words of a text, upper case, but for those in comments and quotes.
 std::set<std::string> words_of(std::string_view text) {
@@ -27,9 +23,9 @@ std::set<std::string> words_of(std::string_view text) {
     } else if (text[i] == '\'') {
       const std::size_t close = text.find('\'', i + 1);
       i = close == std::string_view::npos ? text.size() : close + 1;
-    } else if (is_letter_or_digit(text[i])) {
+    } else if (grammar::is_name_char(text[i])) {
       const std::size_t begin = i;
-      while (i < text.size() && is_letter_or_digit(text[i])) {
+      while (i < text.size() && grammar::is_name_char(text[i])) {
         ++i;
       }
       words.insert(grammar::to_upper(text.substr(begin, i - begin)));
@@ -51,10 +47,7 @@ std::map<std::string, std::set<std::string>>
 parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sources) {
   std::map<std::string, std::set<std::string>> made_of;
   base::Diagnostics ignored;
-  for (const deck::DeckCard& card : text) {
-    if (card.name != "PARAMETER") {
-      continue;
-    }
+  for (const deck::DeckCard& card : cards_named(text, "PARAMETER")) {
     for (const grammar::Assignment& line :
          grammar::parse_assignments(sources, card.card.data, ignored)) {
       std::set<std::string>& all = made_of[line.name];
@@ -78,15 +71,21 @@ std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
   for (const auto& entry : made_of) {
     uses[entry.first];
   }
-  const auto note = [&](const std::set<std::string>& words, const auto& act) {
-    for (const std::string& word : words) {
-      const auto found = made_of.find(word);
-      if (found == made_of.end()) {
-        continue;
+  // Counts of a card number `count`, or any other use.
+  const auto note = [&](const std::string& value, std::optional<std::size_t> count) {
+    const auto note_use = [&](ParameterUse& use) {
+      if (count) {
+        use.counts.insert(*count);
+      } else {
+        use.elsewhere = true;
       }
-      act(uses[word]);
-      for (const std::string& ingredient : found->second) {
-        act(uses[ingredient]);
+    };
+    for (const std::string& word : words_of(value)) {
+      if (const auto found = made_of.find(word); found != made_of.end()) {
+        note_use(uses[word]);
+        for (const std::string& ingredient : found->second) {
+          note_use(uses[ingredient]);
+        }
       }
     }
   };
@@ -96,15 +95,11 @@ std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
       continue;
     }
     for (const auto& [key, value] : card.keys) {
-      const bool count = card.name == "MESH" && is_count_key(key);
-      const bool expression = value.find('(') != std::string::npos; // else a name of something
-      if (expression) {
-        note(words_of(value), [&](ParameterUse& use) {
-          count ? void(use.counts.insert(i)) : void(use.elsewhere = true);
-        });
+      if (value.find('(') != std::string::npos) { // else a name of something
+        note(value, card.name == "MESH" && is_count_key(key) ? std::optional(i) : std::nullopt);
       }
     }
-    note(words_of(card.data), [](ParameterUse& use) { use.elsewhere = true; });
+    note(card.data, std::nullopt);
   }
   return uses;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/plateau_reason.hpp"
-
-#include "program/study/cheapest.hpp"
+#include "program/study/variant_report.hpp"
+#include "program/study/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,33 +13,37 @@ namespace spricka::program {
 
 namespace {
 
-// The smallest lasting error of the series of all sizes.
-double least_of_whole(const PlateauContext& view) {
-  double finest = 0.0;
-  double error = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < view.trials.size(); ++t) {
-    const double value = view.group.errors[t].plain;
-    if (view.trials[t].setting.family == SettingFamily::whole && std::isfinite(value) &&
-        view.trials[t].setting.fineness > finest) {
-      finest = view.trials[t].setting.fineness;
-      error = value;
-    }
+// The trial of the finest setting of a family that `wanted` holds for.
+template <class Wanted>
+std::optional<std::size_t> finest_of(const PlateauContext& view, SettingFamily family,
+                                     const Wanted& wanted) {
+  std::optional<std::size_t> finest;
+  for (const std::size_t t : series_rows(view.study.trials, family)) {
+    finest = view.study.trials[t].setting.family == family && wanted(t) ? t : finest;
   }
-  return error;
+  return finest;
+}
+
+// The error on the finest setting of the series of all sizes.
+double least_of_whole(const PlateauContext& view) {
+  const auto finest = finest_of(view, SettingFamily::whole, [&](std::size_t t) {
+    return std::isfinite(view.group.errors[t].plain);
+  });
+  return finest ? view.group.errors[*finest].plain : std::numeric_limits<double>::infinity();
 }
 
 bool is_own(const PlateauContext& view, std::size_t answer) {
-  return view.answers[answer].group == view.group.group &&
-         view.verdict.references[answer].scale > 0.0;
+  return view.study.answers[answer].group == view.group.group &&
+         view.study.verdict.references[answer].scale > 0.0;
 }
 
 // How far the deck's references lie from what the finest setting has, its error taken out where it
 // can be: their own uncertainty, if the plateau is as high.
 double reference_distance(const PlateauContext& view) {
   double largest = 0.0;
-  const Trial& finest = view.trials[*view.verdict.finest];
-  for (std::size_t a = 0; a < view.answers.size(); ++a) {
-    const AnswerReference& reference = view.verdict.references[a];
+  const Trial& finest = view.study.trials[*view.study.verdict.finest];
+  for (std::size_t a = 0; a < view.study.answers.size(); ++a) {
+    const AnswerReference& reference = view.study.verdict.references[a];
     if (is_own(view, a) && reference.of_deck) {
       const AnswerReading& reading = finest.readings[a];
       const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
@@ -52,25 +55,15 @@ double reference_distance(const PlateauContext& view) {
 
 // How far all answers still move between the last two points of the plateau.
 double movement_of(const PlateauContext& view) {
-  std::vector<std::size_t> rows;
-  for (std::size_t t = 0; t < view.trials.size(); ++t) {
-    if (!view.trials[t].readings.empty() &&
-        (view.trials[t].setting.family == view.series.family ||
-         view.trials[t].setting.family == SettingFamily::given)) {
-      rows.push_back(t);
-    }
-  }
-  std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
-    return view.trials[a].setting.fineness < view.trials[b].setting.fineness;
-  });
+  const std::vector<std::size_t> rows = series_rows(view.study.trials, view.series.family);
   double largest = 0.0;
-  for (std::size_t a = 0; a < view.answers.size() && rows.size() > 1; ++a) {
+  for (std::size_t a = 0; a < view.study.answers.size() && rows.size() > 1; ++a) {
     if (is_own(view, a)) {
-      const AnswerReading& last = view.trials[rows.back()].readings[a];
-      const AnswerReading& before = view.trials[rows[rows.size() - 2]].readings[a];
+      const AnswerReading& last = view.study.trials[rows.back()].readings[a];
+      const AnswerReading& before = view.study.trials[rows[rows.size() - 2]].readings[a];
       const bool best = view.series.corrected && std::isfinite(last.best);
       const double moved = best ? last.best - before.best : last.value - before.value;
-      largest = std::max(largest, std::abs(moved) / view.verdict.references[a].scale);
+      largest = std::max(largest, std::abs(moved) / view.study.verdict.references[a].scale);
     }
   }
   return largest;
@@ -78,24 +71,16 @@ double movement_of(const PlateauContext& view) {
 
 // The answer with the largest error on the finest setting of the series.
 std::optional<std::size_t> worst_answer(const PlateauContext& view) {
+  const auto finest = finest_of(view, view.series.family, [](std::size_t) { return true; });
   std::optional<std::size_t> worst;
   double largest = 0.0;
-  double finest = 0.0;
-  for (std::size_t t = 0; t < view.trials.size(); ++t) {
-    const Trial& trial = view.trials[t];
-    if (trial.setting.family != view.series.family || trial.readings.empty() ||
-        trial.setting.fineness < finest) {
-      continue;
-    }
-    finest = trial.setting.fineness;
-    largest = 0.0;
-    for (std::size_t a = 0; a < view.answers.size(); ++a) {
-      const AnswerReference& reference = view.verdict.references[a];
-      const double error = std::abs(trial.readings[a].value - reference.value) / reference.scale;
-      if (is_own(view, a) && error > largest) {
-        largest = error;
-        worst = a;
-      }
+  for (std::size_t a = 0; a < view.study.answers.size() && finest; ++a) {
+    const AnswerReference& reference = view.study.verdict.references[a];
+    const double error =
+        std::abs(view.study.trials[*finest].readings[a].value - reference.value) / reference.scale;
+    if (is_own(view, a) && error > largest) {
+      largest = error;
+      worst = a;
     }
   }
   return worst;
@@ -146,17 +131,17 @@ std::string plateau_reason(const PlateauContext& view, std::span<const Convergen
     return "as of all sizes";
   }
   if (const auto worst = worst_answer(view)) {
-    const std::string& quantity = view.answers[*worst].check.quantity;
+    const std::string& quantity = view.study.answers[*worst].check.quantity;
     if (is_at_node(quantity)) {
       return fmt::format("{} is the value of a single node, or has no bound where a contact ends",
-                         view.answers[*worst].text);
+                         view.study.answers[*worst].text);
     }
     if (quantity.starts_with("S.") && quantity.ends_with(".AT")) {
       return fmt::format("{} goes up and down with where in its element the point lies",
-                         view.answers[*worst].text);
+                         view.study.answers[*worst].text);
     }
     return fmt::format("no cause found; the largest error is that of {}",
-                       view.answers[*worst].text);
+                       view.study.answers[*worst].text);
   }
   return "no cause found";
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/study/rigid_bodies.hpp"
 
+#include "fe/circle_fit.hpp"
+#include "geometry/element_side.hpp"
 #include "grammar/lexeme.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
-#include "program/study/deck_edits.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,13 +21,91 @@ namespace {
 using deck::DeckCard;
 using deck::DeckText;
 
+// Corners of edges: nodes between them need not lie on an arc.
+std::vector<base::Vec3> corners(const std::vector<geometry::ElementSide>& edges) {
+  std::vector<base::Vec3> all;
+  for (const geometry::ElementSide& edge : edges) {
+    all.emplace_back(edge.X.col(0));
+    all.emplace_back(edge.X.col(1));
+  }
+  return all;
+}
+
+// The line of straight edges with the bodies of others on its left.
+std::optional<DeckCard> line_of(const std::string& name,
+                                const std::vector<geometry::ElementSide>& edges) {
+  const std::vector<base::Vec3> nodes = corners(edges);
+  const auto farthest_from = [&](const base::Vec3& end) {
+    return *std::ranges::max_element(nodes, {},
+                                     [&](const base::Vec3& x) { return (x - end).squaredNorm(); });
+  };
+  const base::Vec3 second = farthest_from(nodes.front());
+  const base::Vec3 first = farthest_from(second);
+  const base::Vec3 along = second - first;
+  constexpr double bent = 1e-6; // of its length
+  for (const base::Vec3& x : nodes) {
+    if (along.cross(x - first).norm() > bent * along.squaredNorm()) {
+      return std::nullopt;
+    }
+  }
+  // Edges run with their own body on the left, which goes.
+  return along.dot(nodes[1] - nodes[0]) > 0.0 ? rigid_line(name, second, first)
+                                              : rigid_line(name, first, second);
+}
+
+// The circle of round edges with the bodies of others on the side where theirs was not.
+std::optional<DeckCard> circle_of(const std::string& name,
+                                  const std::vector<geometry::ElementSide>& edges) {
+  std::vector<fe::WeightedPoint> points;
+  for (const base::Vec3& x : corners(edges)) {
+    points.push_back({x.head<2>(), 1.0});
+  }
+  const fe::FittedCircle circle = fe::fit_circle(points);
+  constexpr std::size_t fewest = 4; // edges
+  constexpr double uneven = 1e-5;   // of the radius
+  const bool on_it = std::ranges::all_of(points, [&](const fe::WeightedPoint& point) {
+    return std::abs((point.x - circle.centre).norm() - circle.radius) <= uneven * circle.radius;
+  });
+  if (edges.size() < fewest || !on_it) {
+    return std::nullopt;
+  }
+  const base::Vec3 centre(circle.centre.x(), circle.centre.y(), 0.0);
+  double inward = 0.0; // outer normals of a body outside point to the centre
+  for (const geometry::ElementSide& edge : edges) {
+    inward += edge.area_vector(base::Vec2::Zero()).dot(centre - edge.X.col(0));
+  }
+  return rigid_circle(name, centre, inward > 0.0 ? -circle.radius : circle.radius);
+}
+
+// The rigid target that stands for the surface of a contact's (upper case) slave or master; empty
+// for surfaces that are neither straight nor round, and in space.
+std::optional<DeckCard> target_of(const model::Model& model, const std::string& contact, bool slave,
+                                  const std::string& name) {
+  const auto found = std::ranges::find_if(model.contacts, [&](const model::Contact& c) {
+    return grammar::to_upper(c.name) == contact;
+  });
+  std::vector<geometry::ElementSide> edges;
+  if (model.mesh.dim == 2 && found != model.contacts.end()) {
+    const base::FaceSetId id = slave ? found->slave : found->master;
+    for (const model::Face& face :
+         id.valid() ? model.mesh.set_with_id(id).faces : std::vector<model::Face>()) {
+      edges.push_back(model::element_side(model.mesh, face));
+    }
+  }
+  if (edges.empty()) {
+    return std::nullopt;
+  }
+  const std::optional<DeckCard> line = line_of(name, edges);
+  return line ? line : circle_of(name, edges);
+}
+
 class RigidMaker {
 public:
   RigidMaker(const model::Model& model, const Joint& joint, const DeckText& steps)
       : model_(model), joint_(joint), given_(steps) {}
 
   // Bodies that are loaded stay, with a modulus that makes them rigid; others become targets.
-  RigidBodyDeck run(DeckText text) const {
+  RewrittenDeck run(DeckText text) const {
     std::string reason = "no body is there only to press";
     bool changed = stiffen(text);
     for (const JointContact& contact : joint_.contacts) {
@@ -42,7 +123,7 @@ private:
   [[nodiscard]] std::set<std::string> pins() const {
     std::set<std::string> pins;
     for (const JointContact& contact : joint_.contacts) {
-      for (const std::string& net : {contact.slave.net, contact.master.net}) {
+      for (const std::string& net : {contact.slave_net, contact.master_net}) {
         const bool pressing = joint_.cracked.empty() || pressing_nets(joint_).contains(net);
         if (!net.empty() && pressing && joint_.loaded.contains(net) &&
             !joint_.cracked.contains(net) && !is_supported(net) && !joint_.heated.contains(net)) {
@@ -72,23 +153,22 @@ private:
     constexpr const char* times = "1e4"; // pressures change by 1e-4 beyond it (benchmark C06)
     std::set<std::string> made;
     const std::set<std::string> stiff = pins();
-    for (DeckCard& card : text) {
-      if (card.name == "PROPERTY" && stiff.contains(net_prefix(*card.find("ESET")))) {
+    for (DeckCard& card : cards_named(text, "PROPERTY")) {
+      if (stiff.contains(net_prefix(*card.find("ESET")))) {
         made.insert(card.word_value("MATERIAL"));
         card.set("MATERIAL", card.word_value("MATERIAL") + "_RIGID");
       }
     }
     DeckText more;
-    for (const DeckCard& card : text) {
-      if (card.name == "MATERIAL" && made.contains(card.word_value("NAME"))) {
-        DeckCard rigid = card;
-        rigid.set("NAME", card.word_value("NAME") + "_RIGID");
-        rigid.set("E", fmt::format("({}*{})", times, *card.find("E")));
-        more.push_back(std::move(rigid));
+    for (DeckCard card : cards_named(text, "MATERIAL")) {
+      if (made.contains(card.word_value("NAME"))) {
+        card.set("NAME", card.word_value("NAME") + "_RIGID");
+        card.set("E", fmt::format("({}*{})", times, *card.find("E")));
+        more.push_back(std::move(card));
       }
     }
-    for (DeckCard& card : more) {
-      append_card(text, std::move(card));
+    for (const DeckCard& card : more) {
+      append_card(text, card);
     }
     return !more.empty();
   }
@@ -96,7 +176,7 @@ private:
   // Whether a net meets others in this contact alone, is not held, loaded, warmed or cracked.
   [[nodiscard]] bool only_presses(const std::string& net, const JointContact& in) const {
     const bool elsewhere = std::ranges::any_of(joint_.contacts, [&](const JointContact& other) {
-      return other.name != in.name && (other.slave.net == net || other.master.net == net);
+      return other.name != in.name && (other.slave_net == net || other.master_net == net);
     });
     return !net.empty() && !elsewhere && !is_supported(net) && !joint_.loaded.contains(net) &&
            !joint_.heated.contains(net) && !joint_.cracked.contains(net);
@@ -104,31 +184,29 @@ private:
 
   // The body that stays is the one that is loaded, cracked or met by others, else the master's.
   bool put_target(DeckText& text, const JointContact& contact, std::string& reason) const {
-    const bool slave = only_presses(contact.slave.net, contact);
-    const bool master = only_presses(contact.master.net, contact);
+    const bool slave = only_presses(contact.slave_net, contact);
+    const bool master = only_presses(contact.master_net, contact);
     if (contact.rigid || contact.bonded || (!slave && !master)) {
       return false;
     }
-    const std::optional<AnalyticalSurface> surface =
-        fit_analytical_surface(model_, contact.name, slave);
+    const std::string target = contact.name + "_RIGID";
+    const std::optional<DeckCard> surface = target_of(model_, contact.name, slave, target);
     if (!surface) {
       reason = fmt::format("the surface of {} is neither straight nor round",
-                           slave ? contact.slave.net : contact.master.net);
+                           slave ? contact.slave_net : contact.master_net);
       return false;
     }
-    const auto card = std::ranges::find_if(text, [&](const DeckCard& c) {
-      return c.name == "CONTACT" && c.word_value("NAME") == contact.name;
-    });
-    if (card == text.end()) {
+    const DeckCard* const card = find_named_card(text, "CONTACT", "NAME", contact.name);
+    if (card == nullptr) {
       return false;
     }
     const std::string other = *card->find(slave ? "MASTER" : "SLAVE");
     DeckCard replaced = *card;
     replaced.set("SLAVE", other);
-    replaced.set("MASTER", contact.name + "_RIGID");
+    replaced.set("MASTER", target);
     replaced.erase("MULTIPLIER");
-    remove_nets(text, {slave ? contact.slave.net : contact.master.net});
-    append_card(text, target(contact.name + "_RIGID", *surface));
+    remove_nets(text, {slave ? contact.slave_net : contact.master_net});
+    append_card(text, *surface);
     append_card(text, std::move(replaced));
     put_back_fit(text, contact.name);
     return true;
@@ -136,43 +214,13 @@ private:
 
   // The contact went with its net, and its fit with it: as the deck has it.
   void put_back_fit(DeckText& text, const std::string& contact) const {
-    for (DeckCard& card : text) {
-      if (card.name != "STEP") {
-        continue;
-      }
-      const auto own = std::ranges::find_if(given_, [&](const DeckCard& c) {
-        return c.name == "STEP" && c.word_value("NAME") == card.word_value("NAME");
-      });
-      DeckCard lines = *own;
-      filter_lines(lines, [&](const std::vector<std::string>& fields) {
-        return grammar::to_upper(fields.front()) == "FIT" && fields.size() > 1 &&
-               grammar::to_upper(fields[1]) == contact;
+    for (DeckCard& card : cards_named(text, "STEP")) {
+      DeckCard lines = *find_named_card(given_, "STEP", "NAME", card.word_value("NAME"));
+      filter_actions(lines, [&](const std::string& action, const std::string& name) {
+        return action == "FIT" && name == contact;
       });
       card.data += lines.data;
     }
-  }
-
-  // A body on the left of a LINE, outside or inside an ARC: the one that stays.
-  [[nodiscard]] static DeckCard target(const std::string& name, const AnalyticalSurface& surface) {
-    DeckCard card;
-    card.name = "RIGID";
-    card.set("NAME", name);
-    card.set("SHAPE", surface.round ? "ARC" : "LINE");
-    const bool turned = surface.body_left; // the body that goes was on the left
-    const base::Vec3& first = turned ? surface.second : surface.first;
-    const base::Vec3& second = turned ? surface.first : surface.second;
-    card.set("X0", fmt::format("{:.12g}", first.x()));
-    card.set("Y0", fmt::format("{:.12g}", first.y()));
-    if (surface.round) {
-      const double radius = surface.body_outside ? -surface.radius : surface.radius;
-      card.set("X0", fmt::format("{:.12g}", surface.first.x()));
-      card.set("Y0", fmt::format("{:.12g}", surface.first.y()));
-      card.set("R", fmt::format("{:.12g}", radius));
-    } else {
-      card.set("X1", fmt::format("{:.12g}", second.x()));
-      card.set("Y1", fmt::format("{:.12g}", second.y()));
-    }
-    return card;
   }
 
   const model::Model& model_;
@@ -182,7 +230,7 @@ private:
 
 } // namespace
 
-RigidBodyDeck make_rigid(const model::Model& model, const Joint& joint, DeckText text,
+RewrittenDeck make_rigid(const model::Model& model, const Joint& joint, DeckText text,
                          const DeckText& steps) {
   return RigidMaker(model, joint, steps).run(std::move(text));
 }

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "program/study/deck_edits.hpp"
 #include "program/study/joint.hpp"
 
-#include "deck/deck_text.hpp"
-
-#include <optional>
-#include <string>
-
 namespace spricka::program {
-
-/// A deck whose pressing bodies are rigid, or why there is none.
-struct RigidBodyDeck {
-  std::optional<deck::DeckText> text;
-  std::string reason;
-};
 
 /// Makes what only presses rigid in `text`: a body that is loaded by a modulus 1e4 times as large,
 /// as rigid targets do not move; one that stands in one contact and carries nothing by a rigid
 /// target in the place of its surface, where that is straight or round. Fits of such contacts are
 /// taken from `steps`, the deck as it was given.
-RigidBodyDeck make_rigid(const model::Model& model, const Joint& joint, deck::DeckText text,
+RewrittenDeck make_rigid(const model::Model& model, const Joint& joint, deck::DeckText text,
                          const deck::DeckText& steps);
 
 } // namespace spricka::program

@@ -12,6 +12,8 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 namespace spricka::program {
 
 namespace {
@@ -31,12 +33,8 @@ std::vector<std::string> parts_of(const std::string& word) {
   return parts;
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string word;
-  for (const std::string& part : parts) {
-    word += (word.empty() ? "" : ".") + part;
-  }
-  return word;
+std::string join_words(const std::vector<std::string>& parts) {
+  return fmt::format("{}", fmt::join(parts, "."));
 }
 
 class InSection {
@@ -81,7 +79,7 @@ private:
       check.arguments.erase(check.arguments.begin() + 1, check.arguments.begin() + 4);
     }
     parts.pop_back();
-    check.quantity = joined(parts);
+    check.quantity = join_words(parts);
     return {std::move(check), mode == "K2" ? sign->second : 1.0};
   }
 
@@ -114,7 +112,7 @@ private:
     if (at) {
       put_place(check.arguments, 0);
     }
-    check.quantity = joined(parts);
+    check.quantity = join_words(parts);
     return {std::move(check), 1.0};
   }
 

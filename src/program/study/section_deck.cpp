@@ -3,7 +3,6 @@
 
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
-#include "program/study/deck_edits.hpp"
 #include "program/study/section_loads.hpp"
 #include "program/study/section_mesh.hpp"
 
@@ -23,10 +22,6 @@ using deck::DeckCard;
 using deck::DeckText;
 
 constexpr double near = 1e-6; // of a thickness, a length or 1
-
-std::string number(double value) {
-  return fmt::format("{:.12g}", value);
-}
 
 // Cards whose work the written mesh does, or that are about patches in space.
 bool is_replaced(std::string_view card) {
@@ -98,7 +93,7 @@ private:
       DeckCard plane_card = card;
       plane_card.set("STATE", state_);
       if (!plane().round) {
-        plane_card.set("THICK", number(plane().depth()));
+        plane_card.set("THICK", twelve_digits(plane().depth()));
       }
       keep(plane_card, after);
     } else if (card.name == "LOAD") {
@@ -129,44 +124,36 @@ private:
     const auto own = std::ranges::find_if(model_.rigids, [&](const model::RigidTarget& rigid) {
       return grammar::to_upper(rigid.name) == card.word_value("NAME");
     });
-    const std::string reason =
-        fmt::format("the rigid target {} does not run along the axis", card.word_value("NAME"));
-    DeckCard flat;
-    flat.name = "RIGID";
-    flat.set("NAME", card.word_value("NAME"));
-    if (own == model_.rigids.end() || plane().round) {
-      refuse(reason);
-      return flat;
+    const std::string name = card.word_value("NAME");
+    if (own != model_.rigids.end() && !plane().round) {
+      const Vec3 along = (own->second - own->first).normalized();
+      const double turned = std::abs(along[plane().axis]);
+      const Vec3 first = plane().section_coordinates(own->first);
+      if (own->shape == model::RigidTargetShape::cylinder && turned > 1.0 - near) {
+        return rigid_circle(name, first, own->radius);
+      }
+      if (own->shape == model::RigidTargetShape::plane && turned < near) {
+        const Vec3 way = half_line(first, direction(along));
+        return rigid_line(name, first - way, first + way);
+      }
     }
-    const Vec3 along = (own->second - own->first).normalized();
-    const double turned = std::abs(along[plane().axis]);
-    const Vec3 first = plane().section_coordinates(own->first);
-    flat.set("X0", number(first.x()));
-    flat.set("Y0", number(first.y()));
-    if (own->shape == model::RigidTargetShape::cylinder && turned > 1.0 - near) {
-      flat.set("SHAPE", "ARC");
-      flat.set("R", number(own->radius));
-    } else if (own->shape == model::RigidTargetShape::plane && turned < near) {
-      put_line(flat, first,
-               plane().section_coordinates(along) - plane().section_coordinates(Vec3::Zero()));
-    } else {
-      refuse(reason);
-    }
-    return flat;
+    refuse(fmt::format("the rigid target {} does not run along the axis", name));
+    return card;
   }
 
-  // The body, where the normal points to, is on the left; far beyond all bodies at both ends.
-  void put_line(DeckCard& card, const Vec3& at, const Vec3& normal) const {
+  // A direction of space in the section.
+  [[nodiscard]] Vec3 direction(const Vec3& v) const {
+    return plane().section_coordinates(v) - plane().section_coordinates(Vec3::Zero());
+  }
+
+  // From a place on a line to its end, far beyond all bodies, which the normal points to and which
+  // are on its left.
+  [[nodiscard]] Vec3 half_line(const Vec3& at, const Vec3& normal) const {
     double size = 0.0;
     for (const Vec3& x : section_.mesh.x) {
       size = std::max(size, (x - at).norm());
     }
-    const Vec3 way = 2.0 * size * Vec3(normal.y(), -normal.x(), 0.0);
-    card.set("SHAPE", "LINE");
-    card.set("X0", number(at.x() - way.x()));
-    card.set("Y0", number(at.y() - way.y()));
-    card.set("X1", number(at.x() + way.x()));
-    card.set("Y1", number(at.y() + way.y()));
+    return 2.0 * size * Vec3(normal.y(), -normal.x(), 0.0);
   }
 
   // A straight front through the thickness is a tip, where the crack leaves the body its mouth.
@@ -194,10 +181,10 @@ private:
       refuse(fmt::format("crack {} reaches no surface", card.word_value("NAME")));
       return flat;
     }
-    flat.data = fmt::format("  {}  {}\n  {}  {}\n", number(mouth->x()), number(mouth->y()),
-                            number(tip.x()), number(tip.y()));
-    const Vec3 normal =
-        plane().section_coordinates(own->plane.normal) - plane().section_coordinates(Vec3::Zero());
+    flat.data =
+        fmt::format("  {}  {}\n  {}  {}\n", twelve_digits(mouth->x()), twelve_digits(mouth->y()),
+                    twelve_digits(tip.x()), twelve_digits(tip.y()));
+    const Vec3 normal = direction(own->plane.normal);
     const Vec3 way = tip - *mouth;
     const double left = way.x() * normal.y() - way.y() * normal.x();
     made_.view.sign_of_K2[card.word_value("NAME")] = left > 0.0 ? 1.0 : -1.0;
@@ -240,11 +227,10 @@ private:
         refuse("a support lies away from the section");
         continue;
       }
-      DeckCard card;
-      card.name = "FREEDOM";
       constexpr std::array classes{"LOCAL", "EXTERNAL", "SUPPRESSED", "PRESCRIBED", "LOCAL"};
-      card.set("CLASS", classes.at(static_cast<std::size_t>(freedom.cls)));
-      card.set("DOF", std::string(held[0] ? "X" : "") + (held[1] ? "Y" : ""));
+      DeckCard card = deck::make_card(
+          "FREEDOM", {{"CLASS", classes.at(static_cast<std::size_t>(freedom.cls))},
+                      {"DOF", std::string(held[0] ? "X" : "") + (held[1] ? "Y" : "")}});
       for (const std::string& name : mesh_.add_node_set(fmt::format("HELD_{}", ++supports_), own)) {
         card.data += "  " + name + "\n";
       }
@@ -257,17 +243,12 @@ private:
 
   // Units and parameters first, then the mesh.
   void put_together(DeckText& after) {
-    DeckText text;
-    const auto leads = [](const DeckCard& card) {
+    const auto rest = std::stable_partition(after.begin(), after.end(), [](const DeckCard& card) {
       return card.name == "DECK" || card.name == "PARAMETER";
-    };
-    std::ranges::copy_if(after, std::back_inserter(text), leads);
-    for (DeckCard& card : mesh_.text()) {
-      text.push_back(std::move(card));
-    }
-    std::ranges::copy_if(after, std::back_inserter(text),
-                         [&](const DeckCard& card) { return !leads(card); });
-    made_.text = std::move(text);
+    });
+    const DeckText mesh = mesh_.text();
+    after.insert(rest, mesh.begin(), mesh.end());
+    made_.text = std::move(after);
   }
 
   const model::Model& model_;

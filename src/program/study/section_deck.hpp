@@ -3,6 +3,7 @@
 #include "deck/deck_text.hpp"
 #include "model/forward.hpp"
 #include "program/study/deck_answers.hpp"
+#include "program/study/deck_edits.hpp"
 #include "sense/section.hpp"
 
 #include <map>
@@ -22,10 +23,8 @@ struct SectionMapping {
 };
 
 /// A plane deck, or why there is none.
-struct SectionDeck {
-  std::optional<deck::DeckText> text;
+struct SectionDeck : RewrittenDeck {
   SectionMapping view;
-  std::string reason;
 };
 
 /// The section of bodies along an axis in plane stress or strain ("STRESS", "STRAIN"), or of round

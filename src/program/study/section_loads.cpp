@@ -101,10 +101,9 @@ public:
         made += text[i++];
         continue;
       }
-      std::size_t end = i;
-      while (end < text.size() && grammar::is_name_char(text[end])) {
-        ++end;
-      }
+      const char* const word = text.data() + i;
+      const auto end =
+          i + static_cast<std::size_t>(grammar::scan_name(word, text.data() + text.size()) - word);
       const std::optional<std::string> name = of(text.substr(i, end - i));
       if (!name) {
         return std::nullopt;

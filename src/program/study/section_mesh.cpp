@@ -21,12 +21,6 @@ namespace {
 using deck::DeckCard;
 using deck::DeckText;
 
-DeckCard new_card(const char* name) {
-  DeckCard card;
-  card.name = name;
-  return card;
-}
-
 std::string local_name(const std::string& name) {
   const std::size_t point = name.find('.');
   return point == std::string::npos ? name : name.substr(point + 1);
@@ -46,10 +40,7 @@ std::string items_of(const std::vector<std::string>& items) {
 
 DeckCard set_card(const char* kind, const std::string& name,
                   const std::vector<std::string>& items) {
-  DeckCard card = new_card(kind);
-  card.set("NAME", name);
-  card.data = items_of(items);
-  return card;
+  return deck::make_card(kind, {{"NAME", name}}, items_of(items));
 }
 
 } // namespace
@@ -76,9 +67,7 @@ void MeshCards::put(const std::string& net, DeckCard card) {
 }
 
 void MeshCards::add_mesh(base::NetId net) {
-  DeckText cards;
-  DeckCard nodes = new_card("COOR");
-  nodes.set("DIM", "2");
+  DeckCard nodes = deck::make_card("COOR", {{"DIM", "2"}});
   for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
     if (mesh_.node_net[n] == net) {
       nodes.data +=
@@ -88,10 +77,9 @@ void MeshCards::add_mesh(base::NetId net) {
   if (nodes.data.empty()) {
     return;
   }
-  cards.push_back(std::move(nodes));
+  DeckText cards{std::move(nodes)};
   for (const base::ElementInfo& info : base::element_infos) {
-    DeckCard elements = new_card("ELEMENT");
-    elements.set("TYPE", std::string(info.name));
+    DeckCard elements = deck::make_card("ELEMENT", {{"TYPE", std::string(info.name)}});
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       if (mesh_.element_net[e] == net && base::element_info(mesh_.type[e]).name == info.name) {
         std::vector<base::Label> labels;
@@ -130,12 +118,14 @@ std::vector<std::string> MeshCards::parts(const char* kind, const std::string& n
 }
 
 void MeshCards::named_set(const char* kind, const std::string& name, const LabelsByNet& labels) {
-  const std::string local = local_name(name);
-  if (labels.size() == 1 && labels.begin()->first == net_prefix(name)) {
-    put(net_prefix(name), set_card(kind, local, labels.begin()->second));
-  } else {
-    put(net_prefix(name), set_card(kind, local, parts(kind, new_name(local + "_PART"), labels)));
+  if (name.empty() || labels.empty()) {
+    return;
   }
+  const std::string local = local_name(name);
+  const bool own = labels.size() == 1 && labels.begin()->first == net_prefix(name);
+  put(net_prefix(name),
+      set_card(kind, local,
+               own ? labels.begin()->second : parts(kind, new_name(local + "_PART"), labels)));
 }
 
 std::string MeshCards::net_name(base::NetId net) const {
@@ -158,14 +148,9 @@ std::vector<std::string> MeshCards::add_node_set(const std::string& name,
 
 void MeshCards::add_sets() {
   for (const model::NodeSet& set : mesh_.node_sets) {
-    if (!set.name.empty() && !set.nodes.empty()) {
-      named_set("NSET", set.name, labels_of(set.nodes));
-    }
+    named_set("NSET", set.name, labels_of(set.nodes));
   }
   for (const model::ElementSet& set : mesh_.element_sets) {
-    if (set.name.empty() || set.elements.empty()) {
-      continue;
-    }
     LabelsByNet labels;
     for (const base::ElementId e : set.elements) {
       labels[net_name(mesh_.element_net[e.index()])].push_back(
@@ -200,11 +185,9 @@ DeckText MeshCards::text() const {
       outside.insert(outside.end(), nets_[n].begin(), nets_[n].end());
       continue;
     }
-    DeckCard net = new_card("NET");
-    net.set("NAME", name);
-    all.push_back(std::move(net));
+    all.push_back(deck::make_card("NET", {{"NAME", name}}));
     all.insert(all.end(), nets_[n].begin(), nets_[n].end());
-    all.push_back(new_card("ENDNET"));
+    all.push_back(deck::make_card("ENDNET"));
   }
   all.insert(all.end(), outside.begin(), outside.end());
   return all;

@@ -33,7 +33,8 @@ private:
   void add_mesh(base::NetId net);
   void add_sets();
   void add_face_set(const model::FaceSet& set);
-  /// A set of `kind`, NSET or ESET, in its net; of several nets by parts in each.
+  /// A set of `kind`, NSET or ESET, in its net; of several nets by parts in each. Nothing without a
+  /// name or members.
   void named_set(const char* kind, const std::string& name, const LabelsByNet& labels);
   std::vector<std::string> parts(const char* kind, const std::string& name,
                                  const LabelsByNet& labels);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/study/settings.hpp"
 
-#include "base/input_file.hpp"
 #include "grammar/lexeme.hpp"
 #include "program/study/halves.hpp"
 #include "program/study/path_steps.hpp"
@@ -23,47 +22,26 @@ namespace fs = std::filesystem;
 using deck::DeckCard;
 using deck::DeckText;
 
-/// A fineness that is wanted, and what may stand for it.
-struct FinenessCandidates {
-  std::vector<double> values;
-};
-
-std::vector<FinenessCandidates> nominals(int dim) {
-  std::vector<FinenessCandidates> wanted{{{0.5, 0.6, 0.625}}, {{0.7, 0.75, 2.0 / 3.0, 0.8}}};
-  wanted.push_back({{1.4, 1.5, 1.25, 4.0 / 3.0}});
+// Finenesses that are wanted, each with those that may stand for it.
+std::vector<std::vector<double>> nominals(int dim) {
+  std::vector<std::vector<double>> wanted{
+      {0.5, 0.6, 0.625}, {0.7, 0.75, 2.0 / 3.0, 0.8}, {1.4, 1.5, 1.25, 4.0 / 3.0}};
   if (dim == 2) {
-    wanted.push_back({{2.0, 1.75}});
+    wanted.push_back({2.0, 1.75});
   }
   return wanted;
-}
-
-// What belongs to long runs, not to a study of one state.
-void drop_frame_cards(DeckText& text) {
-  std::erase_if(text, [](const DeckCard& card) {
-    return card.name == "SWEEP" || card.name == "RESTART" || card.name == "OUTPUT";
-  });
-}
-
-DeckCard* tip_net_of(DeckText& text, const std::string& crack) {
-  const auto found = std::ranges::find_if(text, [&](const DeckCard& card) {
-    return card.name == "TIPNET" && card.word_value("CRACK") == crack;
-  });
-  return found == text.end() ? nullptr : &*found;
 }
 
 // Cracks whose tips the program meshes.
 std::vector<std::string> cut_cracks(const DeckText& text) {
   std::vector<std::string> names;
-  for (const DeckCard& card : text) {
-    if (card.name != "CRACK" || card.has_key("FRONT")) {
-      continue;
-    }
+  for (const DeckCard& card : cards_named(text, "CRACK")) {
     const std::string name = card.word_value("NAME");
     const bool own = std::ranges::any_of(text, [&](const DeckCard& net) {
       return net.name == "TIPNET" && net.word_value("CRACK") == name &&
              net.word_value("PATCH") == "NO";
     });
-    if (!own) {
+    if (!own && !card.has_key("FRONT")) {
       names.push_back(name);
     }
   }
@@ -73,13 +51,10 @@ std::vector<std::string> cut_cracks(const DeckText& text) {
 /// Every crack's $TIPNET gets a key.
 template <class Set> void set_tip_nets(DeckText& text, const Set& set) {
   for (const std::string& crack : cut_cracks(text)) {
-    if (tip_net_of(text, crack) == nullptr) {
-      DeckCard card;
-      card.name = "TIPNET";
-      card.set("CRACK", crack);
-      append_card(text, std::move(card));
+    if (find_named_card(text, "TIPNET", "CRACK", crack) == nullptr) {
+      append_card(text, deck::make_card("TIPNET", {{"CRACK", crack}}));
     }
-    set(*tip_net_of(text, crack));
+    set(*find_named_card(text, "TIPNET", "CRACK", crack));
   }
 }
 
@@ -92,14 +67,6 @@ void make_tips_finer(DeckText& text, double fineness) {
     card.set("FINER", own == nullptr ? fmt::format("{:.6g}", fineness)
                                      : fmt::format("({}*{:.6g})", *own, fineness));
   });
-}
-
-void erase_tolerance(DeckText& text) {
-  for (DeckCard& card : text) {
-    if (card.name == "TIPNET") {
-      card.erase("TOL");
-    }
-  }
 }
 
 // Element types of $MESH and the linear ones they stand beside; false: there is nothing to change.
@@ -117,13 +84,8 @@ bool make_linear(DeckText& text, const fs::path& folder) {
         changed = true;
       }
     }
-    if (card.name == "IMPORT" && card.word_value("FORMAT") == "GEO") {
-      const std::string quoted = *card.find("FILE");
-      const fs::path file = quoted.substr(1, quoted.size() - 2);
-      const fs::path copy = folder / (file.stem().string() + "_linear.geo");
-      report::write_file(copy, base::read_file(file, base::largest_mesh_file) +
-                                   "\nMesh.ElementOrder = 1;\n");
-      card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
+    if (is_script(card)) {
+      copy_script(card, "linear", "Mesh.ElementOrder = 1;", folder);
       card.erase("TYPE");
       changed = true;
     }
@@ -139,9 +101,13 @@ class Planner {
 public:
   Planner(const StudiedDeck& deck, fs::path folder) : deck_(deck), folder_(std::move(folder)) {
     base_ = deck.text;
-    drop_frame_cards(base_);
+    std::erase_if(base_, [](const DeckCard& card) { // of long runs, not of a study of one state
+      return card.name == "SWEEP" || card.name == "RESTART" || card.name == "OUTPUT";
+    });
     sizes_ = base_;
-    erase_tolerance(sizes_);
+    for (DeckCard& card : cards_named(sizes_, "TIPNET")) {
+      card.erase("TOL");
+    }
     cracks_ = !cut_cracks(base_).empty();
     dim_ = deck.ready->model->mesh.dim;
   }
@@ -163,82 +129,62 @@ public:
 private:
   void add(const std::string& name, SettingFamily family, double fineness, const DeckText& text,
            const Defines& defines) {
-    Setting setting{name, family, fineness, deck_.defines, {}, {}};
-    for (const auto& define : defines) { // the study's own go before those of the command line
-      std::erase_if(setting.defines, [&](const auto& given) {
-        return grammar::to_upper(given.first) == grammar::to_upper(define.first);
-      });
-      setting.defines.push_back(define);
-    }
+    Setting setting{name, family, fineness, merge_defines(deck_.defines, defines), {}, {}};
     setting.deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
     report::write_file(setting.deck, write_deck(text, folder_, {name}));
     plan_.settings.push_back(std::move(setting));
   }
 
   void add_request(const ParameterRequest& request) {
+    const auto is_it = [&](const std::string& name) {
+      return grammar::to_upper(name) == grammar::to_upper(request.parameter);
+    };
     const auto& parameters = deck_.ready->model->parameters;
-    const auto known = std::ranges::find_if(parameters, [&](const auto& parameter) {
-      return grammar::to_upper(parameter.first) == grammar::to_upper(request.parameter);
-    });
-    const auto finer =
-        std::ranges::find_if(plan_.mesh_parameter.parameters, [&](const auto& parameter) {
-          return grammar::to_upper(parameter.name) == grammar::to_upper(request.parameter);
+    const auto known = std::ranges::find_if(
+        parameters, [&](const auto& parameter) { return is_it(parameter.first); });
+    const bool larger_is_finer =
+        std::ranges::none_of(plan_.mesh_parameter.parameters, [&](const MeshParameter& parameter) {
+          return is_it(parameter.name) && !parameter.larger_is_finer;
         });
     for (const std::string& value : request.values) {
       double fineness = 1.0;
       double number = 0.0;
       const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
       if (read.ec == std::errc() && known != parameters.end() && known->second > 0.0) {
-        const bool larger =
-            finer == plan_.mesh_parameter.parameters.end() || finer->larger_is_finer;
-        fineness = larger ? number / known->second : known->second / number;
+        fineness = larger_is_finer ? number / known->second : known->second / number;
       }
       add(fmt::format("{}={}", request.parameter, value), SettingFamily::asked, fineness, sizes_,
           {{request.parameter, value}});
     }
   }
 
-  /// The deck with its bodies' meshes so much finer.
-  struct Finer {
-    DeckText text;
-    Defines defines;
-    std::string words;
-  };
-  Finer bodies(double fineness) {
-    Finer finer{sizes_, {}, {}};
-    const FinerMesh mesh = finer_mesh(deck_, plan_.mesh_parameter, fineness, finer.text, folder_);
-    finer.defines = mesh.defines;
-    finer.words = mesh.words;
-    return finer;
+  // The deck with its bodies' meshes so much finer.
+  FinerMesh bodies(double fineness) {
+    return finer_mesh(deck_, plan_.mesh_parameter, fineness, sizes_, folder_);
   }
 
   bool is_readable(double fineness) {
-    const Finer finer = bodies(fineness);
-    const fs::path probe = folder_ / "probe.deck";
-    report::write_file(probe, write_deck(finer.text, folder_));
-    Defines defines = deck_.defines;
-    defines.insert(defines.end(), finer.defines.begin(), finer.defines.end());
-    const bool sound = read_silently(probe, {.defines = defines}).model.has_value();
-    fs::remove(probe);
-    return sound;
+    const FinerMesh finer = bodies(fineness);
+    return read_probe(finer.text, merge_defines(deck_.defines, finer.defines), folder_)
+        .model.has_value();
   }
 
   // Coarse to fine, without the deck's own.
   std::vector<double> finenesses() {
     std::vector<double> found;
-    for (const FinenessCandidates& nominal : nominals(dim_)) {
+    for (const std::vector<double>& nominal : nominals(dim_)) {
       const auto sound =
           plan_.mesh_parameter.parameters.empty() && plan_.mesh_parameter.constants.empty()
-              ? nominal.values.begin()
-              : std::ranges::find_if(nominal.values, [&](double f) { return is_readable(f); });
-      if (sound != nominal.values.end()) {
+              ? nominal.begin()
+              : std::ranges::find_if(nominal, [&](double f) { return is_readable(f); });
+      if (sound != nominal.end()) {
         found.push_back(*sound);
       }
     }
     return found;
   }
 
-  void add_whole(double fineness, const char* word, SettingFamily family, const Finer& finer) {
+  void add_whole(double fineness, const char* word, SettingFamily family, const FinerMesh& finer) {
     DeckText text = finer.text;
     make_tips_finer(text, fineness);
     std::string name = joined(
@@ -264,7 +210,7 @@ private:
       return;
     }
     for (const double f : sizes_of_bodies_) {
-      const Finer finer = bodies(f);
+      const FinerMesh finer = bodies(f);
       add(finer.words, SettingFamily::host, f, finer.text, finer.defines);
     }
     for (const double f : {0.5, 2.0}) {
@@ -276,7 +222,7 @@ private:
 
   void add_parts(const std::vector<double>& sizes) {
     for (const double f : sizes) {
-      Finer finer = bodies(f);
+      FinerMesh finer = bodies(f);
       SymmetricPart part = reduce_by_symmetry(*deck_.ready->model, finer.text);
       if (!part.text) {
         plan_.notes.push_back("no part by symmetry: " + part.reason);
@@ -303,7 +249,7 @@ private:
       plan_.notes.emplace_back("no linear elements: a crack is cut into quadratic ones");
     } else if (make_linear(linear, folder_)) {
       for (const double f : some) {
-        Finer finer = bodies(f);
+        FinerMesh finer = bodies(f);
         make_linear(finer.text, folder_);
         add_whole(f, "linear", SettingFamily::linear, finer);
       }
@@ -318,19 +264,19 @@ private:
 
   void add_tip_routes(const std::vector<double>& some) {
     for (const double tolerance : {1e-2, 1e-3, 3e-4}) {
-      Finer finer = bodies(some.front());
+      FinerMesh finer = bodies(some.front());
       set_tip_nets(finer.text,
                    [&](DeckCard& card) { card.set("TOL", fmt::format("{:g}", tolerance)); });
       add(joined(finer.words, fmt::format("TOL={:g}", tolerance)), SettingFamily::tolerance, 1.0,
           finer.text, finer.defines);
     }
     for (const double f : some) {
-      Finer finer = bodies(f);
+      FinerMesh finer = bodies(f);
       set_tip_nets(finer.text, [](DeckCard& card) { card.set("QUARTER", "NO"); });
       add_whole(f, "QUARTER=NO", SettingFamily::quarter, finer);
     }
     for (const double f : {some.front(), 1.0}) {
-      Finer finer = bodies(f);
+      FinerMesh finer = bodies(f);
       set_tip_nets(finer.text, [](DeckCard& card) { card.set("JOIN", "TRANSITION"); });
       add(joined(finer.words, "JOIN=TRANSITION"), SettingFamily::transition, f, finer.text,
           finer.defines);

@@ -2,14 +2,14 @@
 #include "program/study/study_report.hpp"
 
 #include "model/model.hpp"
-#include "program/study/cheapest.hpp"
-#include "program/study/study_charts.hpp"
-#include "program/study/study_tables.hpp"
+#include "program/study/variant_report.hpp"
 #include "report/deck_name.hpp"
-#include "report/page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -17,16 +17,143 @@ namespace spricka::program {
 
 namespace {
 
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
+using report::ReportTable;
+
+constexpr double least_error = 1e-12; // of an answer: below it there is round-off
+
+struct CurveKind {
+  SettingFamily family;
+  bool corrected = false;
+  bool joined = true;
+};
+constexpr std::array curves{CurveKind{SettingFamily::whole},
+                            CurveKind{SettingFamily::whole, true},
+                            CurveKind{SettingFamily::host},
+                            CurveKind{SettingFamily::tip},
+                            CurveKind{SettingFamily::quarter},
+                            CurveKind{SettingFamily::linear},
+                            CurveKind{SettingFamily::transition, false, false},
+                            CurveKind{SettingFamily::tolerance},
+                            CurveKind{SettingFamily::tube, false, false},
+                            CurveKind{SettingFamily::path, false, false},
+                            CurveKind{SettingFamily::part},
+                            CurveKind{SettingFamily::asked},
+                            CurveKind{SettingFamily::asked, true},
+                            CurveKind{SettingFamily::peer}};
+
+std::string series_name(SettingFamily family, bool corrected) {
+  return fmt::format("{}{}", display_name(family), corrected ? ", corrected" : "");
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c == '"' ? "\"\"" : std::string(1, c);
+// The errors of a family; none where the deck as it is would stand alone.
+std::vector<report::DrawingPoint> curve_points(const Study& study, const GroupVerdict& group,
+                                               const CurveKind& curve, bool against_cpu) {
+  std::vector<report::DrawingPoint> points;
+  bool own = false;
+  for (const std::size_t row : series_rows(study.trials, curve.family)) {
+    const Trial& trial = study.trials[row];
+    const double error = curve.corrected ? group.errors[row].best : group.errors[row].plain;
+    const double x = against_cpu ? trial.end.cpu : static_cast<double>(trial.unknowns);
+    own = own || trial.setting.family == curve.family;
+    if (std::isfinite(error) && x > 0.0) {
+      points.push_back({x, 100.0 * std::max(error, least_error)});
+    }
   }
-  return out + "\"";
+  return own ? points : std::vector<report::DrawingPoint>();
+}
+
+report::Plot group_plot(const Study& study, const GroupVerdict& group, bool against_cpu) {
+  report::Plot plot = cost_plot(fmt::format("error of {} against {}", display_name(group.group),
+                                            against_cpu ? "CPU time" : "freedoms"),
+                                against_cpu ? "CPU  [s]" : "freedoms",
+                                fmt::format("largest error of {}  [%]", display_name(group.group)));
+  plot.legend_below = true;
+  double low = std::numeric_limits<double>::max();
+  double high = 0.0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const CurveKind& curve = curves.at(i);
+    report::PlotSeries series;
+    series.name = series_name(curve.family, curve.corrected);
+    series.colour = report::palette_colour(i);
+    series.dash = report::dash_pattern(i / 7 + (curve.corrected ? 1 : 0));
+    series.marker = report::closed_marker(i);
+    series.joined = curve.joined;
+    series.points = curve_points(study, group, curve, against_cpu);
+    for (const report::DrawingPoint& point : series.points) {
+      low = std::min(low, point.x);
+      high = std::max(high, point.x);
+    }
+    if (!series.points.empty()) {
+      plot.series.push_back(std::move(series));
+    }
+  }
+  if (group.floor > 0.0 && high > low) {
+    plot.series.push_back(level_line("the reference is no better", low, high, 100.0 * group.floor));
+  }
+  return plot;
+}
+
+// A row for each setting: freedoms, CPU, memory, the largest error of each group.
+ReportTable settings_table(const Study& study) {
+  std::string columns = "<setting|freedoms|CPU [s]|memory [MiB]";
+  for (const GroupVerdict& group : study.verdict.groups) {
+    columns += fmt::format("|{} error [%]{}", display_name(group.group),
+                           group.group == AnswerGroup::K ? "|corrected [%]|bar [%]" : "");
+  }
+  ReportTable table = report::make_table("Settings", columns + "|<");
+  for (std::size_t t = 0; t < study.trials.size(); ++t) {
+    const Trial& trial = study.trials[t];
+    std::vector<std::string> row{
+        trial.setting.name, trial.unknowns > 0 ? fmt::format("{}", trial.unknowns) : "-",
+        fmt::format("{:.2f}", trial.end.cpu), mebibytes(trial.end.peak_memory)};
+    for (const GroupVerdict& group : study.verdict.groups) {
+      row.push_back(in_percent(group.errors[t].plain));
+      if (group.group == AnswerGroup::K) {
+        row.push_back(in_percent(group.errors[t].best));
+        row.push_back(in_percent(group.errors[t].bar));
+      }
+    }
+    row.push_back(trial.trouble);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// A row for each series of each group: the power that errors fall by, where they stop, and why.
+ReportTable series_table(const Study& study) {
+  ReportTable table =
+      report::make_table("Slopes and plateaus", "<answers|<series|power|theory|plateau|<why");
+  for (const GroupVerdict& group : study.verdict.groups) {
+    for (const SeriesVerdict& series : group.series) {
+      table.rows.push_back({display_name(group.group), series_name(series.family, series.corrected),
+                            series.slope ? fmt::format("{:.2f}", series.slope->power) : "-",
+                            series.theory ? fmt::format("{:g}", *series.theory) : "",
+                            series.plateau ? percent(series.plateau->level) : "", series.reason});
+    }
+  }
+  return table;
+}
+
+// References of the deck that are not used, and what they are off by; the largest of each source.
+ReportTable distrusted_table(const Study& study) {
+  ReportTable table = report::make_table("References of the deck that finer meshes do not go to",
+                                         "<check|off by [%]|finest is sure to [%]|<source");
+  std::map<std::string, std::size_t> worst; // by source
+  for (std::size_t a = 0; a < study.verdict.references.size(); ++a) {
+    const double off = study.verdict.references[a].deck_is_off;
+    const auto [found, fresh] = worst.emplace(study.answers[a].check.source, a);
+    if (!fresh && off > study.verdict.references[found->second].deck_is_off) {
+      found->second = a;
+    }
+  }
+  for (const auto& [source, a] : worst) {
+    const AnswerReference& reference = study.verdict.references[a];
+    if (reference.deck_is_off > 0.0 && reference.scale > 0.0) {
+      table.rows.push_back({study.answers[a].text, in_percent(reference.deck_is_off),
+                            in_percent(reference.uncertainty / reference.scale), source});
+    }
+  }
+  return table;
 }
 
 std::vector<std::string> sentences(const Study& study) {
@@ -64,13 +191,8 @@ std::string reference_words(const Study& study) {
 
 std::string study_text(const Study& study) {
   std::string out = report::to_text(settings_table(study)) + "\n";
-  const report::ReportTable series = series_table(study);
-  if (!series.rows.empty()) {
-    out += report::to_text(series) + "\n";
-  }
-  const report::ReportTable distrusted = distrusted_table(study);
-  if (!distrusted.rows.empty()) {
-    out += report::to_text(distrusted) + "\n";
+  for (const ReportTable& table : {series_table(study), distrusted_table(study)}) {
+    out += table.rows.empty() ? "" : report::to_text(table) + "\n";
   }
   out += reference_words(study) + "\n";
   for (const std::string& note : study.notes) {
@@ -84,51 +206,55 @@ std::string study_text(const Study& study) {
 }
 
 std::string study_csv(const Study& study) {
-  std::string out = "setting,family,fineness,freedoms,cpu,wall,memory,exit_code,answer,group,value,"
-                    "bar,best,reference,of_deck,uncertainty,error,best_error\n";
+  base::CsvTable csv(
+      "setting,family,fineness,freedoms,cpu,wall,memory,exit_code,answer,group,value,"
+      "bar,best,reference,of_deck,uncertainty,error,best_error");
   for (const Trial& trial : study.trials) {
-    const std::string head = fmt::format(
-        "{},{},{},{},{},{},{},{}", quoted(trial.setting.name),
-        quoted(display_name(trial.setting.family)), trial.setting.fineness, trial.unknowns,
-        trial.end.cpu, trial.end.wall, trial.end.peak_memory, trial.end.exit_code);
+    base::CsvRow head = cost_fields(trial);
+    head.insert(head.end(), {{"setting", trial.setting.name},
+                             {"family", display_name(trial.setting.family)},
+                             {"fineness", trial.setting.fineness}});
     if (trial.readings.empty()) {
-      out += head + ",,,,,,,,,,\n";
+      csv.add_row(head);
     }
     for (std::size_t a = 0; a < trial.readings.size(); ++a) {
       const AnswerReading& reading = trial.readings[a];
       const AnswerReference& reference = study.verdict.references[a];
-      const bool counts = reference.scale > 0.0;
-      const double error = counts ? (reading.value - reference.value) / reference.scale : NAN;
-      const double best = counts ? (reading.best - reference.value) / reference.scale : NAN;
-      out +=
-          fmt::format("{},{},{},{},{},{},{},{:d},{},{},{}\n", head, quoted(study.answers[a].text),
-                      quoted(display_name(study.answers[a].group)), cell(reading.value),
-                      cell(reading.bar), cell(reading.best), cell(reference.value),
-                      reference.of_deck, cell(reference.uncertainty), cell(error), cell(best));
+      const double scale = reference.scale > 0.0 ? reference.scale : NAN;
+      csv.add_row(head, {{"answer", study.answers[a].text},
+                         {"group", display_name(study.answers[a].group)},
+                         {"value", reading.value},
+                         {"bar", reading.bar},
+                         {"best", reading.best},
+                         {"reference", reference.value},
+                         {"of_deck", reference.of_deck},
+                         {"uncertainty", reference.uncertainty},
+                         {"error", (reading.value - reference.value) / scale},
+                         {"best_error", (reading.best - reference.value) / scale}});
     }
   }
-  return out;
+  return csv.text();
 }
 
 std::string study_page(const base::SourceTexts& sources, const model::Model& model,
                        const Study& study) {
   report::HtmlPage page;
-  const std::string title = model.title.empty() ? "spricka study" : model.title;
-  page.add_html(fmt::format("<h1>{}</h1>\n", report::escape_xml(title)));
-  page.add_html(
-      fmt::format("<p class=\"about\">Work against precision of {}: {}. Computed by spricka "
-                  "{}.</p>\n",
-                  report::escape_xml(report::deck_name(sources, 0)),
-                  report::escape_xml(reference_words(study)), SPRICKA_VERSION));
+  const std::string title =
+      begin_page(page, model, "study",
+                 fmt::format("Work against precision of {}: {}", report::deck_name(sources, 0),
+                             reference_words(study)));
   page.add_heading("The cheapest settings");
   for (const std::string& words : sentences(study)) {
-    page.add_html(fmt::format("<p>{}</p>\n", report::escape_xml(words)));
+    page.add_paragraph(words, "");
   }
   page.add_heading("Error and cost");
   for (const GroupVerdict& group : study.verdict.groups) {
-    for (const report::Figure& figure : study_figures(study, group)) {
-      page.add_figure(figure);
-    }
+    page.add_figure(
+        {{draw_svg(group_plot(study, group, true)), draw_svg(group_plot(study, group, false))},
+         "",
+         fmt::format("The largest error of {} of all answers of the group, against the "
+                     "CPU time of the whole run and against its freedoms.",
+                     display_name(group.group))});
   }
   page.add_table(series_table(study));
   page.add_table(distrusted_table(study));

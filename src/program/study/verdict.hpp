@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "program/study/convergence.hpp"
-#include "program/study/deck_answers.hpp"
 #include "program/study/settings.hpp"
-#include "program/trials/child_run.hpp"
+#include "program/study/variant_runs.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,13 +13,13 @@
 namespace spricka::program {
 
 /// One setting that was run.
-struct Trial {
+struct Trial : VariantRun {
   Setting setting;
-  ChildEnd end;
-  std::size_t unknowns = 0;
-  std::vector<AnswerReading> readings; ///< [answer]; empty: the run has no results
-  std::string trouble;                 ///< why not
 };
+
+/// Trials with results of one family, coarse to fine. The deck as it is belongs to the series of
+/// sizes: of all, of bodies, of tips, and of what is asked for.
+std::vector<std::size_t> series_rows(const std::vector<Trial>& trials, SettingFamily family);
 
 /// What answers are compared with.
 struct AnswerReference {
@@ -71,5 +71,35 @@ struct StudyVerdict {
   std::optional<std::size_t> finest;       ///< trial that others are compared with
   std::vector<GroupVerdict> groups;        ///< those with answers, in their order
 };
+
+/// All that is shown of a study.
+struct Study {
+  std::vector<Answer> answers;
+  std::vector<Trial> trials;
+  std::vector<std::string> notes; ///< what was not varied or run, and why
+  StudyVerdict verdict;
+};
+
+/// Fills the verdict with errors of all trials. A deck's reference counts where the finest setting
+/// agrees with it within its own bar, or without one within its change from the next coarser
+/// setting; else the finest setting's value does, corrected where it has a bar.
+void assess_trials(Study& study);
+
+/// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
+/// whose error, and that of all finer ones of its family, is below it together with what the
+/// references are uncertain by. CalculiX is not among them.
+std::vector<CheapestSetting> cheapest_settings(const GroupVerdict& group,
+                                               const std::vector<Trial>& trials);
+
+/// What a plateau is judged by.
+struct PlateauContext {
+  const GroupVerdict& group; ///< its errors and floor
+  const SeriesVerdict& series;
+  const Study& study; ///< with the references of its verdict
+};
+
+/// Why errors of a series stop falling, in words: how well the reference is known, what is not made
+/// finer with the rest, quarter points that are missing, values at single nodes.
+std::string plateau_reason(const PlateauContext& view, std::span<const ConvergencePoint> points);
 
 } // namespace spricka::program

@@ -7,7 +7,7 @@
 namespace spricka::program::test_ladder {
 namespace {
 
-ModelVariantResult variant(const std::string& name, double K, double cpu, bool simpler) {
+ModelVariantResult rung(const std::string& name, double K, double cpu, bool simpler) {
   ModelVariantResult result;
   result.variant.name = name;
   result.variant.text.emplace();
@@ -27,8 +27,8 @@ ModelHierarchy ladder_of(std::vector<ModelVariantResult> variants) {
 
 TEST(ModelHierarchy, TakesTheCheapestThatIsWithin) {
   ModelHierarchy ladder =
-      ladder_of({variant("as given", 100.0, 10.0, false), variant("bonded", 101.0, 2.0, true),
-                 variant("uniform", 120.0, 1.0, true)});
+      ladder_of({rung("as given", 100.0, 10.0, false), rung("bonded", 101.0, 2.0, true),
+                 rung("uniform", 120.0, 1.0, true)});
   compare(ladder);
   EXPECT_EQ(ladder.cheapest, std::optional<std::size_t>(1));
   EXPECT_TRUE(ladder.stopped.empty());
@@ -37,19 +37,19 @@ TEST(ModelHierarchy, TakesTheCheapestThatIsWithin) {
 // What was ended before it had an answer may have been the cheapest, or shown that none will do.
 TEST(ModelHierarchy, ConcludesNothingWhereARungWasStopped) {
   for (const int signal : {0, 15}) {
-    ModelVariantResult killed = variant("bonded", 0.0, 2.0, true);
+    ModelVariantResult killed = rung("bonded", 0.0, 2.0, true);
     killed.readings.clear();
     killed.end.signal = signal;
     killed.end.exit_code = signal == 0 ? 6 : 128 + signal;
-    ModelHierarchy ladder = ladder_of({variant("as given", 100.0, 10.0, false), killed});
+    ModelHierarchy ladder = ladder_of({rung("as given", 100.0, 10.0, false), killed});
     compare(ladder);
     EXPECT_FALSE(ladder.cheapest);
     EXPECT_EQ(ladder.stopped, std::vector<std::string>{"bonded"});
   }
-  ModelVariantResult refused = variant("bonded", 0.0, 2.0, true); // it has no answer of its own accord
+  ModelVariantResult refused = rung("bonded", 0.0, 2.0, true); // it has no answer of its own accord
   refused.readings.clear();
   refused.end.exit_code = 4;
-  ModelHierarchy ladder = ladder_of({variant("as given", 100.0, 10.0, false), refused});
+  ModelHierarchy ladder = ladder_of({rung("as given", 100.0, 10.0, false), refused});
   compare(ladder);
   EXPECT_EQ(ladder.cheapest, std::optional<std::size_t>(0));
 }

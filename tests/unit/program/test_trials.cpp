@@ -93,8 +93,6 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   EXPECT_TRUE(std::isnan(first[0].checks[1].bar)); // G has none
   EXPECT_EQ(first[0].checks[2].bar, K1.bar);       // K is K1
   EXPECT_NEAR(twice[0].checks[0].found, 2.0 * K1.found, 1e-9 * K1.found);
-  EXPECT_EQ(program::number_column(first[0].k, "K1"), test::column(runs[0].out / "k.csv", "K1"));
-  EXPECT_EQ(program::text_column(first[0].k, "crack"), std::vector<std::string>{"C"});
   // Nodes of 200 eight-noded elements, less the support: and those of the tip.
   EXPECT_GT(first[0].unknowns, 1200U);
   EXPECT_LT(first[0].unknowns, 3000U);

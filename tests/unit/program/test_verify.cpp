@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Verification without running anything: tiers, what counts, tables, what has changed since the
 // last time.
-#include "program/trials/csv_rows.hpp"
-#include "program/verify/chapter.hpp"
+#include "base/csv.hpp"
 #include "program/verify/comparison.hpp"
 #include "program/verify/deck_list.hpp"
-#include "program/verify/problems.hpp"
 #include "program/verify/verification.hpp"
 #include "program/verify/verification_csv.hpp"
-#include "program/verify/verification_page.hpp"
+#include "program/verify/verification_report.hpp"
 #include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
 
@@ -95,9 +93,9 @@ TEST(Verification, HoldsAReferenceAgainstItsOwnAccuracyToo) {
 
 // Spreadsheets would compute them.
 TEST(Verification, FormulasAreTextsInItsTable) {
-  EXPECT_EQ(csv_field("=HYPERLINK(1)"), "'=HYPERLINK(1)");
-  EXPECT_EQ(csv_field("@SUM(1,2)"), "\"'@SUM(1,2)\"");
-  EXPECT_EQ(csv_field("Bowie, 1956"), "\"Bowie, 1956\"");
+  EXPECT_EQ(base::csv_field("=HYPERLINK(1)"), "'=HYPERLINK(1)");
+  EXPECT_EQ(base::csv_field("@SUM(1,2)"), "\"'@SUM(1,2)\"");
+  EXPECT_EQ(base::csv_field("Bowie, 1956"), "\"Bowie, 1956\"");
 }
 
 TEST(Verification, EndsAsItsWorstDeckDoes) {
@@ -115,7 +113,7 @@ TEST(Verification, TheTableIsReadAsItWasWritten) {
   const fs::path file = folder.path() / "verification.csv";
   const Verification v = sample();
   std::ofstream(file) << verification_csv(v);
-  const auto rows = csv_rows(test::slurp(file));
+  const auto rows = base::csv_rows(test::slurp(file));
   ASSERT_EQ(rows.size(), 6U); // names, four checks, a deck without one
   for (const auto& row : rows) {
     EXPECT_EQ(row.size(), rows.front().size());
@@ -271,7 +269,7 @@ TEST_F(Tiers, CostsStayWhileTheyAreAboutRight) {
   write_costs(
       folder.path(), list_decks(folder.path()),
       {{"kept", {1.3, 21'000'000}}, {"other", {3.0, 20'000'000}}, {"fresh", {2, 5'000'000}}});
-  const auto rows = csv_rows(test::slurp(folder.path() / costs_name));
+  const auto rows = base::csv_rows(test::slurp(folder.path() / costs_name));
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[1], (std::vector<std::string>{"fresh", "2", "5"}));
   EXPECT_EQ(rows[2], (std::vector<std::string>{"kept", "1", "20"}));
