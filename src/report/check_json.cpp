@@ -82,17 +82,17 @@ json of(const results::LoadTotal& l) {
   return {{"case", l.load_case}, {"force", place(l.force)}, {"moment", place(l.moment)}};
 }
 
-json of(const results::TipPreview& t) {
-  return {{"tip", t.name},      {"a", t.a},           {"mouth", place(t.mouth)},
-          {"at", place(t.tip)}, {"radius", t.radius}, {"size", t.size}};
-}
-
-json of(const results::FrontPreview& f) {
+json of(const results::FrontPreview& f, bool space) {
+  if (!space) {
+    return {{"tip", f.name},     {"a", f.a},           {"mouth", place(f.mouth)},
+            {"at", place(f.at)}, {"radius", f.radius}, {"size", f.size}};
+  }
   return {{"front", f.name},    {"kind", f.kind},         {"a", f.a},           {"at", place(f.at)},
           {"length", f.length}, {"elements", f.elements}, {"radius", f.radius}, {"size", f.size}};
 }
 
-json of(const results::CrackLengthPreview& l) {
+json of(const results::CrackLengthPreview& l, bool space) {
+  const json ends = array_of(l.fronts, [&](const auto& f) { return of(f, space); });
   return {{"number", l.number},
           {"a", l.a},
           {"nodes", l.nodes},
@@ -108,8 +108,8 @@ json of(const results::CrackLengthPreview& l) {
           {"flops", l.flops},
           {"memory", l.memory},
           {"cpu", l.seconds},
-          {"tips", array_of(l.tips, [](const auto& t) { return of(t); })},
-          {"fronts", array_of(l.fronts, [](const auto& f) { return of(f); })},
+          {"tips", space ? json::array() : ends},
+          {"fronts", space ? ends : json::array()},
           {"notes", l.notes}};
 }
 
@@ -140,7 +140,7 @@ std::string check_json(const results::DeckPreview& p, base::Outcome outcome) {
                  {"bodies", array_of(p.bodies, make)},
                  {"loads", array_of(p.loads, make)},
                  {"symmetry", array_of(p.mirrors, make)},
-                 {"lengths", array_of(p.lengths, make)},
+                 {"lengths", array_of(p.lengths, [&](const auto& l) { return of(l, p.dim == 3); })},
                  {"scripts", array_of(p.scripts, make)},
                  {"steps", p.steps},
                  {"sweep", p.sweep},

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/check_listing.hpp"
 
-#include "report/drawing/table.hpp"
-#include "report/topics/load_table.hpp"
-#include "report/topics/script_table.hpp"
+#include "report/drawing/columns.hpp"
+#include "report/topics/model_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,13 +15,7 @@ namespace {
 
 using results::DeckPreview;
 
-std::string number(double v) {
-  return fmt::format("{:.4g}", v);
-}
-
-std::string count(std::size_t n) {
-  return fmt::format("{}", n);
-}
+constexpr const char* four = "{:.4g}"; // digits
 
 std::string percent(double part) {
   return part < 5e-4 ? "-" : fmt::format("{:.1f} %", 100.0 * part);
@@ -41,122 +33,144 @@ std::string megabytes(double bytes) {
 }
 
 ReportTable nets(const DeckPreview& p) {
-  ReportTable table = make_table("Nets, freedoms by class", "<net|nodes|elements|local|external|"
-                                                            "suppressed|prescribed");
-  const bool tied = std::ranges::any_of(p.nets, [](const auto& net) { return net.dependent > 0; });
-  if (tied) {
-    table.columns.push_back({"dependent", "", false});
+  using Net = results::NetPreview;
+  Columns<Net> columns;
+  columns.words("net", &Net::name)
+      .number("nodes", "", &Net::nodes)
+      .number("elements", "", &Net::elements)
+      .number("local", "", &Net::local)
+      .number("external", "", &Net::external)
+      .number("suppressed", "", &Net::suppressed)
+      .number("prescribed", "", &Net::prescribed);
+  if (std::ranges::any_of(p.nets, [](const Net& net) { return net.dependent > 0; })) {
+    columns.number("dependent", "", &Net::dependent);
   }
-  table.columns.push_back({"of type", "", true});
-  for (const results::NetPreview& net : p.nets) {
+  columns.words("of type", [](const Net& net) {
     std::string types;
     for (const auto& [type, elements] : net.types) {
       types += fmt::format("{}{} {}", types.empty() ? "" : ", ", elements, type);
     }
-    table.rows.push_back({net.name, count(net.nodes), count(net.elements), count(net.local),
-                          count(net.external), count(net.suppressed), count(net.prescribed)});
-    if (tied) {
-      table.rows.back().push_back(count(net.dependent));
-    }
-    table.rows.back().push_back(types);
-  }
-  return table;
+    return types;
+  });
+  return columns.table("Nets, freedoms by class", p.nets);
 }
 
 ReportTable quality(const DeckPreview& p) {
-  ReportTable table = make_table(
-      "Worst elements", fmt::format("<of|<measure|value|<net|element|<at [{}]", p.length_unit));
-  for (const results::MeshQualityPreview& q : p.quality) {
-    const bool angle = q.measure.ends_with("angle");
-    table.rows.push_back({q.where, q.measure,
-                          angle ? fmt::format("{:.1f} deg", q.value) : number(q.value), q.net,
-                          fmt::format("{}", q.element), place(q.at, p.dim)});
-  }
-  return table;
+  using Quality = results::MeshQualityPreview;
+  Columns<Quality> columns;
+  columns.words("of", &Quality::where)
+      .words("measure", &Quality::measure)
+      .number("value", "",
+              [](const Quality& q) {
+                const bool angle = q.measure.ends_with("angle");
+                return cell_text(q.value, angle ? "{:.1f} deg" : four);
+              })
+      .words("net", &Quality::net)
+      .number("element", "", &Quality::element)
+      .words(
+          "at", [dim = p.dim](const Quality& q) { return place(q.at, dim); }, p.length_unit);
+  return columns.table("Worst elements", p.quality);
 }
 
 ReportTable pairs(const DeckPreview& p) {
-  ReportTable table = make_table(
-      "Contact pairs: gaps as measured along the normals",
-      fmt::format("<contact|smallest [{0}]|mean [{0}]|largest [{0}]|declared [{0}]|normals [deg]|"
-                  "slave [faces]|master [faces]|slave [overhang]|master [overhang]|rows|"
-                  "<multipliers on",
-                  p.length_unit));
+  using Pair = results::ContactPairPreview;
   const auto faces = [](std::size_t facing, std::size_t edges) {
-    return facing == edges ? count(edges) : fmt::format("{} of {}", facing, edges);
+    return facing == edges ? cell_text(edges) : fmt::format("{} of {}", facing, edges);
   };
-  for (const results::ContactPairPreview& c : p.pairs) {
-    table.rows.push_back({c.name, number(c.gap_low), number(c.gap_mean), number(c.gap_high),
-                          c.declared ? number(c.declared_gap) : "measured",
-                          fmt::format("{:.2f}", c.angle), faces(c.slave_facing, c.slave_edges),
-                          c.rigid ? "rigid" : faces(c.master_facing, c.master_edges),
-                          percent(c.slave_overhang), c.rigid ? "" : percent(c.master_overhang),
-                          count(c.rows), c.choice});
-  }
-  return table;
+  Columns<Pair> columns;
+  columns.words("contact", &Pair::name)
+      .number("smallest", p.length_unit, &Pair::gap_low, four)
+      .number("mean", p.length_unit, &Pair::gap_mean, four)
+      .number("largest", p.length_unit, &Pair::gap_high, four)
+      .number(
+          "declared", p.length_unit,
+          [](const Pair& c) { return c.declared ? cell_text(c.declared_gap, four) : "measured"; })
+      .number("normals", "deg", &Pair::angle, "{:.2f}")
+      .number("slave", "faces", [=](const Pair& c) { return faces(c.slave_facing, c.slave_edges); })
+      .number(
+          "master", "faces",
+          [=](const Pair& c) { return c.rigid ? "rigid" : faces(c.master_facing, c.master_edges); })
+      .number("slave", "overhang", [](const Pair& c) { return percent(c.slave_overhang); })
+      .number("master", "overhang",
+              [](const Pair& c) { return c.rigid ? "" : percent(c.master_overhang); })
+      .number("rows", "", &Pair::rows)
+      .words("multipliers on", &Pair::choice);
+  return columns.table("Contact pairs: gaps as measured along the normals", p.pairs);
 }
 
 ReportTable bodies(const DeckPreview& p) {
-  ReportTable table = make_table("Bodies: what holds their rigid modes",
-                                 "<body|nodes|elements|modes|supports|contact|nothing|<free as to");
-  for (const results::BodyPreview& body : p.bodies) {
-    table.rows.push_back({body.name, count(body.nodes), count(body.elements),
-                          fmt::format("{}", body.modes), fmt::format("{}", body.by_supports),
-                          fmt::format("{}", body.by_contact), count(body.by_nothing.size()),
-                          fmt::format("{}", fmt::join(body.by_nothing, ", "))});
-  }
-  return table;
+  using Body = results::BodyPreview;
+  Columns<Body> columns;
+  columns.words("body", &Body::name)
+      .number("nodes", "", &Body::nodes)
+      .number("elements", "", &Body::elements)
+      .number("modes", "", &Body::modes)
+      .number("supports", "", &Body::by_supports)
+      .number("contact", "", &Body::by_contact)
+      .number("nothing", "", [](const Body& body) { return body.by_nothing.size(); })
+      .words("free as to",
+             [](const Body& body) { return fmt::format("{}", fmt::join(body.by_nothing, ", ")); });
+  return columns.table("Bodies: what holds their rigid modes", p.bodies);
 }
 
-/// The cells of the tips and fronts of one length.
-std::vector<std::vector<std::string>> crack_cells(const results::CrackLengthPreview& length,
-                                                  int dim) {
-  std::vector<std::vector<std::string>> cells;
-  for (const results::TipPreview& tip : length.tips) {
-    cells.push_back({tip.name, number(tip.a), place(tip.mouth, dim), place(tip.tip, dim),
-                     number(tip.radius), number(tip.size)});
-  }
-  for (const results::FrontPreview& front : length.fronts) {
-    cells.push_back({front.name, front.kind, number(front.a), number(front.length),
-                     place(front.at, dim), count(front.elements), number(front.radius),
-                     number(front.size)});
-  }
-  return cells;
-}
+/// A crack of one length; all of a length stand in one mesh, whose elements the first names.
+struct CrackRow {
+  const results::CrackLengthPreview& length;
+  const results::FrontPreview& front;
+};
 
 ReportTable cracks(const DeckPreview& p) {
-  const char* const tip = "<tip|a [{0}]|<mouth [{0}]|<tip at [{0}]|rosette [{0}]|tip element [{0}]";
-  const char* const front = "<front|<kind|as a circle of [{0}]|length of front [{0}]|"
-                            "<half way at [{0}]|elements|tube [{0}]|tip element [{0}]";
-  ReportTable table = make_table(
-      "Cracks", fmt::format(fmt::runtime(fmt::format("length|{}|elements cut|elements new",
-                                                     p.dim == 3 ? front : tip)),
-                            p.length_unit));
+  const std::string& unit = p.length_unit;
+  const int dim = p.dim;
+  const auto number_of = [](double results::FrontPreview::*member) {
+    return [=](const CrackRow& row) { return row.front.*member; };
+  };
+  const auto place_of = [=](base::Vec3 results::FrontPreview::*member) {
+    return [=](const CrackRow& row) { return place(row.front.*member, dim); };
+  };
+  Columns<CrackRow> columns;
+  columns.number("length", "", [](const CrackRow& row) { return row.length.number; });
+  columns.words(dim == 3 ? "front" : "tip", [](const CrackRow& row) { return row.front.name; });
+  if (dim == 3) {
+    columns.words("kind", [](const CrackRow& row) { return row.front.kind; })
+        .number("as a circle of", unit, number_of(&results::FrontPreview::a), four)
+        .number("length of front", unit, number_of(&results::FrontPreview::length), four)
+        .words("half way at", place_of(&results::FrontPreview::at), unit)
+        .number("elements", "", [](const CrackRow& row) { return row.front.elements; });
+  } else {
+    columns.number("a", unit, number_of(&results::FrontPreview::a), four)
+        .words("mouth", place_of(&results::FrontPreview::mouth), unit)
+        .words("tip at", place_of(&results::FrontPreview::at), unit);
+  }
+  columns
+      .number(dim == 3 ? "tube" : "rosette", unit, number_of(&results::FrontPreview::radius), four)
+      .number("tip element", unit, number_of(&results::FrontPreview::size), four)
+      .where([](const CrackRow& row) { return &row.front == row.length.fronts.data(); })
+      .number("elements cut", "", [](const CrackRow& row) { return row.length.replaced; })
+      .number("elements new", "", [](const CrackRow& row) { return row.length.fresh; });
+  std::vector<CrackRow> rows;
   for (const results::CrackLengthPreview& length : p.lengths) {
-    bool first = true; // all of a length stand in one mesh
-    for (std::vector<std::string>& row : crack_cells(length, p.dim)) {
-      row.insert(row.begin(), fmt::format("{}", length.number));
-      row.push_back(first ? count(length.replaced) : "");
-      row.push_back(first ? count(length.fresh) : "");
-      table.rows.push_back(std::move(row));
-      first = false;
+    for (const results::FrontPreview& front : length.fronts) {
+      rows.push_back({length, front});
     }
   }
-  return table;
+  return columns.table("Cracks", rows);
 }
 
 ReportTable forecast(const DeckPreview& p) {
-  ReportTable table =
-      make_table("Forecast", "length|nodes|contact rows|nets new|reused|unknowns new|nnz(L)|flops|"
-                             "memory [MB]|CPU [s]");
-  for (const results::CrackLengthPreview& length : p.lengths) {
-    table.rows.push_back({fmt::format("{}", length.number), count(length.nodes), count(length.rows),
-                          fmt::format("{}", length.condensed), fmt::format("{}", length.reused),
-                          count(length.unknowns), fmt::format("{:.3g}", length.factor_entries),
-                          fmt::format("{:.3g}", length.flops), megabytes(length.memory),
-                          fmt::format("{:.2f}", length.seconds)});
-  }
-  return table;
+  using Length = results::CrackLengthPreview;
+  Columns<Length> columns;
+  columns.number("length", "", &Length::number)
+      .number("nodes", "", &Length::nodes)
+      .number("contact rows", "", &Length::rows)
+      .number("nets new", "", &Length::condensed)
+      .number("reused", "", &Length::reused)
+      .number("unknowns new", "", &Length::unknowns)
+      .number("nnz(L)", "", &Length::factor_entries, "{:.3g}")
+      .number("flops", "", &Length::flops, "{:.3g}")
+      .number("memory", "MB", [](const Length& length) { return megabytes(length.memory); })
+      .number("CPU", "s", &Length::seconds, "{:.2f}");
+  return columns.table("Forecast", p.lengths);
 }
 
 std::string mirror_line(const results::SymmetryPlanePreview& mirror) {

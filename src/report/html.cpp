@@ -4,17 +4,13 @@
 #include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/topics/figures.hpp"
-#include "report/topics/front_section.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/k_section.hpp"
-#include "report/topics/k_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
-#include "report/topics/load_table.hpp"
 #include "report/topics/model_tables.hpp"
 #include "report/topics/notes.hpp"
 #include "report/topics/result_tables.hpp"
-#include "report/topics/rounds_table.hpp"
 #include "report/topics/sensitivity_tables.hpp"
 
 #include <fmt/format.h>
@@ -105,45 +101,29 @@ ReportTable over_lengths(const model::Model& model, const results::RunResult& ru
   return all;
 }
 
-void add_fronts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
-  const std::vector<Figure> figures = front_figures(model, run);
-  if (figures.empty()) {
-    return;
-  }
-  page.add_heading("Stress intensity factors");
+void add_figures(HtmlPage& page, const std::vector<Figure>& figures) {
   for (const Figure& figure : figures) {
     page.add_figure(figure);
-  }
-  for (const ReportTable& table : front_tables(model, run.increments.back())) {
-    page.add_table(table);
   }
 }
 
 void add_cracks(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
-  if (model.mesh.dim == 3) {
-    add_fronts(page, model, run);
-    return;
-  }
   const KSection section = k_section(model, run);
   if (section.tables.empty()) {
     return;
   }
   page.add_heading("Stress intensity factors");
+  add_figures(page, section.pictures);
   for (const ReportTable& table : section.tables) {
     page.add_table(table);
   }
   for (const std::string& remark : section.remarks) {
     page.add_paragraph(remark);
   }
-  if (const std::optional<Figure> figure = k_figure(model, run)) {
-    page.add_figure(*figure);
-  }
-  if (const std::optional<Figure> figure = normalised_figure(model, run)) {
-    page.add_figure(*figure);
-  }
+  add_figures(page, section.curves);
   page.add_table(reference_table(model, run));
-  for (const Figure& figure : sensitivity_figures(model, run)) {
-    page.add_figure(figure);
+  if (section.pictures.empty()) { // with them it is a page of points
+    add_figures(page, sensitivity_figures(model, run));
   }
 }
 
@@ -153,9 +133,7 @@ void add_growth(HtmlPage& page, const model::Model& model, const results::RunRes
     return;
   }
   page.add_heading("Crack growth");
-  for (const Figure& figure : figures) {
-    page.add_figure(figure);
-  }
+  add_figures(page, figures);
   page.add_table(untitled(life_table(model, run)));
 }
 
@@ -165,9 +143,7 @@ void add_tests(HtmlPage& page, const model::Model& model, const results::RunResu
   }
   page.add_heading("Crack growth tests");
   page.add_table(untitled(growth_test_table(model, run)));
-  for (const Figure& figure : growth_test_figures(model, run)) {
-    page.add_figure(figure);
-  }
+  add_figures(page, growth_test_figures(model, run));
   for (const results::GrowthTestResult& test : run.tests) {
     page.add_table(test_points_table(model, test));
   }
@@ -178,9 +154,7 @@ void add_paths(HtmlPage& page, const model::Model& model, const results::RunResu
     return;
   }
   page.add_heading("Load paths");
-  for (const Figure& figure : load_path_figures(model, run)) {
-    page.add_figure(figure);
-  }
+  add_figures(page, load_path_figures(model, run));
   const auto paths = [&](const results::Increment& i) { return load_path_table(model, i); };
   page.add_table(over_lengths(model, run, paths));
   page.add_table(over_lengths(model, run, opening_table));
@@ -195,9 +169,7 @@ void add_contacts(HtmlPage& page, const model::Model& model, const results::RunR
     return;
   }
   page.add_heading("Contact");
-  for (const Figure& figure : pressure_figures(model, run)) {
-    page.add_figure(figure);
-  }
+  add_figures(page, pressure_figures(model, run));
   const auto contacts = [&](const results::Increment& i) { return contact_table(model, i); };
   const auto friction = [&](const results::Increment& i) { return friction_table(model, i); };
   const auto moments = [&](const results::Increment& i) { return moment_table(model, i); };
@@ -272,9 +244,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   page.add_table(
       load_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
   page.add_table(rigid_table(model));
-  for (const Figure& figure : mesh_figures(model, run)) {
-    page.add_figure(figure);
-  }
+  add_figures(page, mesh_figures(model, run));
   add_contacts(page, model, run);
   if (!run.increments.empty()) {
     page.add_heading("Force balance");

@@ -7,10 +7,8 @@
 #include "report/topics/k_bars.hpp"
 #include "report/topics/k_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
-#include "report/topics/load_table.hpp"
 #include "report/topics/model_tables.hpp"
 #include "report/topics/result_tables.hpp"
-#include "report/topics/rounds_table.hpp"
 #include "report/topics/sensitivity_tables.hpp"
 
 #include <fmt/format.h>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/requests.hpp"
 #include "model/wanted_steps.hpp"
-#include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
+#include "report/requested_values.hpp"
 #include "report/sweep_files.hpp"
+#include "report/topics/result_rows.hpp"
 #include "results/k_quantities.hpp"
 
 #include <algorithm>
-#include <array>
+#include <ranges>
 
 namespace spricka::report {
 
@@ -36,98 +37,50 @@ void add_front(std::vector<SweepCell>& cells, const results::FrontResult& front,
   }
 }
 
-/// The cells of one request at one step's end.
-class Requested {
-public:
-  Requested(const results::Increment& increment, const results::StepResult& step,
-            std::vector<SweepCell>& cells)
-      : increment_(increment), step_(step), cells_(cells) {}
-
-  void add(const model::OutputRequest& request) {
-    if (request.quantity == "K") {
-      for (const results::FrontResult& front : step_.fronts) {
-        const bool wanted =
-            front.name == request.name || front.name.starts_with(request.name + ".");
-        if (wanted && front.is_tip()) {
-          cell("a", front.name, front.a);
-          add_front(cells_, front, step_.step, increment_);
-        }
-      }
-    } else if (request.quantity == "CPRESS") {
-      if (const auto* contact = results::find_contact(step_, request.name)) {
-        add_contact(cells_, *contact, step_.step, increment_.number);
-      }
-    } else if (request.quantity == "REACTION") {
-      reactions(request.name);
+/// Sums as they are, of values at nodes the smallest and the largest of each component.
+void add_values(std::vector<SweepCell>& cells, const model::OutputRequest& request,
+                std::vector<RequestedValue> values, const std::string& step, int increment) {
+  std::ranges::stable_partition(values, [](const auto& v) { return v.component != "MISES"; });
+  std::vector<std::string> components;
+  for (const RequestedValue& value : values) {
+    add_new(components, value.component);
+  }
+  for (const std::string& component : components) {
+    const auto add = [&](const char* which, double value) {
+      cells.push_back(
+          {request.quantity + "." + component + which, request.name, step, increment, value});
+    };
+    auto same =
+        values | std::views::filter([&](const auto& v) { return v.component == component; });
+    const auto [low, high] = std::ranges::minmax(same, {}, &RequestedValue::value);
+    if (low.where) {
+      add(".MIN", low.value);
+      add(".MAX", high.value);
     } else {
-      ranges(request);
+      add("", low.value);
     }
   }
+}
 
-private:
-  void reactions(const std::string& set) {
-    const int dim = increment_.mesh.dim;
-    base::Vec3 sum = base::Vec3::Zero();
-    for (const base::NodeId n : set_members(increment_.mesh, set)) {
-      sum.head(dim) += step_.reaction.segment(static_cast<Eigen::Index>(n.index()) * dim, dim);
-    }
-    for (int c = 0; c < dim; ++c) {
-      cell(std::string("REACTION.") + "XYZ"[c], set, sum[c]);
-    }
-  }
-
-  void ranges(const model::OutputRequest& request) {
-    if (request.quantity == "S") {
-      stress_ranges(request.name);
-      return;
-    }
-    const int dim = increment_.mesh.dim;
-    for (int c = 0; c < dim; ++c) {
-      std::vector<double> values;
-      for (const base::NodeId n : set_members(increment_.mesh, request.name)) {
-        values.push_back(step_.u[static_cast<Eigen::Index>(n.index()) * dim + c]);
+/// The cells of one request at the end of one step.
+void add_requested(std::vector<SweepCell>& cells, const results::Increment& increment,
+                   const results::StepResult& step, const model::OutputRequest& request) {
+  if (request.quantity == "K") {
+    for (const results::FrontResult& front : step.fronts) {
+      if (names_front(request, front) && front.is_tip()) {
+        cells.push_back({"a", front.name, step.step, increment.number, front.a});
+        add_front(cells, front, step.step, increment);
       }
-      range(std::string("U.") + "XYZ"[c], request.name, values);
     }
+  } else if (request.quantity == "CPRESS") {
+    if (const auto* contact = results::find_contact(step, request.name)) {
+      add_contact(cells, *contact, step.step, increment.number);
+    }
+  } else {
+    add_values(cells, request, requested_values(increment, step, request), step.step,
+               increment.number);
   }
-
-  void stress_ranges(const std::string& set) {
-    static constexpr std::array<const char*, 10> names{"XX", "YY", "ZZ", "XY", "YZ",
-                                                       "XZ", "P1", "P2", "P3", "MISES"};
-    std::array<std::vector<double>, 10> values;
-    if (step_.stress.empty()) {
-      return;
-    }
-    for (const StressPoint& at : stress_points(increment_.mesh, set)) {
-      const results::Stress& s = step_.stress[at.point];
-      const std::array<double, 3> p = results::principal_stresses(s);
-      for (std::size_t c = 0; c < 9; ++c) {
-        values[c].push_back(c < 6 ? s[c] : p[c - 6]);
-      }
-      values[9].push_back(results::von_mises(s));
-    }
-    for (std::size_t c = 0; c < names.size(); ++c) {
-      range(std::string("S.") + names[c], set, values[c]);
-    }
-  }
-
-  void range(const std::string& quantity, const std::string& set,
-             const std::vector<double>& values) {
-    if (!values.empty()) {
-      const auto [low, high] = std::ranges::minmax(values);
-      cell(quantity + ".MIN", set, low);
-      cell(quantity + ".MAX", set, high);
-    }
-  }
-
-  void cell(const std::string& quantity, const std::string& name, double value) {
-    cells_.push_back({quantity, name, step_.step, increment_.number, value});
-  }
-
-  const results::Increment& increment_;
-  const results::StepResult& step_;
-  std::vector<SweepCell>& cells_;
-};
+}
 
 } // namespace
 
@@ -160,9 +113,8 @@ std::vector<SweepCell> requested_cells(const model::Model& model, const model::O
   }
   const results::Increment& last = run.increments.back();
   for (const std::size_t s : model::output_steps(model, output, true)) {
-    Requested requested(last, last.steps[s], cells);
     for (const model::OutputRequest& request : output.requests) {
-      requested.add(request);
+      add_requested(cells, last, last.steps[s], request);
     }
   }
   return cells;

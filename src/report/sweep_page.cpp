@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
 #include "report/deck_name.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/page.hpp"
 #include "report/sweep_files.hpp"
@@ -24,16 +25,6 @@ using results::SweepCell;
 using results::SweepPoint;
 using results::SweepResult;
 using Units = std::vector<std::string>; // [parameter]
-
-/// What stays the same along a curve: tip, step and the parameters that do not run along the axis.
-struct SweepCurve {
-  struct SweepCurvePoint {
-    DrawingPoint place;
-    double bar = no_bar;
-  };
-  std::string name;
-  std::vector<SweepCurvePoint> points;
-};
 
 const SweepCell* find_cell(const SweepPoint& point, const std::string& column) {
   const auto found = std::ranges::find(point.cells, column, &SweepCell::column_name);
@@ -87,58 +78,66 @@ std::string others(const model::Model& model, const SweepResult& sweep, const Sw
   return text;
 }
 
-// A quantity of an increment over the swept parameter, each value divided by `unit`.
-std::vector<SweepCurve> curves_of(const model::Model& model, const SweepResult& sweep,
-                                  const std::string& quantity, int increment, double unit = 1.0) {
+/// The curves of what `name_of` names over the swept parameter; a cell without a name is left out.
+/// What stays the same along a curve is its name: front, step and the parameters that do not run
+/// along the axis.
+template <class NameOf>
+std::vector<PlotSeries> curves_of(const model::Model& model, const SweepResult& sweep,
+                                  const NameOf& name_of) {
   const std::size_t axis = axis_of(sweep);
-  std::vector<SweepCurve> curves;
+  std::vector<PlotSeries> curves;
   for (const SweepPoint& point : sweep.points) {
     for (const SweepCell& cell : point.cells) {
-      if (cell.quantity != quantity || cell.increment != increment) {
+      std::string name = name_of(cell);
+      if (name.empty()) {
         continue;
       }
-      const std::string name =
-          (cell.step.empty() ? quantity : fmt::format("{}: {}", cell.step, cell.name)) +
-          others(model, sweep, point, axis);
-      auto curve = std::ranges::find(curves, name, &SweepCurve::name);
+      name += others(model, sweep, point, axis);
+      auto curve = std::ranges::find(curves, name, &PlotSeries::name);
       if (curve == curves.end()) {
-        curve = curves.insert(curves.end(), {name, {}});
+        curve = curves.insert(curve, numbered_curve(name, 0, 0));
       }
-      curve->points.push_back({{point.values[axis], cell.value / unit}, bar_of(point, cell)});
+      const auto at =
+          std::ranges::upper_bound(curve->points, point.values[axis], {}, &DrawingPoint::x);
+      curve->bars.insert(curve->bars.begin() + (at - curve->points.begin()), bar_of(point, cell));
+      curve->points.insert(at, {point.values[axis], cell.value});
     }
   }
-  for (SweepCurve& curve : curves) {
-    std::ranges::stable_sort(curve.points, {},
-                             [](const SweepCurve::SweepCurvePoint& at) { return at.place.x; });
+  return curves;
+}
+
+/// Lives, each divided by `unit`, ordered by name.
+std::vector<PlotSeries> lives_of(const model::Model& model, const SweepResult& sweep, double unit) {
+  std::vector<PlotSeries> curves = curves_of(
+      model, sweep, [](const SweepCell& cell) { return cell.quantity == "N" ? "N" : ""; });
+  std::ranges::sort(curves, {}, &PlotSeries::name);
+  for (PlotSeries& curve : curves) {
+    std::ranges::for_each(curve.points, [&](DrawingPoint& p) { p.y /= unit; });
   }
   return curves;
 }
 
-// Lives of all points, by the name of the curve.
-std::vector<SweepCurve> lives_of(const model::Model& model, const SweepResult& sweep, double unit) {
-  std::vector<SweepCurve> curves = curves_of(model, sweep, "N", 0, unit);
-  std::ranges::sort(curves, {}, &SweepCurve::name);
-  return curves;
-}
-
-// Curves within a thousandth of the largest value are one, under both names.
-std::vector<SweepCurve> merged(std::vector<SweepCurve> curves) {
+// Curves of K1; those within a thousandth of the largest value are one, under both names.
+std::vector<PlotSeries> merged_k_curves(const model::Model& model, const SweepResult& sweep,
+                                        int increment) {
+  std::vector<PlotSeries> curves = curves_of(model, sweep, [&](const SweepCell& cell) {
+    return cell.quantity == "K1" && cell.increment == increment
+               ? fmt::format("{}: {}", cell.step, cell.name)
+               : std::string();
+  });
   double largest = 0.0;
-  for (const SweepCurve& curve : curves) {
-    for (const SweepCurve::SweepCurvePoint& p : curve.points) {
-      largest = std::max(largest, std::abs(p.place.y));
+  for (const PlotSeries& curve : curves) {
+    for (const DrawingPoint& p : curve.points) {
+      largest = std::max(largest, std::abs(p.y));
     }
   }
-  std::vector<SweepCurve> kept;
-  for (SweepCurve& curve : curves) {
-    const auto same = std::find_if(kept.begin(), kept.end(), [&](const SweepCurve& k) {
-      return k.points.size() == curve.points.size() &&
-             std::equal(
-                 k.points.begin(), k.points.end(), curve.points.begin(),
-                 [&](const SweepCurve::SweepCurvePoint& a, const SweepCurve::SweepCurvePoint& b) {
-                   return a.place.x == b.place.x &&
-                          std::abs(a.place.y - b.place.y) <= 1e-3 * largest;
-                 });
+  const auto alike = [&](const DrawingPoint& a, const DrawingPoint& b) {
+    return a.x == b.x && std::abs(a.y - b.y) <= 1e-3 * largest;
+  };
+  std::vector<PlotSeries> kept;
+  for (PlotSeries& curve : curves) {
+    const auto same = std::ranges::find_if(kept, [&](const PlotSeries& k) {
+      return std::ranges::equal(k.points, curve.points, alike);
     });
     if (same != kept.end()) {
       same->name += "; " + curve.name;
@@ -149,33 +148,16 @@ std::vector<SweepCurve> merged(std::vector<SweepCurve> curves) {
   return kept;
 }
 
-/// "delta  [mm]"
-std::string axis_name(const std::string& parameter, const std::string& unit) {
-  return unit.empty() ? parameter : fmt::format("{}  [{}]", parameter, typeset_unit(unit));
-}
-
 Plot plot_of(const SweepResult& sweep, const Units& units, const std::string& y_name,
-             std::vector<SweepCurve> curves) {
-  Plot plot;
-  plot.label = y_name + " over the swept parameter";
-  const std::size_t axis = axis_of(sweep);
-  plot.x_name = axis_name(sweep.parameters[axis], units[axis]);
-  plot.y_name = y_name;
-  std::size_t i = 0;
-  for (SweepCurve& curve : curves) {
-    PlotSeries series;
-    series.name = std::move(curve.name);
-    for (const SweepCurve::SweepCurvePoint& at : curve.points) {
-      series.points.push_back(at.place);
-      series.bars.push_back(at.bar);
-    }
-    series.colour = palette_colour(i);
-    series.dash = dash_pattern(i / 7);
-    series.marker = closed_marker(i);
-    plot.series.push_back(std::move(series));
-    ++i;
+             std::vector<PlotSeries> curves) {
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    curves[i].colour = palette_colour(i);
+    curves[i].dash = dash_pattern(i / 7);
+    curves[i].marker = closed_marker(i);
   }
-  return plot;
+  const std::size_t axis = axis_of(sweep);
+  return {y_name + " over the swept parameter", axis_title(sweep.parameters[axis], units[axis]),
+          y_name, std::move(curves)};
 }
 
 bool has_lives(const SweepResult& sweep) {
@@ -243,54 +225,51 @@ std::string checks_of(const SweepPoint& point) {
   return point.checks == 0 ? "" : fmt::format("{} of {} passed", point.passed, point.checks);
 }
 
+void add_cell_columns(Columns<SweepPoint>& columns, const model::Model& model,
+                      const SweepResult& sweep, const SweepCell& cell, bool several) {
+  const bool crack = cell.quantity == "K1";
+  const std::string unit = crack ? model.units.stress_intensity_name() : model.units.stress_name();
+  const auto text = [cell](const SweepPoint& point) {
+    const SweepCell* const found = find_cell(point, cell.column_name());
+    return found == nullptr ? "-" : fmt::format("{:.5g}", found->value);
+  };
+  if (cell.quantity == "N") {
+    columns.number("N", life_unit(model), text);
+    return;
+  }
+  columns.number(fmt::format("{} {}{}", crack ? "K1" : "p max", cell.name,
+                             several ? fmt::format(", increment {}", cell.increment) : ""),
+                 unit, text);
+  if (any_bar(sweep, cell)) {
+    columns.number("+-", unit, [cell](const SweepPoint& point) {
+      const double bar = bar_of(point, cell);
+      return std::isfinite(bar) ? format_error_bar(bar) : "-";
+    });
+  }
+}
+
 ReportTable points_table(const model::Model& model, const SweepResult& sweep, const Units& units) {
   const std::string step = leading_step(model);
   const std::vector<SweepCell> shown = shown_cells(sweep, step);
-  ReportTable table{shown.empty() ? "" : fmt::format("At the end of step {}", step), {}, {}};
+  Columns<SweepPoint> columns;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
-    table.columns.push_back({sweep.parameters[p], units[p], false});
+    columns.number(sweep.parameters[p], units[p],
+                   [p](const SweepPoint& point) { return point.values[p]; });
   }
-  for (const char* const name : {"point", "status", "checks", "warnings"}) {
-    table.columns.push_back({name, "", true});
-  }
+  columns.words("point", &SweepPoint::folder)
+      .words("status", status_word)
+      .words("checks", checks_of)
+      .words("warnings", [](const SweepPoint& point) {
+        return point.warnings > 0 ? std::to_string(point.warnings) : "";
+      });
   const bool several =
       std::ranges::any_of(shown, [](const SweepCell& c) { return c.increment > 1; });
   for (const SweepCell& cell : shown) {
-    if (cell.quantity == "N") {
-      table.columns.push_back({"N", life_unit(model), false});
-      continue;
-    }
-    const bool crack = cell.quantity == "K1";
-    const std::string unit =
-        crack ? model.units.stress_intensity_name() : model.units.stress_name();
-    table.columns.push_back(
-        {fmt::format("{} {}{}", crack ? "K1" : "p max", cell.name,
-                     several ? fmt::format(", increment {}", cell.increment) : std::string()),
-         unit, false});
-    if (any_bar(sweep, cell)) {
-      table.columns.push_back({"+-", unit, false});
-    }
+    add_cell_columns(columns, model, sweep, cell, several);
   }
-  table.columns.push_back({"", "", true});
-  for (const SweepPoint& point : sweep.points) {
-    std::vector<std::string> row;
-    for (const double value : point.values) {
-      row.push_back(fmt::format("{:.6g}", value));
-    }
-    row.insert(row.end(), {point.folder, status_word(point), checks_of(point),
-                           point.warnings > 0 ? std::to_string(point.warnings) : ""});
-    for (const SweepCell& cell : shown) {
-      const SweepCell* const found = find_cell(point, cell.column_name());
-      row.push_back(found == nullptr ? "-" : fmt::format("{:.5g}", found->value));
-      if (any_bar(sweep, cell)) {
-        const double bar = bar_of(point, cell);
-        row.push_back(std::isfinite(bar) ? format_error_bar(bar) : "-");
-      }
-    }
-    row.push_back(point.error);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+  columns.words("", &SweepPoint::error);
+  return columns.table(shown.empty() ? "" : fmt::format("At the end of step {}", step),
+                       sweep.points);
 }
 
 } // namespace
@@ -303,12 +282,12 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   const auto failed =
       std::count_if(sweep.points.begin(), sweep.points.end(),
                     [](const SweepPoint& p) { return p.outcome != base::Outcome::done; });
-  page.add_paragraph(
-      fmt::format("Sweep of {} over {}: {} of {} points were run, {} of them failed. Computed by "
-                  "spricka {}.",
-                  deck_name(sources, 0), fmt::join(sweep.parameters, ", "), sweep.points.size(),
-                  sweep.count, failed, SPRICKA_VERSION),
-      failed > 0 ? "failed" : "about");
+  page.add_html(
+      fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
+                  "failed. Computed by spricka {}.</p>\n",
+                  failed > 0 ? "failed" : "about", escape_xml(deck_name(sources, 0)),
+                  escape_xml(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
+                  sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
   const std::map<int, double> lengths = lengths_of(sweep);
   if (!lengths.empty()) {
     page.add_heading("Stress intensity factors");
@@ -320,8 +299,7 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   const std::string K_name =
       fmt::format("K₁ [{}]", typeset_unit(model.units.stress_intensity_name()));
   for (const auto& [increment, a] : lengths) {
-    const Plot plot =
-        plot_of(sweep, units, K_name, merged(curves_of(model, sweep, "K1", increment)));
+    const Plot plot = plot_of(sweep, units, K_name, merged_k_curves(model, sweep, increment));
     page.add_figure(
         {{draw_svg(plot)},
          "",
@@ -345,10 +323,9 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   if (const auto warned = std::ranges::count_if(
           sweep.points, [](const SweepPoint& point) { return point.warnings > 0; });
       warned > 0) {
-    page.add_paragraph(
-        fmt::format("{} of the points have warnings: their folders' report.html says which.",
-                    warned),
-        "failed");
+    page.add_html(fmt::format("<p class=\"failed\">{} of the points have warnings: their folders' "
+                              "report.html says which.</p>\n",
+                              warned));
   }
   page.add_table(points_table(model, sweep, units));
   return page.finish_page(title);

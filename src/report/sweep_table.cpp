@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/csv.hpp"
 #include "base/exit_codes.hpp"
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
 #include "report/units_line.hpp"
@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <map>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,32 +24,53 @@ namespace {
 using results::SweepCell;
 using results::SweepPoint;
 
-const std::vector<SweepCell>* requested_of(const SweepPoint& point, const std::string& file) {
-  const auto found = point.requested.find(file);
-  return found == point.requested.end() ? nullptr : &found->second;
+// A field with commas, quotes or line ends stands in quotes (RFC 4180); line ends become blanks.
+std::string quoted(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  if (text.find_first_of(",\"") == std::string::npos) {
+    return text;
+  }
+  std::string out = "\"";
+  for (const char c : text) {
+    out += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return out + "\"";
 }
 
-// Columns in the order in which the points bring them.
-void add_columns(const std::vector<SweepCell>& cells, std::vector<std::string>& columns,
-                 std::set<std::string>& known) {
-  for (const SweepCell& cell : cells) {
-    if (known.insert(cell.column_name()).second) {
-      columns.push_back(cell.column_name());
+/// A row: a point of the sweep and the numbers it has by the names of their columns.
+struct SweepRow {
+  const SweepPoint& point;
+  std::map<std::string, double> values;
+};
+
+/// The columns of cells, in the order in which the points bring them.
+class SweepCellColumns {
+public:
+  explicit SweepCellColumns(const results::SweepResult& sweep) {
+    for (const SweepPoint& point : sweep.points) {
+      rows.push_back({point, {}});
     }
   }
-}
-
-std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
-                     const std::string& column) {
-  for (const std::vector<SweepCell>* cells : lists) {
-    for (const SweepCell& cell : *cells) {
-      if (cell.column_name() == column) {
-        return std::isfinite(cell.value) ? fmt::format("{}", cell.value) : "";
+  /// Adds the cells that `cells_of` gives of a point, or null.
+  template <class CellsOf> void add(const CellsOf& cells_of) {
+    for (SweepRow& row : rows) {
+      const std::vector<SweepCell>* const cells = cells_of(row.point);
+      for (std::size_t i = 0; cells != nullptr && i < cells->size(); ++i) {
+        const std::string name = (*cells)[i].column_name();
+        row.values.emplace(name, (*cells)[i].value);
+        if (known_.insert(name).second) {
+          names.push_back(name);
+        }
       }
     }
   }
-  return {};
-}
+
+  std::vector<SweepRow> rows;
+  std::vector<std::string> names;
+
+private:
+  std::set<std::string> known_;
+};
 
 std::string unit_line(const model::Model& model, const results::SweepResult& sweep) {
   using enum base::Quantity;
@@ -72,46 +95,39 @@ std::string unit_line(const model::Model& model, const results::SweepResult& swe
   }
   units.add_column(stress, "S");
   units.add_column(force, "REACTION");
-  return fmt::format("# units: {} as the deck writes them; {}\n", fmt::join(sweep.parameters, " "),
+  return fmt::format("{} as the deck writes them; {}", fmt::join(sweep.parameters, " "),
                      units.units_text(model.units));
 }
 
 std::string table(const model::Model& model, const results::SweepResult& sweep,
                   const std::string& file, bool all) {
-  std::vector<std::string> columns;
-  std::set<std::string> known;
-  for (const SweepPoint& point : sweep.points) {
-    if (all) {
-      add_columns(point.cells, columns, known);
-    }
+  SweepCellColumns cells(sweep);
+  if (all) {
+    cells.add([](const SweepPoint& point) { return &point.cells; });
   }
-  for (const SweepPoint& point : sweep.points) {
-    if (const auto* cells = requested_of(point, file)) {
-      add_columns(*cells, columns, known);
-    }
+  cells.add([&](const SweepPoint& point) {
+    const auto found = point.requested.find(file);
+    return found == point.requested.end() ? nullptr : &found->second;
+  });
+  Columns<SweepRow> columns;
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
+    columns.exact(sweep.parameters[p], [p](const SweepRow& row) { return row.point.values[p]; });
   }
-  std::string text = unit_line(model, sweep);
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "{},point,status,exit_code,error,checks,passed{}{}\n",
-                 fmt::join(sweep.parameters, ","), columns.empty() ? "" : ",",
-                 fmt::join(columns, ","));
-  for (const SweepPoint& point : sweep.points) {
-    fmt::format_to(out, "{},{},{},{},{},{},{}", fmt::join(point.values, ","), point.folder,
-                   status_word(point), base::exit_code(point.outcome), base::csv_field(point.error),
-                   point.checks, point.passed);
-    std::vector<const std::vector<SweepCell>*> lists;
-    if (all) {
-      lists.push_back(&point.cells);
-    }
-    if (const auto* cells = requested_of(point, file)) {
-      lists.push_back(cells);
-    }
-    for (const std::string& column : columns) {
-      fmt::format_to(out, ",{}", value_of(lists, column));
-    }
-    text += '\n';
+  columns.exact("point", [](const SweepRow& row) { return row.point.folder; })
+      .exact("status", [](const SweepRow& row) { return status_word(row.point); })
+      .exact("exit_code", [](const SweepRow& row) { return base::exit_code(row.point.outcome); })
+      .exact("error", [](const SweepRow& row) { return quoted(row.point.error); })
+      .exact("checks", [](const SweepRow& row) { return row.point.checks; })
+      .exact("passed", [](const SweepRow& row) { return row.point.passed; });
+  for (const std::string& name : cells.names) {
+    columns.exact(name, [name](const SweepRow& row) {
+      const auto found = row.values.find(name);
+      return found != row.values.end() && std::isfinite(found->second)
+                 ? std::optional(found->second)
+                 : std::nullopt;
+    });
   }
-  return text;
+  return columns.csv(unit_line(model, sweep), cells.rows);
 }
 
 } // namespace

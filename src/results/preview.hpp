@@ -66,25 +66,17 @@ struct BodyPreview {
   std::vector<std::string> by_nothing;
 };
 
-struct TipPreview {
-  std::string name;
-  base::Vec3 mouth = base::Vec3::Zero();
-  base::Vec3 tip = base::Vec3::Zero();
-  double a = 0.0;
-  double radius = 0.0; ///< of the rosette
-  double size = 0.0;   ///< of the tip elements
-};
-
-/// A front of a crack in space.
+/// A front of a crack; in the plane a tip.
 struct FrontPreview {
   std::string name;
-  std::string kind;                   ///< of the crack: embedded, surface, corner, through
-  double a = 0.0;                     ///< radius of a circle as large as the crack
-  base::Vec3 at = base::Vec3::Zero(); ///< half way along the front
-  double length = 0.0;
-  std::size_t elements = 0; ///< along it
-  double radius = 0.0;      ///< of the tube, the smallest
-  double size = 0.0;        ///< of the elements at the front
+  std::string kind; ///< of a crack in space: embedded, surface, corner, through
+  double a = 0.0;   ///< in space the radius of a circle as large as the crack
+  base::Vec3 mouth = base::Vec3::Zero(); ///< in the plane
+  base::Vec3 at = base::Vec3::Zero();    ///< the tip, or half way along the front
+  double length = 0.0;                   ///< of the front
+  std::size_t elements = 0;              ///< along it
+  double radius = 0.0;                   ///< of the rosette, or of the tube the smallest
+  double size = 0.0;                     ///< of the elements at the front
 };
 
 /// One crack length of the growth plan.
@@ -104,8 +96,7 @@ struct CrackLengthPreview {
   double seconds = 0.0;        ///< [s] forecast of the CPU time
   int condensed = 0;           ///< nets
   int reused = 0;
-  std::vector<TipPreview> tips;
-  std::vector<FrontPreview> fronts; ///< in space
+  std::vector<FrontPreview> fronts;
   std::vector<std::string> notes;
 };
 

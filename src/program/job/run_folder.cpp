@@ -14,7 +14,7 @@
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
-#include "report/topics/script_table.hpp"
+#include "report/topics/model_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
 #include "sense/load_totals.hpp"
 

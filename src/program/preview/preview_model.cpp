@@ -172,19 +172,19 @@ results::CrackLengthPreview preview_length(const model::Model& model,
   length.rows = scene.table.size();
   length.notes = scene.notes;
   for (const mesh::CrackFront& front : cracked.fronts) {
-    results::TipPreview preview;
+    results::FrontPreview preview;
     preview.name = analysis::front_name(model, scene, front);
     const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
     const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face();
     if (!crack_face.empty()) {
       preview.mouth = cracked.mesh.x[crack_face.front().index()];
     }
-    preview.tip = front.tip_point().x;
+    preview.at = front.tip_point().x;
     preview.a = front.a;
     preview.radius = front.radius;
     preview.size = front.size;
     length.a = length.a > 0.0 ? length.a : front.a;
-    length.tips.push_back(std::move(preview));
+    length.fronts.push_back(std::move(preview));
   }
   for (const analysis::FrontWithDomains& at : scene.fronts) {
     const mesh::CrackFront& front = at.front;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/beach_marks.hpp"
 
-#include "report/drawing/svg.hpp"
+#include "report/drawing/picture_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -20,30 +19,18 @@ constexpr double marks_scale_height = 30.0;
 constexpr double marks_tallest = 1.2; // of the width
 constexpr double marks_text_line = 14.0;
 
-struct MarksBox {
-  DrawingPoint low{std::numeric_limits<double>::infinity(),
-                   std::numeric_limits<double>::infinity()};
-  DrawingPoint high{-low.x, -low.y};
-  void take(const DrawingPoint& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-};
-
 } // namespace
 
 std::string draw_svg(const BeachMarkView& view) {
-  const auto flat = [&](const base::Vec3& x) {
-    return DrawingPoint{view.right.dot(x), view.up.dot(x)};
-  };
-  MarksBox box;
+  const PictureEye flat{.right = view.right, .up = view.up};
+  PictureBox box;
   for (const BeachMark& mark : view.marks) {
     for (const std::vector<base::Vec3>& front : mark.fronts) {
-      std::ranges::for_each(front, [&](const base::Vec3& x) { box.take(flat(x)); });
+      std::ranges::for_each(front, [&](const base::Vec3& x) { box.add(flat(x)); });
     }
   }
-  const double across = box.high.x - box.low.x;
-  const double high = box.high.y - box.low.y;
+  const double across = box.width();
+  const double high = box.height();
   if (!(across > 0.0 || high > 0.0)) {
     return {};
   }
@@ -64,10 +51,7 @@ std::string draw_svg(const BeachMarkView& view) {
     for (const std::vector<base::Vec3>& front : view.marks[k].fronts) {
       std::vector<DrawingPoint> points;
       std::ranges::transform(front, std::back_inserter(points), pixel);
-      svg.polyline(points, ShapeStyle{.stroke = std::string(palette_colour(border ? 1 : 0)),
-                                      .width = border ? 2.0 : 1.0,
-                                      .fill = "none",
-                                      .dash = ""});
+      svg.polyline(points, {std::string(palette_colour(border ? 1 : 0)), border ? 2.0 : 1.0});
       for (const DrawingPoint& p : points) {
         last = p.x > last.x ? p : last;
       }
@@ -88,8 +72,7 @@ std::string draw_svg(const BeachMarkView& view) {
   }
   const double bar = round_number_below(0.4 * std::max(across, high));
   const double y = top + scale * high + marks_margin + 8.0;
-  svg.line({marks_margin, y}, {marks_margin + scale * bar, y},
-           ShapeStyle{.stroke = "#000", .width = 2.0, .fill = "none", .dash = ""});
+  svg.line({marks_margin, y}, {marks_margin + scale * bar, y}, ShapeStyle{.width = 2.0});
   svg.text({marks_margin + scale * bar + 6.0, y + 4.0},
            fmt::format("{:.6g} {}", bar, view.length_name), TextStyle{});
   return svg.svg_text();

@@ -41,18 +41,19 @@ std::string band_colour(std::size_t band) {
 
 void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint corner,
                         double width, std::string_view words) {
+  if (!(scale.high > scale.low)) {
+    return;
+  }
   const double part = width / static_cast<double>(colour_bands);
   for (std::size_t b = 0; b < colour_bands; ++b) {
     const std::string fill = band_colour(b);
     svg.rectangle({corner.x + part * static_cast<double>(b), corner.y}, part, 11.0,
                   {fill, 0.3, fill, ""});
   }
-  const std::vector<double> ticks = round_ticks(scale.low, scale.high, 5);
-  for (const double value : ticks) {
-    const double x = corner.x + width * (value - scale.low) / (scale.high - scale.low);
+  for (const AxisTick& tick : round_ticks(scale.low, scale.high, 5)) {
+    const double x = corner.x + width * (tick.value - scale.low) / (scale.high - scale.low);
     svg.line({x, corner.y + 11.0}, {x, corner.y + 15.0}, {"#000", 0.8, "none", ""});
-    svg.text({x, corner.y + 27.0}, tick_text(value, ticks.size() > 1 ? ticks[1] - ticks[0] : value),
-             {TextAnchor::middle, 11.0});
+    svg.text({x, corner.y + 27.0}, tick.text, {TextAnchor::middle, 11.0});
   }
   svg.text({corner.x + width, corner.y - 5.0}, words, {TextAnchor::end, 11.0});
 }

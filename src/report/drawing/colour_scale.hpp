@@ -25,7 +25,8 @@ ColourScale scale_between(double low, double high);
 /// Dark to light, even steps to the eye (Smith and van der Walt's viridis, five of its colours).
 std::string band_colour(std::size_t band);
 
-/// The bands with round numbers below and `words` above; corner: upper left.
+/// The bands with round numbers below and `words` above; corner: upper left. Nothing of a scale
+/// without extent.
 void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint corner,
                         double width, std::string_view words);
 

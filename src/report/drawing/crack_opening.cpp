@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/crack_opening.hpp"
 
+#include "report/drawing/picture_frame.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -30,14 +32,6 @@ private:
   base::Vec3 origin_;
   double step_;
 };
-
-base::Vec3 area_of(const model::Mesh& mesh, const std::vector<base::NodeId>& outline) {
-  base::Vec3 area = base::Vec3::Zero();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    area += mesh.x[outline[i].index()].cross(mesh.x[outline[(i + 1) % outline.size()].index()]);
-  }
-  return area;
-}
 
 bool lies_in(const FittedFrontPlane& frame, const model::Mesh& mesh,
              const std::vector<base::NodeId>& outline) {
@@ -102,7 +96,7 @@ std::vector<CrackFaceOpening> crack_face_openings(const results::Increment& incr
     if (!lies_in(frame, mesh, face.outline)) {
       continue;
     }
-    if (area_of(mesh, face.outline).dot(frame.normal) > 0.0) {
+    if (doubled_area(mesh, face.outline).dot(frame.normal) > 0.0) {
       lower[places.key(middle(face.outline))] = &face.outline;
     } else {
       upper.push_back(&face.outline);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/crack_picture.hpp"
 
-#include "model/mesh.hpp"
 #include "report/drawing/colour_scale.hpp"
 #include "report/drawing/crack_opening.hpp"
-#include "report/drawing/svg.hpp"
+#include "report/drawing/picture_frame.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -18,28 +17,9 @@
 namespace spricka::report {
 namespace {
 
-constexpr double edge_margin = 14.0;
-constexpr double crack_title_room = 26.0;
-constexpr double colours_room = 48.0;
-
-/// What the picture's right and up are, and where the eye is.
-struct Eye {
-  base::Vec3 towards;
-  base::Vec3 right;
-  base::Vec3 up;
-  [[nodiscard]] DrawingPoint operator()(const base::Vec3& x) const {
-    return {right.dot(x), up.dot(x)};
-  }
-};
-
-Eye eye_at(const base::Vec3& towards, const base::Vec3& up) {
-  const base::Vec3 right = up.cross(towards).normalized();
-  return {towards, right, towards.cross(right)};
-}
-
 /// Of slanted views with z up the one that sees most of the crack's face and its mouth.
-Eye eye_for(const FittedFrontPlane& frame) {
-  Eye best;
+PictureEye eye_for(const FittedFrontPlane& frame) {
+  PictureEye best;
   double most = -std::numeric_limits<double>::infinity();
   for (const double first : {0.5, -0.5, 0.75, -0.75}) {
     for (const double up : {0.45, -0.45}) {
@@ -50,7 +30,7 @@ Eye eye_for(const FittedFrontPlane& frame) {
         const double seen = flat - towards.dot(frame.growth) + (up > 0.0 ? 0.1 : 0.0);
         if (seen > most + 1e-9) {
           most = seen;
-          best = eye_at(towards, base::Vec3::UnitZ());
+          best = PictureEye::looking_from(towards, base::Vec3::UnitZ());
         }
       }
     }
@@ -58,37 +38,11 @@ Eye eye_for(const FittedFrontPlane& frame) {
   return best;
 }
 
-/// From places as the eye has them to pixels, y down.
-class CrackWindow {
-public:
-  void take(DrawingPoint p) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-  }
-  /// No more of it than `half` each way from a place.
-  void narrow(DrawingPoint middle, double half) {
-    low_ = {std::max(low_.x, middle.x - half), std::max(low_.y, middle.y - half)};
-    high_ = {std::min(high_.x, middle.x + half), std::min(high_.y, middle.y + half)};
-  }
-  void fit(double width) {
-    const double inner = width - 2.0 * edge_margin;
-    scale_ = std::min(inner / (high_.x - low_.x), 0.85 * inner / (high_.y - low_.y));
-    left_ = 0.5 * (width - scale_ * (high_.x - low_.x));
-  }
-  [[nodiscard]] bool empty() const { return !(high_.x > low_.x && high_.y > low_.y); }
-  [[nodiscard]] double height() const { return scale_ * (high_.y - low_.y) + 2.0 * edge_margin; }
-  [[nodiscard]] DrawingPoint operator()(DrawingPoint p) const {
-    return {left_ + scale_ * (p.x - low_.x),
-            crack_title_room + edge_margin + scale_ * (high_.y - p.y)};
-  }
-
-private:
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-  DrawingPoint low_{infinite, infinite};
-  DrawingPoint high_{-infinite, -infinite};
-  double scale_ = 1.0;
-  double left_ = 0.0;
-};
+/// No more of a box than `half` each way from a place.
+void narrow(PictureBox& box, DrawingPoint middle, double half) {
+  box.low = {std::max(box.low.x, middle.x - half), std::max(box.low.y, middle.y - half)};
+  box.high = {std::min(box.high.x, middle.x + half), std::min(box.high.y, middle.y + half)};
+}
 
 /// An edge of the surface, the normals of the faces that meet there and its nodes.
 struct RidgeEdge {
@@ -108,12 +62,7 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
     }
     const std::size_t n = face.outline.size();
     const std::size_t step = base::element_info(mesh.type[face.element.index()]).quadratic ? 2 : 1;
-    base::Vec3 area = base::Vec3::Zero();
-    const base::Vec3& origin = mesh.x[face.outline.front().index()];
-    for (std::size_t i = 0; i < n; ++i) {
-      area += (mesh.x[face.outline[i].index()] - origin)
-                  .cross(mesh.x[face.outline[(i + 1) % n].index()] - origin);
-    }
+    const base::Vec3 normal = doubled_area(mesh, face.outline).normalized();
     for (std::size_t i = 0; i < n; i += step) {
       const base::NodeId a = face.outline[i];
       const base::NodeId b = face.outline[(i + step) % n];
@@ -123,7 +72,7 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
           edge.nodes.push_back(face.outline[(i + k) % n]);
         }
       }
-      edge.normal.push_back(area.normalized());
+      edge.normal.push_back(normal);
     }
   }
   std::vector<RidgeEdge> kept;
@@ -137,13 +86,7 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
 
 base::NetId net_of_front(const results::Increment& increment, const results::FrontResult& front) {
   const model::Mesh& mesh = increment.mesh;
-  const base::Vec3& x = front.points.front().x;
-  base::NodeId nearest = mesh.nodes.front();
-  for (const base::NodeId n : mesh.nodes) {
-    if ((mesh.x[n.index()] - x).squaredNorm() < (mesh.x[nearest.index()] - x).squaredNorm()) {
-      nearest = n;
-    }
-  }
+  const base::NodeId nearest = nearest_node(mesh, front.points.front().x);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.element_nodes(base::ElementId(e));
     if (std::ranges::find(nodes, nearest) != nodes.end()) {
@@ -153,12 +96,21 @@ base::NetId net_of_front(const results::Increment& increment, const results::Fro
   return {};
 }
 
+std::vector<DrawingPoint> node_line(const std::vector<base::NodeId>& nodes, const model::Mesh& mesh,
+                                    const PictureEye& eye, const PictureFrame& frame) {
+  std::vector<DrawingPoint> line;
+  for (const base::NodeId n : nodes) {
+    line.push_back(frame(eye(mesh.x[n.index()])));
+  }
+  return line;
+}
+
 /// Points of the front in the picture, the first once more where it is closed.
-std::vector<DrawingPoint> front_line(const CrackView& view, const Eye& eye,
-                                     const CrackWindow& window) {
+std::vector<DrawingPoint> front_line(const CrackView& view, const PictureEye& eye,
+                                     const PictureFrame& frame) {
   std::vector<DrawingPoint> line;
   for (const results::FrontPointResult& p : view.front->points) {
-    line.push_back(window(eye(p.x)));
+    line.push_back(frame(eye(p.x)));
   }
   if (view.front->is_loop) {
     line.push_back(line.front());
@@ -192,125 +144,95 @@ void draw_front_line(SvgDrawing& svg, const CrackView& view, const std::vector<D
   }
 }
 
-void title_of(SvgDrawing& svg, double width, const std::string& words) {
-  svg.text({0.5 * width, 15.0}, words, {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
-}
-
-void draw_legend(SvgDrawing& svg, const ColourScale& scale, double top, double width,
+void draw_legend(SvgDrawing& svg, const ColourScale& scale, const PictureFrame& frame, double width,
                  const std::string& words) {
-  if (scale.high > scale.low) {
-    draw_colour_legend(svg, scale, {0.2 * width, top + 12.0}, 0.6 * width, words);
-  }
-}
-
-SvgPathData outline_path(const std::vector<base::NodeId>& outline, const model::Mesh& mesh,
-                         const Eye& eye, const CrackWindow& window) {
-  SvgPathData path;
-  path.move(window(eye(mesh.x[outline.front().index()])));
-  for (std::size_t i = 1; i < outline.size(); ++i) {
-    path.line(window(eye(mesh.x[outline[i].index()])));
-  }
-  return path.close();
+  draw_colour_legend(svg, scale, {0.2 * width, frame.foot() + 12.0}, 0.6 * width, words);
 }
 
 } // namespace
 
 std::string draw_front(const CrackView& view) {
-  const std::optional<FittedFrontPlane> frame = fit_front_plane(*view.front);
+  const std::optional<FittedFrontPlane> plane = fit_front_plane(*view.front);
   const results::Increment& increment = *view.increment;
-  if (!frame || increment.surface.empty()) {
+  if (!plane || increment.surface.empty()) {
     return {};
   }
-  const Eye eye = eye_for(*frame);
+  const PictureEye eye = eye_for(*plane);
   const std::vector<RidgeEdge> edges = ridges(increment, net_of_front(increment, *view.front));
-  CrackWindow window;
+  PictureBox box;
   for (const RidgeEdge& edge : edges) {
     for (const base::NodeId n : edge.nodes) {
-      window.take(eye(increment.mesh.x[n.index()]));
+      box.add(eye(increment.mesh.x[n.index()]));
     }
   }
   constexpr double surroundings = 4.0; // sizes of the crack
-  window.narrow(eye(frame->centre), surroundings * frame->size);
-  if (window.empty()) {
+  narrow(box, eye(plane->centre), surroundings * plane->size);
+  if (box.empty()) {
     return {};
   }
-  window.fit(view.width);
-  const std::string title = fmt::format("{} in its body", view.front->name);
-  SvgDrawing svg(view.width, crack_title_room + window.height() + colours_room, title);
-  title_of(svg, view.width, title);
-  svg.clip(fmt::format("front-{}", view.front->name), {0.0, crack_title_room}, view.width,
-           window.height());
+  const PictureFrame frame(box, view.width);
+  SvgDrawing svg = frame.begin(fmt::format("{} in its body", view.front->name));
+  svg.clip(fmt::format("front-{}", view.front->name), {0.0, PictureFrame::head}, view.width,
+           frame.height());
   for (const RidgeEdge& edge : edges) {
     // behind the body: both faces look away
     const bool hidden = std::ranges::all_of(
         edge.normal, [&](const base::Vec3& n) { return n.dot(eye.towards) < 0.0; });
-    std::vector<DrawingPoint> line;
-    for (const base::NodeId n : edge.nodes) {
-      line.push_back(window(eye(increment.mesh.x[n.index()])));
-    }
-    svg.polyline(line, {hidden ? "#b8bec8" : "#334", hidden ? 0.6 : 0.9, "none", ""});
+    svg.polyline(node_line(edge.nodes, increment.mesh, eye, frame),
+                 {hidden ? "#b8bec8" : "#334", hidden ? 0.6 : 0.9, "none", ""});
   }
-  for (const CrackFaceOpening& face : crack_face_openings(increment, *view.step, *frame)) {
-    svg.path(outline_path(face.outline, increment.mesh, eye, window),
-             {"#e8c9a0", 0.5, "#e8c9a0", ""});
+  for (const CrackFaceOpening& face : crack_face_openings(increment, *view.step, *plane)) {
+    svg.polygon(node_line(face.outline, increment.mesh, eye, frame),
+                {"#e8c9a0", 0.5, "#e8c9a0", ""});
   }
   svg.unclip();
   const ColourScale scale = k_scale(*view.front);
-  draw_front_line(svg, view, front_line(view, eye, window), scale);
-  draw_legend(svg, scale, crack_title_room + window.height(), view.width,
-              fmt::format("K1, {}", view.k_name));
+  draw_front_line(svg, view, front_line(view, eye, frame), scale);
+  draw_legend(svg, scale, frame, view.width, fmt::format("K1, {}", view.k_name));
   return svg.svg_text();
 }
 
 std::string draw_opening(const CrackView& view) {
-  const std::optional<FittedFrontPlane> frame = fit_front_plane(*view.front);
+  const std::optional<FittedFrontPlane> plane = fit_front_plane(*view.front);
   const results::Increment& increment = *view.increment;
-  if (!frame || view.step->u.size() != static_cast<Eigen::Index>(3 * increment.mesh.node_count())) {
+  if (!plane || view.step->u.size() != static_cast<Eigen::Index>(3 * increment.mesh.node_count())) {
     return {};
   }
-  const std::vector<CrackFaceOpening> faces = crack_face_openings(increment, *view.step, *frame);
-  if (faces.empty()) {
-    return {};
-  }
+  const std::vector<CrackFaceOpening> faces = crack_face_openings(increment, *view.step, *plane);
   // the way of growth to the right, from above the upper face
-  const base::Vec3 to_right = frame->growth.norm() > 0.1 ? base::Vec3(frame->growth.normalized())
-                                                         : frame->normal.unitOrthogonal();
-  const Eye eye = eye_at(frame->normal, frame->normal.cross(to_right));
-  CrackWindow window;
+  const base::Vec3 to_right = plane->growth.norm() > 0.1 ? base::Vec3(plane->growth.normalized())
+                                                         : plane->normal.unitOrthogonal();
+  const PictureEye eye = PictureEye::looking_from(plane->normal, plane->normal.cross(to_right));
+  PictureBox box;
+  double low = 0.0;
   double opening = 0.0;
   double sliding = 0.0;
   for (const CrackFaceOpening& face : faces) {
+    low = std::min(low, face.opening);
     opening = std::max(opening, std::abs(face.opening));
     sliding = std::max(sliding, face.sliding);
     for (const base::NodeId n : face.outline) {
-      window.take(eye(increment.mesh.x[n.index()]));
+      box.add(eye(increment.mesh.x[n.index()]));
     }
   }
-  if (window.empty()) {
+  if (box.empty()) {
     return {};
   }
-  window.fit(view.width);
+  const PictureFrame frame(box, view.width);
   const bool slides = opening < 1e-3 * sliding; // closed, and one face along the other
-  double low = 0.0;
+  const char* const what = slides ? "sliding" : "opening";
+  const ColourScale scale = slides ? scale_between(0.0, sliding) : scale_between(low, opening);
+  SvgDrawing svg = frame.begin(fmt::format("{}, {} of its faces", view.front->name, what));
   for (const CrackFaceOpening& face : faces) {
-    low = slides ? low : std::min(low, face.opening);
+    svg.polygon(node_line(face.outline, increment.mesh, eye, frame),
+                {"#223", 0.3, band_colour(scale.band(slides ? face.sliding : face.opening)), ""});
   }
-  const ColourScale scale = scale_between(low, slides ? sliding : opening);
-  const std::string title =
-      fmt::format("{}, {} of its faces", view.front->name, slides ? "sliding" : "opening");
-  SvgDrawing svg(view.width, crack_title_room + window.height() + colours_room, title);
-  title_of(svg, view.width, title);
-  for (const CrackFaceOpening& face : faces) {
-    svg.path(outline_path(face.outline, increment.mesh, eye, window),
-             {"#223", 0.3, band_colour(scale.band(slides ? face.sliding : face.opening)), ""});
-  }
-  const std::vector<DrawingPoint> line = front_line(view, eye, window);
+  const std::vector<DrawingPoint> line = front_line(view, eye, frame);
   svg.polyline(line, {"#d55e00", 2.0, "none", ""});
   for (std::size_t i = 0; i < view.front->points.size(); ++i) {
     svg.marker(MarkerShape::circle, line[i], {"#d55e00", 1.0, "#fff", ""});
   }
-  draw_legend(svg, scale, crack_title_room + window.height(), view.width,
-              fmt::format("{}, {}", slides ? "sliding" : "opening", view.length_name));
+  draw_legend(svg, scale, frame, view.width, fmt::format("{}, {}", what, view.length_name));
   return svg.svg_text();
 }
 

@@ -3,13 +3,13 @@
 
 #include "model/mesh.hpp"
 #include "report/drawing/model_marks.hpp"
+#include "report/drawing/picture_frame.hpp"
 #include "report/drawing/rigid_picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace spricka::report {
 namespace {
@@ -54,14 +54,13 @@ struct DrawnEdge {
   [[nodiscard]] auto key() const { return std::array{low.value, high.value, mid.value}; }
 };
 
-/// Adds the side s of an element to a path that stands at its first end.
-void add_side(SvgPathData& path, const Projection& project, std::span<const base::NodeId> nodes,
-              const base::ElementInfo& info, std::size_t s) {
-  const auto corners = static_cast<std::size_t>(info.corners);
-  const DrawingPoint a = project(nodes[s]);
-  const DrawingPoint b = project(nodes[(s + 1) % corners]);
-  if (info.quadratic) {
-    const DrawingPoint m = project(nodes[corners + s]);
+/// Goes on along an edge in a path that stands at its first end; mid: invalid on straight edges.
+void add_edge(SvgPathData& path, const Projection& project, base::NodeId first, base::NodeId second,
+              base::NodeId mid) {
+  const DrawingPoint a = project(first);
+  const DrawingPoint b = project(second);
+  if (mid.valid()) {
+    const DrawingPoint m = project(mid);
     path.quadratic({2.0 * m.x - 0.5 * (a.x + b.x), 2.0 * m.y - 0.5 * (a.y + b.y)}, b);
   } else {
     path.line(b);
@@ -70,15 +69,12 @@ void add_side(SvgPathData& path, const Projection& project, std::span<const base
 
 bool in_window(const MeshView& view, const Projection& project,
                std::span<const base::NodeId> nodes) {
-  DrawingPoint low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  DrawingPoint high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+  PictureBox box;
   for (const base::NodeId n : nodes) {
-    const DrawingPoint p = project(n);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    box.add(project(n));
   }
-  return high.x >= 0.0 && low.x <= view.width && high.y >= title_height &&
-         low.y <= title_height + project.height();
+  return box.high.x >= 0.0 && box.low.x <= view.width && box.high.y >= title_height &&
+         box.low.y <= title_height + project.height();
 }
 
 struct Drawn {
@@ -158,12 +154,15 @@ Drawn collect(const MeshView& view, const Projection& project) {
       continue;
     }
     const auto corners = static_cast<std::size_t>(info.corners);
+    const auto mid = [&](std::size_t s) {
+      return info.quadratic ? nodes[corners + s] : base::NodeId();
+    };
     if (view.field.empty()) {
       const std::size_t layer = net.valid() ? net.index() : 0;
       drawn.areas.resize(std::max(drawn.areas.size(), layer + 1));
       SvgPathData& area = drawn.areas[layer].move(project(nodes[0]));
       for (std::size_t s = 0; s < corners; ++s) {
-        add_side(area, project, nodes, info, s);
+        add_edge(area, project, nodes[s], nodes[(s + 1) % corners], mid(s));
       }
       area.close();
     } else {
@@ -172,7 +171,7 @@ Drawn collect(const MeshView& view, const Projection& project) {
     }
     for (std::size_t s = 0; s < corners; ++s) {
       const auto [low, high] = std::minmax(nodes[s], nodes[(s + 1) % corners]);
-      drawn.edges.push_back({low, high, info.quadratic ? nodes[corners + s] : base::NodeId()});
+      drawn.edges.push_back({low, high, mid(s)});
     }
   }
   std::sort(drawn.edges.begin(), drawn.edges.end(),
@@ -190,15 +189,8 @@ void draw_edges(SvgDrawing& svg, const Projection& project, const std::vector<Dr
       ++next;
     }
     SvgPathData& path = next == i + 1 ? outline : inner;
-    const DrawingPoint a = project(edges[i].low);
-    const DrawingPoint b = project(edges[i].high);
-    path.move(a);
-    if (edges[i].mid.valid()) {
-      const DrawingPoint m = project(edges[i].mid);
-      path.quadratic({2.0 * m.x - 0.5 * (a.x + b.x), 2.0 * m.y - 0.5 * (a.y + b.y)}, b);
-    } else {
-      path.line(b);
-    }
+    path.move(project(edges[i].low));
+    add_edge(path, project, edges[i].low, edges[i].high, edges[i].mid);
     i = next;
   }
   if (inside) {
@@ -232,8 +224,7 @@ std::string draw_svg(const MeshView& view) {
   const bool coloured = !view.field.empty();
   const double foot = title_height + project.height() + foot_height;
   SvgDrawing svg(view.width, foot + (coloured ? scale_height : 0.0), view.title);
-  svg.text({0.5 * view.width, 14.0}, view.title,
-           {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
+  svg.title({0.5 * view.width, 14.0}, view.title);
   svg.clip(view.id, {0.0, title_height}, view.width, project.height());
   for (std::size_t i = 0; i < drawn.areas.size(); ++i) {
     const std::string tint = coloured ? band_colour(i) : tints[i % tints.size()];
@@ -259,7 +250,7 @@ std::string draw_svg(const MeshView& view) {
   svg.unclip();
   svg.rectangle({0.5, title_height}, view.width - 1.0, project.height(), {"#999", 0.8, "none", ""});
   draw_bar(svg, view, project);
-  if (coloured && view.scale.high > view.scale.low) {
+  if (coloured) {
     draw_colour_legend(svg, view.scale, {0.1 * view.width, foot + 14.0}, 0.8 * view.width,
                        view.field_words);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/plot.hpp"
 
+#include "report/drawing/table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace spricka::report {
 namespace {
@@ -68,16 +71,6 @@ DrawingPoint place(DrawingPoint p, const AxisRange& x, const AxisRange& y) {
           box_top + box_height * (y.high - y.on(p.y)) / (y.high - y.low)};
 }
 
-double distance(const std::vector<double>& ticks) {
-  return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-}
-
-/// Where an axis has a number, and the number.
-struct Tick {
-  double value = 0.0;
-  std::string text;
-};
-
 /// lead times ten to the power d: 0.02, 1000, 2·10⁷.
 std::string decade_text(int lead, int d) {
   constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -93,8 +86,8 @@ std::string decade_text(int lead, int d) {
 }
 
 /// Powers of ten, with 2 and 5 between them where there are few, or all digits within one.
-std::vector<Tick> decade_ticks(const AxisRange& range) {
-  std::vector<Tick> ticks;
+std::vector<AxisTick> decade_ticks(const AxisRange& range) {
+  std::vector<AxisTick> ticks;
   const auto first = static_cast<int>(std::floor(range.low));
   const auto last = static_cast<int>(std::ceil(range.high));
   const int skip = std::max(1, (last - first) / 8);
@@ -111,23 +104,14 @@ std::vector<Tick> decade_ticks(const AxisRange& range) {
   return ticks;
 }
 
-std::vector<Tick> ticks_of(const AxisRange& range, int wanted) {
-  if (range.log) {
-    return decade_ticks(range);
-  }
-  std::vector<Tick> ticks;
-  const std::vector<double> values = round_ticks(range.low, range.high, wanted);
-  ticks.reserve(values.size());
-  for (const double value : values) {
-    ticks.push_back({value, tick_text(value, distance(values))});
-  }
-  return ticks;
+std::vector<AxisTick> ticks_of(const AxisRange& range, int wanted) {
+  return range.log ? decade_ticks(range) : round_ticks(range.low, range.high, wanted);
 }
 
 /// Of the longest number.
-double width_of(const std::vector<Tick>& ticks) {
+double width_of(const std::vector<AxisTick>& ticks) {
   std::ptrdiff_t letters = 0;
-  for (const Tick& tick : ticks) {
+  for (const AxisTick& tick : ticks) {
     letters = std::max(letters, std::ranges::count_if(tick.text, [](char c) {
                          return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // UTF-8
                        }));
@@ -141,8 +125,8 @@ double box_left(const AxisRange& y) {
 }
 
 /// As many as stand side by side with a letter between them.
-std::vector<Tick> ticks_side_by_side(const AxisRange& range) {
-  std::vector<Tick> ticks;
+std::vector<AxisTick> ticks_side_by_side(const AxisRange& range) {
+  std::vector<AxisTick> ticks;
   for (int wanted = 7; wanted > 1; --wanted) {
     ticks = ticks_of(range, wanted);
     const double room = box_width / static_cast<double>(std::max<std::size_t>(ticks.size(), 1));
@@ -157,13 +141,13 @@ void draw_axes(SvgDrawing& svg, const Plot& plot, const AxisRange& x, const Axis
   const ShapeStyle grid{"#ddd", 0.7, "none", ""};
   const ShapeStyle axis{"#000", 0.9, "none", ""};
   const double bottom = box_top + box_height;
-  for (const Tick& tick : ticks_side_by_side(x)) {
+  for (const AxisTick& tick : ticks_side_by_side(x)) {
     const double at = place({tick.value, 1.0}, x, y).x;
     svg.line({at, box_top}, {at, bottom}, grid);
     svg.line({at, bottom}, {at, bottom - 5.0}, axis);
     svg.text({at, bottom + 16.0}, tick.text, {TextAnchor::middle});
   }
-  for (const Tick& tick : ticks_of(y, 6)) {
+  for (const AxisTick& tick : ticks_of(y, 6)) {
     const double at = place({1.0, tick.value}, x, y).y;
     svg.line({x.left, at}, {x.left + box_width, at}, grid);
     svg.line({x.left, at}, {x.left + 5.0, at}, axis);
@@ -284,6 +268,26 @@ void draw_legend(SvgDrawing& svg, const std::vector<LegendEntry>& entries, Drawi
 }
 
 } // namespace
+
+PlotSeries numbered_curve(std::string name, std::size_t colour, std::size_t dash) {
+  PlotSeries series;
+  series.name = std::move(name);
+  series.colour = palette_colour(colour);
+  series.dash = dash_pattern(dash);
+  return series;
+}
+
+PlotSeries separate_marks(std::string name, MarkerShape shape) {
+  PlotSeries series;
+  series.name = std::move(name);
+  series.joined = false;
+  series.marker = shape;
+  return series;
+}
+
+std::string axis_title(std::string_view name, std::string_view unit) {
+  return unit.empty() ? std::string(name) : fmt::format("{}  [{}]", name, typeset_unit(unit));
+}
 
 std::string draw_svg(const Plot& plot) {
   AxisRange x = range_of(plot, &DrawingPoint::x);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spricka::report {
@@ -22,6 +23,16 @@ struct PlotSeries {
   bool joined = true;
   std::optional<MarkerShape> marker;
 };
+
+/// A line in the colour and with the dashes of these numbers.
+PlotSeries numbered_curve(std::string name, std::size_t colour, std::size_t dash);
+
+/// Marks without a line, black.
+PlotSeries separate_marks(std::string name, MarkerShape shape);
+
+/// "K₁  [MPa √mm]": what an axis shows, with its unit as base::UnitSystem writes it; the name alone
+/// without one.
+std::string axis_title(std::string_view name, std::string_view unit);
 
 /// Curves over one axis; names of axes come with their units. The y axis starts at 0 unless a
 /// value lies below, or counts in powers of ten.

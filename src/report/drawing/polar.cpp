@@ -48,56 +48,39 @@ void draw_circles(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scal
                {TextAnchor::middle, 11.0});
     }
   }
-  const std::vector<double> ticks = round_ticks(std::min(plot.low, 0.0), plot.high, 3);
-  for (const double t : ticks) {
-    if (t != 0.0 && scale(t) > innermost) {
-      svg.circle(at(0.0, 0.0), scale(t), grid);
+  for (const AxisTick& tick : round_ticks(std::min(plot.low, 0.0), plot.high, 3)) {
+    if (tick.value != 0.0 && scale(tick.value) > innermost) {
+      svg.circle(at(0.0, 0.0), scale(tick.value), grid);
     }
   }
 }
 
 /// Numbers stand on top of the curves, on a ray between the angles that are named.
 void draw_numbers(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scale) {
-  const std::vector<double> ticks = round_ticks(std::min(plot.low, 0.0), plot.high, 3);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-  for (const double t : ticks) {
-    if (scale(t) > innermost + 6.0) {
-      const DrawingPoint p = at(scale(t), -0.75 * pi);
-      svg.text({p.x, p.y + 3.5}, tick_text(t, step), {TextAnchor::middle, 10.0, "#333", 0.0, true});
+  for (const AxisTick& tick : round_ticks(std::min(plot.low, 0.0), plot.high, 3)) {
+    if (scale(tick.value) > innermost + 6.0) {
+      const DrawingPoint p = at(scale(tick.value), -0.75 * pi);
+      svg.text({p.x, p.y + 3.5}, tick.text, {TextAnchor::middle, 10.0, "#333", 0.0, true});
     }
   }
 }
 
-DrawingPoint on_curve(const PolarPlot& plot, const PolarScale& scale, const DrawingPoint& p) {
-  return at(scale(std::clamp(p.y, plot.low, plot.high)), p.x);
-}
-
-/// The area between a piece of the curve and the bore.
-SvgPathData area(const PolarPlot& plot, const PolarScale& scale,
-                 const std::vector<DrawingPoint>& piece) {
-  SvgPathData data;
-  for (const DrawingPoint& p : piece) {
-    const DrawingPoint q = on_curve(plot, scale, p);
-    data.empty() ? data.move(q) : data.line(q);
-  }
-  for (auto p = piece.rbegin(); p != piece.rend(); ++p) {
-    data.line(at(scale.bore, p->x));
-  }
-  return data.close();
-}
-
-void draw_curve(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scale,
-                const PolarCurve& curve) {
-  for (const std::vector<DrawingPoint>& piece : curve.pieces) {
-    if (curve.tinted && piece.size() > 1) {
-      svg.path(area(plot, scale, piece), {"none", 0.0, curve.colour + "1c", ""});
-    }
-  }
+/// A piece of the curve; of a tinted one the area between it and the bore too.
+void draw_pieces(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scale,
+                 const PolarCurve& curve, bool areas) {
   for (const std::vector<DrawingPoint>& piece : curve.pieces) {
     std::vector<DrawingPoint> points(piece.size());
-    std::transform(piece.begin(), piece.end(), points.begin(),
-                   [&](const DrawingPoint& p) { return on_curve(plot, scale, p); });
-    svg.polyline(points, {curve.colour, 1.5, "none", curve.dash});
+    std::ranges::transform(piece, points.begin(), [&](const DrawingPoint& p) {
+      return at(scale(std::clamp(p.y, plot.low, plot.high)), p.x);
+    });
+    if (!areas) {
+      svg.polyline(points, {curve.colour, 1.5, "none", curve.dash});
+    } else if (curve.tinted && piece.size() > 1) {
+      for (auto p = piece.rbegin(); p != piece.rend(); ++p) {
+        points.push_back(at(scale.bore, p->x));
+      }
+      svg.polygon(points, {"none", 0.0, curve.colour + "1c", ""});
+    }
   }
 }
 
@@ -106,13 +89,14 @@ void draw_curve(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scale,
 std::string draw_svg(const PolarPlot& plot) {
   const PolarScale scale = scale_of(plot);
   SvgDrawing svg(size, size + 8.0, plot.title);
-  svg.text({0.5 * size, 14.0}, plot.title, {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
+  svg.title({0.5 * size, 14.0}, plot.title);
   draw_circles(svg, plot, scale);
   for (const double theta : plot.mouths) {
     svg.line(at(scale.bore, theta), at(outer + 5.0, theta), {"#000", 1.6, "none", ""});
   }
   for (const PolarCurve& curve : plot.curves) {
-    draw_curve(svg, plot, scale, curve);
+    draw_pieces(svg, plot, scale, curve, true);
+    draw_pieces(svg, plot, scale, curve, false);
   }
   svg.circle(at(0.0, 0.0), scale.bore, {"#000", 1.0, "none", ""});
   draw_numbers(svg, plot, scale);

@@ -3,7 +3,7 @@
 
 #include "model/property_points.hpp"
 #include "report/drawing/colour_scale.hpp"
-#include "report/drawing/svg.hpp"
+#include "report/drawing/picture_frame.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -16,16 +16,8 @@
 namespace spricka::report {
 namespace {
 
-constexpr double margin = 12.0;
-constexpr double head_height = 24.0;
-constexpr double legend_room = 46.0;
-
-/// The camera looks along -towards, z up.
-struct Camera {
-  base::Vec3 towards = base::Vec3(0.5, -0.75, 0.45).normalized();
-  base::Vec3 right = base::Vec3::UnitZ().cross(towards).normalized();
-  base::Vec3 up = towards.cross(right);
-};
+const PictureEye slanted_eye =
+    PictureEye::looking_from(base::Vec3(0.5, -0.75, 0.45).normalized(), base::Vec3::UnitZ());
 
 struct DrawnFace {
   std::vector<DrawingPoint> outline;
@@ -46,8 +38,8 @@ double size_of(const results::Increment& increment) {
   return (high - low).maxCoeff();
 }
 
-/// So that the largest displacement is a round share, at most a fifteenth, of the size; 0: none.
-double magnification(const SolidView& view) {
+/// So that the largest displacement is at most a fifteenth of the size; 0: none.
+double magnification_of(const SolidView& view) {
   const std::size_t nodes = view.increment->mesh.node_count();
   if (view.step->u.size() != static_cast<Eigen::Index>(3 * nodes)) {
     return 0.0;
@@ -56,13 +48,13 @@ double magnification(const SolidView& view) {
   for (std::size_t n = 0; n < nodes; ++n) {
     largest = std::max(largest, view.step->u.segment<3>(static_cast<Eigen::Index>(3 * n)).norm());
   }
-  return largest > 0.0 ? round_number_below(size_of(*view.increment) / 15.0 / largest) : 0.0;
+  return magnification(largest, size_of(*view.increment) / 15.0);
 }
 
 class Painter {
 public:
   explicit Painter(const SolidView& view)
-      : view_(view), magnify_(magnification(view)),
+      : view_(view), magnify_(magnification_of(view)),
         points_(model::property_points(view.increment->mesh)) {}
 
   /// Faces turned to the eye, the farthest first.
@@ -76,11 +68,11 @@ public:
         const base::Vec3 x = place(face.outline[i]);
         area += x.cross(place(face.outline[(i + 1) % face.outline.size()]));
         centre += x / static_cast<double>(face.outline.size());
-        out.outline.push_back({camera_.right.dot(x), camera_.up.dot(x)});
+        out.outline.push_back(slanted_eye(x));
         out.value += von_mises(face, i) / static_cast<double>(face.outline.size());
       }
-      if (area.dot(camera_.towards) > 0.0) {
-        out.depth = centre.dot(camera_.towards);
+      if (area.dot(slanted_eye.towards) > 0.0) {
+        out.depth = centre.dot(slanted_eye.towards);
         drawn.push_back(std::move(out));
       }
     }
@@ -88,7 +80,6 @@ public:
     return drawn;
   }
   [[nodiscard]] double magnify() const { return magnify_; }
-  [[nodiscard]] const Camera& camera() const { return camera_; }
 
 private:
   [[nodiscard]] base::Vec3 place(base::NodeId n) const {
@@ -108,45 +99,21 @@ private:
   }
 
   const SolidView& view_;
-  Camera camera_;
   double magnify_ = 0.0;
   model::PropertyPoints points_;
 };
-
-/// Moves the faces into the picture, y down; returns its height.
-double fit(std::vector<DrawnFace>& faces, double width) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  DrawingPoint low{infinite, infinite};
-  DrawingPoint high{-infinite, -infinite};
-  for (const DrawnFace& face : faces) {
-    for (const DrawingPoint& p : face.outline) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
-  const double inner = width - 2.0 * margin;
-  const double scale = std::min(inner / (high.x - low.x), 0.85 * inner / (high.y - low.y));
-  const double left = 0.5 * (width - scale * (high.x - low.x));
-  for (DrawnFace& face : faces) {
-    for (DrawingPoint& p : face.outline) {
-      p = {left + scale * (p.x - low.x), head_height + margin + scale * (high.y - p.y)};
-    }
-  }
-  return scale * (high.y - low.y) + 2.0 * margin;
-}
 
 ColourScale scale_of(const std::vector<DrawnFace>& faces) {
   const auto [low, high] = std::ranges::minmax(faces, {}, &DrawnFace::value);
   return scale_between(low.value, high.value);
 }
 
-void draw_axes(SvgDrawing& svg, const Camera& camera, DrawingPoint at) {
+void draw_axes(SvgDrawing& svg, DrawingPoint at) {
   constexpr double length = 24.0;
   for (int c = 0; c < 3; ++c) {
-    const base::Vec3 axis = base::Vec3::Unit(c);
-    const DrawingPoint way{camera.right.dot(axis), -camera.up.dot(axis)};
-    svg.line(at, {at.x + length * way.x, at.y + length * way.y}, {"#000", 1.1, "none", ""});
-    svg.text({at.x + 1.35 * length * way.x, at.y + 1.35 * length * way.y + 4.0},
+    const DrawingPoint way = slanted_eye(base::Vec3::Unit(c));
+    svg.line(at, {at.x + length * way.x, at.y - length * way.y}, {"#000", 1.1, "none", ""});
+    svg.text({at.x + 1.35 * length * way.x, at.y - 1.35 * length * way.y + 4.0},
              std::string(1, "xyz"[c]), {TextAnchor::middle, 11.0});
   }
 }
@@ -156,27 +123,22 @@ void draw_axes(SvgDrawing& svg, const Camera& camera, DrawingPoint at) {
 std::string draw_svg(const SolidView& view) {
   const Painter painter(view);
   std::vector<DrawnFace> faces = painter.faces();
-  const double height = fit(faces, view.width);
-  const ColourScale scale = scale_of(faces);
-  const std::string title = "Surface, von Mises stress";
-  SvgDrawing svg(view.width, head_height + height + legend_room, title);
-  svg.text({0.5 * view.width, 14.0}, title, {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
+  PictureBox box;
   for (const DrawnFace& face : faces) {
-    SvgPathData path;
-    path.move(face.outline.front());
-    for (std::size_t i = 1; i < face.outline.size(); ++i) {
-      path.line(face.outline[i]);
-    }
-    svg.path(path.close(), {"#223", 0.35, band_colour(scale.band(face.value)), ""});
+    std::ranges::for_each(face.outline, [&](DrawingPoint p) { box.add(p); });
   }
-  const double top = head_height + height;
-  if (scale.high > scale.low) {
-    draw_colour_legend(svg, scale, {0.3 * view.width, top + 12.0}, 0.62 * view.width,
-                       fmt::format("von Mises, {}", view.stress_name));
+  const PictureFrame frame(box, view.width);
+  const ColourScale scale = scale_of(faces);
+  SvgDrawing svg = frame.begin("Surface, von Mises stress");
+  for (DrawnFace& face : faces) {
+    std::ranges::transform(face.outline, face.outline.begin(), frame);
+    svg.polygon(face.outline, {"#223", 0.35, band_colour(scale.band(face.value)), ""});
   }
-  draw_axes(svg, painter.camera(), {40.0, top + 14.0});
+  draw_colour_legend(svg, scale, {0.3 * view.width, frame.foot() + 12.0}, 0.62 * view.width,
+                     fmt::format("von Mises, {}", view.stress_name));
+  draw_axes(svg, {40.0, frame.foot() + 14.0});
   if (painter.magnify() > 0.0) {
-    svg.text({view.width - 2.0, head_height + 4.0},
+    svg.text({view.width - 2.0, PictureFrame::head + 4.0},
              fmt::format("displacements × {:.3g}", painter.magnify()), {TextAnchor::end, 11.0});
   }
   return svg.svg_text();

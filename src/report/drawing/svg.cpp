@@ -44,13 +44,19 @@ std::string attributes(const ShapeStyle& style) {
   return out;
 }
 
-SvgPathData polygon(DrawingPoint at, std::initializer_list<DrawingPoint> corners) {
+SvgPathData open_path(std::span<const DrawingPoint> points) {
   SvgPathData data;
-  for (const DrawingPoint& corner : corners) {
-    const DrawingPoint p{at.x + corner.x, at.y + corner.y};
+  for (const DrawingPoint& p : points) {
     data.empty() ? data.move(p) : data.line(p);
   }
-  return data.close();
+  return data;
+}
+
+SvgPathData marker_outline(DrawingPoint at, std::vector<DrawingPoint> corners) {
+  for (DrawingPoint& p : corners) {
+    p = {at.x + p.x, at.y + p.y};
+  }
+  return open_path(corners).close();
 }
 
 SvgPathData strokes(DrawingPoint at, double x, double y) {
@@ -114,11 +120,16 @@ void SvgDrawing::path(const SvgPathData& data, const ShapeStyle& style) {
 }
 
 void SvgDrawing::polyline(std::span<const DrawingPoint> points, const ShapeStyle& style) {
-  SvgPathData data;
-  for (const DrawingPoint& p : points) {
-    data.empty() ? data.move(p) : data.line(p);
-  }
-  path(data, style);
+  path(open_path(points), style);
+}
+
+void SvgDrawing::polygon(std::span<const DrawingPoint> corners, const ShapeStyle& style) {
+  SvgPathData data = open_path(corners);
+  path(data.empty() ? data : data.close(), style);
+}
+
+void SvgDrawing::title(DrawingPoint at, std::string_view words) {
+  text(at, words, {.anchor = TextAnchor::middle, .size = 13.0, .bold = true});
 }
 
 void SvgDrawing::circle(DrawingPoint centre, double radius, const ShapeStyle& style) {
@@ -141,10 +152,10 @@ void SvgDrawing::marker(MarkerShape kind, DrawingPoint at, const ShapeStyle& sty
     rectangle({at.x - 3.2, at.y - 3.2}, 6.4, 6.4, style);
     break;
   case MarkerShape::triangle:
-    path(polygon(at, {{0.0, -4.4}, {4.0, 2.8}, {-4.0, 2.8}}), style);
+    path(marker_outline(at, {{0.0, -4.4}, {4.0, 2.8}, {-4.0, 2.8}}), style);
     break;
   case MarkerShape::diamond:
-    path(polygon(at, {{0.0, -4.6}, {4.6, 0.0}, {0.0, 4.6}, {-4.6, 0.0}}), style);
+    path(marker_outline(at, {{0.0, -4.6}, {4.6, 0.0}, {0.0, 4.6}, {-4.6, 0.0}}), style);
     break;
   case MarkerShape::plus:
     path(strokes(at, 5.0, 0.0), style);
@@ -205,9 +216,18 @@ std::string_view dash_pattern(std::size_t i) {
   return patterns[i % patterns.size()];
 }
 
-std::vector<double> round_ticks(double low, double high, int wanted) {
+std::string tick_text(double value, double distance) {
+  const double size = std::max(std::abs(value), distance);
+  if (size >= 1e6 || size < 1e-4) {
+    return fmt::format("{:.3g}", value);
+  }
+  const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(distance) + 1e-9)));
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+std::vector<AxisTick> round_ticks(double low, double high, int wanted) {
   if (!(high > low) || !std::isfinite(high - low)) {
-    return {low};
+    return {{low, tick_text(low, 1.0)}};
   }
   const double raw = (high - low) / wanted;
   const double decade = std::pow(10.0, std::floor(std::log10(raw)));
@@ -216,11 +236,12 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
   for (const auto& [limit, factor] : {std::pair(7.0, 5.0), {3.5, 2.0}, {1.5, 1.0}}) {
     step = lead < limit ? factor * decade : step;
   }
-  std::vector<double> ticks;
+  std::vector<AxisTick> ticks;
   const auto first = static_cast<long>(std::ceil(low / step - 1e-9));
   const auto last = static_cast<long>(std::floor(high / step + 1e-9));
   for (long i = first; i <= last; ++i) {
-    ticks.push_back(static_cast<double>(i) * step);
+    const double value = static_cast<double>(i) * step;
+    ticks.push_back({value, tick_text(value, last > first ? step : 1.0)});
   }
   return ticks;
 }
@@ -232,15 +253,6 @@ double round_number_below(double value) {
     return 5.0 * decade;
   }
   return lead >= 2.0 ? 2.0 * decade : decade;
-}
-
-std::string tick_text(double value, double distance) {
-  const double size = std::max(std::abs(value), distance);
-  if (size >= 1e6 || size < 1e-4) {
-    return fmt::format("{:.3g}", value);
-  }
-  const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(distance) + 1e-9)));
-  return fmt::format("{:.{}f}", value, digits);
 }
 
 } // namespace spricka::report

@@ -18,7 +18,7 @@ struct ShapeStyle {
   std::string stroke = "#000";
   double width = 1.0;
   std::string fill = "none";
-  std::string dash; ///< "6 3"; empty: solid
+  std::string dash{}; ///< "6 3"; empty: solid
 };
 
 enum class TextAnchor { start, middle, end };
@@ -66,6 +66,8 @@ public:
   void path(const SvgPathData& data, const ShapeStyle& style);
   /// Draws straight lines from point to point, left open at the end.
   void polyline(std::span<const DrawingPoint> points, const ShapeStyle& style);
+  /// Draws the closed line through the points, filled as the style says.
+  void polygon(std::span<const DrawingPoint> corners, const ShapeStyle& style);
   /// Draws a circle by its centre and radius [px].
   void circle(DrawingPoint centre, double radius, const ShapeStyle& style);
   /// Draws a rectangle by its upper left corner, width and height [px].
@@ -74,6 +76,8 @@ public:
   void marker(MarkerShape kind, DrawingPoint at, const ShapeStyle& style);
   /// Writes words at a point, anchored and turned as the style says.
   void text(DrawingPoint at, std::string_view words, const TextStyle& style);
+  /// Writes the drawing's title, bold, with the middle of its foot at a point.
+  void title(DrawingPoint at, std::string_view words);
   /// Until unclip() nothing shows outside the rectangle. `id` is unique on the page.
   void clip(std::string_view id, DrawingPoint corner, double width, double height);
   void unclip();
@@ -94,8 +98,15 @@ MarkerShape closed_marker(std::size_t i);
 /// The i-th dash pattern; the first is solid.
 std::string_view dash_pattern(std::size_t i);
 
-/// Steps of 1, 2 or 5 times a power of ten: about `wanted` round numbers inside [low, high].
-std::vector<double> round_ticks(double low, double high, int wanted);
+/// Where an axis has a number, and the number.
+struct AxisTick {
+  double value = 0.0;
+  std::string text;
+};
+
+/// Steps of 1, 2 or 5 times a power of ten: about `wanted` round numbers inside [low, high], with
+/// the digits that the distance between them calls for.
+std::vector<AxisTick> round_ticks(double low, double high, int wanted);
 
 /// 1, 2 or 5 times a power of ten: the largest such number not above a positive value.
 double round_number_below(double value);

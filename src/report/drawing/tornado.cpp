@@ -45,12 +45,11 @@ std::string draw_svg(const TornadoChart& tornado) {
   const auto at = [&](double value) { return middle + half_width * value / most; };
   SvgDrawing svg(middle + half_width + number_width, top + height + foot,
                  "Change of the stress intensity factor, " + tornado.title);
-  svg.text({middle, 16.0}, tornado.title, {TextAnchor::middle, 13.0, "#000", 0.0, false, true});
-  const std::vector<double> ticks = round_ticks(-most, most, 5);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-  for (const double t : ticks) {
-    svg.line({at(t), top}, {at(t), top + height}, {"#ddd", 0.7, "none", ""});
-    svg.text({at(t), top + height + 15.0}, tick_text(t, step), {TextAnchor::middle, 11.0});
+  svg.title({middle, 16.0}, tornado.title);
+  for (const AxisTick& tick : round_ticks(-most, most, 5)) {
+    const double x = at(tick.value);
+    svg.line({x, top}, {x, top + height}, {"#ddd", 0.7, "none", ""});
+    svg.text({x, top + height + 15.0}, tick.text, {TextAnchor::middle, 11.0});
   }
   for (std::size_t i = 0; i < tornado.bars.size(); ++i) {
     const TornadoChart::TornadoBar& bar = tornado.bars[i];

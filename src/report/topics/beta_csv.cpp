@@ -2,6 +2,7 @@
 #include "report/topics/beta_csv.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "results/half_axes.hpp"
 
@@ -10,7 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <functional>
+#include <iterator>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -64,26 +69,25 @@ BetaCsvFactors between(const BetaCsvFactors& from, const BetaCsvFactors& to, dou
   return out;
 }
 
-std::string factor_cells(const BetaCsvFactors& factors) {
-  std::string text;
-  for (const double f : factors.of_case) {
-    text += fmt::format(",{}", f);
-  }
-  for (const double f : factors.of_fit) {
-    text += fmt::format(",{}", f);
-  }
-  return text;
-}
-
 std::size_t step_index(const model::Model& model, std::string_view name) {
   const auto found = std::ranges::find(model.steps, name, &model::Step::name);
   return static_cast<std::size_t>(found - model.steps.begin());
 }
 
-/// A moment of a step or of a load path: where it is and under which factors.
+/// A moment of a step, or of a load path at t.
 struct BetaMoment {
-  std::string where; ///< "step," or "path,t"
-  std::string factors;
+  std::string where; ///< name of the step or of the path
+  std::optional<double> t;
+  BetaCsvFactors factors;
+};
+
+/// A row of the file: K at a tip, or at an end of an axis, at one moment.
+struct BetaRow {
+  int increment = 0;
+  FrontAxisEnd end;
+  std::array<double, 2> half{}; ///< a and c; 0: there is none
+  const BetaMoment* moment = nullptr;
+  std::array<double, 2> K{}; ///< K1, K2
 };
 
 // A tip by its own length; in space the ends of both axes, which cracks drawn by points have not.
@@ -99,79 +103,76 @@ std::vector<FrontAxisEnd> ends_of(const model::Model& model, const results::Fron
   return results::axis_ends(*crack, points, front.is_loop);
 }
 
-// "a", in space "a,c"; empty cells where there is none.
-std::string size_cells(const std::vector<FrontAxisEnd>& ends, bool tip) {
-  if (tip) {
-    return fmt::format("{}", ends.front().size);
-  }
-  const std::array<double, 2> half = results::half_axes(ends);
-  const auto cell = [](double size) { return size > 0.0 ? fmt::format("{}", size) : ""; };
-  return cell(half[0]) + "," + cell(half[1]);
-}
+/// A point of a front: its place, and K of a mode (0, 1) at one of the moments.
+struct BetaPoint {
+  Vec3 x;
+  std::function<double(std::size_t mode, std::size_t moment)> K;
+};
 
-// K_at: K of a mode (0, 1) at a point and at one of the moments.
-template <class KAt>
-std::string beta_rows(int increment, const model::Model& model, const results::FrontResult& front,
-                      const std::vector<Vec3>& points, const std::vector<BetaMoment>& moments,
-                      const KAt& K_at) {
-  const std::vector<FrontAxisEnd> ends = ends_of(model, front, points);
-  const std::string sizes = size_cells(ends, points.size() == 1);
-  std::string text;
+void add_rows(std::vector<BetaRow>& rows, const model::Model& model, int increment,
+              const results::FrontResult& front, const std::vector<BetaPoint>& points,
+              const std::vector<BetaMoment>& moments) {
+  std::vector<Vec3> places;
+  std::ranges::transform(points, std::back_inserter(places), &BetaPoint::x);
+  const std::vector<FrontAxisEnd> ends = ends_of(model, front, places);
+  const std::array<double, 2> half = results::half_axes(ends);
   for (const FrontAxisEnd& end : ends) {
     for (std::size_t k = 0; k < moments.size(); ++k) {
       const auto K = [&](std::size_t mode) {
-        return end.interpolate(K_at(end.from, mode, k), K_at(end.to, mode, k));
+        return end.interpolate(points[end.from].K(mode, k), points[end.to].K(mode, k));
       };
-      const double K1 = K(0);
-      text +=
-          fmt::format("{},{},{},{}{},{},{},{}\n", increment, end.tip, sizes, moments[k].where,
-                      moments[k].factors, K1, K(1), K1 / std::sqrt(std::numbers::pi * end.size));
+      rows.push_back({increment, end, half, &moments[k], {K(0), K(1)}});
     }
   }
-  return text;
 }
 
 // K as the smooth function along the front: at the surface what goes on from inside.
-std::string step_rows(int increment, const model::Model& model, const results::StepResult& step,
-                      const BetaCsvFactors& factors) {
-  const std::vector<BetaMoment> end{{step.step + ",", factor_cells(factors)}};
-  std::string text;
-  for (const results::FrontResult& front : step.fronts) {
-    if (front.two_materials) {
-      continue;
-    }
-    std::vector<Vec3> points;
-    for (const results::FrontPointResult& point : front.points) {
-      points.push_back(point.x);
-    }
-    text += beta_rows(increment, model, front, points, end,
-                      [&](std::size_t i, std::size_t mode, std::size_t /*moment*/) {
-                        return front.points[i].smooth.at(mode);
-                      });
+std::vector<BetaPoint> points_of(const results::FrontResult& front) {
+  std::vector<BetaPoint> points;
+  for (const results::FrontPointResult& point : front.points) {
+    points.push_back({point.x, [&point](std::size_t mode, std::size_t /*moment*/) {
+                        return point.smooth.at(mode);
+                      }});
   }
-  return text;
+  return points;
 }
 
-std::string path_rows(int increment, const model::Model& model, const results::LoadPathResult& path,
-                      const BetaCsvFactors& from, const BetaCsvFactors& to) {
-  std::vector<BetaMoment> knots;
-  for (const double t : path.t) {
-    knots.push_back({fmt::format("{},{}", path.name, t), factor_cells(between(from, to, t))});
+std::vector<BetaPoint> points_of(const results::LoadPathFront& front) {
+  std::vector<BetaPoint> points;
+  for (const results::LoadPathFrontPoint& point : front.points) {
+    points.push_back(
+        {point.is.x, [&point](std::size_t mode, std::size_t knot) {
+           return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(knot);
+         }});
   }
-  std::string text;
-  for (const results::LoadPathFront& front : path.fronts) {
-    std::vector<Vec3> points;
-    for (const results::LoadPathFrontPoint& point : front.points) {
-      points.push_back(point.is.x);
-    }
-    text +=
-        beta_rows(increment, model, front.is, points, knots,
-                  [&](std::size_t i, std::size_t mode, std::size_t knot) {
-                    const results::LoadPathFrontPoint& point = front.points[i];
-                    return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(knot);
-                  });
+  return points;
+}
+
+Columns<BetaRow> beta_columns(const model::Model& model) {
+  Columns<BetaRow> columns;
+  columns.exact("increment", &BetaRow::increment);
+  columns.exact("tip", [](const BetaRow& row) { return row.end.tip; });
+  for (std::size_t i = 0; i < (model.mesh.dim == 3 ? 2 : 1); ++i) {
+    columns.where([i](const BetaRow& row) { return row.half.at(i) > 0.0; });
+    columns.exact(i == 0 ? "a" : "c", [i](const BetaRow& row) { return row.half.at(i); });
   }
-  return text;
+  columns.where({});
+  columns.exact("where", [](const BetaRow& row) { return row.moment->where; });
+  columns.exact("t", [](const BetaRow& row) { return row.moment->t; });
+  for (std::size_t i = 0; i < model.cases.size(); ++i) {
+    columns.exact("load_" + model.cases[i].name,
+                  [i](const BetaRow& row) { return row.moment->factors.of_case[i]; });
+  }
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    columns.exact("fit_" + model.contacts[i].name,
+                  [i](const BetaRow& row) { return row.moment->factors.of_fit[i]; });
+  }
+  columns.exact("K1", [](const BetaRow& row) { return row.K[0]; });
+  columns.exact("K2", [](const BetaRow& row) { return row.K[1]; });
+  columns.exact("beta", [](const BetaRow& row) {
+    return row.K[0] / std::sqrt(std::numbers::pi * row.end.size);
+  });
+  return columns;
 }
 
 } // namespace
@@ -181,30 +182,39 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
   if (model.cracks.empty()) {
     return;
   }
-  const bool space = model.mesh.dim == 3;
-  std::string text = fmt::format(
-      "# units: a{3} [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a){4}, factors and t [1]\n"
-      "increment,tip,a{5},where,t",
-      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name(),
-      space ? " c" : "", space ? ", of tips C K1/sqrt(pi c)" : "", space ? ",c" : "");
-  for (const model::LoadCase& load_case : model.cases) {
-    text += ",load_" + load_case.name;
-  }
-  for (const model::Contact& contact : model.contacts) {
-    text += ",fit_" + contact.name;
-  }
-  text += ",K1,K2,beta\n";
   const std::vector<BetaCsvFactors> factors = factors_of_steps(model);
+  std::deque<std::vector<BetaMoment>> moments; // rows point at them
+  std::vector<BetaRow> rows;
   for (const results::Increment& increment : run.increments) {
+    const auto add = [&](const results::FrontResult& front, const std::vector<BetaPoint>& points) {
+      add_rows(rows, model, increment.number, front, points, moments.back());
+    };
     for (const results::StepResult& step : increment.steps) {
-      text += step_rows(increment.number, model, step, factors[step_index(model, step.step)]);
+      moments.push_back({{step.step, std::nullopt, factors[step_index(model, step.step)]}});
+      for (const results::FrontResult& front : step.fronts) {
+        if (!front.two_materials) {
+          add(front, points_of(front));
+        }
+      }
     }
     for (const results::LoadPathResult& path : increment.paths) {
-      text += path_rows(increment.number, model, path, factors[step_index(model, path.from)],
-                        factors[step_index(model, path.to)]);
+      moments.emplace_back();
+      for (const double t : path.t) {
+        moments.back().push_back({path.name, t,
+                                  between(factors[step_index(model, path.from)],
+                                          factors[step_index(model, path.to)], t)});
+      }
+      for (const results::LoadPathFront& front : path.fronts) {
+        add(front.is, points_of(front));
+      }
     }
   }
-  write_file(file, text);
+  const bool space = model.mesh.dim == 3;
+  const std::string units = fmt::format(
+      "a{3} [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a){4}, factors and t [1]",
+      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name(),
+      space ? " c" : "", space ? ", of tips C K1/sqrt(pi c)" : "");
+  write_file(file, beta_columns(model).csv(units, rows));
 }
 
 } // namespace spricka::report

@@ -140,15 +140,13 @@ private:
       if (polygon.size() < 3) {
         continue;
       }
-      SvgPathData path;
-      path.move(place(polygon[0].at));
-      for (std::size_t i = 1; i < polygon.size(); ++i) {
-        path.line(place(polygon[i].at));
+      std::vector<DrawingPoint> corners;
+      for (const UnrolledSurface::UnrolledCorner& corner : polygon) {
+        corners.push_back(place(corner.at));
       }
-      path.close();
       // a hair's line hides the gaps that rounding leaves between neighbours
       const std::string colour = band_colour(band);
-      svg_.path(path, {.stroke = colour, .width = 0.4, .fill = colour, .dash = {}});
+      svg_.polygon(corners, {.stroke = colour, .width = 0.4, .fill = colour, .dash = {}});
     }
   }
 
@@ -178,12 +176,10 @@ private:
     }
     svg_.text({left + 0.5 * width, top + height + 33.0}, "θ  [deg]",
               {.anchor = TextAnchor::middle});
-    const std::vector<double> ticks = round_ticks(surface_.axial_low(), surface_.axial_high(), 4);
-    const double distance = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-    for (const double tick : ticks) {
-      const double y = place({0.0, tick}).y;
+    for (const AxisTick& tick : round_ticks(surface_.axial_low(), surface_.axial_high(), 4)) {
+      const double y = place({0.0, tick.value}).y;
       svg_.line({left - 4.0, y}, {left, y}, {});
-      svg_.text({left - 7.0, y + 4.0}, tick_text(tick, distance), {.anchor = TextAnchor::end});
+      svg_.text({left - 7.0, y + 4.0}, tick.text, {.anchor = TextAnchor::end});
     }
     svg_.text({16.0, top + 0.5 * height},
               fmt::format("along the axis  [{}]", model_.units.length_name),
@@ -212,12 +208,20 @@ ColourScale common_scale(const std::vector<Seen>& all) {
   return scale_between(least > 0.5 * largest ? least : 0.0, largest);
 }
 
+/// Places along the axis: both ends and between them, or the middles of as many parts (inset 0.5).
+std::vector<double> places_along(const UnrolledSurface& surface, double inset) {
+  std::vector<double> places;
+  for (int i = 0; i < stations; ++i) {
+    const double t = (i + inset) / (stations - 1 + 2.0 * inset);
+    places.push_back(surface.axial_low() + t * (surface.axial_high() - surface.axial_low()));
+  }
+  return places;
+}
+
 DrawingPoint total_push(const UnrolledSurface& surface) {
   DrawingPoint sum;
-  for (int i = 0; i < stations; ++i) {
-    const double t = (i + 0.5) / stations;
-    const DrawingPoint push = surface.line_force_at(
-        surface.axial_low() + t * (surface.axial_high() - surface.axial_low()));
+  for (const double along : places_along(surface, 0.5)) {
+    const DrawingPoint push = surface.line_force_at(along);
     sum.x += push.x / stations;
     sum.y += push.y / stations;
   }
@@ -232,20 +236,15 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
       1e-3 * seen.contact->radius * surface.largest_pressure(); // pressed alike all round
   const double middle = std::hypot(push.x, push.y) > even ? std::atan2(push.y, push.x) : 0.0;
   Plot plot{fmt::format("{}, {}: pressure along the axis", seen.contact->name, seen.label),
-            fmt::format("along the axis  [{}]", model.units.length_name),
-            fmt::format("p  [{}]", model.units.stress_name()),
+            axis_title("along the axis", model.units.length_name),
+            axis_title("p", model.units.stress_name()),
             {}};
   constexpr std::array<int, 5> beside{0, 45, 90, 135, 180};
   for (std::size_t k = 0; k < beside.size(); ++k) {
     const double angle = std::remainder(middle + beside[k] * pi / 180.0, 2.0 * pi);
-    PlotSeries series;
-    series.name = fmt::format("θ = {:.0f}°", angle * 180.0 / pi);
-    series.colour = palette_colour(k);
-    series.dash = dash_pattern(k);
+    PlotSeries series = numbered_curve(fmt::format("θ = {:.0f}°", angle * 180.0 / pi), k, k);
     double most = 0.0;
-    for (int i = 0; i < stations; ++i) {
-      const double t = static_cast<double>(i) / (stations - 1);
-      const double along = surface.axial_low() + t * (surface.axial_high() - surface.axial_low());
+    for (const double along : places_along(surface, 0.0)) {
       if (const std::optional<double> p = surface.pressure_at({angle, along})) {
         series.points.push_back({along, *p});
         most = std::max(most, *p);
@@ -261,11 +260,10 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
 /// What pushes the surface for a unit of length along the axis, in the direction of the whole.
 std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
                        const model::Contact& contact) {
-  Plot plot{
-      fmt::format("{}: force along the axis", contact.name),
-      fmt::format("along the axis  [{}]", model.units.length_name),
-      fmt::format("force per length  [{}/{}]", model.units.force_name, model.units.length_name),
-      {}};
+  Plot plot{fmt::format("{}: force along the axis", contact.name),
+            axis_title("along the axis", model.units.length_name),
+            axis_title("force per length", model.units.force_name + "/" + model.units.length_name),
+            {}};
   for (std::size_t s = 0; s < all.size(); ++s) {
     const UnrolledSurface& surface = all[s].surface;
     const DrawingPoint push = total_push(surface);
@@ -273,13 +271,8 @@ std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
     if (!(size > 1e-3 * all[s].contact->radius * surface.largest_pressure())) {
       continue; // pressed alike all round
     }
-    PlotSeries series;
-    series.name = all[s].label;
-    series.colour = palette_colour(s);
-    series.dash = dash_pattern(s);
-    for (int i = 0; i < stations; ++i) {
-      const double t = static_cast<double>(i) / (stations - 1);
-      const double along = surface.axial_low() + t * (surface.axial_high() - surface.axial_low());
+    PlotSeries series = numbered_curve(all[s].label, s, s);
+    for (const double along : places_along(surface, 0.0)) {
       const DrawingPoint here = surface.line_force_at(along);
       series.points.push_back({along, (here.x * push.x + here.y * push.y) / size});
     }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "model/forward.hpp"
+#include "report/drawing/plot.hpp"
 #include "report/drawing/table.hpp"
 #include "results/results.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The figures of the page, made from the results.
@@ -42,6 +45,21 @@ struct NominalStressState {
 /// Empty unless the deck has both parameters, positive, in any case of letters.
 std::optional<NominalStressState> find_nominal_state(const model::Model& model);
 
+/// How a length and a K stand in a figure: as they are, or over R and SIGMA sqrt(pi a).
+struct KFigureScale {
+  std::optional<NominalStressState> state;
+  [[nodiscard]] DrawingPoint operator()(double a, double K) const {
+    return state ? DrawingPoint{a / state->radius, K / state->k0(a)} : DrawingPoint{a, K};
+  }
+  /// A plot of K1 over the length, with its axes and no curves.
+  [[nodiscard]] Plot plot(const model::Model& model, const std::string& label) const;
+};
+
+/// The wanted values of references as marks, one series for each source with the shapes in turn.
+/// Those of other steps are left out unless `step` is empty.
+void add_references(Plot& plot, const std::vector<KReference>& references, std::string_view step,
+                    std::span<const MarkerShape> shapes, const KFigureScale& scale);
+
 /// K1 over a for every step and tip, references as marks. Empty if no crack has two lengths.
 std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run);
 
@@ -64,8 +82,8 @@ std::vector<Figure> pressure_figures(const model::Model& model, const results::R
 /// law.
 std::vector<Figure> growth_figures(const model::Model& model, const results::RunResult& run);
 
-/// Half width of the error bar of K1 at a tip, as plots have it.
-double drawn_k1_bar(const results::FrontResult& tip);
+/// Half width of the error bar of K1 in the plane, as plots have it; none of null.
+double drawn_k1_bar(const results::FrontResult* front);
 
 /// At most `limit` increments, evenly chosen, first and last among them.
 std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,

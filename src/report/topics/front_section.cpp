@@ -48,11 +48,7 @@ std::vector<double> abscissas(const results::FrontResult& front) {
 }
 
 /// A mode over them; points on the surface are left out, as K there is a number of the mesh.
-struct FrontKCurve {
-  std::vector<DrawingPoint> points;
-  std::vector<double> bars; ///< empty: there are none
-};
-FrontKCurve curve_along(const results::FrontResult& front, std::size_t mode) {
+PlotSeries curve_along(const results::FrontResult& front, std::size_t mode) {
   const std::vector<double> at = abscissas(front);
   std::vector<std::pair<DrawingPoint, double>> points;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
@@ -67,7 +63,7 @@ FrontKCurve curve_along(const results::FrontResult& front, std::size_t mode) {
     points.push_back(points.front());
     points.back().first.x += round;
   }
-  FrontKCurve curve;
+  PlotSeries curve;
   for (const auto& [point, bar] : points) {
     curve.points.push_back(point);
     if (front.has_error_bar()) {
@@ -130,10 +126,7 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
                         ? "angle φ along the front, degrees"
                         : fmt::format("length along the front, {}", model.units.length_name);
       for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
-        PlotSeries series;
-        FrontKCurve curve = curve_along(front, mode);
-        series.points = std::move(curve.points);
-        series.bars = std::move(curve.bars);
+        PlotSeries series = curve_along(front, mode);
         const bool nothing = std::ranges::all_of(series.points, [&](const DrawingPoint& p) {
           return std::abs(p.y) < nothing_beside * scale;
         });

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
 #include "report/drawing/mesh_picture.hpp"
+#include "report/drawing/picture_frame.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/front_marks.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -25,21 +27,23 @@ using results::GrowthStation;
 
 constexpr double label_room = 0.1; // of a picture's width
 
-/// Lengths over cycles: the curve as a line, what was solved as marks on it.
-void add_tip_curve(Plot& plot, const GrowthResult& growth, std::size_t tip) {
-  PlotSeries line;
-  line.name = growth.tips[tip];
-  line.colour = palette_colour(tip);
-  line.dash = dash_pattern(tip);
-  for (const results::LifeCurvePoint& point : growth.curve) {
-    line.points.push_back({point.cycles, point.a[tip]});
+std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>& curve,
+                                      std::size_t front) {
+  std::vector<DrawingPoint> points;
+  for (const results::LifeCurvePoint& point : curve) {
+    points.push_back({point.cycles, point.a[front]});
   }
-  PlotSeries marks;
-  marks.joined = false;
-  marks.marker = closed_marker(tip);
+  return points;
+}
+
+/// Lengths over cycles: the curve as a line, what was solved as marks on it.
+void add_life_curve(Plot& plot, const GrowthResult& growth, std::size_t front) {
+  PlotSeries line = numbered_curve(growth.tips[front], front, front);
+  line.points = life_points(growth.curve, front);
+  PlotSeries marks = separate_marks("", closed_marker(front));
   marks.colour = line.colour;
   for (const GrowthStation& station : growth.stations) {
-    marks.points.push_back({station.cycles, station.tips[tip].a});
+    marks.points.push_back({station.cycles, station.tips[front].a});
   }
   plot.series.push_back(std::move(line));
   plot.series.push_back(std::move(marks));
@@ -47,10 +51,7 @@ void add_tip_curve(Plot& plot, const GrowthResult& growth, std::size_t tip) {
 
 /// Cycles that a $CHECK N(a) compares with.
 void add_checks(Plot& plot, const model::Model& model) {
-  PlotSeries marks;
-  marks.name = "reference";
-  marks.joined = false;
-  marks.marker = MarkerShape::plus;
+  PlotSeries marks = separate_marks("reference", MarkerShape::plus);
   for (const model::ResultCheck& check : model.checks) {
     const double* const a = check.quantity == "N" && check.arguments.size() == 1
                                 ? std::get_if<double>(&check.arguments[0])
@@ -94,22 +95,19 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
   Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
                         model.units.length_name),
             fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),
-            fmt::format("K₁  [{}]", typeset_unit(model.units.stress_intensity_name())),
+            axis_title("K₁", model.units.stress_intensity_name()),
             {}};
   plot.legend_below = true;
-  PlotSeries exact;
-  exact.name = "K of every load";
-  exact.colour = palette_colour(0);
+  PlotSeries exact = numbered_curve("K of every load", 0, 0);
   for (std::size_t k = 0; k < path.t.size(); ++k) {
     exact.points.push_back({path.t[k], K1.at_knot(k)});
   }
   plot.series.push_back(std::move(exact));
   for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {
     const bool scaled = run.growth->scaled[k].name == "scaled";
-    PlotSeries line;
-    line.name = scaled ? "scaled with the load" : "a line through t = 0 and the largest load";
-    line.colour = palette_colour(1 + k);
-    line.dash = dash_pattern(1 + k);
+    PlotSeries line = numbered_curve(scaled ? "scaled with the load"
+                                            : "a line through t = 0 and the largest load",
+                                     1 + k, 1 + k);
     line.points = {{0.0, scaled ? 0.0 : K1(0.0)}, {top, K1(top)}};
     plot.series.push_back(std::move(line));
   }
@@ -120,23 +118,18 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
   const GrowthResult& growth = *run.growth;
   const std::string units = growth.unit + (growth.unit == "pass" ? "es" : "s");
   Plot plot{"Crack length over " + units,
-            fmt::format("N  [{}]", units),
-            fmt::format("a  [{}]", model.units.length_name),
+            axis_title("N", units),
+            axis_title("a", model.units.length_name),
             {}};
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
-    add_tip_curve(plot, growth, t);
+    add_life_curve(plot, growth, t);
   }
   add_checks(plot, model);
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
-    PlotSeries series;
-    series.name = scaled_life_legend(growth.scaled[k]);
-    series.colour = palette_colour(growth.tips.size() + k);
-    series.dash = dash_pattern(1 + k);
-    for (const results::LifeCurvePoint& point : growth.scaled[k].curve) {
-      series.points.push_back({point.cycles, point.a[0]});
-    }
-    plot.series.push_back(std::move(series));
+    PlotSeries& series = plot.series.emplace_back(
+        numbered_curve(scaled_life_legend(growth.scaled[k]), growth.tips.size() + k, 1 + k));
+    series.points = life_points(growth.scaled[k].curve, 0);
     plot.legend_below = true;
     plot.series.front().name = growth.tips.front() + ", K of every load";
     more = " Dashed: the life if K is taken from a straight line over the load, which the computed "
@@ -160,32 +153,25 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
 /// Error bar of K1 at the largest load of a station.
 double bar_at(const model::Model& model, const results::RunResult& run,
               const GrowthStation& station, const std::string& name) {
-  for (const results::Increment& increment : run.increments) {
-    const results::StepResult* const step = increment.number == station.increment
-                                                ? results::find_step(increment, leading_step(model))
-                                                : nullptr;
-    const results::FrontResult* const tip =
-        step == nullptr ? nullptr : results::find_front(*step, name);
-    if (tip != nullptr) {
-      return tip->is_tip() ? drawn_k1_bar(*tip) : no_bar;
-    }
-  }
-  return no_bar;
+  const auto increment =
+      std::ranges::find(run.increments, station.increment, &results::Increment::number);
+  return increment == run.increments.end()
+             ? no_bar
+             : drawn_k1_bar(find_front_at_step(*increment, leading_step(model), name));
 }
 
 /// What the law was given at the stations.
 Figure range_figure(const model::Model& model, const results::RunResult& run) {
   const GrowthResult& growth = *run.growth;
   Plot plot{"K of the growth law over crack length",
-            fmt::format("a  [{}]", model.units.length_name),
-            fmt::format("K  [{}]", typeset_unit(model.units.stress_intensity_name())),
+            axis_title("a", model.units.length_name),
+            axis_title("K", model.units.stress_intensity_name()),
             {}};
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
     for (const bool largest : {true, false}) {
-      PlotSeries series;
-      series.name = fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest");
-      series.colour = palette_colour(t);
-      series.dash = dash_pattern(largest ? 0 : 1);
+      PlotSeries series =
+          numbered_curve(fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest"), t,
+                         largest ? 0 : 1);
       series.marker = closed_marker(t);
       for (const GrowthStation& station : growth.stations) {
         const results::GrownTipResult& tip = station.tips[t];
@@ -210,17 +196,15 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
 std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& growth) {
   const std::string unit = typeset_unit(model.units.stress_intensity_name());
   Plot plot{"Growth law over the range it was used in",
-            fmt::format("ΔK  [{}]", unit),
-            fmt::format("da/dN  [{}/{}]", model.units.length_name, growth.unit),
+            axis_title("ΔK", model.units.stress_intensity_name()),
+            axis_title("da/dN", model.units.length_name + "/" + growth.unit),
             {}};
   plot.log_x = true;
   plot.log_y = true;
   double low = std::numeric_limits<double>::max();
   double high = 0.0;
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
-    PlotSeries series;
-    series.name = growth.tips[t];
-    series.colour = palette_colour(t);
+    PlotSeries series = numbered_curve(growth.tips[t], t, 0);
     series.marker = closed_marker(t);
     for (const GrowthStation& station : growth.stations) {
       const results::GrownTipResult& tip = station.tips[t];
@@ -302,8 +286,7 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthR
   const std::string& path = model.load_paths[spectrum.path].name;
   const auto curve = [](const std::string& title, const std::string& x, const std::string& y,
                         const std::vector<std::array<double, 2>>& of) {
-    PlotSeries series;
-    series.colour = palette_colour(0);
+    PlotSeries series = numbered_curve("", 0, 0);
     series.points = steps(of);
     Plot plot{title, x, y, {series}};
     plot.log_x = true;
@@ -323,21 +306,18 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthR
 
 /// A square that holds all places of tips and the cracks behind them, with room round it.
 void set_window(MeshView& view, const GrowthResult& growth) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  base::Vec2 low = base::Vec2::Constant(infinite);
-  base::Vec2 high = -low;
+  PictureBox box;
   double longest = 0.0;
   for (const GrowthStation& station : growth.stations) {
-    for (const results::GrownTipResult& tip : station.tips) {
-      low = low.cwiseMin(tip.x.head<2>());
-      high = high.cwiseMax(tip.x.head<2>());
-      longest = std::max(longest, tip.a);
+    for (const results::GrownTipResult& end : station.tips) {
+      box.add({end.x[0], end.x[1]});
+      longest = std::max(longest, end.a);
     }
   }
-  const base::Vec2 middle = 0.5 * (low + high);
-  const double half = std::max(0.65 * (high - low).maxCoeff(), 0.8 * longest);
-  view.low = {middle.x() - half, middle.y() - half};
-  view.high = {middle.x() + half, middle.y() + half};
+  const DrawingPoint middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
+  const double half = std::max(0.65 * std::max(box.width(), box.height()), 0.8 * longest);
+  view.low = {middle.x - half, middle.y - half};
+  view.high = {middle.x + half, middle.y + half};
 }
 
 /// The last mesh with the way that the tips took, K beside it.
@@ -375,24 +355,18 @@ std::optional<Figure> path_figure(const model::Model& model, const results::RunR
 } // namespace
 
 std::vector<Figure> growth_figures(const model::Model& model, const results::RunResult& run) {
-  std::vector<Figure> figures;
   if (!run.growth || run.growth->stations.empty()) {
-    return figures;
+    return {};
   }
-  figures.push_back(life_figure(model, run));
-  figures.push_back(range_figure(model, run));
-  for (std::optional<Figure> figure :
-       {law_figure(model, *run.growth), exceedance_figure(model, *run.growth)}) {
+  const GrowthResult& growth = *run.growth;
+  std::vector<Figure> figures{life_figure(model, run), range_figure(model, run)};
+  for (std::optional<Figure> figure : {law_figure(model, growth), exceedance_figure(model, growth),
+                                       path_figure(model, run, growth)}) {
     if (figure) {
       figures.push_back(std::move(*figure));
     }
   }
-  if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
-    figures.push_back(std::move(*path));
-  }
-  for (Figure& marks : beach_mark_figures(model, run)) {
-    figures.push_back(std::move(marks));
-  }
+  std::ranges::move(beach_mark_figures(model, run), std::back_inserter(figures));
   return figures;
 }
 

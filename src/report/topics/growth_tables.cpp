@@ -2,15 +2,17 @@
 #include "report/topics/growth_tables.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <optional>
+#include <ranges>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,6 +86,28 @@ std::string ratio_words(const model::Model& model, const results::RunResult& run
   return out;
 }
 
+/// What is found of a front at a station.
+struct StationRow {
+  const results::GrowthStation& station;
+  const results::GrownTipResult& front;
+};
+using Grown = results::GrownTipResult;
+
+std::vector<StationRow> station_rows(const results::GrowthResult& growth) {
+  std::vector<StationRow> rows;
+  for (const results::GrowthStation& station : growth.stations) {
+    for (const Grown& front : station.tips) {
+      rows.push_back({station, front});
+    }
+  }
+  return rows;
+}
+
+/// A value of a row's front, times a unit.
+auto grown(double Grown::*member, double unit = 1.0) {
+  return [=](const StationRow& row) { return row.front.*member * unit; };
+}
+
 } // namespace
 
 void write_life_csv(const std::filesystem::path& file, const model::Model& model,
@@ -92,32 +116,32 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
     return;
   }
   const results::GrowthResult& growth = *run.growth;
-  const bool space = model.mesh.dim == 3;
-  std::string text = fmt::format(
-      "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
-      "[{2}]; ended: {3}{5}\n"
-      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y{6}{4}\n",
-      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
-      growth.followed ? ",K_max_first,K_min_first,passes,change" : "",
-      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "",
-      space ? ",z" : "");
-  auto out = std::back_inserter(text);
-  for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrownTipResult& tip : station.tips) {
-      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}", station.increment, station.cycles,
-                     tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min, tip.K2_max,
-                     tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
-      if (space) {
-        fmt::format_to(out, ",{}", tip.x[2]);
-      }
-      if (growth.followed) {
-        fmt::format_to(out, ",{},{},{},{}", tip.first_max, tip.first_min, station.passes,
-                       station.change);
-      }
-      text += '\n';
-    }
+  Columns<StationRow> columns;
+  columns.exact("increment", [](const StationRow& row) { return row.station.increment; })
+      .exact("N", [](const StationRow& row) { return row.station.cycles; })
+      .exact("tip", [](const StationRow& row) { return row.front.name; })
+      .exact("a", grown(&Grown::a))
+      .exact("K_max", grown(&Grown::K_max))
+      .exact("K_min", grown(&Grown::K_min))
+      .exact("delta_K", [](const StationRow& row) { return row.front.K_max - row.front.K_min; })
+      .exact("K2_max", grown(&Grown::K2_max))
+      .exact("da_dN", grown(&Grown::rate))
+      .exact("turn", grown(&Grown::turn, degree));
+  for (int c = 0; c < model.mesh.dim; ++c) {
+    columns.exact(std::string(1, "xyz"[c]), [c](const StationRow& row) { return row.front.x[c]; });
   }
-  write_file(file, text);
+  if (growth.followed) {
+    columns.exact("K_max_first", grown(&Grown::first_max))
+        .exact("K_min_first", grown(&Grown::first_min))
+        .exact("passes", [](const StationRow& row) { return row.station.passes; })
+        .exact("change", [](const StationRow& row) { return row.station.change; });
+  }
+  const std::string units = fmt::format(
+      "a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N [{2}]; ended: "
+      "{3}{4}",
+      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
+      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "");
+  write_file(file, columns.csv(units, station_rows(growth)));
 }
 
 void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
@@ -126,65 +150,42 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
     return;
   }
   const results::GrowthResult& growth = *run.growth;
-  std::string text =
-      fmt::format("# units: N [{}], a of each tip [{}]\nN", growth.unit, model.units.length_name);
-  for (const std::string& tip : growth.tips) {
-    text += ",a_" + tip;
+  Columns<std::size_t> columns; // of points of the curve
+  columns.exact("N", [&](std::size_t k) { return growth.curve[k].cycles; });
+  for (std::size_t i = 0; i < growth.tips.size(); ++i) {
+    columns.exact("a_" + growth.tips[i],
+                  [&growth, i](std::size_t k) { return growth.curve[k].a[i]; });
   }
-  for (const results::ScaledLife& other : growth.scaled) {
-    text += ",N_" + other.name;
+  for (const results::ScaledLife& other : growth.scaled) { // at the same lengths
+    const std::vector<results::LifeCurvePoint>& curve = other.curve;
+    columns.where([&curve](std::size_t k) { return k < curve.size(); });
+    columns.exact("N_" + other.name, [&curve](std::size_t k) { return curve[k].cycles; });
   }
-  text += '\n';
-  for (std::size_t k = 0; k < growth.curve.size(); ++k) {
-    text += fmt::format("{}", growth.curve[k].cycles);
-    for (const double a : growth.curve[k].a) {
-      text += fmt::format(",{}", a);
-    }
-    for (const results::ScaledLife& other : growth.scaled) { // at the same lengths
-      text += k < other.curve.size() ? fmt::format(",{}", other.curve[k].cycles) : ",";
-    }
-    text += '\n';
-  }
-  write_file(file, text);
+  const std::string units =
+      fmt::format("N [{}], a of each tip [{}]", growth.unit, model.units.length_name);
+  write_file(file, columns.csv(units, std::views::iota(std::size_t{0}, growth.curve.size())));
 }
 
 ReportTable life_table(const model::Model& model, const results::RunResult& run) {
   const base::UnitSystem& units = model.units;
-  const std::string unit = run.growth ? run.growth->unit : "";
+  const results::GrowthResult growth = run.growth.value_or(results::GrowthResult());
   const std::string K = units.stress_intensity_name();
-  ReportTable table{"Growth",
-                    {{"increment", "", false},
-                     {"N", unit, false},
-                     {"tip", "", true},
-                     {"a", units.length_name, false},
-                     {"K max", K, false},
-                     {"K min", K, false},
-                     {"K2", K, false},
-                     {"da/dN", units.length_name + "/" + unit, false},
-                     {"turn", "deg", false}},
-                    {}};
-  if (!run.growth) {
-    return table;
+  Columns<StationRow> columns;
+  columns.number("increment", "", [](const StationRow& row) { return row.station.increment; })
+      .number("N", growth.unit, [](const StationRow& row) { return row.station.cycles; })
+      .words("tip", [](const StationRow& row) { return row.front.name; })
+      .number("a", units.length_name, grown(&Grown::a))
+      .number("K max", K, grown(&Grown::K_max))
+      .number("K min", K, grown(&Grown::K_min))
+      .number("K2", K, grown(&Grown::K2_max))
+      .number("da/dN", units.length_name + "/" + growth.unit, grown(&Grown::rate), "{:.4g}")
+      .number("turn", "deg", grown(&Grown::turn, degree), "{:.3f}");
+  if (growth.followed) {
+    columns.number("K max first", K, grown(&Grown::first_max))
+        .number("K min first", K, grown(&Grown::first_min))
+        .number("passes", "", [](const StationRow& row) { return row.station.passes; });
   }
-  const bool followed = run.growth->followed;
-  if (followed) {
-    table.columns.insert(
-        table.columns.end(),
-        {{"K max first", K, false}, {"K min first", K, false}, {"passes", "", false}});
-  }
-  for (const results::GrowthStation& station : run.growth->stations) {
-    for (const results::GrownTipResult& tip : station.tips) {
-      std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{
-          std::to_string(station.increment), six_digits(station.cycles), tip.name,
-          six_digits(tip.a), six_digits(tip.K_max), six_digits(tip.K_min), six_digits(tip.K2_max),
-          fmt::format("{:.4g}", tip.rate), fmt::format("{:.3f}", tip.turn * degree)});
-      if (followed) {
-        row.insert(row.end(), {six_digits(tip.first_max), six_digits(tip.first_min),
-                               std::to_string(station.passes)});
-      }
-    }
-  }
-  return table;
+  return columns.table("Growth", station_rows(growth));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "report/topics/growth_test_tables.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/result_tables.hpp"
@@ -11,8 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace spricka::report {
 
@@ -20,28 +23,18 @@ namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 
-std::string cell(double value) {
-  return std::isnan(value) ? std::string() : fmt::format("{}", value);
+/// Empty where a value is not a number.
+std::optional<double> present(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-std::string number(double value) {
-  return std::isnan(value) ? std::string() : fmt::format("{:.4g}", value);
+/// A number of a point of a test, or what follows from it.
+template <class Value> auto present_value(Value value) {
+  return [=](const auto& row) { return present(std::invoke(value, row)); };
 }
-
-std::string count(double cycles) {
-  return std::isnan(cycles) ? std::string() : fmt::format("{:.0f}", cycles);
-}
-
-/// How a length and a K stand in the figure: as they are, or over R and sigma sqrt(pi a).
-struct TestFigureScale {
-  std::optional<NominalStressState> state;
-  [[nodiscard]] DrawingPoint operator()(double a, double K) const {
-    return state ? DrawingPoint{a / state->radius, K / state->k0(a)} : DrawingPoint{a, K};
-  }
-};
 
 // Computed K at the lengths that were solved.
-PlotSeries computed_series(const results::GrowthTestResult& test, const TestFigureScale& scale) {
+PlotSeries computed_series(const results::GrowthTestResult& test, const KFigureScale& scale) {
   PlotSeries series;
   series.name = "computed";
   series.marker = MarkerShape::square;
@@ -51,11 +44,8 @@ PlotSeries computed_series(const results::GrowthTestResult& test, const TestFigu
   return series;
 }
 
-void add_measured(Plot& plot, const results::GrowthTestResult& test, const TestFigureScale& scale) {
-  PlotSeries points;
-  points.name = "from the test, 95 %";
-  points.joined = false;
-  points.marker = MarkerShape::circle;
+void add_measured(Plot& plot, const results::GrowthTestResult& test, const KFigureScale& scale) {
+  PlotSeries points = separate_marks("from the test, 95 %", MarkerShape::circle);
   points.colour = palette_colour(1);
   for (const results::GrowthTestPoint& p : test.points) {
     if (std::isnan(p.K)) {
@@ -71,58 +61,30 @@ void add_measured(Plot& plot, const results::GrowthTestResult& test, const TestF
   plot.series.push_back(points);
 }
 
-// Values the deck compares K of this tip with at the step, one mark for each source.
-void add_references(Plot& plot, const model::Model& model, const results::RunResult& run,
-                    const results::GrowthTestResult& test, const TestFigureScale& scale) {
-  constexpr std::array<MarkerShape, 3> shapes{MarkerShape::diamond, MarkerShape::plus,
-                                              MarkerShape::cross};
-  const std::size_t first = plot.series.size();
-  for (const KReference& reference : k_references(model, run)) {
-    if (reference.tip != test.tip || reference.step != leading_step(model)) {
-      continue;
-    }
-    const std::string name = reference.source.empty() ? "reference" : reference.source;
-    auto same =
-        std::find_if(plot.series.begin() + static_cast<std::ptrdiff_t>(first), plot.series.end(),
-                     [&](const PlotSeries& s) { return s.name == name; });
-    if (same == plot.series.end()) {
-      PlotSeries series;
-      series.name = name;
-      series.joined = false;
-      series.marker = shapes[(plot.series.size() - first) % shapes.size()];
-      plot.series.push_back(series);
-      same = plot.series.end() - 1;
-    }
-    same->points.push_back(scale(reference.a, reference.wanted));
-  }
-}
-
 std::string readings_plot(const model::Model& model, const results::GrowthTestResult& test) {
-  Plot plot{"Readings of the test", "N", fmt::format("a  [{}]", model.units.length_name), {}};
-  PlotSeries readings;
-  readings.joined = false;
-  readings.marker = MarkerShape::circle;
+  Plot plot{"Readings of the test", "N", axis_title("a", model.units.length_name), {}};
+  PlotSeries& readings = plot.series.emplace_back(separate_marks("", MarkerShape::circle));
   readings.colour = palette_colour(1);
   for (const auto& [cycles, a] : test.readings) {
     readings.points.push_back({cycles, a});
   }
-  plot.series.push_back(readings);
   plot.legend_below = true;
   return draw_svg(plot);
 }
 
 Figure figure_of(const model::Model& model, const results::RunResult& run,
                  const results::GrowthTestResult& test) {
-  const TestFigureScale scale{find_nominal_state(model)};
-  const std::string unit = typeset_unit(model.units.stress_intensity_name());
-  Plot plot{"Stress intensity factor from the test over crack length",
-            scale.state ? "a / R" : fmt::format("a  [{}]", model.units.length_name),
-            scale.state ? "K₁ / (σ √(πa))" : fmt::format("K₁  [{}]", unit),
-            {}};
+  const KFigureScale scale{find_nominal_state(model)};
+  Plot plot = scale.plot(model, "Stress intensity factor from the test over crack length");
   plot.legend_below = true;
   plot.series.push_back(computed_series(test, scale));
   add_measured(plot, test, scale);
-  add_references(plot, model, run, test, scale);
+  std::vector<KReference> references = k_references(model, run);
+  std::erase_if(references, [&](const KReference& reference) {
+    return reference.tip != test.tip || reference.step != leading_step(model);
+  });
+  constexpr std::array shapes{MarkerShape::diamond, MarkerShape::plus, MarkerShape::cross};
+  add_references(plot, references, "", shapes, scale);
   return {{readings_plot(model, test), draw_svg(plot)},
           "",
           fmt::format("Test {}: the readings, the K₁ of {} that follows from its measured growth "
@@ -142,71 +104,81 @@ void write_test_csv(const std::filesystem::path& file, const model::Model& model
   if (run.tests.empty()) {
     return;
   }
-  std::string text = fmt::format(
-      "# units: a [{0}], rates [{0}/cycle], K [{1}], R ratio covered [1]; low and high: 95 %\n"
-      "test,tip,N,a,rate,rate_low,rate_high,R,K_exp,K_low,K_high,K_computed,ratio,covered\n",
-      model.units.length_name, model.units.stress_intensity_name());
-  auto out = std::back_inserter(text);
+  using Point = results::GrowthTestPoint;
+  using Row = std::pair<const results::GrowthTestResult*, const Point*>;
+  std::vector<Row> rows;
   for (const results::GrowthTestResult& test : run.tests) {
-    for (const results::GrowthTestPoint& p : test.points) {
-      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", test.name, test.tip,
-                     p.cycles, p.a, p.rate, cell(p.rate_low), cell(p.rate_high), cell(p.R),
-                     cell(p.K), cell(p.low), cell(p.high), cell(p.computed), cell(p.ratio()),
-                     p.covered ? 1 : 0);
+    for (const Point& point : test.points) {
+      rows.emplace_back(&test, &point);
     }
   }
-  write_file(file, text);
+  Columns<Row> columns;
+  columns.exact("test", [](const Row& row) { return row.first->name; })
+      .exact("tip", [](const Row& row) { return row.first->tip; })
+      .exact("N", [](const Row& row) { return row.second->cycles; })
+      .exact("a", [](const Row& row) { return row.second->a; })
+      .exact("rate", [](const Row& row) { return row.second->rate; });
+  for (const auto& [name, member] : {std::pair("rate_low", &Point::rate_low),
+                                     {"rate_high", &Point::rate_high},
+                                     {"R", &Point::R},
+                                     {"K_exp", &Point::K},
+                                     {"K_low", &Point::low},
+                                     {"K_high", &Point::high},
+                                     {"K_computed", &Point::computed}}) {
+    columns.exact(name, [member = member](const Row& row) { return present(row.second->*member); });
+  }
+  columns.exact("ratio", [](const Row& row) { return present(row.second->ratio()); })
+      .exact("covered", [](const Row& row) { return row.second->covered ? 1 : 0; });
+  const std::string units =
+      fmt::format("a [{0}], rates [{0}/cycle], K [{1}], R ratio covered [1]; low and high: 95 %",
+                  model.units.length_name, model.units.stress_intensity_name());
+  write_file(file, columns.csv(units, rows));
 }
 
 ReportTable growth_test_table(const model::Model& model, const results::RunResult& run) {
-  ReportTable table{"Crack growth tests",
-                    {{"test", "", true},
-                     {"tip", "", true},
-                     {"method", "", true},
-                     {"reference", "", true},
-                     {"readings", "", false},
-                     {"scatter", model.units.length_name, false},
-                     {"compared", "", false},
-                     {"K_exp/K", "", false},
-                     {"rms", "%", false},
-                     {"K inside band", "%", false},
-                     {"cycles", "", false},
-                     {"computed", "", false},
-                     {"+-", "", false}},
-                    {}};
-  for (const results::GrowthTestResult& test : run.tests) {
-    const results::GrowthTestComparison c = results::compare_test_k(test, 0.0, k_infinite);
-    const bool any = c.points > 0;
-    table.rows.push_back({test.name, test.tip, test.method, test.reference,
-                          fmt::format("{}", test.readings.size()), number(test.scatter),
-                          fmt::format("{}", c.points), any ? fmt::format("{:.4f}", c.ratio) : "",
-                          any ? fmt::format("{:.2f}", 100.0 * c.rms) : "",
-                          any ? fmt::format("{:.0f}", 100.0 * c.inside) : "", count(test.cycles),
-                          count(test.computed_cycles), count(test.cycles_error)});
-  }
-  return table;
+  using Test = results::GrowthTestResult;
+  const auto compared = [](const Test& test) {
+    return results::compare_test_k(test, 0.0, k_infinite);
+  };
+  Columns<Test> columns;
+  columns.words("test", &Test::name)
+      .words("tip", &Test::tip)
+      .words("method", &Test::method)
+      .words("reference", &Test::reference)
+      .number("readings", "", [](const Test& test) { return test.readings.size(); })
+      .number("scatter", model.units.length_name, present_value(&Test::scatter), "{:.4g}")
+      .number("compared", "", [=](const Test& test) { return compared(test).points; })
+      .where([=](const Test& test) { return compared(test).points > 0; })
+      .number(
+          "K_exp/K", "", [=](const Test& test) { return compared(test).ratio; }, "{:.4f}")
+      .number(
+          "rms", "%", [=](const Test& test) { return 100.0 * compared(test).rms; }, "{:.2f}")
+      .number(
+          "K inside band", "%", [=](const Test& test) { return 100.0 * compared(test).inside; },
+          "{:.0f}")
+      .where({})
+      .number("cycles", "", present_value(&Test::cycles), "{:.0f}")
+      .number("computed", "", present_value(&Test::computed_cycles), "{:.0f}")
+      .number("+-", "", present_value(&Test::cycles_error), "{:.0f}");
+  return columns.table("Crack growth tests", run.tests);
 }
 
 ReportTable test_points_table(const model::Model& model, const results::GrowthTestResult& test) {
+  using Point = results::GrowthTestPoint;
   const std::string k_unit = model.units.stress_intensity_name();
-  ReportTable table{fmt::format("Test {}: K of {}", test.name, test.tip),
-                    {{"N", "", false},
-                     {"a", model.units.length_name, false},
-                     {"da/dN", model.units.length_name, false},
-                     {"R", "", false},
-                     {"K_exp", k_unit, false},
-                     {"from", k_unit, false},
-                     {"to", k_unit, false},
-                     {"computed", k_unit, false},
-                     {"K_exp/K", "", false}},
-                    {}};
-  for (const results::GrowthTestPoint& p : test.points) {
-    table.rows.push_back({fmt::format("{:.6g}", p.cycles), number(p.a), number(p.rate),
-                          std::isnan(p.R) ? "" : fmt::format("{:.3f}", p.R), number(p.K),
-                          number(p.low), number(p.high), number(p.computed),
-                          std::isnan(p.ratio()) ? "" : fmt::format("{:.3f}", p.ratio())});
-  }
-  return table;
+  const std::string& a_unit = model.units.length_name;
+  constexpr const char* four = "{:.4g}";
+  Columns<Point> columns;
+  columns.number("N", "", &Point::cycles)
+      .number("a", a_unit, present_value(&Point::a), four)
+      .number("da/dN", a_unit, present_value(&Point::rate), four)
+      .number("R", "", present_value(&Point::R), "{:.3f}")
+      .number("K_exp", k_unit, present_value(&Point::K), four)
+      .number("from", k_unit, present_value(&Point::low), four)
+      .number("to", k_unit, present_value(&Point::high), four)
+      .number("computed", k_unit, present_value(&Point::computed), four)
+      .number("K_exp/K", "", present_value(&Point::ratio), "{:.3f}");
+  return columns.table(fmt::format("Test {}: K of {}", test.name, test.tip), test.points);
 }
 
 std::vector<Figure> growth_test_figures(const model::Model& model, const results::RunResult& run) {

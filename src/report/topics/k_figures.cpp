@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/k_bars.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -11,91 +13,50 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
 namespace spricka::report {
 namespace {
 
-std::string upper(std::string text) {
+std::string upper_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text;
 }
 
-std::vector<std::string> tip_names(const results::RunResult& run) {
+std::vector<std::string> front_names(const results::RunResult& run) {
   std::vector<std::string> names;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::FrontResult& front : step.fronts) {
-        if (std::find(names.begin(), names.end(), front.name) == names.end()) {
-          names.push_back(front.name);
-        }
-      }
-    }
+  for (const FrontRow& row : front_rows(run.increments)) {
+    add_new(names, row.front.name);
   }
   return names;
 }
 
-/// (a, K1) of one tip at the ends of one step, with the error bars of K1.
-struct KLengthCurve {
-  std::vector<DrawingPoint> points;
-  std::vector<double> bars; ///< [point]
-};
-
-KLengthCurve history(const results::RunResult& run, std::string_view step, std::string_view tip) {
-  KLengthCurve curve;
+/// K1 of a front at the end of a step over its length, with error bars.
+PlotSeries k_history(const results::RunResult& run, std::string_view step, std::string_view front) {
+  PlotSeries curve;
   for (const results::Increment& increment : run.increments) {
-    const results::StepResult* const at = results::find_step(increment, step);
-    const results::FrontResult* const found =
-        at == nullptr ? nullptr : results::find_front(*at, tip);
-    if (found != nullptr) {
+    if (const auto* const found = find_front_at_step(increment, step, front)) {
       curve.points.push_back({found->a, found->tip().K1});
-      curve.bars.push_back(drawn_k1_bar(*found));
+      curve.bars.push_back(drawn_k1_bar(found));
     }
   }
   return curve;
 }
 
-bool grows(const results::RunResult& run, const std::vector<std::string>& tips,
+bool grows(const results::RunResult& run, const std::vector<std::string>& fronts,
            std::string_view step) {
-  return std::any_of(tips.begin(), tips.end(), [&](const std::string& tip) {
-    const std::vector<DrawingPoint> points = history(run, step, tip).points;
+  return std::ranges::any_of(fronts, [&](const std::string& front) {
+    const std::vector<DrawingPoint> points = k_history(run, step, front).points;
     return !points.empty() && points.front().x != points.back().x;
   });
 }
 
-std::vector<std::string> sources_of(const std::vector<KReference>& references) {
-  std::vector<std::string> sources;
-  for (const KReference& reference : references) {
-    if (std::find(sources.begin(), sources.end(), reference.source) == sources.end()) {
-      sources.push_back(reference.source);
-    }
-  }
-  return sources;
-}
-
-/// Marks for references, one series for each source; no step: of all steps.
-void add_references(Plot& plot, const std::vector<KReference>& references, std::string_view step) {
-  constexpr std::array<MarkerShape, 4> shapes{MarkerShape::plus, MarkerShape::cross,
-                                              MarkerShape::diamond, MarkerShape::triangle};
-  const std::vector<std::string> sources = sources_of(references);
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    PlotSeries series;
-    series.name = sources[i].empty() ? "reference" : sources[i];
-    series.joined = false;
-    series.marker = shapes[i % shapes.size()];
-    for (const KReference& reference : references) {
-      if (reference.source == sources[i] && (step.empty() || reference.step == step)) {
-        series.points.push_back({reference.a, reference.wanted});
-      }
-    }
-    if (!series.points.empty()) {
-      plot.series.push_back(series);
-    }
-  }
-}
+constexpr std::array reference_marks{MarkerShape::plus, MarkerShape::cross, MarkerShape::diamond,
+                                     MarkerShape::triangle};
 
 /// Curves that no eye could tell apart: within a thousandth of the largest value.
 bool coincide(const std::vector<DrawingPoint>& a, const std::vector<DrawingPoint>& b) {
@@ -108,40 +69,38 @@ bool coincide(const std::vector<DrawingPoint>& a, const std::vector<DrawingPoint
   return a.size() == b.size() && apart <= 1e-3 * largest;
 }
 
-/// Tips, or steps, whose curves coincide, and the curve.
-struct Group {
-  std::vector<std::string> tips;
+/// Fronts, or steps, whose curves coincide, and the curve.
+struct CurveGroup {
+  std::vector<std::string> fronts;
   std::vector<std::string> steps;
-  KLengthCurve curve;
+  PlotSeries curve;
 };
 
-std::vector<Group> tip_groups(const results::RunResult& run, const std::vector<std::string>& tips,
-                              const std::string& step) {
-  std::vector<Group> groups;
-  for (const std::string& tip : tips) {
-    const KLengthCurve curve = history(run, step, tip);
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+std::vector<CurveGroup> groups_of_step(const results::RunResult& run,
+                                       const std::vector<std::string>& fronts,
+                                       const std::string& step) {
+  std::vector<CurveGroup> groups;
+  for (const std::string& front : fronts) {
+    PlotSeries curve = k_history(run, step, front);
+    const auto same = std::ranges::find_if(groups, [&](const CurveGroup& group) {
       return coincide(group.curve.points, curve.points);
     });
-    if (curve.points.empty()) {
-      continue;
-    }
     if (same != groups.end()) {
-      same->tips.push_back(tip);
-    } else {
-      groups.push_back({{tip}, {step}, curve});
+      same->fronts.push_back(front);
+    } else if (!curve.points.empty()) {
+      groups.push_back({{front}, {step}, std::move(curve)});
     }
   }
   return groups;
 }
 
-std::vector<Group> groups_of(const model::Model& model, const results::RunResult& run,
-                             const std::vector<std::string>& tips) {
-  std::vector<Group> groups;
+std::vector<CurveGroup> groups_of(const model::Model& model, const results::RunResult& run,
+                                  const std::vector<std::string>& fronts) {
+  std::vector<CurveGroup> groups;
   for (const model::Step& step : model.steps) {
-    for (Group& fresh : tip_groups(run, tips, step.name)) {
-      const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-        return group.tips == fresh.tips && coincide(group.curve.points, fresh.curve.points);
+    for (CurveGroup& fresh : groups_of_step(run, fronts, step.name)) {
+      const auto same = std::ranges::find_if(groups, [&](const CurveGroup& group) {
+        return group.fronts == fresh.fronts && coincide(group.curve.points, fresh.curve.points);
       });
       if (same != groups.end()) {
         same->steps.push_back(step.name);
@@ -153,23 +112,22 @@ std::vector<Group> groups_of(const model::Model& model, const results::RunResult
   return groups;
 }
 
-PlotSeries group_series(const Group& group, bool name_tips, std::size_t ink, std::size_t pattern) {
-  PlotSeries series;
-  series.name = fmt::format("{}", fmt::join(group.steps, ", "));
-  if (name_tips) {
-    series.name += fmt::format(": {}", fmt::join(group.tips, ", "));
+PlotSeries group_series(const CurveGroup& group, bool name_fronts, std::size_t ink,
+                        std::size_t pattern) {
+  std::string name = fmt::format("{}", fmt::join(group.steps, ", "));
+  if (name_fronts) {
+    name += fmt::format(": {}", fmt::join(group.fronts, ", "));
   }
+  PlotSeries series = numbered_curve(std::move(name), ink, pattern);
   series.points = group.curve.points;
   series.bars = group.curve.bars;
-  series.colour = palette_colour(ink);
-  series.dash = dash_pattern(pattern);
   series.marker = closed_marker(ink);
   return series;
 }
 
 double find_number(const model::Model& model, std::string_view name) {
   for (const auto& [parameter, value] : model.parameters) {
-    if (upper(parameter) == name) {
+    if (upper_case(parameter) == name) {
       return value;
     }
   }
@@ -185,22 +143,20 @@ std::string percent(const KReference& r) {
 /// What stands beside the normalised plot: the references of its step.
 ReportTable normalised_table(const NominalStressState& state,
                              const std::vector<KReference>& references, const std::string& step) {
-  ReportTable table{"K₁ / (σ √(πa))",
-                    {{"tip", "", true},
-                     {"a/R", "", false},
-                     {"computed", "", false},
-                     {"reference", "", false},
-                     {"error", "%", false}},
-                    {}};
-  for (const KReference& r : references) {
-    if (r.step == step) {
-      const double k0 = state.k0(r.a);
-      table.rows.push_back({r.tip, fmt::format("{:.3g}", r.a / state.radius),
-                            fmt::format("{:.3f}", r.found / k0),
-                            fmt::format("{:.3f}", r.wanted / k0), percent(r)});
-    }
-  }
-  return table;
+  std::vector<KReference> rows;
+  std::ranges::copy(references | std::views::filter([&](const auto& r) { return r.step == step; }),
+                    std::back_inserter(rows));
+  const auto over_k0 = [&](double KReference::*K) {
+    return [&state, K](const KReference& r) { return r.*K / state.k0(r.a); };
+  };
+  Columns<KReference> columns;
+  columns.words("tip", &KReference::tip)
+      .number(
+          "a/R", "", [&](const KReference& r) { return r.a / state.radius; }, "{:.3g}")
+      .number("computed", "", over_k0(&KReference::found), "{:.3f}")
+      .number("reference", "", over_k0(&KReference::wanted), "{:.3f}")
+      .number("error", "%", percent);
+  return columns.table("K₁ / (σ √(πa))", rows);
 }
 
 } // namespace
@@ -243,29 +199,52 @@ std::vector<KReference> k_references(const model::Model& model, const results::R
   return references;
 }
 
+Plot KFigureScale::plot(const model::Model& model, const std::string& label) const {
+  return {label,
+          state ? "a / R" : axis_title("a", model.units.length_name),
+          state ? "K₁ / (σ √(πa))" : axis_title("K₁", model.units.stress_intensity_name()),
+          {}};
+}
+
+void add_references(Plot& plot, const std::vector<KReference>& references, std::string_view step,
+                    std::span<const MarkerShape> shapes, const KFigureScale& scale) {
+  std::vector<std::string> sources;
+  for (const KReference& reference : references) {
+    add_new(sources, reference.source);
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    PlotSeries series =
+        separate_marks(sources[i].empty() ? "reference" : sources[i], shapes[i % shapes.size()]);
+    for (const KReference& reference : references) {
+      if (reference.source == sources[i] && (step.empty() || reference.step == step)) {
+        series.points.push_back(scale(reference.a, reference.wanted));
+      }
+    }
+    if (!series.points.empty()) {
+      plot.series.push_back(std::move(series));
+    }
+  }
+}
+
 std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run) {
-  const std::vector<std::string> tips = tip_names(run);
-  const std::string k_unit = typeset_unit(model.units.stress_intensity_name());
-  Plot plot{"Stress intensity factor over crack length",
-            fmt::format("a  [{}]", model.units.length_name),
-            fmt::format("K₁  [{}]", k_unit),
-            {}};
+  const std::vector<std::string> fronts = front_names(run);
+  Plot plot = KFigureScale().plot(model, "Stress intensity factor over crack length");
   bool any = false;
   std::string last_step;
   std::size_t ink = 0;
   std::size_t pattern = 0;
-  for (const Group& group : groups_of(model, run, tips)) {
-    any = any || grows(run, tips, group.steps.front());
-    // Tips of one step share its colour and differ by their dashes.
+  for (const CurveGroup& group : groups_of(model, run, fronts)) {
+    any = any || grows(run, fronts, group.steps.front());
+    // Curves of one step share its colour and differ by their dashes.
     if (!plot.series.empty()) {
       const bool same_step = group.steps.front() == last_step;
       ink += same_step ? 0 : 1;
       pattern = same_step ? pattern + 1 : 0;
     }
     last_step = group.steps.front();
-    plot.series.push_back(group_series(group, tips.size() > 1, ink, pattern));
+    plot.series.push_back(group_series(group, fronts.size() > 1, ink, pattern));
   }
-  add_references(plot, k_references(model, run), "");
+  add_references(plot, k_references(model, run), "", reference_marks, {});
   if (!any) {
     return std::nullopt;
   }
@@ -276,37 +255,36 @@ std::optional<Figure> k_figure(const model::Model& model, const results::RunResu
 }
 
 std::optional<Figure> normalised_figure(const model::Model& model, const results::RunResult& run) {
-  const std::optional<NominalStressState> state = find_nominal_state(model);
+  const KFigureScale scale{find_nominal_state(model)};
   const std::string step = leading_step(model);
-  const std::vector<std::string> tips = tip_names(run);
-  if (!state || !grows(run, tips, step)) {
+  const std::vector<std::string> fronts = front_names(run);
+  if (!scale.state || !grows(run, fronts, step)) {
     return std::nullopt;
   }
-  Plot plot{"Normalised stress intensity factor over crack length", "a / R", "K₁ / (σ √(πa))", {}};
+  Plot plot = scale.plot(model, "Normalised stress intensity factor over crack length");
   std::size_t ink = 0;
-  for (const Group& group : tip_groups(run, tips, step)) {
-    plot.series.push_back(group_series(group, tips.size() > 1, ink, ink));
+  for (const CurveGroup& group : groups_of_step(run, fronts, step)) {
+    PlotSeries series = group_series(group, fronts.size() > 1, ink, ink);
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const DrawingPoint p = series.points[i];
+      series.points[i] = scale(p.x, p.y);
+      series.bars[i] /= scale.state->k0(p.x);
+    }
+    plot.series.push_back(std::move(series));
     ++ink;
   }
-  add_references(plot, k_references(model, run), step);
-  for (PlotSeries& series : plot.series) {
-    for (std::size_t i = 0; i < series.points.size(); ++i) {
-      DrawingPoint& p = series.points[i];
-      if (i < series.bars.size()) {
-        series.bars[i] /= state->k0(p.x);
-      }
-      p = {p.x / state->radius, p.y / state->k0(p.x)};
-    }
-  }
+  const std::vector<KReference> references = k_references(model, run);
+  add_references(plot, references, step, reference_marks, scale);
   plot.legend_below = true;
-  const ReportTable table = normalised_table(*state, k_references(model, run), step);
+  const ReportTable table = normalised_table(*scale.state, references, step);
   Figure figure{
       {draw_svg(plot)},
       "",
       fmt::format(
           "K₁ at the end of step {} over σ √(πa), against a/R; R = {:.6g} {}, σ = {:.4g} {} "
           "(the deck's parameters R and SIGMA).{}",
-          step, state->radius, model.units.length_name, state->sigma, model.units.stress_name(),
+          step, scale.state->radius, model.units.length_name, scale.state->sigma,
+          model.units.stress_name(),
           table.rows.empty() ? "" : " Marks: values the deck compares with.") +
           error_bar_note(plot.series)};
   if (!table.rows.empty()) {
@@ -317,26 +295,22 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
 
 ReportTable reference_table(const model::Model& model, const results::RunResult& run) {
   const std::string k_unit = model.units.stress_intensity_name();
-  ReportTable table{"K1 beside its references",
-                    {{"tip", "", true},
-                     {"step", "", true},
-                     {"a", model.units.length_name, false},
-                     {"K1", k_unit, false},
-                     {"+-", k_unit, false},
-                     {"reference", k_unit, false},
-                     {"error", "%", false},
-                     {"source", "", true}},
-                    {}};
-  for (const KReference& r : k_references(model, run)) {
-    table.rows.push_back({r.tip, r.step, fmt::format("{:.4g}", r.a), fmt::format("{:.5g}", r.found),
-                          r.bar > 0.0 ? format_error_bar(r.bar) : "",
-                          fmt::format("{:.5g}", r.wanted), percent(r), r.source});
-  }
-  return table;
+  Columns<KReference> columns;
+  columns.words("tip", &KReference::tip)
+      .words("step", &KReference::step)
+      .number("a", model.units.length_name, &KReference::a, "{:.4g}")
+      .number("K1", k_unit, &KReference::found, "{:.5g}")
+      .number("+-", k_unit,
+              [](const KReference& r) { return r.bar > 0.0 ? format_error_bar(r.bar) : ""; })
+      .number("reference", k_unit, &KReference::wanted, "{:.5g}")
+      .number("error", "%", percent)
+      .words("source", &KReference::source);
+  return columns.table("K1 beside its references", k_references(model, run));
 }
 
-double drawn_k1_bar(const results::FrontResult& tip) {
-  return tip.has_error_bar() ? tip.tip().bar[0].size() : no_bar;
+double drawn_k1_bar(const results::FrontResult* front) {
+  return front != nullptr && front->is_tip() && front->has_error_bar() ? front->tip().bar[0].size()
+                                                                       : no_bar;
 }
 
 std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/k_section.hpp"
 
+#include "report/topics/front_section.hpp"
 #include "report/topics/k_tables.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -17,16 +19,6 @@ namespace {
 using NameTable = std::vector<std::string>;
 
 constexpr std::size_t most_rows = 80; // of all steps' tables: more nobody reads
-
-bool has(const NameTable& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
-}
-
-void add(NameTable& names, const std::string& name) {
-  if (!has(names, name)) {
-    names.push_back(name);
-  }
-}
 
 double size_of(const results::FrontResult& front) {
   return largest_K(front) + (front.two_materials ? std::abs(front.tip().G) : 0.0);
@@ -68,14 +60,13 @@ std::string ranges_of(const std::set<int>& numbers) {
 struct KResultExtent {
   std::set<int> increments;
   NameTable steps;
-  NameTable tips;
+  NameTable ends; ///< tips
   std::size_t count = 0;
 
-  void add_result(const results::Increment& increment, const results::StepResult& step,
-                  const results::FrontResult& front) {
-    increments.insert(increment.number);
-    add(steps, step.step);
-    add(tips, front.name);
+  void add(const FrontRow& row) {
+    increments.insert(row.increment.number);
+    add_new(steps, row.step.step);
+    add_new(ends, row.front.name);
     ++count;
   }
 };
@@ -96,15 +87,15 @@ std::string place_of(const KResultExtent& gap, const KResultExtent& all) {
     parts.push_back(
         fmt::format("step{} {}", gap.steps.size() > 1 ? "s" : "", fmt::join(gap.steps, ", ")));
   }
-  if (gap.tips.size() != all.tips.size()) {
+  if (gap.ends.size() != all.ends.size()) {
     parts.push_back(
-        fmt::format("tip{} {}", gap.tips.size() > 1 ? "s" : "", fmt::join(gap.tips, ", ")));
+        fmt::format("tip{} {}", gap.ends.size() > 1 ? "s" : "", fmt::join(gap.ends, ", ")));
   }
   if (parts.empty()) {
     return gap.count == all.count ? "for any K here" : "for some K here";
   }
   // not a block of the table: of each of these some
-  const bool whole = gap.count == gap.increments.size() * gap.steps.size() * gap.tips.size();
+  const bool whole = gap.count == gap.increments.size() * gap.steps.size() * gap.ends.size();
   return fmt::format("{}for {}", whole ? "" : "in part ", fmt::join(parts, ", "));
 }
 
@@ -133,23 +124,20 @@ std::size_t rows_of(const std::vector<ReportTable>& tables) {
 std::vector<std::string> missing_bars(const results::RunResult& run, const NameTable& steps) {
   std::vector<MissingBarReason> gaps;
   KResultExtent all;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::FrontResult& front : step.fronts) {
-        if (front.two_materials || !has(steps, step.step)) {
-          continue; // it has no K
-        }
-        all.add_result(increment, step, front);
-        if (front.has_error_bar()) {
-          continue;
-        }
-        auto gap = std::ranges::find(gaps, front.no_bar, &MissingBarReason::why);
-        if (gap == gaps.end()) {
-          gap = gaps.insert(gap, MissingBarReason{front.no_bar, {}});
-        }
-        gap->where.add_result(increment, step, front);
-      }
+  for (const FrontRow& row : front_rows(run.increments)) {
+    const results::FrontResult& front = row.front;
+    if (front.two_materials || std::ranges::find(steps, row.step.step) == steps.end()) {
+      continue; // it has no K
     }
+    all.add(row);
+    if (front.has_error_bar()) {
+      continue;
+    }
+    auto gap = std::ranges::find(gaps, front.no_bar, &MissingBarReason::why);
+    if (gap == gaps.end()) {
+      gap = gaps.insert(gap, MissingBarReason{front.no_bar, {}});
+    }
+    gap->where.add(row);
   }
   std::vector<std::string> words;
   words.reserve(gaps.size());
@@ -162,6 +150,11 @@ std::vector<std::string> missing_bars(const results::RunResult& run, const NameT
 
 KSection k_section(const model::Model& model, const results::RunResult& run) {
   KSection section;
+  if (model.mesh.dim == 3 && !run.increments.empty()) {
+    section.pictures = front_figures(model, run);
+    section.tables = front_tables(model, run.increments.back());
+    return section;
+  }
   const auto steps = largest_of_steps(run);
   const std::string leading = leading_step(model);
   double largest = 0.0;
@@ -171,7 +164,7 @@ KSection k_section(const model::Model& model, const results::RunResult& run) {
   NameTable shown;
   NameTable nothing;
   for (const auto& [step, size] : steps) {
-    add(step == leading || size > 1e-9 * largest ? shown : nothing, step);
+    add_new(step == leading || size > 1e-9 * largest ? shown : nothing, step);
   }
   if (run.increments.size() == 1) {
     shown.insert(shown.end(), nothing.begin(), nothing.end());
@@ -197,6 +190,11 @@ KSection k_section(const model::Model& model, const results::RunResult& run) {
   std::erase_if(section.tables, [](const ReportTable& table) { return table.rows.empty(); });
   for (std::string& words : missing_bars(run, shown)) {
     section.remarks.push_back(std::move(words));
+  }
+  for (std::optional<Figure> figure : {k_figure(model, run), normalised_figure(model, run)}) {
+    if (figure) {
+      section.curves.push_back(std::move(*figure));
+    }
   }
   return section;
 }

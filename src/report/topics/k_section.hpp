@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "model/forward.hpp"
-#include "report/drawing/table.hpp"
+#include "report/topics/figures.hpp"
 #include "results/results.hpp"
 
 #include <string>
@@ -11,10 +11,13 @@ namespace spricka::report {
 
 /// K of every step of a run, and what a reader has to know of it.
 struct KSection {
-  /// One length: one table of all steps. Several: one of each step whose K is not nothing, the
-  /// leading step's first, of too many rows alone.
+  std::vector<Figure> pictures; ///< above the tables: K along fronts in space, and the cracks
+  /// In space of the last length, front by front. In the plane of one length: one table of all
+  /// steps. Several: one of each step whose K is not nothing, the leading step's first, of too many
+  /// rows alone.
   std::vector<ReportTable> tables;
   std::vector<std::string> remarks; ///< what the tables leave out, and why some K have no bar
+  std::vector<Figure> curves;       ///< below: K over the length, in the plane
 };
 /// Chooses the tables of K for a run by its number of lengths and steps, with the remarks on them.
 KSection k_section(const model::Model& model, const results::RunResult& run);

@@ -2,7 +2,9 @@
 #include "report/topics/load_path_tables.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
+#include "report/topics/result_rows.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -15,10 +17,6 @@ namespace spricka::report {
 namespace {
 
 constexpr double degrees_of_place = 180.0 / std::numbers::pi;
-
-double printed_place(const results::LoadPathContact& contact, double place) {
-  return contact.round ? place * degrees_of_place : place;
-}
 
 // "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
 // node's place.
@@ -42,68 +40,68 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& p
   return text;
 }
 
-// The first modes of K at a knot, then their slopes before and behind it.
-template <class Out>
-void add_k_at_knot(Out out, const results::LoadPathFrontPoint& point, std::size_t modes,
-                   std::size_t knot) {
-  for (std::size_t mode = 0; mode < modes; ++mode) {
-    fmt::format_to(out, ",{}", point.K[mode].at_knot(knot));
-  }
-  for (std::size_t mode = 0; mode < modes; ++mode) {
-    fmt::format_to(out, ",{},{}", point.K[mode].slope_before(knot),
-                   point.K[mode].slope_after(knot));
-  }
-}
-
-struct PathPlace {
+/// A row of either file: a load path at one of its knots, of a front at a point.
+struct PathRow {
+  const results::Increment& increment;
+  const results::LoadPathResult& path;
   std::size_t knot = 0;
-  bool space = false;
+  const results::LoadPathFront* front = nullptr;
+  const results::LoadPathFrontPoint* point = nullptr;
 };
 
-void add_row(std::string& text, const std::vector<std::string>& contacts,
-             const results::LoadPathResult& path, const PathPlace& at,
-             const std::vector<std::string>& tips) {
-  const std::size_t k = at.knot;
-  auto out = std::back_inserter(text);
-  for (const std::string& name : tips) {
-    const results::LoadPathFront* tip = results::find_front(path, name);
-    if (tip == nullptr) {
-      text += ",,,,,,";
-      continue;
-    }
-    add_k_at_knot(out, tip->tip(), 2, k);
-  }
-  for (const std::string& name : contacts) {
-    const results::LoadPathContact* contact = results::find_contact(path, name);
-    if (contact == nullptr) {
-      text += ",,,";
-      continue;
-    }
-    fmt::format_to(out, ",{}", contact->closed[k]);
-    if (contact->closed[k] > 0 && !at.space) { // solids have no arcs
-      fmt::format_to(out, ",{},{}", printed_place(*contact, contact->from[k]),
-                     printed_place(*contact, contact->to[k]));
-    } else {
-      text += ",,";
-    }
-  }
-  text += '\n';
+Columns<PathRow> knot_columns() {
+  Columns<PathRow> columns;
+  columns.exact("increment", [](const PathRow& row) { return row.increment.number; });
+  columns.exact("path", [](const PathRow& row) { return row.path.name; });
+  columns.exact("t", [](const PathRow& row) { return row.path.t[row.knot]; });
+  return columns;
 }
 
-// One row for each point of a front at a knot.
-template <class Out>
-void add_front(Out out, int increment, const results::LoadPathResult& path,
-               const results::LoadPathFront& front, std::size_t k) {
-  for (const results::LoadPathFrontPoint& point : front.points) {
-    fmt::format_to(out, "{},{},{},{},{},{:d},{},", increment, path.name, path.t[k], front.is.name,
-                   point.is.number, point.is.at_surface, point.is.s);
-    if (front.is.has_angles) {
-      fmt::format_to(out, "{}", point.is.phi * degrees_of_place);
-    }
-    fmt::format_to(out, ",{},{},{}", point.is.x.x(), point.is.x.y(), point.is.x.z());
-    add_k_at_knot(out, point, point.K.size(), k);
-    fmt::format_to(out, "\n");
+/// The first modes of K at a knot, then their slopes before and behind it; point_of: the point of a
+/// row, or null.
+template <class PointOf>
+void add_k_columns(Columns<PathRow>& columns, const std::string& prefix, std::size_t modes,
+                   const PointOf& point_of) {
+  columns.where([=](const PathRow& row) { return point_of(row) != nullptr; });
+  for (std::size_t k = 0; k < modes; ++k) {
+    columns.exact(fmt::format("{}K{}", prefix, k + 1),
+                  [=](const PathRow& row) { return point_of(row)->K[k].at_knot(row.knot); });
   }
+  for (std::size_t k = 0; k < modes; ++k) {
+    columns.exact(fmt::format("{}dK{}_before", prefix, k + 1),
+                  [=](const PathRow& row) { return point_of(row)->K[k].slope_before(row.knot); });
+    columns.exact(fmt::format("{}dK{}_after", prefix, k + 1),
+                  [=](const PathRow& row) { return point_of(row)->K[k].slope_after(row.knot); });
+  }
+  columns.where({});
+}
+
+void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
+  const auto found = [name](const PathRow& row) { return results::find_contact(row.path, name); };
+  columns.where([=](const PathRow& row) { return found(row) != nullptr; });
+  columns.exact(name + ".closed", [=](const PathRow& row) { return found(row)->closed[row.knot]; });
+  columns.where([=](const PathRow& row) { // solids have no arcs
+    const results::LoadPathContact* const contact = found(row);
+    return contact != nullptr && contact->closed[row.knot] > 0 && row.increment.mesh.dim != 3;
+  });
+  columns.exact(name + ".from", [=](const PathRow& row) {
+    return printed_place(*found(row), found(row)->from[row.knot]);
+  });
+  columns.exact(name + ".to", [=](const PathRow& row) {
+    return printed_place(*found(row), found(row)->to[row.knot]);
+  });
+}
+
+std::vector<PathRow> knot_rows(const results::RunResult& run) {
+  std::vector<PathRow> rows;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::LoadPathResult& path : increment.paths) {
+      for (std::size_t k = 0; k < path.t.size(); ++k) {
+        rows.push_back({.increment = increment, .path = path, .knot = k});
+      }
+    }
+  }
+  return rows;
 }
 
 std::vector<std::string> path_tip_names(const results::RunResult& run) {
@@ -111,8 +109,8 @@ std::vector<std::string> path_tip_names(const results::RunResult& run) {
   for (const results::Increment& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathFront& front : path.fronts) {
-        if (front.is_tip() && std::ranges::find(names, front.is.name) == names.end()) {
-          names.push_back(front.is.name);
+        if (front.is_tip()) {
+          add_new(names, front.is.name);
         }
       }
     }
@@ -123,15 +121,11 @@ std::vector<std::string> path_tip_names(const results::RunResult& run) {
 // The deck's contacts, and the faces of its cracks where they touch.
 std::vector<std::string> contact_names(const model::Model& model, const results::RunResult& run) {
   std::vector<std::string> names;
-  for (const model::Contact& contact : model.contacts) {
-    names.push_back(contact.name);
-  }
+  std::ranges::transform(model.contacts, std::back_inserter(names), &model::Contact::name);
   for (const results::Increment& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathContact& contact : path.contacts) {
-        if (std::ranges::find(names, contact.name) == names.end()) {
-          names.push_back(contact.name);
-        }
+        add_new(names, contact.name);
       }
     }
   }
@@ -140,35 +134,32 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
 
 } // namespace
 
+double printed_place(const results::LoadPathContact& contact, double place) {
+  return contact.round ? place * degrees_of_place : place;
+}
+
 void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
                          const results::RunResult& run) {
   if (model.load_paths.empty()) {
     return;
   }
-  const std::vector<std::string> tips = path_tip_names(run);
-  std::string text = fmt::format(
-      "# units: K1 K2 and slopes by t [{}], from to [deg] on circles, else [{}], t [1]\n"
-      "increment,path,t,changes",
-      model.units.stress_intensity_name(), model.units.length_name);
-  for (const std::string& tip : tips) {
-    text += fmt::format(",{0}.K1,{0}.K2,{0}.dK1_before,{0}.dK1_after,{0}.dK2_before,{0}.dK2_after",
-                        tip);
+  Columns<PathRow> columns = knot_columns();
+  columns.exact("changes", [](const PathRow& row) {
+    return changes_at(row.increment.mesh, row.path, row.path.t[row.knot]);
+  });
+  for (const std::string& name : path_tip_names(run)) {
+    add_k_columns(columns, name + ".", 2, [name](const PathRow& row) {
+      const results::LoadPathFront* const front = results::find_front(row.path, name);
+      return front == nullptr ? nullptr : &front->tip();
+    });
   }
-  const std::vector<std::string> contacts = contact_names(model, run);
-  for (const std::string& contact : contacts) {
-    text += fmt::format(",{0}.closed,{0}.from,{0}.to", contact);
+  for (const std::string& name : contact_names(model, run)) {
+    add_contact_columns(columns, name);
   }
-  text += '\n';
-  for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPathResult& path : increment.paths) {
-      for (std::size_t k = 0; k < path.t.size(); ++k) {
-        text += fmt::format("{},{},{},{}", increment.number, path.name, path.t[k],
-                            changes_at(increment.mesh, path, path.t[k]));
-        add_row(text, contacts, path, {k, increment.mesh.dim == 3}, tips);
-      }
-    }
-  }
-  write_file(file, text);
+  const std::string units =
+      fmt::format("K1 K2 and slopes by t [{}], from to [deg] on circles, else [{}], t [1]",
+                  model.units.stress_intensity_name(), model.units.length_name);
+  write_file(file, columns.csv(units, knot_rows(run)));
 }
 
 void write_load_path_fronts_csv(const std::filesystem::path& file, const model::Model& model,
@@ -176,22 +167,30 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
   if (model.load_paths.empty() || model.mesh.dim != 3 || model.cracks.empty()) {
     return;
   }
-  std::string text = fmt::format(
-      "# units: K1 K2 K3 and slopes by t [{}], s x y z [{}], phi [deg], t [1]\n"
-      "increment,path,t,crack,point,at_surface,s,phi,x,y,z,K1,K2,K3,dK1_before,dK1_after,"
-      "dK2_before,dK2_after,dK3_before,dK3_after\n",
-      model.units.stress_intensity_name(), model.units.length_name);
-  auto out = std::back_inserter(text);
-  for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPathResult& path : increment.paths) {
-      for (std::size_t k = 0; k < path.t.size(); ++k) {
-        for (const results::LoadPathFront& front : path.fronts) {
-          add_front(out, increment.number, path, front, k);
-        }
+  Columns<PathRow> columns = knot_columns();
+  columns.exact("crack", [](const PathRow& row) { return row.front->is.name; });
+  columns.exact("point", [](const PathRow& row) { return row.point->is.number; });
+  columns.exact("at_surface", [](const PathRow& row) { return row.point->is.at_surface ? 1 : 0; });
+  columns.exact("s", [](const PathRow& row) { return row.point->is.s; });
+  columns.where([](const PathRow& row) { return row.front->is.has_angles; });
+  columns.exact("phi", [](const PathRow& row) { return row.point->is.phi * degrees_of_place; });
+  columns.where({});
+  for (const Eigen::Index c : {0, 1, 2}) {
+    columns.exact(std::string(1, "xyz"[c]), [c](const PathRow& row) { return row.point->is.x[c]; });
+  }
+  add_k_columns(columns, "", 3, [](const PathRow& row) { return row.point; });
+  std::vector<PathRow> rows;
+  for (const PathRow& knot : knot_rows(run)) {
+    for (const results::LoadPathFront& front : knot.path.fronts) {
+      for (const results::LoadPathFrontPoint& point : front.points) {
+        rows.push_back({knot.increment, knot.path, knot.knot, &front, &point});
       }
     }
   }
-  write_file(file, text);
+  const std::string units =
+      fmt::format("K1 K2 K3 and slopes by t [{}], s x y z [{}], phi [deg], t [1]",
+                  model.units.stress_intensity_name(), model.units.length_name);
+  write_file(file, columns.csv(units, rows));
 }
 
 } // namespace spricka::report

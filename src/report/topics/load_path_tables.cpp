@@ -2,38 +2,34 @@
 #include "report/topics/load_path_tables.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/result_rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <string>
 #include <utility>
 
 namespace spricka::report {
 
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-
-double in_print(const results::LoadPathContact& contact, double place) {
-  return contact.round ? place * degrees : place;
-}
-
 /// A curve of K1 over t that is shown: of a tip, or of a point of a front.
-struct Shown {
+struct ShownCurve {
   std::string name;
   double a = 0.0;
   const base::PiecewiseLinear* K1 = nullptr;
-  const results::LoadPathFront* tip = nullptr; ///< null: of a front
+  std::string tip; ///< its name, where the steps' K at the ends belong to the same; or empty
 };
 
 // Of a front in space the points with the largest and the smallest K1 at the path's end.
-void add_curves(const results::LoadPathFront& front, std::vector<Shown>& shown) {
+void add_curves(const results::LoadPathFront& front, std::vector<ShownCurve>& shown) {
   if (front.is_tip()) {
-    shown.push_back({front.is.name, front.is.a, front.tip().K.data(), &front});
+    shown.push_back({front.is.name, front.is.a, front.tip().K.data(), front.is.name});
     return;
   }
   const results::LoadPathFrontPoint* low = nullptr;
@@ -42,22 +38,21 @@ void add_curves(const results::LoadPathFront& front, std::vector<Shown>& shown) 
     return p->K[0].at_knot(p->K[0].segments());
   };
   for (const results::LoadPathFrontPoint& point : front.points) {
-    if (point.is.at_surface) {
-      continue;
+    if (!point.is.at_surface) {
+      low = low == nullptr || end(&point) < end(low) ? &point : low;
+      high = high == nullptr || end(&point) > end(high) ? &point : high;
     }
-    low = low == nullptr || end(&point) < end(low) ? &point : low;
-    high = high == nullptr || end(&point) > end(high) ? &point : high;
   }
-  if (high != nullptr) {
-    shown.push_back({fmt::format("{} point {} (largest)", front.is.name, high->is.number),
-                     front.is.a, high->K.data(), nullptr});
-    shown.push_back({fmt::format("{} point {} (smallest)", front.is.name, low->is.number),
-                     front.is.a, low->K.data(), nullptr});
+  for (const auto& [point, word] : {std::pair(high, "largest"), {low, "smallest"}}) {
+    if (point != nullptr) {
+      shown.push_back({fmt::format("{} point {} ({})", front.is.name, point->is.number, word),
+                       front.is.a, point->K.data(), ""});
+    }
   }
 }
 
-std::vector<Shown> shown_curves(const results::LoadPathResult& path) {
-  std::vector<Shown> shown;
+std::vector<ShownCurve> shown_curves(const results::LoadPathResult& path) {
+  std::vector<ShownCurve> shown;
   for (const results::LoadPathFront& front : path.fronts) {
     add_curves(front, shown);
   }
@@ -84,11 +79,10 @@ Kink sharpest(const base::PiecewiseLinear& K) {
 }
 
 std::string arc(const results::LoadPathContact& contact, std::size_t k) {
-  if (contact.closed[k] == 0) {
-    return "open";
-  }
-  return fmt::format("{:.4g} .. {:.4g}{}", in_print(contact, contact.from[k]),
-                     in_print(contact, contact.to[k]), contact.round ? " deg" : "");
+  return contact.closed[k] == 0
+             ? "open"
+             : fmt::format("{:.4g} .. {:.4g}{}", printed_place(contact, contact.from[k]),
+                           printed_place(contact, contact.to[k]), contact.round ? " deg" : "");
 }
 
 // The slope as steps.
@@ -111,20 +105,15 @@ std::vector<DrawingPoint> values(const base::PiecewiseLinear& K) {
 
 // Error bars of K1 at the ends of the path, which are ends of steps: elsewhere none is worked out.
 PlotSeries end_bars(const results::Increment& increment, const results::LoadPathResult& path,
-                    const results::LoadPathFront& tip, const std::string& colour) {
+                    const ShownCurve& curve) {
   PlotSeries series;
   series.joined = false;
-  series.colour = colour;
-  for (const DrawingPoint& point : values(tip.tip().K[0])) {
-    if (point.x != 0.0 && point.x != 1.0) {
-      continue;
+  for (const DrawingPoint& point : values(*curve.K1)) {
+    if (point.x == 0.0 || point.x == 1.0) {
+      const std::string& step = point.x == 0.0 ? path.from : path.to;
+      series.points.push_back(point);
+      series.bars.push_back(drawn_k1_bar(find_front_at_step(increment, step, curve.tip)));
     }
-    const results::StepResult* const at =
-        results::find_step(increment, point.x == 0.0 ? path.from : path.to);
-    const results::FrontResult* const found =
-        at == nullptr ? nullptr : results::find_front(*at, tip.is.name);
-    series.points.push_back(point);
-    series.bars.push_back(found != nullptr ? drawn_k1_bar(*found) : no_bar);
   }
   return series;
 }
@@ -138,49 +127,42 @@ void add_openings(Plot& plot, const results::LoadPathResult& path, const base::P
   for (const results::LoadPathContact& contact : path.contacts) {
     const MarkerShape marker = shapes[shape++ % shapes.size()];
     if (contact.opening) {
-      PlotSeries series;
-      series.name = named ? fmt::format("{} begins to open", contact.name) : std::string();
-      series.points = {{*contact.opening, K1(*contact.opening)}};
-      series.joined = false;
-      series.marker = marker;
-      plot.series.push_back(series);
+      plot.series
+          .emplace_back(separate_marks(
+              named ? fmt::format("{} begins to open", contact.name) : std::string(), marker))
+          .points = {{*contact.opening, K1(*contact.opening)}};
     }
   }
 }
 
 Figure figure_of(const model::Model& model, const results::RunResult& run, std::size_t p) {
-  const std::string unit = typeset_unit(model.units.stress_intensity_name());
-  const std::string x_name = "t";
-  Plot value{
-      "Stress intensity factor over the load path", x_name, fmt::format("K₁  [{}]", unit), {}};
-  Plot slope{"Its slope", x_name, fmt::format("dK₁/dt  [{}]", unit), {}};
+  const std::string unit = model.units.stress_intensity_name();
+  Plot value{"Stress intensity factor over the load path", "t", axis_title("K₁", unit), {}};
+  Plot slope{"Its slope", "t", axis_title("dK₁/dt", unit), {}};
   value.legend_below = slope.legend_below = true;
-  std::size_t ink = 0;
   const auto increments = chosen_increments(run, 6);
-  for (const results::Increment* increment : increments) {
-    const results::LoadPathResult& path = increment->paths[p];
+  for (std::size_t ink = 0; ink < increments.size(); ++ink) {
+    const results::LoadPathResult& path = increments[ink]->paths[p];
     std::size_t pattern = 0;
-    const std::vector<Shown> curves = shown_curves(path);
-    for (const Shown& tip : curves) {
-      PlotSeries series;
-      series.name =
-          fmt::format("{}a = {:.4g} {}", curves.size() > 1 ? tip.name + ", " : std::string(), tip.a,
-                      model.units.length_name);
-      series.colour = palette_colour(ink);
-      series.dash = dash_pattern(pattern++);
-      series.points = values(*tip.K1);
+    const std::vector<ShownCurve> curves = shown_curves(path);
+    for (const ShownCurve& curve : curves) {
+      PlotSeries series = numbered_curve(
+          fmt::format("{}a = {:.4g} {}", curves.size() > 1 ? curve.name + ", " : std::string(),
+                      curve.a, model.units.length_name),
+          ink, pattern++);
+      series.points = values(*curve.K1);
       value.series.push_back(series);
-      if (tip.tip != nullptr) {
-        value.series.push_back(end_bars(*increment, path, *tip.tip, series.colour));
+      if (!curve.tip.empty()) {
+        value.series.push_back(end_bars(*increments[ink], path, curve));
+        value.series.back().colour = series.colour;
       }
-      series.points = slopes(*tip.K1);
-      slope.series.push_back(series);
+      series.points = slopes(*curve.K1);
+      slope.series.push_back(std::move(series));
     }
-    ++ink;
   }
   for (const results::Increment* increment : increments) {
     const results::LoadPathResult& path = increment->paths[p];
-    if (const std::vector<Shown> curves = shown_curves(path); !curves.empty()) {
+    if (const std::vector<ShownCurve> curves = shown_curves(path); !curves.empty()) {
       add_openings(value, path, *curves.front().K1, increment == increments.front());
     }
   }
@@ -196,69 +178,71 @@ Figure figure_of(const model::Model& model, const results::RunResult& run, std::
 } // namespace
 
 ReportTable load_path_table(const model::Model& model, const results::Increment& increment) {
-  const std::string unit = model.units.stress_intensity_name();
-  ReportTable table{"Load paths: K1 over t",
-                    {{"path", "", true},
-                     {"from", "", true},
-                     {"to", "", true},
-                     {"tip", "", true},
-                     {"breakpoints", "", false},
-                     {"t end", "", false},
-                     {"K1 begin", unit, false},
-                     {"K1 end", unit, false},
-                     {"slope begin", unit, false},
-                     {"slope end", unit, false},
-                     {"largest jump", "%", false},
-                     {"at t", "", false}},
-                    {}};
+  struct CurveRow {
+    const results::LoadPathResult& path;
+    ShownCurve curve;
+    Kink kink;
+  };
+  std::vector<CurveRow> rows;
   for (const results::LoadPathResult& path : increment.paths) {
-    for (const Shown& tip : shown_curves(path)) {
-      const base::PiecewiseLinear& K1 = *tip.K1;
-      const Kink kink = sharpest(K1);
-      const bool kinked = kink.jump > 0.0 && kink.largest_slope > 0.0;
-      table.rows.push_back(
-          {path.name, path.from, path.to, tip.name, fmt::format("{}", path.t.size() - 2),
-           six_digits(path.t.back()), six_digits(K1.at_knot(0)),
-           six_digits(K1.at_knot(K1.segments())), six_digits(K1.slope_after(0)),
-           six_digits(K1.slope_before(K1.segments())),
-           kinked ? fmt::format("{:.2f}", 100.0 * kink.jump / kink.largest_slope) : "",
-           kinked ? six_digits(K1.knots()[kink.knot]) : ""});
+    for (const ShownCurve& curve : shown_curves(path)) {
+      rows.push_back({path, curve, sharpest(*curve.K1)});
     }
   }
-  return table;
+  const std::string unit = model.units.stress_intensity_name();
+  const auto K1 = [](const CurveRow& row) -> const base::PiecewiseLinear& { return *row.curve.K1; };
+  Columns<CurveRow> columns;
+  columns.words("path", [](const CurveRow& row) { return row.path.name; })
+      .words("from", [](const CurveRow& row) { return row.path.from; })
+      .words("to", [](const CurveRow& row) { return row.path.to; })
+      .words("tip", [](const CurveRow& row) { return row.curve.name; })
+      .number("breakpoints", "", [](const CurveRow& row) { return row.path.t.size() - 2; })
+      .number("t end", "", [](const CurveRow& row) { return row.path.t.back(); })
+      .number("K1 begin", unit, [=](const CurveRow& row) { return K1(row).at_knot(0); })
+      .number("K1 end", unit,
+              [=](const CurveRow& row) { return K1(row).at_knot(K1(row).segments()); })
+      .number("slope begin", unit, [=](const CurveRow& row) { return K1(row).slope_after(0); })
+      .number("slope end", unit,
+              [=](const CurveRow& row) { return K1(row).slope_before(K1(row).segments()); })
+      .where(
+          [](const CurveRow& row) { return row.kink.jump > 0.0 && row.kink.largest_slope > 0.0; })
+      .number(
+          "largest jump", "%",
+          [](const CurveRow& row) { return 100.0 * row.kink.jump / row.kink.largest_slope; },
+          "{:.2f}")
+      .number("at t", "", [=](const CurveRow& row) { return K1(row).knots()[row.kink.knot]; });
+  return columns.table("Load paths: K1 over t", rows);
 }
 
 ReportTable opening_table(const results::Increment& increment) {
-  const bool arcs = increment.mesh.dim == 2;
-  ReportTable table{"Load paths: contact",
-                    {{"path", "", true},
-                     {"contact", "", true},
-                     {"first pair opens at t", "", false},
-                     {"closed at begin", "", false},
-                     {"at end", "", false},
-                     {"of", "", false}},
-                    {}};
-  if (arcs) {
-    table.columns.push_back({"arc at begin", "", false});
-    table.columns.push_back({"arc at end", "", false});
-  }
+  struct OpeningRow {
+    const results::LoadPathResult& path;
+    const results::LoadPathContact& contact;
+  };
+  std::vector<OpeningRow> rows;
   for (const results::LoadPathResult& path : increment.paths) {
     for (const results::LoadPathContact& contact : path.contacts) {
-      const std::size_t last = contact.closed.size() - 1;
-      std::vector<std::string> row{path.name,
-                                   contact.name,
-                                   contact.opening ? six_digits(*contact.opening) : "none",
-                                   fmt::format("{}", contact.closed.front()),
-                                   fmt::format("{}", contact.closed[last]),
-                                   fmt::format("{}", contact.rows)};
-      if (arcs) {
-        row.push_back(arc(contact, 0));
-        row.push_back(arc(contact, last));
-      }
-      table.rows.push_back(std::move(row));
+      rows.push_back({path, contact});
     }
   }
-  return table;
+  const auto last = [](const OpeningRow& row) { return row.contact.closed.size() - 1; };
+  Columns<OpeningRow> columns;
+  columns.words("path", [](const OpeningRow& row) { return row.path.name; })
+      .words("contact", [](const OpeningRow& row) { return row.contact.name; })
+      .number("first pair opens at t", "",
+              [](const OpeningRow& row) {
+                return row.contact.opening ? six_digits(*row.contact.opening) : "none";
+              })
+      .number("closed at begin", "",
+              [](const OpeningRow& row) { return row.contact.closed.front(); })
+      .number("at end", "", [=](const OpeningRow& row) { return row.contact.closed[last(row)]; })
+      .number("of", "", [](const OpeningRow& row) { return row.contact.rows; });
+  if (increment.mesh.dim == 2) {
+    columns.number("arc at begin", "", [](const OpeningRow& row) { return arc(row.contact, 0); })
+        .number("arc at end", "",
+                [=](const OpeningRow& row) { return arc(row.contact, last(row)); });
+  }
+  return columns.table("Load paths: contact", rows);
 }
 
 std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run) {

@@ -11,6 +11,9 @@
 /// What the run folder shows of load paths.
 namespace spricka::report {
 
+/// A place on a contact as tables show it: an angle on a circle in degrees, else the length.
+double printed_place(const results::LoadPathContact& contact, double place);
+
 /// load_path.csv: one row for each breakpoint, first and last t of each path and increment:
 /// increment,path,t,changes, then of each tip K1,K2 and their slopes before and behind, then of
 /// each contact the closed pairs and the first and last of them behind the breakpoint (angles in

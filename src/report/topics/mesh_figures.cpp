@@ -3,6 +3,7 @@
 #include "model/property_points.hpp"
 #include "report/drawing/mesh_picture.hpp"
 #include "report/drawing/model_marks.hpp"
+#include "report/drawing/picture_frame.hpp"
 #include "report/drawing/round_off.hpp"
 #include "report/drawing/solid_picture.hpp"
 #include "report/topics/figures.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace spricka::report {
@@ -21,17 +21,6 @@ namespace {
 const results::StepResult* leading(const model::Model& model, const results::Increment& increment) {
   const results::StepResult* const step = results::find_step(increment, leading_step(model));
   return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
-}
-
-/// The node of an element nearest to a place, and its distance.
-base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x) {
-  base::NodeId nearest = mesh.nodes.front();
-  for (const base::NodeId n : mesh.nodes) {
-    if ((mesh.x[n.index()] - x).squaredNorm() < (mesh.x[nearest.index()] - x).squaredNorm()) {
-      nearest = n;
-    }
-  }
-  return nearest;
 }
 
 struct TipMeshPlace {
@@ -56,6 +45,14 @@ TipMeshPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
   return place;
 }
 
+/// Shows displacements so that the largest is a round share, at most so much.
+void magnify(MeshView& view, const results::StepResult& step, double largest, double share) {
+  if (largest > 0.0) {
+    view.u = &step.u;
+    view.magnify = magnification(largest, share);
+  }
+}
+
 /// Shows the mesh as it is deformed, the tip held, so that the largest motion in the window takes
 /// a twelfth of it.
 void deform(MeshView& view, const results::StepResult& step, base::NodeId tip) {
@@ -74,10 +71,7 @@ void deform(MeshView& view, const results::StepResult& step, base::NodeId tip) {
       largest = std::max(largest, (u - view.rest).norm());
     }
   }
-  if (largest > 0.0) {
-    view.u = &step.u;
-    view.magnify = round_number_below((view.high.x - view.low.x) / 12.0 / largest);
-  }
+  magnify(view, step, largest, (view.high.x - view.low.x) / 12.0);
 }
 
 void set_window(MeshView& view, const base::Vec3& centre, double half) {
@@ -111,18 +105,14 @@ MeshView whole_view(const model::Model& model, const results::Increment& increme
   MeshView view;
   view.mesh = &mesh;
   view.length_name = model.units.length_name;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  view.low = {infinite, infinite};
-  view.high = {-infinite, -infinite};
+  PictureBox box;
   for (const base::NodeId n : mesh.nodes) {
-    const base::Vec3& x = mesh.x[n.index()];
-    view.low = {std::min(view.low.x, x[0]), std::min(view.low.y, x[1])};
-    view.high = {std::max(view.high.x, x[0]), std::max(view.high.y, x[1])};
+    box.add({mesh.x[n.index()][0], mesh.x[n.index()][1]});
   }
   view.rigids = model.rigids;
-  const double margin = share * std::max(view.high.x - view.low.x, view.high.y - view.low.y);
-  view.low = {view.low.x - margin, view.low.y - margin};
-  view.high = {view.high.x + margin, view.high.y + margin};
+  const double margin = share * std::max(box.width(), box.height());
+  view.low = {box.low.x - margin, box.low.y - margin};
+  view.high = {box.high.x + margin, box.high.y + margin};
   const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
   view.width = std::min(width, 480.0 / slender);
   return view;
@@ -161,11 +151,7 @@ void deform_all(MeshView& view, const results::StepResult& step) {
   for (Eigen::Index n = 0; n + 1 < step.u.size(); n += 2) {
     largest = std::max(largest, step.u.segment<2>(n).norm());
   }
-  if (largest > 0.0) {
-    view.u = &step.u;
-    view.magnify = round_number_below(std::max(view.high.x - view.low.x, view.high.y - view.low.y) /
-                                      15.0 / largest);
-  }
+  magnify(view, step, largest, std::max(view.high.x - view.low.x, view.high.y - view.low.y) / 15.0);
 }
 
 /// The value that 99 % of the area stay below: a crack tip would have all colours for itself.

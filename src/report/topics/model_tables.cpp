@@ -3,6 +3,7 @@
 
 #include "base/tidy.hpp"
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 
 #include <fmt/format.h>
 
@@ -23,67 +24,36 @@ std::string symmetry_note(const model::Model& model) {
                                      sides);
 }
 
-ReportTable net_table(const model::Model& model) {
-  ReportTable table{
-      "Nets",
-      {{"net", "", true}, {"nodes", "", false}, {"elements", "", false}, {"of type", "", true}},
-      {}};
-  const model::Mesh& mesh = model.mesh;
-  const std::vector<bool> used = model::nodes_in_use(mesh);
-  for (std::size_t n = 0; n < model.nets.size(); ++n) {
-    std::size_t nodes = 0;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      nodes += used[i] && mesh.node_net[i] == base::NetId(n) ? 1 : 0;
-    }
-    std::array<std::size_t, base::element_infos.size()> count{};
-    std::size_t elements = 0;
-    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      if (mesh.element_net[e] == base::NetId(n)) {
-        ++count[static_cast<std::size_t>(mesh.type[e])];
-        ++elements;
-      }
-    }
-    if (nodes == 0 && elements == 0) {
-      continue;
-    }
-    std::string types;
-    for (std::size_t t = 0; t < count.size(); ++t) {
-      if (count[t] > 0) {
-        types += fmt::format("{}{} {}", types.empty() ? "" : ", ", count[t],
-                             base::element_infos[t].name);
-      }
-    }
-    const std::string& name = model.nets[n].name;
-    table.rows.push_back({name.empty() ? "(deck)" : name, fmt::format("{}", nodes),
-                          fmt::format("{}", elements), types});
-  }
-  return table;
-}
-
-ReportTable property_table(const model::Model& model) {
-  constexpr std::array<const char*, 4> state{"plane stress", "plane strain", "axisymmetric",
-                                             "solid"};
-  ReportTable table{"Properties",
-                    {{"elements", "", true},
-                     {"material", "", true},
-                     {"E", model.units.stress_name(), false},
-                     {"nu", "", false},
-                     {"state", "", true},
-                     {"thickness", model.units.length_name, false}},
-                    {}};
-  for (const model::ElementProperty& p : model.properties) {
-    const model::ElasticMaterial& m = model.materials[p.material.index()];
-    const bool plane =
-        p.state == model::StressState::plane_stress || p.state == model::StressState::plane_strain;
-    table.rows.push_back({model.mesh.set_with_id(p.elements).name, m.name,
-                          fmt::format("{:.6g}", m.E), fmt::format("{:.4g}", m.nu),
-                          state[static_cast<std::size_t>(p.state)],
-                          plane ? fmt::format("{:.6g}", p.thickness) : ""});
-  }
-  return table;
-}
-
 namespace {
+
+/// What a net has of each kind.
+struct NetCount {
+  std::string name;
+  std::size_t nodes = 0;
+  std::size_t elements = 0;
+  std::string types;
+};
+
+NetCount count_net(const model::Mesh& mesh, const std::vector<bool>& used, base::NetId net) {
+  NetCount found;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    found.nodes += used[i] && mesh.node_net[i] == net ? 1 : 0;
+  }
+  std::array<std::size_t, base::element_infos.size()> count{};
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.element_net[e] == net) {
+      ++count[static_cast<std::size_t>(mesh.type[e])];
+      ++found.elements;
+    }
+  }
+  for (std::size_t t = 0; t < count.size(); ++t) {
+    if (count[t] > 0) {
+      found.types += fmt::format("{}{} {}", found.types.empty() ? "" : ", ", count[t],
+                                 base::element_infos[t].name);
+    }
+  }
+  return found;
+}
 
 const std::string& master_name(const model::Model& model, const model::Contact& contact) {
   return contact.rigid.valid() ? model.rigids[contact.rigid.index()].name
@@ -92,52 +62,124 @@ const std::string& master_name(const model::Model& model, const model::Contact& 
 
 } // namespace
 
-ReportTable contact_pair_table(const model::Model& model) {
-  ReportTable table{"Contacts",
-                    {{"contact", "", true},
-                     {"slave", "", true},
-                     {"master", "", true},
-                     {"type", "", true},
-                     {"pairing", "", true},
-                     {"declared gap", model.units.length_name, false},
-                     {"mu", "", false}},
-                    {}};
-  for (const model::Contact& c : model.contacts) {
-    table.rows.push_back({c.name, model.mesh.set_with_id(c.slave).name, master_name(model, c),
-                          c.type == model::ContactType::bonded ? "bonded" : "unilateral",
-                          c.pairing == model::PairingMethod::node ? "node" : "segment",
-                          c.gap ? fmt::format("{:.6g}", *c.gap) : "measured",
-                          fmt::format("{:.4g}", c.mu)});
+ReportTable net_table(const model::Model& model) {
+  const std::vector<bool> used = model::nodes_in_use(model.mesh);
+  std::vector<NetCount> nets;
+  for (std::size_t n = 0; n < model.nets.size(); ++n) {
+    NetCount net = count_net(model.mesh, used, base::NetId(n));
+    net.name = model.nets[n].name.empty() ? "(deck)" : model.nets[n].name;
+    if (net.nodes > 0 || net.elements > 0) {
+      nets.push_back(std::move(net));
+    }
   }
-  return table;
+  return Columns<NetCount>()
+      .words("net", &NetCount::name)
+      .number("nodes", "", &NetCount::nodes)
+      .number("elements", "", &NetCount::elements)
+      .words("of type", &NetCount::types)
+      .table("Nets", nets);
+}
+
+ReportTable property_table(const model::Model& model) {
+  using Property = model::ElementProperty;
+  static constexpr std::array state{"plane stress", "plane strain", "axisymmetric", "solid"};
+  const auto material = [&](const Property& p) -> const model::ElasticMaterial& {
+    return model.materials[p.material.index()];
+  };
+  Columns<Property> columns;
+  columns
+      .words("elements", [&](const Property& p) { return model.mesh.set_with_id(p.elements).name; })
+      .words("material", [&](const Property& p) { return material(p).name; })
+      .number("E", model.units.stress_name(), [&](const Property& p) { return material(p).E; })
+      .number(
+          "nu", "", [&](const Property& p) { return material(p).nu; }, "{:.4g}")
+      .words("state", [](const Property& p) { return state[static_cast<std::size_t>(p.state)]; })
+      .where([](const Property& p) {
+        return p.state == model::StressState::plane_stress ||
+               p.state == model::StressState::plane_strain;
+      })
+      .number("thickness", model.units.length_name, &Property::thickness);
+  return columns.table("Properties", model.properties);
+}
+
+ReportTable contact_pair_table(const model::Model& model) {
+  using model::Contact;
+  Columns<Contact> columns;
+  columns.words("contact", &Contact::name)
+      .words("slave", [&](const Contact& c) { return model.mesh.set_with_id(c.slave).name; })
+      .words("master", [&](const Contact& c) { return master_name(model, c); })
+      .words("type",
+             [](const Contact& c) {
+               return c.type == model::ContactType::bonded ? "bonded" : "unilateral";
+             })
+      .words("pairing",
+             [](const Contact& c) {
+               return c.pairing == model::PairingMethod::node ? "node" : "segment";
+             })
+      .number("declared gap", model.units.length_name,
+              [](const Contact& c) { return c.gap ? cell_text(*c.gap) : "measured"; })
+      .number("mu", "", &Contact::mu, "{:.4g}");
+  return columns.table("Contacts", model.contacts);
 }
 
 ReportTable rigid_table(const model::Model& model) {
-  const std::string& unit = model.units.length_name;
-  ReportTable table{"Rigid targets",
-                    {{"target", "", true},
-                     {"shape", "", true},
-                     {"from or centre", unit, true},
-                     {"to", unit, true},
-                     {"radius", unit, false}},
-                    {}};
+  using Target = model::RigidTarget;
+  using Shape = model::RigidTargetShape;
   static constexpr std::array shapes{"line", "arc", "plane", "cylinder", "cone", "sphere"};
-  for (const model::RigidTarget& r : model.rigids) {
-    const bool round = r.radius != 0.0 || r.second_radius != 0.0;
-    const bool one_point =
-        r.shape == model::RigidTargetShape::arc || r.shape == model::RigidTargetShape::sphere;
-    const std::string radius = fmt::format("{:.6g}", std::abs(r.radius));
-    table.rows.push_back({r.name,
-                          fmt::format("{}{}", shapes[static_cast<std::size_t>(r.shape)],
-                                      r.radius < 0.0 || r.second_radius < 0.0 ? ", a bore" : ""),
-                          base::place_text(r.first, model.mesh.dim),
-                          one_point ? "" : base::place_text(r.second, model.mesh.dim),
-                          r.shape == model::RigidTargetShape::cone
-                              ? fmt::format("{} to {:.6g}", radius, std::abs(r.second_radius))
-                          : round ? radius
-                                  : ""});
+  const std::string& unit = model.units.length_name;
+  const int dim = model.mesh.dim;
+  Columns<Target> columns;
+  columns.words("target", &Target::name)
+      .words("shape",
+             [](const Target& r) {
+               return fmt::format("{}{}", shapes[static_cast<std::size_t>(r.shape)],
+                                  r.radius < 0.0 || r.second_radius < 0.0 ? ", a bore" : "");
+             })
+      .words(
+          "from or centre", [=](const Target& r) { return base::place_text(r.first, dim); }, unit)
+      .where([](const Target& r) { return r.shape != Shape::arc && r.shape != Shape::sphere; })
+      .words(
+          "to", [=](const Target& r) { return base::place_text(r.second, dim); }, unit)
+      .where([](const Target& r) { return r.radius != 0.0 || r.second_radius != 0.0; })
+      .number("radius", unit, [](const Target& r) {
+        const std::string radius = cell_text(std::abs(r.radius));
+        return r.shape == Shape::cone
+                   ? fmt::format("{} to {:.6g}", radius, std::abs(r.second_radius))
+                   : radius;
+      });
+  return columns.table("Rigid targets", model.rigids);
+}
+
+ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form) {
+  using Total = results::LoadTotal;
+  const std::string moment = form.force_unit + " " + form.length_unit;
+  Columns<Total> columns;
+  columns.words("case", &Total::load_case);
+  for (int d = 0; d < form.dim; ++d) {
+    columns.number(fmt::format("F{}", "xyz"[d]), form.force_unit,
+                   [d](const Total& load) { return load.force[d]; });
   }
-  return table;
+  for (int d = form.dim == 3 ? 0 : 2; d < 3; ++d) { // in the plane about z alone
+    columns.number(fmt::format("M{}", "xyz"[d]), moment,
+                   [d](const Total& load) { return load.moment[d]; });
+  }
+  return columns.table(
+      "Load cases: totals with factor 1 (moments about the origin; without loads on crack faces)",
+      loads);
+}
+
+ReportTable script_table(const std::vector<results::ReportedScriptConstant>& constants) {
+  using Constant = results::ReportedScriptConstant;
+  return Columns<Constant>()
+      .words("script", &Constant::file)
+      .words("constant", &Constant::name)
+      .number("value", "", &Constant::value)
+      .words("from", &Constant::from)
+      .table("Constants of geometry scripts", constants);
+}
+
+std::string script_section(const std::vector<results::ReportedScriptConstant>& constants) {
+  return constants.empty() ? "" : "\n" + to_text(script_table(constants));
 }
 
 } // namespace spricka::report

@@ -2,6 +2,11 @@
 #pragma once
 #include "model/forward.hpp"
 #include "report/drawing/table.hpp"
+#include "results/load_total.hpp"
+#include "results/script_constant.hpp"
+
+#include <string>
+#include <vector>
 
 /// Tables of what the deck describes.
 namespace spricka::report {
@@ -19,5 +24,20 @@ ReportTable property_table(const model::Model& model);
 ReportTable contact_pair_table(const model::Model& model);
 /// Rigid targets by shape, points and radius; bores are marked.
 ReportTable rigid_table(const model::Model& model);
+
+/// Units and form of a model, as far as totals of loads need them.
+struct LoadTableUnits {
+  std::string length_unit, force_unit;
+  int dim = 2;
+};
+
+/// Total force and moment of each load case with factor 1.
+ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form);
+
+/// The constants of geometry scripts: name, value, and whether the deck or the file has given it.
+ReportTable script_table(const std::vector<results::ReportedScriptConstant>& constants);
+
+/// The same as a section of the listing; empty if there are none.
+std::string script_section(const std::vector<results::ReportedScriptConstant>& constants);
 
 } // namespace spricka::report

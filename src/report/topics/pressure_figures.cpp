@@ -3,6 +3,7 @@
 #include "report/drawing/plot.hpp"
 #include "report/topics/bore_figures.hpp"
 #include "report/topics/figures.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -69,9 +70,22 @@ std::vector<std::vector<DrawingPoint>> pieces(const model::Contact& contact,
   return out;
 }
 
+bool has_pressure(const results::ContactResult& contact) {
+  return contact.mounted && !contact.points.empty();
+}
+
 const results::ContactResult* mounted(const results::StepResult& step, const std::string& name) {
   const results::ContactResult* const found = results::find_contact(step, name);
-  return found != nullptr && found->mounted && !found->points.empty() ? found : nullptr;
+  return found != nullptr && has_pressure(*found) ? found : nullptr;
+}
+
+/// What the steps of a run have of a contact that is mounted.
+std::vector<ContactRow> mounted_rows(const results::RunResult& run, const std::string& name) {
+  std::vector<ContactRow> rows;
+  std::ranges::copy_if(
+      contact_rows(run.increments), std::back_inserter(rows),
+      [&](const ContactRow& row) { return row.contact.name == name && has_pressure(row.contact); });
+  return rows;
 }
 
 constexpr double near_mouth = std::numbers::pi / 18.0; ///< ten degrees
@@ -129,12 +143,8 @@ Figure polar_figure(const model::Model& model, const results::RunResult& run,
   // One scale for all, so that lengths can be compared.
   PolarPlot range;
   range.high = 0.0;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      if (const results::ContactResult* const result = mounted(step, contact.name)) {
-        widen(range, contact, *result);
-      }
-    }
+  for (const ContactRow& row : mounted_rows(run, contact.name)) {
+    widen(range, contact, row.contact);
   }
   Figure figure;
   bool mouths = false;
@@ -181,8 +191,8 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
   bool edges = false;
   for (const results::Increment* const increment : chosen_increments(run, 9)) {
     Plot plot{contact.name,
-              fmt::format("distance along the surface  [{}]", model.units.length_name),
-              fmt::format("p  [{}]", typeset_unit(model.units.stress_name())),
+              axis_title("distance along the surface", model.units.length_name),
+              axis_title("p", model.units.stress_name()),
               {}};
     for (std::size_t s = 0; s < increment->steps.size(); ++s) {
       const results::StepResult& step = increment->steps[s];
@@ -190,10 +200,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
       if (result == nullptr) {
         continue;
       }
-      PlotSeries series;
-      series.name = step.step;
-      series.colour = palette_colour(s);
-      series.dash = dash_pattern(s);
+      PlotSeries series = numbered_curve(step.step, s, s);
       for (const ContactPoint& point : result->points) {
         if (!at_edge(*result, point)) {
           series.points.push_back({point.arc, pressure(contact, point)});
@@ -215,24 +222,26 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
   return figure;
 }
 
-} // namespace
-
-namespace {
-
 /// The deck's contacts, and the faces of its cracks where they touch.
 std::vector<model::Contact> shown_contacts(const model::Model& model,
                                            const results::RunResult& run) {
   std::vector<model::Contact> shown = model.contacts;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::ContactResult& contact : step.contacts) {
-        if (std::ranges::find(shown, contact.name, &model::Contact::name) == shown.end()) {
-          shown.emplace_back().name = contact.name;
-        }
-      }
+  for (const ContactRow& row : contact_rows(run.increments)) {
+    if (std::ranges::find(shown, row.contact.name, &model::Contact::name) == shown.end()) {
+      shown.emplace_back().name = row.contact.name;
     }
   }
   return shown;
+}
+
+Figure figure_of_contact(const model::Model& model, const results::RunResult& run,
+                         const model::Contact& contact) {
+  if (model.mesh.dim == 3) {
+    return bore_figure(model, run, contact).value_or(Figure());
+  }
+  const bool bore = std::ranges::any_of(mounted_rows(run, contact.name),
+                                        [](const ContactRow& row) { return on_bore(row.contact); });
+  return bore ? polar_figure(model, run, contact) : straight_figure(model, run, contact);
 }
 
 } // namespace
@@ -240,21 +249,7 @@ std::vector<model::Contact> shown_contacts(const model::Model& model,
 std::vector<Figure> pressure_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   for (const model::Contact& contact : shown_contacts(model, run)) {
-    bool bore = false;
-    if (model.mesh.dim == 3) {
-      if (std::optional<Figure> figure = bore_figure(model, run, contact)) {
-        figures.push_back(std::move(*figure));
-      }
-      continue;
-    }
-    for (const results::Increment& increment : run.increments) {
-      for (const results::StepResult& step : increment.steps) {
-        const results::ContactResult* const result = mounted(step, contact.name);
-        bore = bore || (result != nullptr && on_bore(*result));
-      }
-    }
-    Figure figure = bore ? polar_figure(model, run, contact) : straight_figure(model, run, contact);
-    if (!figure.drawings.empty()) {
+    if (Figure figure = figure_of_contact(model, run, contact); !figure.drawings.empty()) {
       figures.push_back(std::move(figure));
     }
   }

@@ -38,6 +38,10 @@ ReportTable check_table(const results::RunResult& run);
 /// The processors that ran, with times.
 ReportTable log_table(const results::RunResult& run);
 
+/// The solutions on the way to K within its tolerance; without rows where no $TIPNET has TOL.
+/// `times`: with the CPU time of each, which is another in every run.
+ReportTable tolerance_rounds_table(const results::RunResult& run, bool times);
+
 /// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
 /// without steps.
 std::string leading_step(const model::Model& model);

@@ -1,45 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/columns.hpp"
 #include "report/topics/result_tables.hpp"
 
-#include <fmt/format.h>
-
 namespace spricka::report {
-namespace {} // namespace
 
 ReportTable check_table(const results::RunResult& run) {
-  ReportTable table{"Checks",
-                    {{"check", "", true},
-                     {"found", "", false},
-                     {"wanted", "", false},
-                     {"error", "", false},
-                     {"tolerance", "", false},
-                     {"", "", true},
-                     {"source", "", true}},
-                    {}};
-  for (const results::CheckResult& check : run.checks) {
-    const bool found = check.trouble.empty();
-    const std::string error = check.relative ? fmt::format("{:+.3f} %", 100.0 * check.error)
-                                             : fmt::format("{:.2e}", check.error);
-    const std::string tolerance = check.relative ? fmt::format("{:.4g} %", 100.0 * check.tolerance)
-                                                 : fmt::format("{:.4g}", check.tolerance);
-    table.rows.push_back({check.text, found ? six_digits(check.found) : "-",
-                          six_digits(check.wanted), found ? error : "-", tolerance,
-                          check.passed ? "passed" : "FAILED",
-                          found ? check.source : check.trouble});
-  }
-  return table;
+  using Check = results::CheckResult;
+  const auto share = [](const Check& check, double value, const char* percent, const char* other) {
+    return check.relative ? cell_text(100.0 * value, percent) : cell_text(value, other);
+  };
+  const auto found = [](const Check& check) { return check.trouble.empty(); };
+  Columns<Check> columns;
+  columns.words("check", &Check::text)
+      .number("found", "", [=](const Check& c) { return found(c) ? six_digits(c.found) : "-"; })
+      .number("wanted", "", &Check::wanted)
+      .number(
+          "error", "",
+          [=](const Check& c) { return found(c) ? share(c, c.error, "{:+.3f} %", "{:.2e}") : "-"; })
+      .number("tolerance", "",
+              [=](const Check& c) { return share(c, c.tolerance, "{:.4g} %", "{:.4g}"); })
+      .words("", [](const Check& c) { return c.passed ? "passed" : "FAILED"; })
+      .words("source", [=](const Check& c) { return found(c) ? c.source : c.trouble; });
+  return columns.table("Checks", run.checks);
 }
 
 ReportTable log_table(const results::RunResult& run) {
-  ReportTable table{
-      "Processors",
-      {{"processor", "", true}, {"cpu", "s", false}, {"wall", "s", false}, {"", "", true}},
-      {}};
-  for (const results::LogLine& line : run.log) {
-    table.rows.push_back({line.processor, fmt::format("{:.3f}", line.cpu),
-                          fmt::format("{:.3f}", line.wall), line.text});
+  using results::LogLine;
+  return Columns<LogLine>()
+      .words("processor", &LogLine::processor)
+      .number("cpu", "s", &LogLine::cpu, "{:.3f}")
+      .number("wall", "s", &LogLine::wall, "{:.3f}")
+      .words("", &LogLine::text)
+      .table("Processors", run.log);
+}
+
+ReportTable tolerance_rounds_table(const results::RunResult& run, bool times) {
+  using Round = results::ToleranceRound;
+  Columns<Round> columns;
+  columns.number("round", "", &Round::number).number("freedoms", "", &Round::unknowns);
+  if (times) {
+    columns.number("cpu", "s", &Round::cpu, "{:.2f}");
   }
-  return table;
+  columns
+      .number(
+          "bar", "%", [](const Round& round) { return 100.0 * round.bar; }, "{:.3g}")
+      .number(
+          "wanted", "%", [](const Round& round) { return 100.0 * round.wanted; }, "{:.3g}")
+      .words("largest bar", &Round::worst)
+      .words("then made finer", &Round::next);
+  return columns.table("K to a tolerance", run.rounds);
 }
 
 } // namespace spricka::report

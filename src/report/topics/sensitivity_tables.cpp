@@ -2,8 +2,10 @@
 #include "report/topics/sensitivity_tables.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "report/drawing/tornado.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -129,33 +131,59 @@ std::optional<double> clean(std::optional<double> value, double scale) {
   return value && std::abs(*value) < 1e-9 * scale ? std::optional(0.0) : value;
 }
 
-std::vector<std::string> row_of(const model::Model& model, const SensitivePoint& point,
-                                const Sensitivity& s) {
-  const double K1 = point.result().K1;
-  const double K = std::hypot(K1, point.result().K2);
-  const auto times_value = [&](bool up) {
-    const std::optional<double> slope = point.derivative(s, 0, up);
-    return clean(slope ? std::optional(s.value * *slope) : std::nullopt, K);
+/// A row of the table: a cause at a point.
+struct CauseRow {
+  SensitivePoint point;
+  const Sensitivity& cause;
+
+  // The change by 1 % or a micrometre more, the other side's in the same direction.
+  [[nodiscard]] std::optional<double> change(const model::Model& model, std::size_t mode,
+                                             bool up) const {
+    const std::optional<double> dK = effect(model, point, cause, mode, up);
+    return dK ? std::optional(up ? *dK : -*dK) : std::nullopt;
+  }
+};
+
+Columns<CauseRow> cause_columns(const model::Model& model) {
+  const std::string unit = model.units.stress_intensity_name();
+  const auto K = [](const CauseRow& row) {
+    return std::hypot(row.point.result().K1, row.point.result().K2);
   };
-  const auto percent = [&](bool up) {
-    const std::optional<double> dK = effect(model, point, s, 0, up);
-    const double sign = up ? 100.0 : -100.0; // of the change upwards
-    return clean(dK && K1 != 0.0 ? std::optional(sign * *dK / std::abs(K1)) : std::nullopt,
-                 K > 0.0 ? 1.0 : 0.0);
-  };
-  const auto of_mode_2 = [&](bool up) {
-    const std::optional<double> dK = effect(model, point, s, 1, up);
-    return clean(dK ? std::optional(up ? *dK : -*dK) : std::nullopt, K);
-  };
-  return {point.name(),
-          words_of(s),
-          fmt::format("{:.6g}{}", s.value, unit_of(model, s.cause)),
-          s.value == 0.0 ? "" : both(point, s, times_value, "{:.5g}"),
-          s.cause == SensitivityParameter::fit ? "1 um" : "1 %",
-          both(point, s, percent, "{:+.4f}"),
-          both(point, s, of_mode_2, "{:+.4g}"),
-          s.range ? bound((*s.range)[0]) : "",
-          s.range ? bound((*s.range)[1]) : ""};
+  Columns<CauseRow> columns;
+  columns.words("tip", [](const CauseRow& row) { return row.point.name(); });
+  columns.words("by", [](const CauseRow& row) { return words_of(row.cause); });
+  columns.number("value", "", [&model](const CauseRow& row) {
+    return fmt::format("{:.6g}{}", row.cause.value, unit_of(model, row.cause.cause));
+  });
+  columns.where([](const CauseRow& row) { return row.cause.value != 0.0; });
+  columns.number("value dK1/dvalue", unit, [=](const CauseRow& row) {
+    const auto times_value = [&](bool up) {
+      const std::optional<double> slope = row.point.derivative(row.cause, 0, up);
+      return clean(slope ? std::optional(row.cause.value * *slope) : std::nullopt, K(row));
+    };
+    return both(row.point, row.cause, times_value, "{:.5g}");
+  });
+  columns.where({});
+  columns.number("for", "", [](const CauseRow& row) {
+    return row.cause.cause == SensitivityParameter::fit ? "1 um" : "1 %";
+  });
+  columns.number("K1 changes", "%", [=, &model](const CauseRow& row) {
+    const auto percent = [&](bool up) {
+      const double K1 = row.point.result().K1;
+      const std::optional<double> dK = row.change(model, 0, up);
+      return clean(dK && K1 != 0.0 ? std::optional(100.0 * *dK / std::abs(K1)) : std::nullopt,
+                   K(row) > 0.0 ? 1.0 : 0.0);
+    };
+    return both(row.point, row.cause, percent, "{:+.4f}");
+  });
+  columns.number("K2 changes", unit, [=, &model](const CauseRow& row) {
+    const auto of_mode_2 = [&](bool up) { return clean(row.change(model, 1, up), K(row)); };
+    return both(row.point, row.cause, of_mode_2, "{:+.4g}");
+  });
+  columns.where([](const CauseRow& row) { return row.cause.range.has_value(); });
+  columns.number("kept from", "", [](const CauseRow& row) { return bound((*row.cause.range)[0]); });
+  columns.number("to", "", [](const CauseRow& row) { return bound((*row.cause.range)[1]); });
+  return columns;
 }
 
 TornadoChart tornado_of(const model::Model& model, const SensitivePoint& point, std::string title) {
@@ -176,34 +204,41 @@ TornadoChart tornado_of(const model::Model& model, const SensitivePoint& point, 
   return out;
 }
 
-// "value,": of a tip K1 and K2 below and above, of a point in space all three above.
-std::string derivative_cells(const SensitivePoint& point, const Sensitivity& s) {
-  std::string text;
-  const bool tip = point.front.is_tip();
-  for (std::size_t mode = 0; mode < (tip ? 2U : 3U); ++mode) {
+/// A row of the file: a cause at a point of a front at the end of a step.
+struct SensitivityRow : FrontRow {
+  const Sensitivity& cause;
+  std::size_t index = 0;
+  [[nodiscard]] SensitivePoint point() const { return {front, index}; }
+};
+
+// In the plane K1 and K2 below and above the value, in space all three above.
+void add_derivatives(Columns<SensitivityRow>& columns, bool space) {
+  for (std::size_t mode = 0; mode < (space ? 3U : 2U); ++mode) {
     for (const bool above : {false, true}) {
-      const std::optional<double> slope = point.derivative(s, mode, above);
-      text += !tip && !above ? "" : slope ? fmt::format("{},", *slope) : ",";
+      if (above || !space) {
+        columns.exact(fmt::format("dK{}{}", mode + 1,
+                                  space   ? ""
+                                  : above ? "_above"
+                                          : "_below"),
+                      [=](const SensitivityRow& row) {
+                        return row.point().derivative(row.cause, mode, above);
+                      });
+      }
     }
   }
-  return text;
 }
 
-// Rows of one cause: one for each point, in space none where nothing holds a body above the value.
-std::string rows_of_cause(const std::string& begin, const results::FrontResult& front,
-                          const Sensitivity& s) {
-  std::string text;
-  for (std::size_t i = 0; i < (front.is_tip() ? 1 : s.above.size()); ++i) {
-    const SensitivePoint point{front, i};
-    const results::FrontPointResult& at = point.result();
-    text += fmt::format("{},{},{},{}{},{},{},{}{},{}\n", begin, front.name, front.a,
-                        front.is_tip() ? ""
-                                       : fmt::format("{},{:d},{},", at.number, at.at_surface, at.s),
-                        results::display_word(s.cause), s.name, s.value, derivative_cells(point, s),
-                        s.range ? fmt::format("{}", (*s.range)[0]) : "",
-                        s.range ? fmt::format("{}", (*s.range)[1]) : "");
+// One row for each point and cause, in space none where nothing holds a body above the value.
+std::vector<SensitivityRow> sensitivity_rows(const results::RunResult& run) {
+  std::vector<SensitivityRow> rows;
+  for (const FrontRow& row : front_rows(run.increments)) {
+    for (const Sensitivity& cause : row.front.sensitivities.of) {
+      for (std::size_t i = 0; i < (row.front.is_tip() ? 1 : cause.above.size()); ++i) {
+        rows.push_back({row, cause, i});
+      }
+    }
   }
-  return text;
+  return rows;
 }
 
 } // namespace
@@ -213,53 +248,47 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   if (model.cracks.empty()) {
     return;
   }
+  using Row = SensitivityRow;
   const bool space = model.mesh.dim == 3;
-  const base::UnitSystem& units = model.units;
-  std::string text = fmt::format(
-      "# units: a{3} and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2{4} [{2}] over "
-      "the unit of the value\n"
-      "increment,step,crack,a,{5}cause,name,value,{6},from,to\n",
-      units.length_name, units.stress_name(), units.stress_intensity_name(), space ? ", s" : "",
-      space ? " dK3" : "", space ? "point,at_surface,s," : "",
-      space ? "dK1,dK2,dK3" : "dK1_below,dK1_above,dK2_below,dK2_above");
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      const std::string begin = fmt::format("{},{}", increment.number, step.step);
-      for (const results::FrontResult& front : step.fronts) {
-        for (const Sensitivity& s : front.sensitivities.of) {
-          text += rows_of_cause(begin, front, s);
-        }
-      }
-    }
+  Columns<Row> columns;
+  columns.exact("increment", [](const Row& row) { return row.increment.number; })
+      .exact("step", [](const Row& row) { return row.step.step; })
+      .exact("crack", [](const Row& row) { return row.front.name; })
+      .exact("a", [](const Row& row) { return row.front.a; });
+  if (space) {
+    columns.exact("point", [](const Row& row) { return row.point().result().number; })
+        .exact("at_surface", [](const Row& row) { return row.point().result().at_surface ? 1 : 0; })
+        .exact("s", [](const Row& row) { return row.point().result().s; });
   }
-  write_file(file, text);
+  columns.exact("cause", [](const Row& row) { return results::display_word(row.cause.cause); })
+      .exact("name", [](const Row& row) { return row.cause.name; })
+      .exact("value", [](const Row& row) { return row.cause.value; });
+  add_derivatives(columns, space);
+  columns.where([](const Row& row) { return row.cause.range.has_value(); })
+      .exact("from", [](const Row& row) { return (*row.cause.range)[0]; })
+      .exact("to", [](const Row& row) { return (*row.cause.range)[1]; });
+  const base::UnitSystem& units = model.units;
+  const std::string words = fmt::format(
+      "a{3} and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2{4} [{2}] over the unit "
+      "of the value",
+      units.length_name, units.stress_name(), units.stress_intensity_name(), space ? ", s" : "",
+      space ? " dK3" : "");
+  write_file(file, columns.csv(words, sensitivity_rows(run)));
 }
 
 ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment) {
   const std::string step = leading_step(model);
-  const std::string unit = model.units.stress_intensity_name();
-  ReportTable table{
-      fmt::format("Sensitivity of K1 and K2 at the end of step {}, contact state held fixed", step),
-      {{"tip", "", true},
-       {"by", "", true},
-       {"value", "", false},
-       {"value dK1/dvalue", unit, false},
-       {"for", "", false},
-       {"K1 changes", "%", false},
-       {"K2 changes", unit, false},
-       {"kept from", "", false},
-       {"to", "", false}},
-      {}};
-  const results::StepResult* found = results::find_step(increment, step);
-  if (found == nullptr) {
-    return table;
-  }
-  for (const SensitivePoint& point : leading_points(*found)) {
-    for (const Sensitivity* s : sorted(model, point)) {
-      table.rows.push_back(row_of(model, point, *s));
+  std::vector<CauseRow> rows;
+  if (const results::StepResult* const found = results::find_step(increment, step)) {
+    for (const SensitivePoint& point : leading_points(*found)) {
+      for (const Sensitivity* cause : sorted(model, point)) {
+        rows.push_back({point, *cause});
+      }
     }
   }
-  return table;
+  return cause_columns(model).table(
+      fmt::format("Sensitivity of K1 and K2 at the end of step {}, contact state held fixed", step),
+      rows);
 }
 
 std::vector<std::string> sensitivity_notes(const model::Model& model,
@@ -269,9 +298,7 @@ std::vector<std::string> sensitivity_notes(const model::Model& model,
   if (found != nullptr) {
     for (const results::FrontResult& front : found->fronts) {
       for (const std::string& note : front.sensitivities.notes) {
-        if (std::ranges::find(notes, note) == notes.end()) {
-          notes.push_back(note);
-        }
+        add_new(notes, note);
       }
     }
   }

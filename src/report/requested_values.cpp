@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/requested_values.hpp"
+
+#include "report/drawing/set_members.hpp"
+#include "results/k_quantities.hpp"
+#include "results/output_word.hpp"
+
+#include <array>
+
+namespace spricka::report {
+namespace {
+
+/// Collects the numbers of one request.
+class RequestCollector {
+public:
+  RequestCollector(const results::Increment& increment, const results::StepResult& step,
+                   const model::OutputRequest& request)
+      : mesh_(increment.mesh), step_(step), request_(request) {}
+
+  std::vector<RequestedValue> collect() {
+    if (request_.quantity == "K") {
+      add_fronts();
+    } else if (request_.quantity == "CPRESS") {
+      add_pressures();
+    } else if (request_.quantity == "REACTION") {
+      base::Vec3 sum = base::Vec3::Zero();
+      for (const base::NodeId n : set_members(mesh_, request_.name)) {
+        sum += at_node(step_.reaction, n);
+      }
+      add_vector({}, sum);
+    } else if (request_.quantity == "U") {
+      for (const base::NodeId n : set_members(mesh_, request_.name)) {
+        add_vector(place(n), at_node(step_.u, n));
+      }
+    } else if (!step_.stress.empty()) {
+      for (const StressPoint& at : stress_points(mesh_, request_.name)) {
+        add_stress(place(at.node), step_.stress[at.point]);
+      }
+    }
+    return std::move(values_);
+  }
+
+private:
+  using Where = decltype(RequestedValue::where);
+
+  [[nodiscard]] Where place(base::NodeId n) const {
+    return std::pair(mesh_.node_label[n.index()], mesh_.x[n.index()]);
+  }
+
+  [[nodiscard]] base::Vec3 at_node(const base::Vector& vector, base::NodeId n) const {
+    base::Vec3 value = base::Vec3::Zero();
+    value.head(mesh_.dim) =
+        vector.segment(static_cast<Eigen::Index>(n.index()) * mesh_.dim, mesh_.dim);
+    return value;
+  }
+
+  void add_vector(const Where& where, const base::Vec3& vector) {
+    for (int c = 0; c < mesh_.dim; ++c) {
+      values_.push_back({where, std::string(1, "XYZ"[c]), vector[c]});
+    }
+  }
+
+  void add_stress(const Where& where, const results::Stress& stress) {
+    static constexpr std::array components{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    static constexpr std::array principal{"P1", "P2", "P3"};
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      values_.push_back({where, components[c], stress[c]});
+    }
+    values_.push_back({where, "MISES", results::von_mises(stress)});
+    const std::array<double, 3> p = results::principal_stresses(stress);
+    for (std::size_t c = 0; c < principal.size(); ++c) {
+      values_.push_back({where, principal[c], p[c]});
+    }
+  }
+
+  void add_fronts() {
+    for (const results::FrontResult& front : step_.fronts) {
+      for (const results::FrontPointResult& point : front.points) {
+        for (const results::KQuantity& q : results::k_quantities) {
+          if (names_front(request_, front) && q.appears_in(results::in_output, mesh_.dim) &&
+              q.is_number(front, point)) {
+            const Where where(std::pair<base::Label, base::Vec3>(point.number, point.x));
+            values_.push_back({front.is_tip() ? Where() : where,
+                               results::output_column_name(q.name), q.extract_value(front, point)});
+          }
+        }
+      }
+    }
+  }
+
+  void add_pressures() {
+    const results::ContactResult* contact = results::find_contact(step_, request_.name);
+    if (contact == nullptr || !contact->mounted) {
+      return;
+    }
+    for (const results::ContactPoint& p : contact->points) {
+      for (const bool friction : {false, true}) {
+        for (const results::ContactPointQuantity& q : results::point_quantities) {
+          if (q.appears_in(results::in_pressure_output) && q.friction == friction &&
+              (contact->rubs || !friction)) {
+            values_.push_back(
+                {place(p.node), results::output_column_name(q.name), q.extract_value(p)});
+          }
+        }
+      }
+    }
+  }
+
+  const model::Mesh& mesh_;
+  const results::StepResult& step_;
+  const model::OutputRequest& request_;
+  std::vector<RequestedValue> values_;
+};
+
+} // namespace
+
+std::vector<RequestedValue> requested_values(const results::Increment& increment,
+                                             const results::StepResult& step,
+                                             const model::OutputRequest& request) {
+  return RequestCollector(increment, step, request).collect();
+}
+
+bool names_front(const model::OutputRequest& request, const results::FrontResult& front) {
+  return front.name == request.name || front.name.starts_with(request.name + ".");
+}
+
+} // namespace spricka::report

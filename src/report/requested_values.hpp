@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/requests.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::report {
+
+/// A number that a card $OUTPUT asks for at the end of a step.
+struct RequestedValue {
+  /// A node's or, of a front in space, a point's number and place; empty: of the whole set.
+  std::optional<std::pair<base::Label, base::Vec3>> where;
+  std::string component; ///< "XX", "Y", "K1_BAR"
+  double value = 0.0;
+};
+
+/// The numbers of one request: K point by point, CPRESS, U and S node by node, REACTION as the sum
+/// over the set. Empty where the step has nothing of the kind.
+std::vector<RequestedValue> requested_values(const results::Increment& increment,
+                                             const results::StepResult& step,
+                                             const model::OutputRequest& request);
+
+/// Whether a request for K means a front: by its name or that of its crack.
+bool names_front(const model::OutputRequest& request, const results::FrontResult& front);
+
+} // namespace spricka::report

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/results.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// Results as rows of tables: what increments and steps hold, one after another.
+namespace spricka::report {
+
+/// A front at the end of a step.
+struct FrontRow {
+  const results::Increment& increment;
+  const results::StepResult& step;
+  const results::FrontResult& front;
+};
+/// The fronts of all steps of these increments.
+std::vector<FrontRow> front_rows(std::span<const results::Increment> increments);
+
+/// A point of a front at the end of a step.
+struct FrontPointRow : FrontRow {
+  const results::FrontPointResult& point;
+};
+/// The points of the fronts of all steps of these increments.
+std::vector<FrontPointRow> front_point_rows(std::span<const results::Increment> increments);
+
+/// A contact at the end of a step.
+struct ContactRow {
+  const results::Increment& increment;
+  const results::StepResult& step;
+  const results::ContactResult& contact;
+};
+/// The contacts of all steps of these increments.
+std::vector<ContactRow> contact_rows(std::span<const results::Increment> increments);
+
+/// The front of that name at the end of that step of an increment; null: there is none.
+const results::FrontResult* find_front_at_step(const results::Increment& increment,
+                                               std::string_view step, std::string_view front);
+
+/// Adds a name to those that are known, once.
+template <class Name> void add_new(std::vector<Name>& names, const Name& name) {
+  if (std::ranges::find(names, name) == names.end()) {
+    names.push_back(name);
+  }
+}
+
+} // namespace spricka::report
