@@ -3,9 +3,9 @@
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "report/report.hpp"
+#include "report/topics/k_tables.hpp"
 #include "report/topics/result_rows.hpp"
 #include "report/units_line.hpp"
-#include "results/k_quantities.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -27,36 +27,22 @@ struct PressureRow : ContactRow {
   const results::ContactPoint& point;
 };
 
-/// Where a row stands, and its unit.
-template <class Row> Columns<Row> step_columns(ColumnUnits& units) {
-  units.add_column(base::Quantity::number, "increment");
-  Columns<Row> columns;
-  columns.exact("increment", [](const Row& row) { return row.increment.number; });
-  columns.exact("step", [](const Row& row) { return row.step.step; });
-  return columns;
-}
-
 } // namespace
 
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::RunResult& run) {
   ColumnUnits units;
-  Columns<FrontPointRow> columns = step_columns<FrontPointRow>(units);
+  units.add_column(base::Quantity::number, "increment");
+  Columns<FrontPointRow> columns = step_columns<FrontPointRow>();
   columns.exact("crack", [](const FrontPointRow& row) { return row.front.name; });
-  // those by opening where the deck asks for them
-  const bool opening = std::ranges::any_of(model.vces, &model::CrackExtensionSettings::opening);
-  for (const results::KQuantity& q : results::k_quantities) {
-    if (!q.appears_in(results::in_k_csv, model.mesh.dim) ||
-        (!opening && q.given == results::KQuantityCondition::with_opening)) {
-      continue;
-    }
-    columns.where([q = &q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
-    columns.exact(q.name, [q = &q](const FrontPointRow& row) {
+  for (const results::KQuantity* const q : shown_k_quantities(model, results::in_k_csv)) {
+    columns.where([q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
+    columns.exact(q->name, [q](const FrontPointRow& row) {
       return q->extract_value(row.front, row.point) * printed_unit(q->kind);
     });
     // K1_bar and its like are made of K1 and K2
-    const bool follows = q.judges && q.kind == base::Quantity::stress_intensity;
-    units.add_column(q.kind, follows ? "and what begins with them" : q.name);
+    const bool follows = q->judges && q->kind == base::Quantity::stress_intensity;
+    units.add_column(q->kind, follows ? "and what begins with them" : q->name);
   }
   write_file(file, columns.csv(units.units_text(model.units), front_point_rows(run.increments)));
 }
@@ -69,7 +55,8 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
         return c.faces_in_contact && c.mu > 0.0;
       });
   ColumnUnits units;
-  Columns<PressureRow> columns = step_columns<PressureRow>(units);
+  units.add_column(base::Quantity::number, "increment");
+  Columns<PressureRow> columns = step_columns<PressureRow>();
   columns.exact("contact", [](const PressureRow& row) { return row.contact.name; });
   for (const results::ContactPointQuantity& q : results::point_quantities) {
     if (!q.appears_in(results::in_pressure_csv) || (q.friction && !rubs) ||

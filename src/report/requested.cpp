@@ -5,6 +5,7 @@
 #include "report/drawing/file.hpp"
 #include "report/report.hpp"
 #include "report/requested_values.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/units_line.hpp"
 #include "results/k_quantities.hpp"
 #include "results/output_word.hpp"
@@ -28,10 +29,8 @@ struct RequestedRow {
 
 Columns<RequestedRow> requested_columns(int dim) {
   using Row = RequestedRow;
-  Columns<Row> columns;
-  columns.exact("increment", [](const Row& row) { return row.increment.number; })
-      .exact("step", [](const Row& row) { return row.step.step; })
-      .exact("quantity", [](const Row& row) { return row.request.quantity; })
+  Columns<Row> columns = step_columns<Row>();
+  columns.exact("quantity", [](const Row& row) { return row.request.quantity; })
       .exact("name", [](const Row& row) { return row.request.name; })
       .where([](const Row& row) { return row.of.where.has_value(); })
       .exact("node", [](const Row& row) { return row.of.where->first; });

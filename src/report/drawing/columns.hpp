@@ -51,6 +51,7 @@ public:
     condition_ = std::move(condition);
     return *this;
   }
+  /// The texts of one row, one for each column.
   [[nodiscard]] std::vector<std::string> cells(const Row& row) const {
     std::vector<std::string> cells;
     for (const auto& text : texts_) {

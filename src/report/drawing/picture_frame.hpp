@@ -17,7 +17,9 @@ struct PictureBox {
                    std::numeric_limits<double>::infinity()};
   DrawingPoint high{-low.x, -low.y};
 
+  /// Makes the rectangle hold a point too.
   void add(DrawingPoint p);
+  /// Whether it has no width or no height.
   [[nodiscard]] bool empty() const { return !(width() > 0.0 && height() > 0.0); }
   [[nodiscard]] double width() const { return high.x - low.x; }
   [[nodiscard]] double height() const { return high.y - low.y; }
@@ -31,6 +33,7 @@ struct PictureEye {
 
   /// The eye in that direction from the place, with `upward` above.
   static PictureEye looking_from(const base::Vec3& towards, const base::Vec3& upward);
+  /// Where a place in space is in the picture [length].
   [[nodiscard]] DrawingPoint operator()(const base::Vec3& x) const {
     return {right.dot(x), up.dot(x)};
   }
@@ -60,7 +63,8 @@ private:
 /// so much, of a length; 0 without displacements.
 double magnification(double largest, double share);
 
-/// The node of a mesh that is nearest to a place.
+/// The node of a mesh that is nearest to a place; the first of those that are as near. The mesh has
+/// nodes.
 base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x);
 
 /// The area vector of a closed line of nodes, along its normal by the right-hand rule, twice as

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/topics/bore_figures.hpp"
-
 #include "model/model.hpp"
 #include "report/drawing/colour_scale.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/figures.hpp"
 #include "report/topics/result_tables.hpp"
 #include "report/topics/unrolled.hpp"
 
@@ -37,23 +36,21 @@ bool is_consistent(const model::Contact& contact) {
   return contact.recovery == model::PressureRecovery::consistent;
 }
 
-// What a step of an increment has of a contact, where it is closed anywhere.
-const results::ContactResult* closed_bore(const results::StepResult* step,
-                                          const model::Contact& contact) {
+// Adds what a step of an increment has of a contact, where it is closed anywhere.
+void add_closed(std::vector<Seen>& all, const results::StepResult* step,
+                const model::Contact& contact, const std::string& label) {
   const results::ContactResult* const result =
       step == nullptr ? nullptr : results::find_contact(*step, contact.name);
-  return result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0
-             ? result
-             : nullptr;
+  if (result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0) {
+    all.push_back({result, label, UnrolledSurface(*result, is_consistent(contact))});
+  }
 }
 
 /// The steps of the last length.
 std::vector<Seen> of_steps(const results::RunResult& run, const model::Contact& contact) {
   std::vector<Seen> all;
   for (const results::StepResult& step : run.increments.back().steps) {
-    if (const results::ContactResult* const result = closed_bore(&step, contact)) {
-      all.push_back({result, step.step, UnrolledSurface(*result, is_consistent(contact))});
-    }
+    add_closed(all, &step, contact, step.step);
   }
   return all;
 }
@@ -64,12 +61,8 @@ std::vector<Seen> of_sizes(const model::Model& model, const results::RunResult& 
   const std::string step = leading_step(model);
   std::vector<Seen> all;
   for (const results::Increment* increment : chosen_increments(run, most_sizes)) {
-    if (const results::ContactResult* const result =
-            closed_bore(results::find_step(*increment, step), contact)) {
-      all.push_back({result,
-                     fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name),
-                     UnrolledSurface(*result, is_consistent(contact))});
-    }
+    add_closed(all, results::find_step(*increment, step), contact,
+               fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name));
   }
   return all;
 }
@@ -323,9 +316,8 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::RunR
       "the place along the axis. Red: where contact ends; white: there is no surface opposite. "
       "Below: the pressure of {} along the axis at some angles, and for each {} the contact force "
       "per unit length in the direction of the total force.",
-      contact.name, is_consistent(contact) ? "consistent" : "lumped",
-      sizes.empty() ? "" : ", as the crack grows", shown.back().label,
-      sizes.empty() ? "step" : "size");
+      contact.name, recovery_word(contact), sizes.empty() ? "" : ", as the crack grows",
+      shown.back().label, sizes.empty() ? "step" : "size");
   return figure;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "model/contacts.hpp"
 #include "model/forward.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/table.hpp"
@@ -48,6 +49,7 @@ std::optional<NominalStressState> find_nominal_state(const model::Model& model);
 /// How a length and a K stand in a figure: as they are, or over R and SIGMA sqrt(pi a).
 struct KFigureScale {
   std::optional<NominalStressState> state;
+  /// The point of a length [length] and a K [stress * length^0.5].
   [[nodiscard]] DrawingPoint operator()(double a, double K) const {
     return state ? DrawingPoint{a / state->radius, K / state->k0(a)} : DrawingPoint{a, K};
   }
@@ -77,6 +79,16 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::RunRe
 /// Pressure of each contact: polar plots on bores, plots along the surface elsewhere; one drawing
 /// for each crack length, at most nine.
 std::vector<Figure> pressure_figures(const model::Model& model, const results::RunResult& run);
+
+/// Pressure of a contact between solids round an axis at the steps of the last length: maps of the
+/// unrolled surface, curves along the axis, the line of force. Empty where it has no axis.
+std::optional<Figure> bore_figure(const model::Model& model, const results::RunResult& run,
+                                  const model::Contact& contact);
+
+/// The pressure at a node by the recovery that the deck asks for.
+double recovered_pressure(const model::Contact& contact, const results::ContactPoint& point);
+/// "consistent" or "lumped".
+const char* recovery_word(const model::Contact& contact);
 
 /// Lengths over cycles, K of the law over the length, the way of the tips; none without growth by a
 /// law.

@@ -2,8 +2,10 @@
 #include "report/topics/front_section.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/beach_marks.hpp"
 #include "report/drawing/crack_picture.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -73,11 +75,32 @@ PlotSeries curve_along(const results::FrontResult& front, std::size_t mode) {
   return curve;
 }
 
+// The fronts of a crack in a solution; those of all steps lie at the same places.
+std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increment,
+                                               const std::string& crack) {
+  std::vector<std::vector<base::Vec3>> fronts;
+  if (increment.steps.empty()) {
+    return fronts;
+  }
+  for (const results::FrontResult& front : increment.steps.front().fronts) {
+    if (front.name != crack && !front.name.starts_with(crack + ".")) {
+      continue;
+    }
+    std::vector<base::Vec3>& points = fronts.emplace_back();
+    for (const results::FrontPointResult& place : front.points) {
+      points.push_back(place.x);
+    }
+    if (front.is_loop && !points.empty()) {
+      points.push_back(points.front());
+    }
+  }
+  return fronts;
+}
+
 /// The front in its body and the opened crack, at the end of the leading step.
 std::optional<Figure> crack_pictures(const model::Model& model, const results::Increment& increment,
                                      const std::string& name) {
-  const results::StepResult* const leading = results::find_step(increment, leading_step(model));
-  const results::StepResult& step = leading != nullptr ? *leading : increment.steps.back();
+  const results::StepResult& step = *leading_result(model, increment);
   const auto front = std::ranges::find(step.fronts, name, &results::FrontResult::name);
   if (front == step.fronts.end() || increment.surface.size() > most_drawn_faces) {
     return std::nullopt;
@@ -116,30 +139,27 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
   plot.legend_below = true;
   double a = 0.0;
   std::size_t ink = 0;
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      if (front.name != name || largest_K(front) <= 1e-9 * scale) {
-        continue;
-      }
-      a = front.a;
-      plot.x_name = front.has_angles
-                        ? "angle φ along the front, degrees"
-                        : fmt::format("length along the front, {}", model.units.length_name);
-      for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
-        PlotSeries series = curve_along(front, mode);
-        const bool nothing = std::ranges::all_of(series.points, [&](const DrawingPoint& p) {
-          return std::abs(p.y) < nothing_beside * scale;
-        });
-        if (mode > 0 && nothing) {
-          continue; // an axis already
-        }
+  for (const auto& [of, step, front] : front_rows({&increment, 1})) {
+    if (front.name != name || largest_K(front) <= 1e-9 * scale) {
+      continue;
+    }
+    a = front.a;
+    plot.x_name = front.has_angles
+                      ? "angle φ along the front, degrees"
+                      : fmt::format("length along the front, {}", model.units.length_name);
+    for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
+      PlotSeries series = curve_along(front, mode);
+      const bool nothing = std::ranges::all_of(series.points, [&](const DrawingPoint& p) {
+        return std::abs(p.y) < nothing_beside * scale;
+      });
+      if (mode == 0 || !nothing) { // else an axis already
         series.name = fmt::format("{}: K{}", step.step, mode + 1);
         series.colour = palette_colour(ink);
         series.dash = dash_pattern(mode);
         plot.series.push_back(std::move(series));
       }
-      ++ink;
     }
+    ++ink;
   }
   return {{draw_svg(plot)},
           "",
@@ -158,6 +178,37 @@ std::vector<Figure> front_figures(const model::Model& model, const results::RunR
     if (std::optional<Figure> figure = crack_pictures(model, run.increments.back(), front->name)) {
       figures.push_back(std::move(*figure));
     }
+  }
+  return figures;
+}
+
+std::vector<Figure> beach_mark_figures(const model::Model& model, const results::RunResult& run) {
+  std::vector<Figure> figures;
+  if (!run.growth || model.mesh.dim != 3) {
+    return figures;
+  }
+  const std::vector<results::GrowthStation>& stations = run.growth->stations;
+  for (const model::CrackDefinition& crack : model.cracks) {
+    BeachMarkView view;
+    view.title = fmt::format("Fronts of {}", crack.name);
+    view.right = crack.plane.along;
+    view.up = crack.plane.transverse_axis();
+    view.length_name = model.units.length_name;
+    for (std::size_t i = 0; i < std::min(stations.size(), run.increments.size()); ++i) {
+      BeachMark mark{.fronts = fronts_of(run.increments[i], crack.name),
+                     .cycles = stations[i].cycles};
+      if (!mark.fronts.empty()) {
+        view.marks.push_back(std::move(mark));
+      }
+    }
+    if (view.marks.size() < 2) {
+      continue;
+    }
+    figures.push_back({{draw_svg(view)},
+                       "",
+                       fmt::format("Where the front of {} was solved, seen along the crack's "
+                                   "normal; N in {}.",
+                                   crack.name, run.growth->unit == "pass" ? "passes" : "cycles")});
   }
   return figures;
 }

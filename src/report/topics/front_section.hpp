@@ -19,4 +19,7 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
 /// The same of each front at the last increment, and the front in its body.
 std::vector<Figure> front_figures(const model::Model& model, const results::RunResult& run);
 
+/// A figure for each crack in space that has grown by a law: its fronts at all stations.
+std::vector<Figure> beach_mark_figures(const model::Model& model, const results::RunResult& run);
+
 } // namespace spricka::report

@@ -4,7 +4,7 @@
 #include "report/drawing/picture_frame.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/figures.hpp"
-#include "report/topics/front_marks.hpp"
+#include "report/topics/front_section.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
 #include "report/topics/result_rows.hpp"

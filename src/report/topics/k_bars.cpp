@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/k_bars.hpp"
 
+#include "report/topics/result_rows.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,25 +34,20 @@ std::string format_error_bar(double size) {
 }
 
 std::string k_bar_lines(const results::Increment& increment) {
+  const std::vector<FrontRow> rows = front_rows({&increment, 1});
   std::size_t step_width = 0;
-  std::size_t tip_width = 0;
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      step_width = std::max(step_width, step.step.size());
-      tip_width = std::max(tip_width, front.name.size());
-    }
+  std::size_t name_width = 0;
+  for (const FrontRow& row : rows) {
+    step_width = std::max(step_width, row.step.step.size());
+    name_width = std::max(name_width, row.front.name.size());
   }
   std::string lines;
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      if (!front.is_tip() || !front.has_error_bar()) {
-        continue;
-      }
-      const results::FrontPointResult& tip = front.tip();
-      for (std::size_t k = 0; k < 2; ++k) {
-        lines += fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", step.step, step_width, front.name,
-                             tip_width, k + 1, k_with_bar(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
-      }
+  for (const FrontRow& row : rows) {
+    for (std::size_t k = 0; k < 2 && row.front.is_tip() && row.front.has_error_bar(); ++k) {
+      const results::FrontPointResult& tip = row.front.tip();
+      lines +=
+          fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", row.step.step, step_width, row.front.name,
+                      name_width, k + 1, k_with_bar(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
     }
   }
   return lines;

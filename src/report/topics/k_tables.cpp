@@ -58,26 +58,21 @@ std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const 
 /// A column for each quantity that the listing has, one for its error bar behind each K.
 void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, bool angles,
                    bool bars, const CrackScale& scale) {
-  using Condition = results::KQuantityCondition;
-  // those by opening where the deck asks for them
-  const bool opening = std::ranges::any_of(model.vces, &model::CrackExtensionSettings::opening);
-  for (const results::KQuantity& q : results::k_quantities) {
-    if (!q.appears_in(results::in_listing, model.mesh.dim) ||
-        (q.given == Condition::with_opening && !opening) ||
-        (q.given == Condition::with_angles && !angles)) {
+  for (const results::KQuantity* const q : shown_k_quantities(model, results::in_listing)) {
+    if (q->given == results::KQuantityCondition::with_angles && !angles) {
       continue;
     }
     const std::string unit =
-        q.kind == base::Quantity::angle ? "deg" : base::unit_name(model.units, q.kind);
-    columns.where([q = &q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
-    columns.number(q.heading.empty() ? q.name : std::string(q.heading), unit,
-                   [q = &q, scale](const FrontPointRow& row) { return k_cell(*q, row, scale); });
-    if (q.is_k() && bars) {
-      columns.where([q = &q](const FrontPointRow& row) {
+        q->kind == base::Quantity::angle ? "deg" : base::unit_name(model.units, q->kind);
+    columns.where([q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
+    columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit,
+                   [q, scale](const FrontPointRow& row) { return k_cell(*q, row, scale); });
+    if (q->is_k() && bars) {
+      columns.where([q](const FrontPointRow& row) {
         return q->is_given(row.front, row.point) && row.front.has_error_bar() &&
                !row.point.at_surface;
       });
-      columns.number(fmt::format("+- {}", q.name), unit, [q = &q](const FrontPointRow& row) {
+      columns.number(fmt::format("+- {}", q->name), unit, [q](const FrontPointRow& row) {
         return format_error_bar(row.point.bar[static_cast<std::size_t>(q->mode)].size());
       });
     }
@@ -149,6 +144,19 @@ std::vector<ReportTable> front_tables(const model::Model& model,
     tables.push_back(front_table(model, increment, *front));
   }
   return tables;
+}
+
+std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& model,
+                                                          results::KOutput place) {
+  const bool opening = std::ranges::any_of(model.vces, &model::CrackExtensionSettings::opening);
+  std::vector<const results::KQuantity*> shown;
+  for (const results::KQuantity& q : results::k_quantities) {
+    if (q.appears_in(place, model.mesh.dim) &&
+        (opening || q.given != results::KQuantityCondition::with_opening)) {
+      shown.push_back(&q);
+    }
+  }
+  return shown;
 }
 
 double largest_K(const results::FrontResult& front) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "model/forward.hpp"
 #include "report/drawing/table.hpp"
+#include "results/k_quantities.hpp"
 #include "results/results.hpp"
 
 #include <string_view>
@@ -22,6 +23,11 @@ ReportTable k_history_table(const model::Model& model, const results::RunResult&
 /// nothing but round-off.
 std::vector<ReportTable> front_tables(const model::Model& model,
                                       const results::Increment& increment);
+
+/// The quantities of K that a model's runs have at a place, in the order of the table; those by
+/// opening where the deck asks for them.
+std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& model,
+                                                          results::KOutput place);
 
 /// The largest K of a front; of a tip K1 and K2 together.
 double largest_K(const results::FrontResult& front);

@@ -18,11 +18,6 @@
 namespace spricka::report {
 namespace {
 
-const results::StepResult* leading(const model::Model& model, const results::Increment& increment) {
-  const results::StepResult* const step = results::find_step(increment, leading_step(model));
-  return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
-}
-
 struct TipMeshPlace {
   base::NodeId node;
   base::NetId net;
@@ -92,7 +87,7 @@ std::string tip_drawing(const model::Model& model, const results::Increment& inc
                            model.units.length_name);
   const base::Vec3 middle = end.x - 0.45 * tip.a * end.direction;
   set_window(view, close ? end.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
-  if (const results::StepResult* const step = leading(model, increment)) {
+  if (const results::StepResult* const step = leading_result(model, increment)) {
     deform(view, *step, place.node);
   }
   return draw_svg(view);
@@ -125,7 +120,7 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
   view.title = "Mesh";
   view.marks = &model;
   std::string cracks;
-  if (const results::StepResult* const step = leading(model, increment)) {
+  if (const results::StepResult* const step = leading_result(model, increment)) {
     for (const results::FrontResult& tip : step->fronts) {
       if (const results::FrontPointResult& end = tip.tip(); !end.direction.isZero()) {
         view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
@@ -185,19 +180,19 @@ double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) 
   return values.empty() ? 0.0 : values.back().first;
 }
 
+/// Von Mises stress, deformed; its largest value.
 std::string stress_drawing(const model::Model& model, const results::Increment& increment,
                            const results::StepResult& step, double& largest) {
-  const model::Mesh& mesh = increment.mesh;
-  const model::PropertyPoints points = model::property_points(mesh);
   MeshView view = whole_view(model, increment, 480.0, 0.06);
   view.id = "stress-whole";
   view.title = "Von Mises stress";
-  for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
-    view.field.push_back(results::von_mises(step.stress[static_cast<std::size_t>(points.of[k])]));
+  const model::PropertyPoints points = model::property_points(increment.mesh);
+  for (const std::int32_t point : points.of) {
+    view.field.push_back(results::von_mises(step.stress[static_cast<std::size_t>(point)]));
   }
   const auto [low, high] = std::ranges::minmax(view.field);
   largest = high;
-  const double most = level_of_most(mesh, view.field);
+  const double most = level_of_most(increment.mesh, view.field);
   view.scale = scale_between(low, most > low ? most : high);
   view.field_words = fmt::format("von Mises, {}", typeset_unit(model.units.stress_name()));
   deform_all(view, step);
@@ -206,16 +201,13 @@ std::string stress_drawing(const model::Model& model, const results::Increment& 
 
 std::string displacement_drawing(const model::Model& model, const results::Increment& increment,
                                  const results::StepResult& step) {
-  const model::Mesh& mesh = increment.mesh;
   MeshView view = whole_view(model, increment, 480.0, 0.06);
   view.id = "displacement-whole";
   view.title = "Displacement";
-  double largest = 0.0;
-  for (const base::NodeId n : mesh.nodes) {
+  for (const base::NodeId n : increment.mesh.nodes) {
     view.field.push_back(step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index())).norm());
-    largest = std::max(largest, view.field.back());
   }
-  view.scale = scale_between(0.0, largest);
+  view.scale = scale_between(0.0, std::ranges::max(view.field));
   view.field_words = fmt::format("|u|, {}", model.units.length_name);
   deform_all(view, step);
   return draw_svg(view);
@@ -225,7 +217,7 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
 /// stresses.
 const results::StepResult* stressed(const model::Model& model,
                                     const results::Increment& increment) {
-  const results::StepResult* best = leading(model, increment);
+  const results::StepResult* best = leading_result(model, increment);
   if (best == nullptr || has_significant_stress(model, increment, *best)) {
     return best == nullptr || best->stress.empty() ? nullptr : best;
   }
@@ -282,7 +274,7 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   const results::Increment* last = nullptr;
   const results::FrontResult* last_tip = nullptr;
   for (const results::Increment* const increment : chosen_increments(run, 2)) {
-    const results::StepResult* const step = leading(model, *increment);
+    const results::StepResult* const step = leading_result(model, *increment);
     const results::FrontResult* const tip =
         step == nullptr ? nullptr : results::find_front(*step, name);
     if (tip != nullptr && !tip->tip().direction.isZero() && tip->a > 0.0) {
@@ -297,7 +289,7 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   figure.drawings.push_back(tip_drawing(model, *last, *last_tip, true));
   figure.caption = fmt::format("The mesh round crack {} at the end of step {}, deformed, the tip "
                                "held in its place; other bodies are left out.",
-                               name, leading(model, *last)->step);
+                               name, leading_result(model, *last)->step);
   return figure;
 }
 
@@ -343,7 +335,7 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::RunRe
   if (std::optional<Figure> figure = field_figure(model, last)) {
     figures.push_back(std::move(*figure));
   }
-  if (const results::StepResult* const step = leading(model, last)) {
+  if (const results::StepResult* const step = leading_result(model, last)) {
     for (const results::FrontResult& tip : step->fronts) {
       if (std::optional<Figure> figure = crack_figure(model, run, tip.name)) {
         figures.push_back(std::move(*figure));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
 #include "report/drawing/plot.hpp"
-#include "report/topics/bore_figures.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
@@ -17,11 +16,6 @@ namespace spricka::report {
 namespace {
 
 using results::ContactPoint;
-
-double pressure(const model::Contact& contact, const ContactPoint& point) {
-  return contact.recovery == model::PressureRecovery::consistent ? point.p_consistent
-                                                                 : point.p_lumped;
-}
 
 double turn(const ContactPoint& from, const ContactPoint& to) {
   return std::abs(std::remainder(to.theta - from.theta, 2.0 * std::numbers::pi));
@@ -62,10 +56,10 @@ std::vector<std::vector<DrawingPoint>> pieces(const model::Contact& contact,
     if (i == 0 || !joined(points[i - 1], points[i])) {
       out.emplace_back();
     }
-    out.back().push_back({points[i].theta, pressure(contact, points[i])});
+    out.back().push_back({points[i].theta, recovered_pressure(contact, points[i])});
   }
   if (points.size() > 2 && joined(points.back(), points.front())) {
-    out.back().push_back({points.front().theta, pressure(contact, points.front())});
+    out.back().push_back({points.front().theta, recovered_pressure(contact, points.front())});
   }
   return out;
 }
@@ -98,8 +92,8 @@ void widen(PolarPlot& plot, const model::Contact& contact, const results::Contac
   for (const ContactPoint& point : result.points) {
     if (std::none_of(mouths.begin(), mouths.end(),
                      [&](const ContactPoint& m) { return turn(m, point) < near_mouth; })) {
-      plot.low = std::min(plot.low, pressure(contact, point));
-      plot.high = std::max(plot.high, pressure(contact, point));
+      plot.low = std::min(plot.low, recovered_pressure(contact, point));
+      plot.high = std::max(plot.high, recovered_pressure(contact, point));
     }
   }
 }
@@ -134,10 +128,6 @@ PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
   return plot;
 }
 
-std::string recovery_text(const model::Contact& contact) {
-  return contact.recovery == model::PressureRecovery::consistent ? "consistent" : "lumped";
-}
-
 Figure polar_figure(const model::Model& model, const results::RunResult& run,
                     const model::Contact& contact) {
   // One scale for all, so that lengths can be compared.
@@ -162,7 +152,7 @@ Figure polar_figure(const model::Model& model, const results::RunResult& run,
   figure.caption = fmt::format(
       "Pressure of contact {} at the ends of the steps, drawn outward from the circle of the bore "
       "({} recovery; θ from +x){}.{}",
-      contact.name, recovery_text(contact),
+      contact.name, recovery_word(contact),
       range.low < -0.02 * range.high ? "; inside the circle: tension" : "",
       mouths ? " Radial bars: crack mouths; there the pressure has no bound, and the curves are "
                "cut a little above the largest value more than 10° away."
@@ -203,7 +193,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
       PlotSeries series = numbered_curve(step.step, s, s);
       for (const ContactPoint& point : result->points) {
         if (!at_edge(*result, point)) {
-          series.points.push_back({point.arc, pressure(contact, point)});
+          series.points.push_back({point.arc, recovered_pressure(contact, point)});
         }
       }
       edges = edges || !result->unbounded.empty();
@@ -215,7 +205,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
   }
   figure.caption =
       fmt::format("Pressure of contact {} at the ends of the steps ({} recovery).{}", contact.name,
-                  recovery_text(contact),
+                  recovery_word(contact),
                   edges ? " Where contact reaches an edge of the surface, the values next to that "
                           "edge are left out: the pressure has no bound there."
                         : "");
@@ -245,6 +235,15 @@ Figure figure_of_contact(const model::Model& model, const results::RunResult& ru
 }
 
 } // namespace
+
+double recovered_pressure(const model::Contact& contact, const results::ContactPoint& point) {
+  return contact.recovery == model::PressureRecovery::consistent ? point.p_consistent
+                                                                 : point.p_lumped;
+}
+
+const char* recovery_word(const model::Contact& contact) {
+  return contact.recovery == model::PressureRecovery::consistent ? "consistent" : "lumped";
+}
 
 std::vector<Figure> pressure_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;

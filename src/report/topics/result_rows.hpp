@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "report/drawing/columns.hpp"
 #include "results/results.hpp"
 
 #include <algorithm>
@@ -34,6 +35,13 @@ struct ContactRow {
 };
 /// The contacts of all steps of these increments.
 std::vector<ContactRow> contact_rows(std::span<const results::Increment> increments);
+
+/// The columns that files of what is found at the ends of steps begin with.
+template <class Row> Columns<Row> step_columns() {
+  return Columns<Row>()
+      .exact("increment", [](const Row& row) { return row.increment.number; })
+      .exact("step", [](const Row& row) { return row.step.step; });
+}
 
 /// The front of that name at the end of that step of an increment; null: there is none.
 const results::FrontResult* find_front_at_step(const results::Increment& increment,

@@ -45,5 +45,8 @@ ReportTable tolerance_rounds_table(const results::RunResult& run, bool times);
 /// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
 /// without steps.
 std::string leading_step(const model::Model& model);
+/// Its results in an increment, where there are none those of the last step; null without steps.
+const results::StepResult* leading_result(const model::Model& model,
+                                          const results::Increment& increment);
 
 } // namespace spricka::report

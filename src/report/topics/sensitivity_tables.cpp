@@ -250,10 +250,8 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   }
   using Row = SensitivityRow;
   const bool space = model.mesh.dim == 3;
-  Columns<Row> columns;
-  columns.exact("increment", [](const Row& row) { return row.increment.number; })
-      .exact("step", [](const Row& row) { return row.step.step; })
-      .exact("crack", [](const Row& row) { return row.front.name; })
+  Columns<Row> columns = step_columns<Row>();
+  columns.exact("crack", [](const Row& row) { return row.front.name; })
       .exact("a", [](const Row& row) { return row.front.a; });
   if (space) {
     columns.exact("point", [](const Row& row) { return row.point().result().number; })

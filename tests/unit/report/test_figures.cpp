@@ -23,20 +23,21 @@ namespace {
 TEST(Ticks, AreRoundInsideAndAboutAsManyAsWanted) {
   for (const double scale : {1e-9, 3e-3, 0.7, 1.0, 42.0, 9.99e6}) {
     for (const double low : {0.0, -0.3, 0.21}) {
-      const std::vector<double> ticks = round_ticks(low * scale, scale, 6);
+      const std::vector<AxisTick> ticks = round_ticks(low * scale, scale, 6);
       ASSERT_GE(ticks.size(), 3U);
       ASSERT_LE(ticks.size(), 9U);
-      const double step = ticks[1] - ticks[0];
+      const double step = ticks[1].value - ticks[0].value;
       const double lead = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
       EXPECT_LT(std::min({std::abs(lead - 1.0), std::abs(lead - 2.0), std::abs(lead - 5.0)}), 1e-6)
           << "step " << step;
-      for (const double t : ticks) {
-        EXPECT_GE(t, (low - 1e-6) * scale);
-        EXPECT_LE(t, (1.0 + 1e-6) * scale);
+      for (const AxisTick& tick : ticks) {
+        EXPECT_GE(tick.value, (low - 1e-6) * scale);
+        EXPECT_LE(tick.value, (1.0 + 1e-6) * scale);
       }
     }
   }
-  EXPECT_EQ(round_ticks(2.0, 2.0, 5), std::vector<double>{2.0});
+  ASSERT_EQ(round_ticks(2.0, 2.0, 5).size(), 1U);
+  EXPECT_EQ(round_ticks(2.0, 2.0, 5).front().value, 2.0);
 }
 
 TEST(Ticks, ShowTheDigitsThatTellThemApart) {
