@@ -83,15 +83,7 @@ void step(DeckContext& c, const CheckedCard& card) {
   step.substeps = card.has_key("SUBSTEPS") ? card.integer_value("SUBSTEPS") : 0;
   step.span = card.span;
   for (const grammar::DataRow& row : card.rows) {
-    const CardField& verb = row.fields.front();
-    const bool known = verb.kind == CardField::CardFieldKind::name &&
-                       std::find(k_actions.begin(), k_actions.end(), verb.text) != k_actions.end();
-    if (known) {
-      action(c, row, step);
-    } else {
-      c.error(verb.span, "E115", fmt::format("a step has no '{}'", c.sources.text(verb.span)),
-              base::suggest_spelling(verb.text, k_actions));
-    }
+    read_step_row(c, row, step);
   }
   if (!card.bad) {
     c.model.steps.push_back(std::move(step));
@@ -354,6 +346,19 @@ void paths_with_friction(DeckContext& c) {
 }
 
 } // namespace
+
+void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Step& step) {
+  const CardField& verb = row.fields.front();
+  const bool known = verb.kind == CardField::CardFieldKind::name &&
+                     std::find(k_actions.begin(), k_actions.end(), verb.text) != k_actions.end();
+  if (known) {
+    action(context, row, step);
+  } else {
+    context.error(verb.span, "E115",
+                  fmt::format("a step has no '{}'", context.sources.text(verb.span)),
+                  base::suggest_spelling(verb.text, k_actions));
+  }
+}
 
 void build_steps(DeckContext& context) {
   for (const CheckedCard& card : context.cards) {

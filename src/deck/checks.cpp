@@ -51,6 +51,18 @@ public:
     c_.model.checks.push_back(std::move(check_));
   }
 
+  /// The result with its arguments alone; empty after an error.
+  std::optional<model::ResultCheck> result() {
+    const CardField& first = row_.fields.front();
+    if (first.kind != CardField::CardFieldKind::quantity || row_.fields.size() > 1) {
+      wrong(row_.span, "one result with its arguments is expected, as K(CRACK, STEP)");
+      return std::nullopt;
+    }
+    check_.quantity = first.text;
+    check_.relative = false;
+    return arguments() ? std::optional(std::move(check_)) : std::nullopt;
+  }
+
 private:
   // quantity = value word tolerance [SOURCE text]; the = belongs to the first field
   bool form() {
@@ -121,7 +133,8 @@ private:
     const std::string pattern = pattern_for(spec->arguments, quantity.arguments);
     if (pattern.size() != quantity.arguments.size()) {
       c_.error(quantity.span, "E315",
-               fmt::format("{} takes {}", quantity.text, usage(spec->arguments)));
+               fmt::format("{} takes {}", quantity.text, usage(spec->arguments)),
+               row_.fields.size() == 1 ? "the step may be NOW, the present state" : "");
       return false;
     }
     bool ok = true;
@@ -337,6 +350,11 @@ void read_checks(DeckContext& context, const CheckedCard& card) {
   for (const grammar::DataRow& row : card.rows) {
     CheckReader(context, card, row).run();
   }
+}
+
+std::optional<model::ResultCheck> read_result(DeckContext& context, const CheckedCard& card,
+                                              const grammar::DataRow& row) {
+  return CheckReader(context, card, row).result();
 }
 
 } // namespace spricka::deck

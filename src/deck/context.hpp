@@ -112,6 +112,8 @@ void build_contacts(DeckContext& context);
 void build_cracks(DeckContext& context);
 /// $STEP, $LOADPATH, $GROW.
 void build_steps(DeckContext& context);
+/// One data line of $STEP: its action goes behind those of the step; mistakes are reported.
+void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Step& step);
 /// $SPECTRUM, once its load paths are there.
 void build_spectra(DeckContext& context);
 /// $TEST, once $GROW is there.

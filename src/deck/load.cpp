@@ -63,8 +63,9 @@ public:
   Loader(base::SourceTexts& sources, base::Diagnostics& diagnostics)
       : sources_(sources), diagnostics_(diagnostics) {}
 
-  void file(const fs::path& path, std::string shown) {
-    std::string text = with_line_feeds(base::read_file(path, base::largest_deck - bytes_));
+  void file(const fs::path& path, std::string shown, const std::optional<std::string>& given = {}) {
+    std::string text =
+        with_line_feeds(given ? *given : base::read_file(path, base::largest_deck - bytes_));
     bytes_ += text.size();
     const std::int32_t number = sources_.add_text(std::move(shown), std::move(text));
     if (!is_text(number)) {
@@ -185,10 +186,11 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
 } // namespace
 
 DeckFileCards read_deck_files(const std::filesystem::path& deck, base::SourceTexts& sources,
-                              base::Diagnostics& diagnostics) {
+                              base::Diagnostics& diagnostics,
+                              const std::optional<std::string>& text) {
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());
-  loader.file(deck, deck.string());
+  loader.file(deck, deck.string(), text);
   if (!loader.deck.cards.empty() || !loader.deck.incomplete) {
     check_frame(loader.deck.cards, file, sources, diagnostics);
   }

@@ -35,7 +35,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
                                       const DeckReadOptions& options, base::SourceTexts& sources,
                                       base::Diagnostics& diagnostics,
                                       std::vector<ImportedScript>* scripts) {
-  const DeckFileCards loaded = read_deck_files(deck, sources, diagnostics);
+  const DeckFileCards loaded = read_deck_files(deck, sources, diagnostics, options.text);
   DeckContext context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
   context.refine = &options.refine;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,8 @@ struct DeckReadOptions {
   /// One point of the deck's $SWEEP: these parameters take these values.
   std::vector<std::pair<std::string, double>> sweep_values = {};
   std::map<std::string, NetRefinement> refine = {}; ///< by net; "" is what stands in no net
+  /// The deck as it was changed since its file was read, its includes in it; empty: as in the file.
+  std::optional<std::string> text = {};
 };
 
 } // namespace spricka::deck
