@@ -15,16 +15,20 @@ namespace spricka::model {
 struct ApplyLoad {
   base::CaseId load_case;
   double factor = 1.0;
+  bool operator==(const ApplyLoad&) const = default;
 };
 struct ApplyFit {
   base::ContactId contact;
   double factor = 1.0;
+  bool operator==(const ApplyFit&) const = default;
 };
 struct MountContact {
   base::ContactId contact;
+  bool operator==(const MountContact&) const = default;
 };
 struct DismountContact {
   base::ContactId contact;
+  bool operator==(const DismountContact&) const = default;
 };
 using Action = std::variant<ApplyLoad, ApplyFit, MountContact, DismountContact>;
 

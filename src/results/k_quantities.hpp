@@ -26,12 +26,11 @@ enum KOutput : unsigned {
   in_k_csv = 1,
   in_results_h5 = 2, ///< its table k
   in_listing = 4,    ///< and in report.html
-  in_shell = 8,      ///< the answer to `k`
   in_output = 16,    ///< what $OUTPUT FORMAT=CSV writes for K
   in_sweep = 32,
   in_check = 64,
   in_files = in_k_csv | in_results_h5,
-  everywhere = 127
+  everywhere = in_files | in_listing | in_output | in_sweep | in_check
 };
 
 /// How the listing writes a quantity: six digits, these but 0 where only round-off is left beside
@@ -53,7 +52,6 @@ struct KQuantity {
   int mode = -1;       ///< 0, 1, 2: K1, K2, K3 or its smooth curve; -1: another quantity
   std::string_view heading = {}; ///< in the listing, where it is not the name
   KQuantityDigits digits = KQuantityDigits::six;
-  int shell_digits = 7;
 
   /// Whether runs in `dim` dimensions have it there.
   [[nodiscard]] bool appears_in(KOutput place, int dim) const {
@@ -178,7 +176,7 @@ inline constexpr std::array k_quantities{
               .doc = "stress intensity of mode I",
               .member = &FrontPointResult::K1,
               .tip_places = everywhere,
-              .front_places = in_files | in_listing | in_shell | in_output | in_check,
+              .front_places = in_files | in_listing | in_output | in_check,
               .given = KQuantityCondition::in_one_material,
               .mode = 0,
               .digits = KQuantityDigits::six_beside_largest},
@@ -187,7 +185,7 @@ inline constexpr std::array k_quantities{
               .doc = "stress intensity of mode II",
               .member = &FrontPointResult::K2,
               .tip_places = everywhere,
-              .front_places = in_files | in_listing | in_shell | in_output | in_check,
+              .front_places = in_files | in_listing | in_output | in_check,
               .given = KQuantityCondition::in_one_material,
               .mode = 1,
               .digits = KQuantityDigits::six_beside_largest},
@@ -195,7 +193,7 @@ inline constexpr std::array k_quantities{
               .kind = base::Quantity::stress_intensity,
               .doc = "stress intensity of mode III",
               .member = &FrontPointResult::K3,
-              .front_places = in_files | in_listing | in_shell | in_output | in_check,
+              .front_places = in_files | in_listing | in_output | in_check,
               .given = KQuantityCondition::in_one_material,
               .mode = 2,
               .digits = KQuantityDigits::six_beside_largest},
@@ -230,8 +228,7 @@ inline constexpr std::array k_quantities{
               .member = &FrontPointResult::T,
               .tip_places = everywhere & ~(in_output | in_sweep),
               .front_places = in_files | in_listing | in_output | in_check,
-              .given = KQuantityCondition::in_one_material,
-              .shell_digits = 5},
+              .given = KQuantityCondition::in_one_material},
     KQuantity{.name = "K1_smooth",
               .kind = base::Quantity::stress_intensity,
               .doc = "K1 as a smooth function along the front",
@@ -254,21 +251,21 @@ inline constexpr std::array k_quantities{
               .front_places = in_files,
               .mode = 2},
     error_bar_quantity("K1_bar", "error bar of K1, half its width", error_bar_size<0>,
-                       everywhere & ~(in_listing | in_shell), in_files | in_output | in_check),
-    error_bar_quantity(
-        "K1_best", "K1 with its estimated error taken out", error_bar_part<0, &KErrorBar::best>,
-        everywhere & ~(in_listing | in_shell | in_sweep), in_files | in_output | in_check),
+                       everywhere & ~in_listing, in_files | in_output | in_check),
+    error_bar_quantity("K1_best", "K1 with its estimated error taken out",
+                       error_bar_part<0, &KErrorBar::best>, everywhere & ~(in_listing | in_sweep),
+                       in_files | in_output | in_check),
     error_bar_quantity("K1_eta", "estimated error of K1", error_bar_part<0, &KErrorBar::eta>,
                        in_k_csv, 0),
     error_bar_quantity("K1_sum", "sum of the elements' parts of it without signs",
                        error_bar_part<0, &KErrorBar::sum>, in_k_csv, 0),
     error_bar_quantity("K1_flip", "largest change of K1 by one pair beside the end of a contact",
                        error_bar_part<0, &KErrorBar::set_change>, in_k_csv, 0),
-    error_bar_quantity("K2_bar", "error bar of K2", error_bar_size<1>,
-                       everywhere & ~(in_listing | in_shell), in_files | in_output | in_check),
-    error_bar_quantity(
-        "K2_best", "K2 with its estimated error taken out", error_bar_part<1, &KErrorBar::best>,
-        everywhere & ~(in_listing | in_shell | in_sweep), in_files | in_output | in_check),
+    error_bar_quantity("K2_bar", "error bar of K2", error_bar_size<1>, everywhere & ~in_listing,
+                       in_files | in_output | in_check),
+    error_bar_quantity("K2_best", "K2 with its estimated error taken out",
+                       error_bar_part<1, &KErrorBar::best>, everywhere & ~(in_listing | in_sweep),
+                       in_files | in_output | in_check),
     error_bar_quantity("K2_eta", "estimated error of K2", error_bar_part<1, &KErrorBar::eta>,
                        in_k_csv, 0),
     error_bar_quantity("K2_sum", "sum of the elements' parts of it without signs",

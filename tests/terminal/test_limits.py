@@ -128,7 +128,7 @@ class Limits(ProgramTest):
         ):
             errors = self.shell(7, f"PROGRAM {arguments} > /dev/full")
             self.assertIn("E468", errors)
-        self.shell(7, "PROGRAM shell test.deck > /dev/full <<< 'show'")
+        self.shell(7, "PROGRAM shell test.deck > /dev/full <<< 'list'")
         self.assertTrue((self.folder / "test.run" / "k.csv").exists())
         # what matters more than the full disk stays the exit code
         self.deck(plate("$FOO\n"))

@@ -201,14 +201,15 @@ void CommandTree::add_check() {
 }
 
 void CommandTree::add_shell() {
-  CLI::App& command = add("shell", "try loads, fits and crack lengths of a deck at a prompt",
-                          "  spricka shell lug.deck\n"
-                          "  printf 'length TOP 0.3*R\\nK\\n' | spricka shell lug.deck\n"
-                          "  spricka shell lug.deck --strict < questions.txt > answers.txt",
-                          [this] {
-                            session_.deck = run_;
-                            return program::run_shell(session_);
-                          });
+  CLI::App& command =
+      add("shell", "try loads, fits and crack lengths of a deck at a prompt",
+          "  spricka shell lug.deck\n"
+          "  printf '$CRACK NAME=TOP A0=(0.3*R)\\nlist K\\n' | spricka shell lug.deck\n"
+          "  spricka shell lug.deck --strict < questions.txt > answers.txt",
+          [this] {
+            session_.deck = run_;
+            return program::run_shell(session_);
+          });
   add_deck_options(command);
   add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--strict", session_.strict,

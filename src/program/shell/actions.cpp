@@ -1,49 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/actions.hpp"
 
+#include "base/diagnostics.hpp"
+#include "base/quantity.hpp"
+#include "grammar/catalogue.hpp"
 #include "grammar/lexeme.hpp"
+#include "model/model.hpp"
+#include "program/checks/check_quantities.hpp"
+#include "program/shell/known_names.hpp"
+#include "program/shell/listing.hpp"
 #include "program/shell/plots.hpp"
-#include "program/shell/replies.hpp"
 #include "program/shell/save.hpp"
 #include "program/shell/trouble.hpp"
+#include "program/shell/typed_words.hpp"
 #include "report/drawing/file.hpp"
+#include "report/topics/sensitivity_tables.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <charconv>
 #include <filesystem>
-#include <map>
-#include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 
 namespace spricka::program {
 
-using grammar::Quantity;
+namespace {
 
 base::OperationFailure wrong_usage(const ShellCall& call) {
   return invalid_input(fmt::format("write {}", call.usage));
 }
 
+// Word i of a command in upper case, as names of the deck are; empty without it.
 std::string name_argument(const ShellCall& call, std::size_t i) {
-  return grammar::to_upper(call.words[i].text);
+  return i < call.words.size() ? grammar::to_upper(call.words[i]) : std::string();
 }
 
-std::string remaining_text(const ShellCall& call, std::size_t i) {
-  if (i < call.words.size() && call.words[i].text == "=") {
-    ++i;
+void tell_state(ShellSession& session, ShellReply& reply) {
+  reply.out += state_reply(session);
+  reply.messages += state_notes(session);
+}
+
+// What an operation has led to.
+base::Trouble tell_state_after(const base::Trouble& trouble, const ShellCall& call) {
+  if (!trouble) {
+    tell_state(call.session, call.reply);
   }
-  return i < call.words.size()
-             ? std::string(without_comment(std::string_view(call.line).substr(call.words[i].begin)))
-             : std::string();
+  return trouble;
 }
 
-base::Trouble number_argument(const ShellCall& call, std::size_t i, Quantity quantity,
-                              double& value) {
-  const std::string text = remaining_text(call, i);
-  return text.empty() ? wrong_usage(call)
-                      : read_number(text, call.session.model(), quantity, value);
-}
-
+// Solves what is pending before a question; its notes are told.
 base::Trouble solve_pending_changes(ShellSession& session, ShellReply& reply) {
   if (!session.has_pending_changes()) {
     return {};
@@ -59,145 +65,184 @@ base::Trouble solve_pending_changes(ShellSession& session, ShellReply& reply) {
   return trouble;
 }
 
-namespace {
+} // namespace
 
-// What the last solution has to say, and with friction where it came from.
-void tell_state(const ShellCall& call) {
-  call.reply.out += state_reply(call.session);
-  call.reply.messages += state_notes(call.session);
-}
-
-base::Trouble do_show(const ShellCall& call) {
-  call.reply.out = settings_reply(call.session);
-  return {};
-}
-
-base::Trouble do_step(const ShellCall& call) {
-  if (call.words.size() != 2) {
-    return wrong_usage(call);
-  }
-  base::Trouble trouble = call.session.go_to_step(name_argument(call, 1));
-  if (!trouble) {
-    tell_state(call);
-  }
-  return trouble;
-}
-
-base::Trouble do_load(const ShellCall& call) {
-  double factor = 0.0;
-  if (call.words.size() < 3) {
-    return wrong_usage(call);
-  }
-  if (base::Trouble trouble = number_argument(call, 2, Quantity::number, factor)) {
-    return trouble;
-  }
-  return call.session.set_load_factor(name_argument(call, 1), factor);
-}
-
-base::Trouble do_fit(const ShellCall& call) {
-  if (call.words.size() < 3) {
-    return wrong_usage(call);
-  }
-  const bool declares = call.words[2].text == "=";
+base::Trouble answer_result(ShellSession& session, const std::string& line, ShellReply& reply) {
+  model::ResultCheck check;
   double value = 0.0;
-  if (base::Trouble trouble =
-          number_argument(call, 2, declares ? Quantity::length : Quantity::number, value)) {
-    return trouble;
-  }
-  if (!declares) {
-    return call.session.set_fit_factor(name_argument(call, 1), value);
-  }
-  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.set_interference(name_argument(call, 1), value);
+  base::Trouble trouble = session.read_result(line, check);
+  trouble = trouble ? trouble : solve_pending_changes(session, reply);
+  trouble = trouble ? trouble : session.evaluate(check, value);
   if (!trouble) {
-    call.reply.messages +=
-        fmt::format("note: {} {:.6g} along the normal, on a radius; {:.6g} on a diameter\n",
-                    value < 0.0 ? "gap" : "interference", std::abs(value), 2.0 * std::abs(value));
-    tell_state(call);
+    const std::string unit =
+        base::unit_name(session.model().units, grammar::find_quantity(check.quantity)->quantity);
+    reply.out +=
+        fmt::format("{} = {:.10g}{}{}\n", check_text(check), value, unit.empty() ? "" : " ", unit);
   }
   return trouble;
 }
 
-base::Trouble do_mount(const ShellCall& call) {
-  return call.words.size() == 2 ? call.session.set_mounted(name_argument(call, 1), true)
-                                : wrong_usage(call);
-}
-
-base::Trouble do_dismount(const ShellCall& call) {
-  return call.words.size() == 2 ? call.session.set_mounted(name_argument(call, 1), false)
-                                : wrong_usage(call);
-}
-
-base::Trouble do_length(const ShellCall& call) {
-  double a = 0.0;
-  std::optional<double> c;
-  if (call.words.size() < 3) {
-    return wrong_usage(call);
-  }
-  const model::Model& model = call.session.model();
-  base::Trouble trouble;
-  // Two words behind the name of a crack in space are two axes, not an expression with a blank.
-  if (model.mesh.dim == 3 && call.words.size() == 4) {
-    trouble = read_number(call.words[2].text, model, Quantity::length, a);
-    trouble =
-        trouble ? trouble : read_number(call.words[3].text, model, Quantity::length, c.emplace());
-  } else {
-    trouble = number_argument(call, 2, Quantity::length, a);
-  }
-  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.set_crack_length(name_argument(call, 1), a, c);
-  if (!trouble) {
-    const analysis::CondensationFigures& log = call.session.condensation_log();
-    call.reply.messages +=
-        fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
-    tell_state(call);
-  }
-  return trouble;
-}
-
-base::Trouble do_set(const ShellCall& call) {
-  if (call.words.size() < 4 || call.words[2].text != "=") {
-    return wrong_usage(call);
-  }
-  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
-  const std::string before = state_reply(call.session);
-  trouble = trouble ? trouble
-                    : call.session.define_parameter(call.words[1].text, remaining_text(call, 2));
+base::Trouble change_deck_line(ShellSession& session, const std::string& line, bool is_card,
+                               ShellReply& reply) {
+  base::Trouble trouble = solve_pending_changes(session, reply);
+  const std::string before = state_reply(session);
+  trouble =
+      trouble ? trouble : (is_card ? session.change_card(line) : session.change_parameter(line));
   if (trouble) {
     return trouble;
   }
-  for (const std::string& text : call.session.overridden_settings()) {
-    call.reply.messages += fmt::format("note: {}\n", text);
-  }
-  tell_state(call);
-  const bool same = !before.empty() && state_reply(call.session) == before;
-  if (call.session.overridden_settings().empty() && same) {
-    call.reply.messages += "note: K and the contacts are as they were before\n";
+  const analysis::CondensationFigures& log = session.condensation_log();
+  reply.messages += fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
+  tell_state(session, reply);
+  if (!before.empty() && state_reply(session) == before) {
+    reply.messages += "note: K and the contacts are as they were before\n";
   }
   return {};
+}
+
+base::Trouble do_step_line(const ShellCall& call) {
+  return call.session.add_step_line(std::string(without_comment(call.line)));
 }
 
 base::Trouble do_solve(const ShellCall& call) {
   int substeps = default_substeps;
   if (call.words.size() > 1) {
-    double given = 0.0;
-    if (base::Trouble trouble = number_argument(call, 1, Quantity::number, given)) {
-      return trouble;
-    }
-    if (!(given >= 1.0 && given <= 1e5) || given != static_cast<int>(given)) {
+    const std::string& word = call.words[1];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), substeps);
+    if (error != std::errc() || end != word.data() + word.size() || substeps < 1 ||
+        substeps > 100'000) {
       return invalid_input("the number of substeps is whole, from 1");
     }
-    substeps = static_cast<int>(given);
   }
   if (call.session.has_friction() && call.session.has_pending_changes()) {
     call.reply.messages += fmt::format("note: from the last state on, in {} substeps\n", substeps);
   }
-  base::Trouble trouble = call.session.solve(substeps);
+  return tell_state_after(call.session.solve(substeps), call);
+}
+
+base::Trouble do_step(const ShellCall& call) {
+  return call.words.size() != 2
+             ? wrong_usage(call)
+             : tell_state_after(call.session.go_to_step(name_argument(call, 1)), call);
+}
+
+base::Trouble do_undo(const ShellCall& call) {
+  return tell_state_after(call.session.undo(), call);
+}
+
+base::Trouble do_reset(const ShellCall& call) {
+  return tell_state_after(call.session.open(), call);
+}
+
+namespace {
+
+base::Trouble list_k(const ShellCall& call) {
+  const std::string only = name_argument(call, 2);
+  std::vector<std::string> names = argument_names('c', call.session.model());
+  for (const results::FrontResult& front : call.session.current_result().fronts) {
+    names.push_back(front.name);
+  }
+  std::size_t index = 0;
+  base::Trouble trouble =
+      only.empty() && !names.empty() ? base::Trouble() : find_name(names, "crack", only, index);
+  trouble = trouble ? trouble : call.session.estimate_accuracy();
   if (!trouble) {
-    tell_state(call);
+    call.reply.out = k_reply(call.session, only);
+    call.reply.messages += k_notes(call.session, only);
   }
   return trouble;
 }
+
+base::Trouble list_pressure(const ShellCall& call) {
+  const std::string name = name_argument(call, 2);
+  std::size_t index = 0;
+  if (base::Trouble trouble =
+          find_name(argument_names('p', call.session.model()), "contact", name, index)) {
+    return trouble;
+  }
+  const results::ContactResult* contact =
+      results::find_contact(call.session.current_result(), name);
+  if (contact == nullptr) {
+    return base::OperationFailure{.kind = base::Outcome::check_failed,
+                                  .why = fmt::format("the faces of {} touch nowhere", name)};
+  }
+  call.reply.out = contact_reply(call.session, *contact);
+  if (!contact->unbounded.empty()) {
+    call.reply.messages += "note: it is pressed up to an edge: there the pressure has no bound\n";
+  }
+  return {};
+}
+
+base::Trouble list_sensitivity(const ShellCall& call) {
+  if (call.session.current_result().fronts.empty()) {
+    return invalid_input("the deck has no crack");
+  }
+  base::Trouble trouble = call.session.estimate_accuracy();
+  if (!trouble) {
+    call.reply.out = sensitivity_reply(call.session);
+    for (const std::string& note : report::sensitivity_notes(
+             call.session.displayed_model(), call.session.run_results().increments.front())) {
+      call.reply.messages += fmt::format("note: {}\n", note);
+    }
+  }
+  return trouble;
+}
+
+} // namespace
+
+std::vector<std::string> listed_words() {
+  return {"K", "pressure", "sensitivity", "history"};
+}
+
+base::Trouble do_list(const ShellCall& call) {
+  const std::string what = name_argument(call, 1);
+  if (what.empty()) {
+    call.reply.out = settings_reply(call.session);
+    return {};
+  }
+  if (what == "HISTORY") {
+    for (std::size_t i = 0; i < call.history.size(); ++i) {
+      call.reply.out += fmt::format("{:4}  {}\n", i + 1, call.history[i]);
+    }
+    return {};
+  }
+  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
+  if (trouble) {
+    return trouble;
+  }
+  if (what == "K" || what == "PRESSURE" || what == "SENSITIVITY") {
+    return what == "K" ? list_k(call)
+                       : (what == "PRESSURE" ? list_pressure(call) : list_sensitivity(call));
+  }
+  call.reply.out = cards_reply(call.session, what.starts_with('$') ? what.substr(1) : what);
+  return call.reply.out.empty()
+             ? base::Trouble(invalid_input(fmt::format("there is no list or card '{}'", what),
+                                           base::suggest_spelling(what, listed_words())))
+             : base::Trouble();
+}
+
+base::Trouble do_map(const ShellCall& call) {
+  if (call.words.size() != 2 && call.words.size() != 4) {
+    return wrong_usage(call);
+  }
+  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
+  if (!trouble && call.words.size() == 2) {
+    trouble = call.session.map_path(name_argument(call, 1));
+  } else if (!trouble) {
+    trouble = call.session.map_case(name_argument(call, 1), call.words[2], call.words[3]);
+  }
+  if (trouble) {
+    return trouble;
+  }
+  call.reply.out = map_reply(call.session);
+  for (const results::Note& note : call.session.last_mapped_path()->notes) {
+    call.reply.messages += fmt::format(
+        "{}{}\n", results::is_warning(note) ? "" : "note: ", results::text_with_code(note));
+  }
+  return {};
+}
+
+namespace {
 
 // The file that a word names. One that is there is replaced when the word behind it says so, and
 // not else.
@@ -207,14 +252,14 @@ base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesy
     return wrong_usage(call);
   }
   const bool forced = call.words.size() == word + 2;
-  const std::string& name = call.words[word].text;
-  if (forced && grammar::to_upper(call.words[word + 1].text) != "REPLACE") {
+  const std::string& name = call.words[word];
+  if (forced && name_argument(call, word + 1) != "REPLACE") {
     return wrong_usage(call);
   }
   file = name;
   std::error_code ignored;
-  for (std::int32_t f = 0; f < static_cast<std::int32_t>(call.session.sources().count()); ++f) {
-    if (fs::equivalent(file, call.session.sources().file_name(f), ignored)) {
+  for (const fs::path& own : call.session.files()) {
+    if (fs::equivalent(file, own, ignored)) {
       return invalid_input("the deck itself is not overwritten", "take another name");
     }
   }
@@ -233,33 +278,14 @@ base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesy
   return {};
 }
 
-base::Trouble do_plot(const ShellCall& call) {
-  if (call.words.size() < 3) {
-    return wrong_usage(call);
-  }
-  std::string kind = call.words[1].text;
-  std::ranges::transform(kind, kind.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  std::string svg;
-  std::filesystem::path file;
-  base::Trouble trouble = file_to_write(call, 2, file);
-  trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
-  trouble = trouble ? trouble : draw_picture(call.session, kind, svg);
-  if (!trouble) {
-    report::write_file(file, svg);
-    call.reply.messages += fmt::format("note: {} written\n", file.string());
-  }
-  return trouble;
-}
-
-base::Trouble do_save(const ShellCall& call) {
-  namespace fs = std::filesystem;
-  fs::path file;
+// What a command makes of the state goes into the file that its word names.
+template <class Make>
+base::Trouble write_made(const ShellCall& call, std::size_t word, const Make& make) {
   std::string text;
-  base::Trouble trouble = file_to_write(call, 1, file);
+  std::filesystem::path file;
+  base::Trouble trouble = file_to_write(call, word, file);
   trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
-  trouble = trouble ? trouble : saved_deck(call.session, fs::absolute(file).parent_path(), text);
+  trouble = trouble ? trouble : make(file, text);
   if (!trouble) {
     report::write_file(file, text);
     call.reply.messages += fmt::format("note: {} written\n", file.string());
@@ -267,41 +293,18 @@ base::Trouble do_save(const ShellCall& call) {
   return trouble;
 }
 
-base::Trouble do_reset(const ShellCall& call) {
-  base::Trouble trouble = call.session.reset();
-  if (!trouble) {
-    tell_state(call);
-  }
-  return trouble;
-}
-
 } // namespace
 
-base::Trouble run_shell_command(std::string_view command, const ShellCall& call) {
-  using Act = base::Trouble (*)(const ShellCall&);
-  static const std::map<std::string_view, Act> acts{
-      {"show", do_show},
-      {"step", do_step},
-      {"load", do_load},
-      {"fit", do_fit},
-      {"mount", do_mount},
-      {"dismount", do_dismount},
-      {"length", do_length},
-      {"set", do_set},
-      {"solve", do_solve},
-      {"K", do_k},
-      {"pressure", do_pressure},
-      {"arc", do_arc},
-      {"reaction", do_reaction},
-      {"displacement", do_displacement},
-      {"stress", do_stress},
-      {"map", do_map},
-      {"sensitivity", do_sensitivity},
-      {"plot", do_plot},
-      {"save", do_save},
-      {"reset", do_reset},
-  };
-  return acts.at(command)(call);
+base::Trouble do_plot(const ShellCall& call) {
+  return write_made(call, 2, [&](const std::filesystem::path& /*file*/, std::string& svg) {
+    return draw_picture(call.session, call.words[1], svg);
+  });
+}
+
+base::Trouble do_save(const ShellCall& call) {
+  return write_made(call, 1, [&](const std::filesystem::path& file, std::string& text) {
+    return saved_deck(call.session, std::filesystem::absolute(file).parent_path(), text);
+  });
 }
 
 } // namespace spricka::program

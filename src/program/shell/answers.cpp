@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session answers from its bench.
-#include "base/messages.hpp"
+#include "deck/typed_line.hpp"
 #include "grammar/catalogue.hpp"
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
@@ -9,65 +9,71 @@
 #include "program/shell/trouble.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace spricka::program {
 
-base::Trouble ShellSession::mappable() const {
-  if (!has_friction()) {
-    return {};
+base::Trouble ShellSession::estimate_accuracy() {
+  base::Trouble trouble = solve();
+  return trouble ? trouble : bench_->estimate_accuracy();
+}
+
+base::Trouble ShellSession::follow(const model::LoadPathDefinition& card,
+                                   const std::vector<model::Step>& from,
+                                   const std::vector<model::Step>& to, const MapRange& range) {
+  if (has_friction()) {
+    return invalid_input(
+        "with friction K depends on the way, not only on where it leads: there is no map of it",
+        "LOAD, solve and K1 go that way step by step");
   }
-  return invalid_input(
-      "with friction K depends on the way, not only on where it leads: there is no "
-      "map of it",
-      "load, solve and K go that way step by step");
+  base::Trouble trouble = bench_->follow_load_path(card, from, to);
+  if (!trouble) {
+    mapped_ = card.name;
+    range_ = range;
+  }
+  return trouble;
 }
 
 base::Trouble ShellSession::map_path(const std::string& name) {
   std::size_t index = 0;
-  base::Trouble trouble = find_name(path_names(*model_), "load path", name, index);
-  trouble = trouble ? trouble : mappable();
+  base::Trouble trouble = find_name(argument_names('l', *model_), "load path", name, index);
   trouble = trouble ? trouble : solve();
   if (trouble) {
     return trouble;
   }
   const model::LoadPathDefinition card = model_->load_paths[index];
-  trouble = bench_->follow_load_path(card, way_to(card.from.index()), way_to(card.to.index()));
-  if (!trouble) {
-    mapped_ = name;
-    range_ = {};
-  }
-  return trouble;
+  return follow(card, way_to(card.from.index()), way_to(card.to.index()), {});
 }
 
-base::Trouble ShellSession::map_case(const std::string& load_case, double from, double to) {
-  std::size_t index = 0;
-  base::Trouble trouble = find_name(load_case_names(*model_), "load case", load_case, index);
-  trouble = trouble ? trouble : mappable();
-  trouble = trouble ? trouble : solve();
-  if (trouble) {
+base::Trouble ShellSession::map_case(const std::string& load_case, const std::string& from,
+                                     const std::string& to) {
+  if (base::Trouble trouble = solve()) {
     return trouble;
   }
-  if (from == to) {
+  std::array<std::vector<model::Step>, 2> ends{way(), way()};
+  MapRange range{.what = "factor"};
+  for (const bool end : {false, true}) {
+    base::SourceTexts sources;
+    base::Diagnostics diagnostics;
+    std::optional<model::Step> step = deck::read_step_line(
+        *model_, fmt::format("LOAD {} {}", load_case, end ? to : from), sources, diagnostics);
+    if (!step) {
+      return located_failure(base::Outcome::usage, sources, diagnostics);
+    }
+    const double factor = std::get<model::ApplyLoad>(step->actions.front()).factor;
+    (end ? range.to : range.from) = factor;
+    step->name = fmt::format("{} {:.6g}", load_case, factor);
+    ends[end ? 1 : 0].push_back(std::move(*step));
+  }
+  if (range.from == range.to) {
     return invalid_input("both ends of the map are the same");
   }
-  const auto end = [&](double factor) {
-    std::vector<model::Step> steps = way();
-    model::Step& last = steps.emplace_back();
-    last.name = fmt::format("{} {:.6g}", load_case, factor);
-    last.actions.emplace_back(model::ApplyLoad{base::CaseId(index), factor});
-    return steps;
-  };
   model::LoadPathDefinition card;
   card.name = load_case;
-  trouble = bench_->follow_load_path(card, end(from), end(to));
-  if (!trouble) {
-    mapped_ = load_case;
-    range_ = {"factor", from, to};
-  }
-  return trouble;
+  return follow(card, ends[0], ends[1], range);
 }
 
 const results::LoadPathResult* ShellSession::last_mapped_path() const {
@@ -76,20 +82,37 @@ const results::LoadPathResult* ShellSession::last_mapped_path() const {
              : results::find_path(bench_->run_results().increments.front(), mapped_);
 }
 
+base::Trouble ShellSession::read_result(const std::string& line, model::ResultCheck& check) const {
+  base::SourceTexts sources;
+  base::Diagnostics diagnostics;
+  std::optional<model::ResultCheck> found =
+      deck::read_result_line(*model_, line, sources, diagnostics);
+  if (!found) {
+    return located_failure(base::Outcome::usage, sources, diagnostics);
+  }
+  check = std::move(*found);
+  if (check.quantity == "N" || check.quantity == "LIFE" || check.quantity.starts_with("TEST.")) {
+    return invalid_input(
+        fmt::format("{} needs a growth run; the shell looks at states", check.quantity));
+  }
+  return {};
+}
+
 base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& value) {
   if (base::Trouble trouble = solve()) {
     return trouble;
   }
-  const grammar::ResultQuantity* is = grammar::find_quantity(check.quantity);
-  const std::string letters = argument_letters(*is, model_->mesh.dim);
-  for (std::size_t i = 0; i < check.arguments.size() && i < letters.size(); ++i) {
-    const auto* name = std::get_if<std::string>(&check.arguments[i]);
-    base::Trouble trouble;
-    if (letters[i] == 's' && *name != "NOW") {
-      std::size_t index = 0;
-      trouble = find_name(step_names(*model_), "step", *name, index);
-      trouble = trouble ? trouble : bench_->add_step(index);
-    } else if (letters[i] == 'l') {
+  for (const auto& argument : check.arguments) {
+    const auto* name = std::get_if<std::string>(&argument);
+    if (name == nullptr || *name == "NOW") {
+      continue;
+    }
+    base::Trouble trouble; // a contact with the name of a step costs a solution, and no more
+    const auto step = std::ranges::find(model_->steps, *name, &model::Step::name);
+    if (step != model_->steps.end()) {
+      trouble = bench_->add_step(static_cast<std::size_t>(step - model_->steps.begin()));
+    } else if (std::ranges::find(model_->load_paths, *name, &model::LoadPathDefinition::name) !=
+               model_->load_paths.end()) {
       trouble = map_path(*name);
     }
     if (trouble) {
@@ -130,19 +153,28 @@ std::vector<std::string> ShellSession::new_notes() {
   return warnings;
 }
 
+CrackSize ShellSession::crack_size(std::size_t crack) const {
+  const model::CrackDefinition& card = model_->cracks[crack];
+  if (card.kind == model::CrackDefinitionKind::ellipse) {
+    return {card.plane.a, card.plane.c};
+  }
+  for (const results::FrontResult& front : current_result().fronts) {
+    if (front.name == card.name || front.name == card.name + ".1") {
+      return {front.a, 0.0};
+    }
+  }
+  return {card.a0.value_or(0.0), 0.0};
+}
+
 // Everything that K depends on but the lengths.
 std::string ShellSession::setting() const {
-  std::string text;
+  std::string text = other_cards_;
   const analysis::StepFactors& f = factors();
   for (Eigen::Index c = 0; c < f.case_factor.size(); ++c) {
     text += fmt::format("{} ", f.case_factor[c]);
   }
   for (std::size_t c = 0; c < model_->contacts.size(); ++c) {
-    text += fmt::format("{} {} {} ", f.fit[c], f.mounted[c] ? 1 : 0,
-                        model_->contacts[c].gap.value_or(0.0));
-  }
-  for (const auto& [name, value] : model_->parameters) {
-    text += fmt::format("{} {} ", name, value);
+    text += fmt::format("{} {} ", f.fit[c], f.mounted[c] ? 1 : 0);
   }
   return text;
 }
@@ -152,51 +184,29 @@ void ShellSession::remember() {
   if (at.fronts.empty()) {
     return;
   }
-  TriedLengthResult known{
-      setting(), run_results().increments.front().a, {crack_size(0), at.fronts}};
+  TriedSize known{setting(), {run_results().increments.front().a, crack_size(0), at.fronts}};
   const auto same_size = [](const auto& one, const auto& other) {
     return one.a == other.a && one.length == other.length;
   };
-  std::erase_if(known_, [&](const TriedLengthResult& k) {
+  std::erase_if(known_, [&](const TriedSize& k) {
     return k.setting == known.setting &&
            std::ranges::equal(k.found.fronts, known.found.fronts, same_size);
   });
   known_.push_back(std::move(known));
 }
 
-results::RunResult ShellSession::results_by_length() const {
-  results::RunResult out;
-  const std::string present = setting();
-  for (const TriedLengthResult& known : known_) {
-    if (known.setting == present) {
-      results::Increment& increment = out.increments.emplace_back();
-      increment.a = known.a;
-      increment.steps.emplace_back().step = "NOW";
-      increment.steps.back().fronts = known.found.fronts;
-    }
-  }
-  std::ranges::stable_sort(out.increments, {}, &results::Increment::a);
-  for (std::size_t i = 0; i < out.increments.size(); ++i) {
-    out.increments[i].number = static_cast<int>(i) + 1;
-  }
-  return out;
-}
-
 std::vector<ShellSession::FrontsAtSize> ShellSession::fronts_by_size() const {
   std::vector<FrontsAtSize> out;
   const std::string present = setting();
-  for (const TriedLengthResult& known : known_) {
+  for (const TriedSize& known : known_) {
     if (known.setting == present) {
       out.push_back(known.found);
     }
   }
-  std::ranges::stable_sort(out, {},
-                           [](const FrontsAtSize& t) { return std::pair(t.size.a, t.size.c); });
+  std::ranges::stable_sort(out, {}, [](const FrontsAtSize& t) {
+    return std::pair(t.size.c > 0.0 ? t.size.a : t.a, t.size.c);
+  });
   return out;
-}
-
-std::vector<std::string> ShellSession::pair_names() const {
-  return program::pair_names(*model_);
 }
 
 } // namespace spricka::program

@@ -37,33 +37,12 @@ model::Model model_to_show(const model::Model& model) {
   return shown;
 }
 
-bool same_action(const model::Action& a, const model::Action& b) {
-  const auto* load = std::get_if<model::ApplyLoad>(&a);
-  const auto* fit = std::get_if<model::ApplyFit>(&a);
-  if (a.index() != b.index()) {
-    return false;
-  }
-  if (load != nullptr) {
-    const auto& other = std::get<model::ApplyLoad>(b);
-    return load->load_case == other.load_case && load->factor == other.factor;
-  }
-  if (fit != nullptr) {
-    const auto& other = std::get<model::ApplyFit>(b);
-    return fit->contact == other.contact && fit->factor == other.factor;
-  }
-  const auto* on = std::get_if<model::MountContact>(&a);
-  return on != nullptr ? on->contact == std::get<model::MountContact>(b).contact
-                       : std::get<model::DismountContact>(a).contact ==
-                             std::get<model::DismountContact>(b).contact;
-}
-
 // Whether a way is another one and a single step more.
 bool is_one_further(const std::vector<model::Step>& way, const std::vector<model::Step>& than) {
   return way.size() == than.size() + 1 &&
          std::ranges::equal(than, std::span(way).first(than.size()),
                             [](const model::Step& a, const model::Step& b) {
-                              return a.substeps == b.substeps &&
-                                     std::ranges::equal(a.actions, b.actions, same_action);
+                              return a.substeps == b.substeps && a.actions == b.actions;
                             });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/shell/reply.hpp"
-#include "program/shell/session.hpp"
+#include "base/outcome.hpp"
+#include "program/shell/shell_call.hpp"
 
 #include <string>
 #include <string_view>
@@ -12,26 +12,24 @@
 namespace spricka::program {
 
 /// What a command's arguments stand for, for completion; '.' is anything that cannot be listed.
-/// Letters are those of grammar/catalogue.hpp, and w a command, k a kind of picture, v a parameter,
-/// f a file.
+/// Letters are those of argument_names, and w a command, q what is listed, k a kind of picture, M a
+/// load path or case, f a file.
 struct ShellCommand {
   std::string_view word;
   std::string_view arguments; ///< as a user reads them
   std::string_view letters;   ///< of the arguments in order
   std::string_view doc;       ///< one line
   std::string_view more;      ///< further lines; may be empty
+  base::Trouble (*act)(const ShellCall&);
 };
 /// All commands of the prompt in the order of its help; the table lives as long as the process.
 const std::vector<ShellCommand>& shell_commands();
+/// Their words.
+std::vector<std::string> command_words();
 
 /// Carries out one line; an empty one does nothing.
 ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
                           const std::string& line);
-
-/// What the word that begins at `begin` of a line typed so far may become; empty: a file, or
-/// nothing is known. Names are in the case of the word's beginning.
-std::vector<std::string> complete_shell_line(const ShellSession& session, std::string_view line,
-                                             std::size_t begin);
 
 /// The commands as a table of the manual.
 std::string shell_commands_markdown();

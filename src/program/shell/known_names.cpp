@@ -14,69 +14,67 @@ namespace spricka::program {
 
 namespace {
 
-template <class Entities> std::vector<std::string> names_of(const Entities& entities) {
-  std::vector<std::string> names;
+template <class Entities>
+void add_names(const Entities& entities, std::vector<std::string>& names) {
   for (const auto& entity : entities) {
     if (!entity.name.empty()) {
       names.push_back(entity.name);
     }
   }
-  return names;
 }
 
-} // namespace
-
-std::vector<std::string> step_names(const model::Model& model) {
-  return names_of(model.steps);
-}
-std::vector<std::string> load_case_names(const model::Model& model) {
-  return names_of(model.cases);
-}
-std::vector<std::string> contact_names(const model::Model& model) {
-  return names_of(model.contacts);
-}
-std::vector<std::string> pair_names(const model::Model& model) {
-  std::vector<std::string> names = names_of(model.contacts);
+void add_pairs(const model::Model& model, std::vector<std::string>& names) {
+  add_names(model.contacts, names);
   for (const model::CrackDefinition& crack : model.cracks) {
     if (crack.faces_in_contact) {
       names.push_back(crack.name + ".FACES");
     }
   }
-  return names;
 }
-std::vector<std::string> crack_names(const model::Model& model) {
-  return names_of(model.cracks);
-}
-std::vector<std::string> path_names(const model::Model& model) {
-  return names_of(model.load_paths);
-}
-std::vector<std::string> mesh_set_names(const model::Model& model) {
-  std::vector<std::string> names = names_of(model.mesh.node_sets);
-  for (const std::vector<std::string>& more :
-       {names_of(model.mesh.face_sets), names_of(model.mesh.element_sets)}) {
-    names.insert(names.end(), more.begin(), more.end());
-  }
-  return names;
-}
-std::vector<std::string> net_names(const model::Model& model) {
-  std::vector<std::string> names = names_of(model.nets);
-  names.emplace_back("*");
-  return names;
-}
-std::vector<std::string> material_names(const model::Model& model) {
-  return names_of(model.materials);
-}
-std::vector<std::string> parameter_names(const model::Model& model) {
+
+} // namespace
+
+std::vector<std::string> argument_names(char letter, const model::Model& model) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : model.parameters) {
-    names.push_back(name);
-  }
-  return names;
-}
-std::vector<std::string> quantity_names() {
-  std::vector<std::string> names;
-  for (const grammar::ResultQuantity& quantity : grammar::result_quantities()) {
-    names.emplace_back(quantity.name);
+  switch (letter) {
+  case 'c':
+    add_names(model.cracks, names);
+    break;
+  case 'p':
+    add_pairs(model, names);
+    break;
+  case 's':
+    names.emplace_back("NOW");
+    add_names(model.steps, names);
+    break;
+  case 'o':
+    add_names(model.cases, names);
+    break;
+  case 'm':
+    add_names(model.materials, names);
+    break;
+  case 'l':
+    add_names(model.load_paths, names);
+    break;
+  case 'n':
+    add_names(model.mesh.node_sets, names);
+    add_names(model.mesh.face_sets, names);
+    add_names(model.mesh.element_sets, names);
+    break;
+  case 'd':
+    names = {"X", "Y", "Z"};
+    break;
+  case 'e':
+    add_names(model.nets, names);
+    names.emplace_back("*");
+    break;
+  case 'v':
+    for (const auto& [name, value] : model.parameters) {
+      names.push_back(name);
+    }
+    break;
+  default:
+    break;
   }
   return names;
 }
@@ -99,15 +97,6 @@ base::Trouble find_name(const std::vector<std::string>& names, const char* what,
 
 bool same_word(std::string_view a, std::string_view b) {
   return grammar::to_upper(a) == grammar::to_upper(b);
-}
-
-std::string argument_letters(const grammar::ResultQuantity& quantity, int dim) {
-  std::string letters(quantity.arguments);
-  std::erase(letters, '?');
-  if (dim == 2) {
-    std::erase(letters, 'z');
-  }
-  return letters;
 }
 
 } // namespace spricka::program

@@ -3,13 +3,10 @@
 
 #include "base/diagnostics.hpp"
 #include "model/model.hpp"
-#include "program/shell/k_replies.hpp"
 #include "program/shell/trouble.hpp"
-#include "report/drawing/plot.hpp"
-#include "report/drawing/svg.hpp"
-#include "report/drawing/table.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/front_section.hpp"
+#include "report/topics/load_path_tables.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -60,34 +57,22 @@ std::string stacked(const std::vector<report::Figure>& figures) {
                      width, height, body);
 }
 
-std::string path_picture(const ShellSession& session, const results::LoadPathResult& path) {
-  const MapRange& range = session.map_range();
-  report::Plot plot;
-  plot.label = fmt::format("K1 from {} to {}", path.from, path.to);
-  plot.x_name = range.what == "t" ? fmt::format("t  ({} to {})", path.from, path.to)
-                                  : fmt::format("factor of {}", path.name);
-  plot.y_name =
-      fmt::format("K₁  [{}]", report::typeset_unit(session.model().units.stress_intensity_name()));
-  for (const MappedFrontPoint& curve : mapped_points(path)) {
-    report::PlotSeries series;
-    series.name = curve.name;
-    series.colour = report::palette_colour(plot.series.size());
-    series.dash = report::dash_pattern(plot.series.size());
-    for (std::size_t k = 0; k < path.t.size(); ++k) {
-      series.points.push_back(
-          {range.from + (range.to - range.from) * path.t[k], curve.point->K[0].at_knot(k)});
-    }
-    plot.series.push_back(std::move(series));
-  }
-  return report::draw_svg(plot);
+// The path alone as the report draws it, t from 0 to 1.
+std::vector<report::Figure> path_figures(const ShellSession& session,
+                                         const results::LoadPathResult& path) {
+  model::Model model; // what the drawing asks for
+  model.units = session.model().units;
+  model.load_paths.emplace_back().name = path.name;
+  results::RunResult run;
+  run.increments.emplace_back().paths = {path};
+  return report::load_path_figures(model, run);
 }
 
 // The sizes tried with these loads and fits as steps of one increment, each front a figure.
 std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   results::Increment sizes;
   std::vector<std::string> names;
-  std::vector<ShellSession::FrontsAtSize> all = session.fronts_by_size();
-  for (ShellSession::FrontsAtSize& tried : all) {
+  for (ShellSession::FrontsAtSize& tried : session.fronts_by_size()) {
     results::StepResult& step = sizes.steps.emplace_back();
     step.step = fmt::format("a = {:.5g}", tried.size.a);
     step.step += tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", tried.size.c) : "";
@@ -106,6 +91,19 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   return figures;
 }
 
+// The same as increments of a run, for K over the length of tips.
+results::RunResult run_of_sizes(const ShellSession& session) {
+  results::RunResult run;
+  for (ShellSession::FrontsAtSize& tried : session.fronts_by_size()) {
+    results::Increment& increment = run.increments.emplace_back();
+    increment.number = static_cast<int>(run.increments.size());
+    increment.a = tried.a;
+    increment.steps.emplace_back().step = "NOW";
+    increment.steps.back().fronts = std::move(tried.fronts);
+  }
+  return run;
+}
+
 } // namespace
 
 std::vector<std::string> picture_kinds() {
@@ -118,10 +116,10 @@ base::Trouble draw_picture(const ShellSession& session, const std::string& kind,
     svg = stacked(k_along_fronts(session));
   } else if (kind == "k") {
     const std::optional<report::Figure> figure =
-        report::k_figure(session.displayed_model(), session.results_by_length());
+        report::k_figure(session.displayed_model(), run_of_sizes(session));
     if (!figure) {
       return invalid_input("K over the crack length needs two lengths with these loads and fits",
-                           "length CRACK a tries another one");
+                           "$CRACK NAME=C A0=5 tries another one");
     }
     svg = stacked({*figure});
   } else if (kind == "pressure") {
@@ -138,7 +136,7 @@ base::Trouble draw_picture(const ShellSession& session, const std::string& kind,
     if (path == nullptr || path->fronts.empty()) {
       return invalid_input("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }
-    svg = stacked({{{path_picture(session, *path)}, {}, {}}});
+    svg = stacked(path_figures(session, *path));
   } else {
     return invalid_input(fmt::format("there is no picture of '{}'", kind),
                          base::suggest_spelling(kind, picture_kinds()));

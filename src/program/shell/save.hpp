@@ -8,11 +8,11 @@
 
 namespace spricka::program {
 
-/// The deck with what is set now: lengths, interferences and parameters in their own cards, loads
-/// and fits in steps at the end, the last of them with the name NOW (or the next that is free).
-/// $CHECK, $GROW, $SWEEP and $RESTART become comments where they speak of other values. `folder`:
-/// where the text will be, for the names of files in it. Trouble where a card that would have to
-/// change is in an included file, or where the order of steps cannot be kept.
+/// The deck with what is set now, its includes in it: the cards as they were changed, loads and
+/// fits in steps at the end, the last of them with the name NOW (or the next that is free). $GROW,
+/// $SWEEP, $RESTART and $TEST become comments, $CHECK where cards have other values. `folder`:
+/// where the text will be, for the names of files in it. Trouble where the order of steps cannot be
+/// kept.
 base::Trouble saved_deck(const ShellSession& session, const std::filesystem::path& folder,
                          std::string& text);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/session.hpp"
 
-#include "base/messages.hpp"
+#include "deck/typed_line.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
+#include "program/shell/deck_edit.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/trouble.hpp"
 #include "report/topics/result_tables.hpp"
@@ -38,22 +39,6 @@ void put(std::vector<model::Action>& actions, const model::Action& action) {
   actions.push_back(action);
 }
 
-bool mounts(const model::Step& step) {
-  return std::ranges::any_of(step.actions, [](const model::Action& a) {
-    return std::holds_alternative<model::MountContact>(a) ||
-           std::holds_alternative<model::DismountContact>(a);
-  });
-}
-
-bool same_names(const model::Model& a, const model::Model& b) {
-  const auto same = [](const auto& one, const auto& two) {
-    return std::ranges::equal(one, two,
-                              [](const auto& x, const auto& y) { return x.name == y.name; });
-  };
-  return same(a.cases, b.cases) && same(a.contacts, b.contacts) && same(a.steps, b.steps) &&
-         same(a.cracks, b.cracks);
-}
-
 bool keeps_mounts(const model::Model& model) {
   return model.growth && model.growth->mounted == model::ContactMounting::first;
 }
@@ -78,60 +63,56 @@ void begin_growth(model::Model& model) {
 } // namespace
 
 ShellSession::ShellSession(SessionOptions options) : options_(std::move(options)) {
-  changes_.name = "NOW";
-  given_ = options_.defines;
+  set_.pending.name = "NOW";
 }
 
 base::Trouble ShellSession::open() {
-  return read_again(options_.defines, false);
+  return read_again({});
 }
 
-base::Trouble ShellSession::reset() {
-  return read_again(given_, false);
-}
-
-base::Trouble ShellSession::define_parameter(const std::string& name,
-                                             const std::string& expression) {
-  Defines defines = options_.defines;
-  std::erase_if(defines, [&](const auto& d) { return same_word(d.first, name); });
-  defines.emplace_back(name, expression);
-  const OriginalCards before = own_;
-  if (base::Trouble trouble = read_again(defines, true)) {
-    return trouble;
+// All that depends on the deck is made aside and takes its place at the end. Without a text of its
+// cards the deck is read from its file, and nothing is set.
+base::Trouble ShellSession::read_again(DeckChanges to) {
+  deck::DeckReadOptions options;
+  if (to.text) {
+    options.text = deck::write_deck(*to.text, files_.front().parent_path() / ".");
+  } else {
+    options.defines = options_.defines;
   }
-  covered_ = covered_by(before);
-  return {};
-}
-
-// All that depends on the deck is made aside and takes its place at the end.
-base::Trouble ShellSession::read_again(const Defines& defines, bool keep) {
-  auto deck = std::make_unique<ReadyDeck>(options_.read(defines));
+  auto deck = std::make_unique<ReadyDeck>(options_.read(options));
   if (!deck->model) {
-    return located_failure(deck->refusal.kind, {});
+    return base::OperationFailure{.kind = deck->refusal.kind, .why = {}, .complete = true};
   }
   ShellSession next(options_);
-  next.options_.defines = defines;
-  next.given_ = given_;
   next.model_ = std::make_unique<model::Model>(std::move(*deck->model));
   deck->model.reset();
   next.deck_ = std::move(deck);
   next.cache_ = cache_;
-  const bool same = keep && bench_ && same_names(*model_, *next.model_);
-  if (same) {
-    next.base_ = base_;
-    next.after_ = after_;
-    next.changes_ = changes_;
-    next.lengths_ = lengths_;
-    next.gaps_ = gaps_;
-  } else {
-    const std::string leading = report::leading_step(*next.model_);
-    next.base_ = static_cast<std::size_t>(
-        std::ranges::find(next.model_->steps, leading, &model::Step::name) -
-        next.model_->steps.begin());
-  }
-  if (keep) { // after a reset the deck may be another one
+  const bool changed = to.text != nullptr;
+  if (changed) {
+    next.set_ = std::move(to);
+    next.files_ = files_;
+    next.earlier_ = earlier_;
     next.known_ = known_;
     next.reported_ = reported_;
+  } else {
+    const std::string leading = report::leading_step(*next.model_);
+    next.set_.base = static_cast<std::size_t>(
+        std::ranges::find(next.model_->steps, leading, &model::Step::name) -
+        next.model_->steps.begin());
+    auto text = std::make_shared<deck::DeckText>();
+    if (base::Trouble trouble =
+            read_cards(next.deck_->sources.file_name(0), options_.defines, *text, next.files_)) {
+      return trouble;
+    }
+    next.set_.text = std::move(text);
+  }
+  next.other_cards_ = cards_but_cracks(*next.set_.text);
+  if (changed && next.other_cards_ == other_cards_ &&
+      next.model_->mesh.element_count() == model_->mesh.element_count()) {
+    next.plan_ = plan_; // lengths of one deck share them
+    next.contact_ = contact_;
+    next.memory_ = memory_;
   }
   if (base::Trouble trouble = next.open_model()) {
     return trouble;
@@ -141,19 +122,17 @@ base::Trouble ShellSession::read_again(const Defines& defines, bool keep) {
 }
 
 base::Trouble ShellSession::open_model() {
-  own_ = {model_->cracks, model_->contacts, model_->steps};
+  const std::vector<model::CrackDefinition> own = model_->cracks;
   begin_growth(*model_);
-  for (const auto& [name, value] : gaps_) {
-    std::ranges::find(model_->contacts, name, &model::Contact::name)->gap = -value;
+  if (plan_.region.empty()) {
+    base::Diagnostics diagnostics;
+    plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
+    if (diagnostics.has_errors()) {
+      return located_failure(base::Outcome::deck_error, deck_->sources, diagnostics);
+    }
   }
-  base::Diagnostics diagnostics;
-  plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
-  if (diagnostics.has_errors()) {
-    return located_failure(base::Outcome::deck_error,
-                           base::format_messages(deck_->sources, diagnostics));
-  }
-  if (keeps_mounts(*model_)) { // what is mounted at the first length, by all steps
-    memory_ = std::make_unique<analysis::MountOffsetMemory>();
+  if (keeps_mounts(*model_) && !memory_) { // what is mounted at the first length, by all steps
+    memory_ = std::make_shared<analysis::MountOffsetMemory>();
     std::unique_ptr<InteractiveSolver> first;
     base::Trouble trouble = make_bench(true, first);
     trouble = trouble ? trouble : first->solve_from_unloaded(model_->steps);
@@ -161,8 +140,12 @@ base::Trouble ShellSession::open_model() {
       return trouble;
     }
   }
-  set_lengths_on(*model_);
-  if (!lengths_.empty()) {
+  for (std::size_t c = 0; c < own.size(); ++c) {
+    if (set_.cracks.contains(own[c].name)) {
+      model_->cracks[c] = own[c];
+    }
+  }
+  if (!set_.cracks.empty()) {
     plan_ = plan_lengths();
   }
   return rebuild();
@@ -179,11 +162,9 @@ base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<InteractiveSo
                                    .threads = options_.threads ? options_.threads(*model_) : 1,
                                    .stopped = options_.stopped},
                                   plan_, diagnostics, trouble);
-  if (diagnostics.has_errors()) {
-    return located_failure(base::Outcome::deck_error,
-                           base::format_messages(deck_->sources, diagnostics));
-  }
-  return trouble;
+  return diagnostics.has_errors()
+             ? located_failure(base::Outcome::deck_error, deck_->sources, diagnostics)
+             : trouble;
 }
 
 base::Trouble ShellSession::rebuild() {
@@ -199,7 +180,6 @@ base::Trouble ShellSession::rebuild() {
     std::erase_if(cache_->nets, [](const auto& entry) { return entry.second.use_count() == 1; });
     std::erase_if(cache_->bodies, [](const auto& entry) { return entry.second.use_count() == 1; });
   }
-  mapped_.clear();
   remember();
   return {};
 }
@@ -208,149 +188,201 @@ base::Trouble ShellSession::restore_after_failure() {
   return bench_->ready() ? base::Trouble() : rebuild();
 }
 
+// Lengths to come are likely to be near: room for half and for half as much again.
+analysis::RegionPlan ShellSession::plan_lengths() const {
+  const auto join = [](analysis::RegionPlan& plan, const analysis::RegionPlan& more) {
+    for (std::size_t e = 0; e < plan.region.size(); ++e) {
+      plan.region[e] = plan.region[e] || more.region[e];
+    }
+  };
+  base::Diagnostics ignored;
+  analysis::RegionPlan needed = analysis::plan_region(*model_, {0.0, 0.0}, ignored);
+  if (!needed.split ||
+      (plan_.split && std::ranges::equal(plan_.region, needed.region,
+                                         [](bool has, bool needs) { return has || !needs; }))) {
+    return needed.split ? plan_ : needed;
+  }
+  if (plan_.split) {
+    join(needed, plan_);
+  }
+  model::Model near = *model_;
+  for (const double times : {0.5, 0.75, 1.25, 1.5}) {
+    base::Diagnostics misfit; // a length that does not fit needs no room
+    for (std::size_t c = 0; c < near.cracks.size(); ++c) {
+      const std::optional<double> a = model_->cracks[c].a0;
+      near.cracks[c].a0 = a ? std::optional(times * *a) : std::nullopt;
+    }
+    const analysis::RegionPlan more = analysis::plan_region(near, {0.0, 0.0}, misfit);
+    if (!misfit.has_errors()) {
+      join(needed, more);
+    }
+  }
+  return needed;
+}
+
 std::vector<model::Step> ShellSession::way_to(std::size_t step) const {
   return {model_->steps.begin(), model_->steps.begin() + static_cast<std::ptrdiff_t>(step) + 1};
 }
 
 std::vector<model::Step> ShellSession::way() const {
-  std::vector<model::Step> steps = way_to(base_);
-  steps.insert(steps.end(), after_.begin(), after_.end());
+  std::vector<model::Step> steps = way_to(set_.base);
+  steps.insert(steps.end(), set_.applied.begin(), set_.applied.end());
   return steps;
 }
 
 base::Trouble ShellSession::go_to_step(const std::string& name) {
+  std::vector<std::string> names = argument_names('s', *model_);
+  names.erase(names.begin()); // NOW
   std::size_t index = 0;
-  if (base::Trouble trouble = find_name(step_names(*model_), "step", name, index)) {
+  base::Trouble trouble = find_name(names, "step", name, index);
+  trouble = trouble ? trouble : bench_->solve_from_unloaded(way_to(index));
+  if (trouble) {
     return trouble;
   }
-  if (base::Trouble trouble = bench_->solve_from_unloaded(way_to(index))) {
-    return trouble;
-  }
-  base_ = index;
-  after_.clear();
-  changes_.actions.clear();
+  earlier_.push_back(set_);
+  set_.base = index;
+  set_.applied.clear();
+  set_.pending.actions.clear();
   mapped_.clear();
   remember();
   return {};
 }
 
-void ShellSession::change(const model::Action& action) {
-  put(changes_.actions, action);
-}
-
-base::Trouble ShellSession::set_load_factor(const std::string& load_case, double factor) {
-  std::size_t index = 0;
-  if (base::Trouble trouble = find_name(load_case_names(*model_), "load case", load_case, index)) {
-    return trouble;
-  }
-  change(model::ApplyLoad{base::CaseId(index), factor});
-  return {};
-}
-
-base::Trouble ShellSession::set_fit_factor(const std::string& contact, double factor) {
-  std::size_t index = 0;
-  if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
-    return trouble;
-  }
-  if (!model_->contacts[index].gap) {
-    return invalid_input(
-        fmt::format("contact {} has no declared fit that a factor could scale", contact),
-        fmt::format("fit {} = 0.05 declares an interference", contact));
-  }
-  change(model::ApplyFit{base::ContactId(index), factor});
-  return {};
-}
-
-base::Trouble ShellSession::set_mounted(const std::string& contact, bool on) {
-  std::size_t index = 0;
-  if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
-    return trouble;
-  }
+// A contact that changes its state; what is pending the other way is taken back. What is in force
+// would count its fit a second time, from bodies that have it already.
+base::Trouble ShellSession::goes_on_or_off(base::ContactId contact, bool on) const {
+  const std::string& name = model_->contacts[contact.index()].name;
   if (keeps_mounts(*model_)) {
     return invalid_input(
         "with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
         "nothing is mounted or dismounted here");
   }
-  const base::ContactId id(index);
-  const model::Action action =
-      on ? model::Action(model::MountContact{id}) : model::Action(model::DismountContact{id});
-  if (factors().mounted[index] != on) {
-    change(action);
-    return {};
-  }
-  // What is in force would count its fit a second time, from bodies that have it already.
-  if (std::erase_if(changes_.actions,
-                    [&](const model::Action& a) { return subject(a) == subject(action); }) == 0) {
+  const bool pending = std::ranges::any_of(set_.pending.actions, [&](const model::Action& a) {
+    return subject(a) == std::pair(2, contact.index());
+  });
+  if (factors().mounted[contact.index()] == on && !pending) {
     return invalid_input(
-        fmt::format("contact {} is {} already", contact, on ? "mounted" : "absent"),
-        on ? "dismount it first: mounted anew, its fit counts from the bodies as they are "
-             "then"
+        fmt::format("contact {} is {} already", name, on ? "mounted" : "absent"),
+        on ? "dismount it first: mounted anew, its fit counts from the bodies as they are then"
            : "mount puts it in");
   }
-  return {}; // a change that was pending is taken back
+  return {};
 }
 
-base::Trouble ShellSession::set_interference(const std::string& contact, double value) {
-  std::size_t index = 0;
-  if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
-    return trouble;
+base::Trouble ShellSession::add_step_line(const std::string& line) {
+  base::SourceTexts sources;
+  base::Diagnostics diagnostics;
+  const std::optional<model::Step> step = deck::read_step_line(*model_, line, sources, diagnostics);
+  if (!step) {
+    return located_failure(base::Outcome::usage, sources, diagnostics);
   }
-  if (keeps_mounts(*model_)) {
+  const model::Action& action = step->actions.front();
+  const auto* fit = std::get_if<model::ApplyFit>(&action);
+  if (fit != nullptr && !model_->contacts[fit->contact.index()].gap) {
+    const std::string& contact = model_->contacts[fit->contact.index()].name;
     return invalid_input(
-        "with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length",
-        "make the interference a parameter of the deck and use set");
+        fmt::format("contact {} has no declared fit that a factor could scale", contact),
+        fmt::format("$CONTACT NAME={} INTERFERENCE=0.05 declares one", contact));
   }
-  if (model_->contacts[index].rigid.valid() && !model_->contacts[index].gap) {
-    return invalid_input(
-        fmt::format("contact {} meets a rigid target and has no declared gap", contact));
+  DeckChanges to = set_;
+  if (subject(action).first == 2) {
+    const base::ContactId contact(subject(action).second);
+    const bool on = std::holds_alternative<model::MountContact>(action);
+    if (base::Trouble trouble = goes_on_or_off(contact, on)) {
+      return trouble;
+    }
+    if (factors().mounted[contact.index()] == on) { // a change that was pending is taken back
+      std::erase_if(to.pending.actions,
+                    [&](const model::Action& a) { return subject(a) == subject(action); });
+    } else {
+      put(to.pending.actions, action);
+    }
+  } else {
+    put(to.pending.actions, action);
   }
-  const std::optional<double> before = model_->contacts[index].gap;
-  const std::vector<model::Step> after = after_;
-  model_->contacts[index].gap = -value;
-  if (factors().fit[index] != 1.0) { // the value itself is meant, not a part of it
-    model::Step& whole = after_.emplace_back();
-    whole.name = "NOW";
-    whole.substeps = has_friction() ? default_substeps : 1;
-    whole.actions.emplace_back(model::ApplyFit{base::ContactId(index), 1.0});
-  }
-  if (base::Trouble trouble = rebuild()) {
-    model_->contacts[index].gap = before;
-    after_ = after;
-    return trouble;
-  }
-  gaps_[contact] = value;
+  earlier_.push_back(std::exchange(set_, std::move(to)));
   return {};
+}
+
+base::Trouble ShellSession::change_deck(DeckChanges to, deck::DeckText text,
+                                        const std::string& line) {
+  to.text = std::make_shared<deck::DeckText>(std::move(text));
+  to.lines.push_back(line);
+  DeckChanges before = set_;
+  base::Trouble trouble = read_again(std::move(to));
+  if (!trouble) {
+    earlier_.push_back(std::move(before));
+  }
+  return trouble;
+}
+
+base::Trouble ShellSession::change_card(const std::string& header) {
+  deck::DeckText text = *set_.text;
+  std::size_t card = 0;
+  if (base::Trouble trouble = set_card_keys(header, text, card)) {
+    return trouble;
+  }
+  DeckChanges to = set_;
+  if (text[card].name == "CRACK") {
+    to.cracks.insert(text[card].word_value("NAME"));
+  }
+  return change_deck(std::move(to), std::move(text), header);
+}
+
+base::Trouble ShellSession::change_parameter(const std::string& line) {
+  deck::DeckText text = *set_.text;
+  base::Trouble trouble = set_parameter(line, text);
+  return trouble ? trouble : change_deck(set_, std::move(text), line);
+}
+
+base::Trouble ShellSession::undo() {
+  if (earlier_.empty()) {
+    return invalid_input("nothing has been changed");
+  }
+  DeckChanges to = earlier_.back();
+  base::Trouble trouble;
+  if (to.text == set_.text) {
+    std::swap(set_, to);
+    trouble = bench_->solve_from_unloaded(way());
+    if (trouble) {
+      std::swap(set_, to);
+      return trouble;
+    }
+    mapped_.clear();
+    remember();
+  } else {
+    trouble = read_again(std::move(to));
+  }
+  if (!trouble) {
+    earlier_.pop_back();
+  }
+  return trouble;
 }
 
 base::Trouble ShellSession::solve(int substeps) {
   if (!has_pending_changes()) {
     return {};
   }
-  model::Step next = changes_;
+  model::Step next = set_.pending;
   next.substeps = has_friction() ? substeps : 1;
-  const std::vector<model::Step> before = after_;
-  if (!after_.empty() && !has_friction() && !mounts(next) && !mounts(after_.back())) {
+  std::vector<model::Step>& applied = set_.applied;
+  const std::vector<model::Step> before = applied;
+  if (!applied.empty() && !has_friction() && !mounts_contacts(next) &&
+      !mounts_contacts(applied.back())) {
     for (const model::Action& action : next.actions) {
-      put(after_.back().actions, action);
+      put(applied.back().actions, action);
     }
   } else {
-    after_.push_back(next);
+    applied.push_back(next);
   }
   if (base::Trouble trouble = bench_->solve_further_step(next, way())) {
-    after_ = before;
+    applied = before;
     return trouble;
   }
-  changes_.actions.clear();
+  set_.pending.actions.clear();
   mapped_.clear();
   remember();
   return {};
-}
-
-base::Trouble ShellSession::estimate_accuracy() {
-  if (base::Trouble trouble = solve()) {
-    return trouble;
-  }
-  return bench_->estimate_accuracy();
 }
 
 bool ShellSession::has_friction() const {

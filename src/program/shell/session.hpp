@@ -2,12 +2,13 @@
 #pragma once
 #include "analysis/steps/mount_memory.hpp"
 #include "base/outcome.hpp"
+#include "deck/deck_text.hpp"
 #include "model/model.hpp"
 #include "program/job/job.hpp"
 #include "program/shell/bench.hpp"
 
+#include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -17,16 +18,14 @@
 
 namespace spricka::program {
 
-using Defines = std::vector<std::pair<std::string, std::string>>;
-
 struct SessionOptions {
-  std::function<ReadyDeck(const Defines&)> read;   ///< reads and checks the deck with these
-  Defines defines;                                 ///< -D of the command line
-  std::function<int(const model::Model&)> threads; ///< empty: one
-  std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
+  /// Reads and checks the deck.
+  std::function<ReadyDeck(const deck::DeckReadOptions&)> read;
+  std::vector<std::pair<std::string, std::string>> defines; ///< -D of the command line
+  std::function<int(const model::Model&)> threads;          ///< empty: one
+  std::function<bool()> stopped;                            ///< may be empty
 };
 
-/// A size given to a crack.
 struct CrackSize {
   double a = 0.0; ///< its length; in space the semi-axis A of an ellipse [length]
   double c = 0.0; ///< in space the semi-axis C, else 0 [length]
@@ -42,46 +41,46 @@ struct MapRange {
   double from = 0.0, to = 1.0; ///< at t = 0 and t = 1
 };
 
+/// What is set: the deck's cards as they are now, and the steps behind its own.
+struct DeckChanges {
+  std::shared_ptr<const deck::DeckText> text; ///< with -D in its parameters
+  std::vector<std::string> lines;             ///< cards and parameters that were typed
+  std::set<std::string> cracks;     ///< that were given keys: $GROW does not set their lengths
+  std::size_t base = 0;             ///< the deck's step that the state began with
+  std::vector<model::Step> applied; ///< behind it: one step where the order does not count
+  model::Step pending;              ///< not solved yet
+};
+
 /// A deck on the bench: what its steps have set, what was changed since, and the answers. It knows
-/// nothing of words typed or texts printed; names are those of the deck, upper case, or an
-/// operation ends with trouble and the name that was probably meant. An operation that fails leaves
-/// everything as it was.
+/// nothing of texts printed. An operation that fails leaves everything as it was.
 class ShellSession {
 public:
   explicit ShellSession(SessionOptions options);
 
   /// Reads the deck, condenses it and goes to the end of its leading step (KMAX of $GROW, else the
-  /// last). Called once; trouble with the deck has been told by `read`.
+  /// last). Again, it forgets all changes and reads the deck anew. Trouble with the deck has been
+  /// told by `read`.
   base::Trouble open();
 
-  // What is set. Factors and lengths take effect at the next solve().
+  // What is set.
   base::Trouble go_to_step(const std::string& name); ///< the state at the end of a step of the deck
-  /// Scales a load case from the next solve on. Trouble: no case has that name.
-  base::Trouble set_load_factor(const std::string& load_case, double factor);
-  /// Scales the declared fit of a contact from the next solve on. Trouble: there is no such
-  /// contact, or it has no fit.
-  base::Trouble set_fit_factor(const std::string& contact, double factor);
-  /// The interference itself [length], negative: clearance: its factor becomes 1. Solves from the
-  /// first step on.
-  base::Trouble set_interference(const std::string& contact, double value);
-  /// Puts a contact in force or takes it away with the next solve; a pending change is taken back.
-  /// Trouble: it is so already, or $GROW keeps what was mounted at the first length.
-  base::Trouble set_mounted(const std::string& contact, bool on);
-  /// Cuts the crack anew, condenses what it touches and solves the same way again. In space the
-  /// semi-axes of an ellipse; without C the present ratio of both is kept.
-  base::Trouble set_crack_length(const std::string& crack, double a, std::optional<double> c = {});
-  /// A parameter: the deck is read again; what was set by name is kept.
-  base::Trouble define_parameter(const std::string& name, const std::string& expression);
-  /// What the last define() would have changed, had it not been set by name (or by $GROW) before.
-  [[nodiscard]] const std::vector<std::string>& overridden_settings() const { return covered_; }
-  base::Trouble reset(); ///< as after open(); the deck is read again
+  /// A data line of $STEP, LOAD, FIT, MOUNT or DISMOUNT: pending until the next solve(). Trouble
+  /// where a contact is mounted already, or absent, or keeps what it was mounted with.
+  base::Trouble add_step_line(const std::string& line);
+  /// The header of a card with keys to change (deck_edit.hpp). The deck is read again, and the same
+  /// way solved; bodies that are as they were stay condensed.
+  base::Trouble change_card(const std::string& header);
+  /// A line of $PARAMETER, likewise.
+  base::Trouble change_parameter(const std::string& line);
+  /// Takes the last change or go_to_step() back.
+  base::Trouble undo();
 
   /// Makes the changes that are pending; where something rubs in so many substeps from the last
   /// state on, else path-free.
   base::Trouble solve(int substeps = default_substeps);
   /// After an operation that failed late makes what it left unusable anew. Call it before others.
   base::Trouble restore_after_failure();
-  [[nodiscard]] bool has_pending_changes() const { return !changes_.actions.empty(); }
+  [[nodiscard]] bool has_pending_changes() const { return !set_.pending.actions.empty(); }
 
   // Answers about the present state; what is pending is solved before.
   base::Trouble estimate_accuracy(); ///< error bars and sensitivities of K, once for a state
@@ -92,103 +91,87 @@ public:
   /// Notes of the present state that were not given before, and its warnings, first.
   std::vector<std::string> new_notes();
   [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
-  /// A quantity of $CHECK with the value at the present state for the step NOW, at the end of one
-  /// of the deck's for another name.
+  /// A result that $CHECK knows, with its arguments; NOW is the present state. Nothing is solved.
+  base::Trouble read_result(const std::string& line, model::ResultCheck& check) const;
+  /// Its value at the present state for the step NOW, at the end of one of the deck's for another
+  /// name.
   base::Trouble evaluate(const model::ResultCheck& check, double& value);
   /// K along a $LOADPATH of the deck.
   base::Trouble map_path(const std::string& name);
   /// K while the factor of a load case goes from one value to another, all else as it is; the path
-  /// has the name of the case.
-  base::Trouble map_case(const std::string& load_case, double from, double to);
+  /// has the name of the case. Values as a LOAD of $STEP has them.
+  base::Trouble map_case(const std::string& load_case, const std::string& from,
+                         const std::string& to);
   /// The path that was followed last; null: none at this state.
   [[nodiscard]] const results::LoadPathResult* last_mapped_path() const;
   [[nodiscard]] const MapRange& map_range() const { return range_; }
 
-  /// States with the present loads and fits at different lengths, ascending: each an increment
-  /// whose only step is NOW, fronts only.
-  [[nodiscard]] results::RunResult results_by_length() const;
-  /// The same by the size of the first crack, both axes of an ellipse.
+  /// A state with the present loads and cards that was found at one size of the cracks.
   struct FrontsAtSize {
-    CrackSize size;
+    double a = 0.0; ///< as increments are sorted by it
+    CrackSize size; ///< of the first crack
     std::vector<results::FrontResult> fronts;
   };
+  /// All of them, by size.
   [[nodiscard]] std::vector<FrontsAtSize> fronts_by_size() const;
 
   [[nodiscard]] const model::Model& model() const { return *model_; } ///< as it is now
   [[nodiscard]] const model::Model& displayed_model() const { return bench_->displayed_model(); }
-  [[nodiscard]] const base::SourceTexts& sources() const { return deck_->sources; }
-  /// Name of the deck's step that the state began with, and what came after it: one step where the
-  /// order does not count.
-  [[nodiscard]] const std::string& base_step() const { return model_->steps[base_].name; }
-  [[nodiscard]] const std::vector<model::Step>& applied_changes() const { return after_; }
-  [[nodiscard]] const model::Step& pending_changes() const { return changes_; }
-  /// Values given by the user here.
-  [[nodiscard]] const std::map<std::string, CrackSize>& user_crack_sizes() const {
-    return lengths_;
+  /// Files that the deck was read from.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+  [[nodiscard]] const DeckChanges& changes() const { return set_; }
+  /// Whether cards or parameters have other values than in the deck's file.
+  [[nodiscard]] bool has_other_cards() const {
+    return !set_.lines.empty() || !options_.defines.empty();
   }
-  [[nodiscard]] const std::map<std::string, double>& user_interferences() const { return gaps_; }
-  [[nodiscard]] const Defines& defines() const { return options_.defines; }
+  [[nodiscard]] const std::string& base_step() const { return model_->steps[set_.base].name; }
   [[nodiscard]] bool has_friction() const; ///< a contact or crack with friction: the order counts
-  /// Nets condensed and reused when the lengths changed last.
+  /// Nets condensed and reused when cards changed last.
   [[nodiscard]] const analysis::CondensationFigures& condensation_log() const {
     return bench_->condensation_log();
   }
   /// Size of a crack: axes of an ellipse, else the length that the present result has of it;
   /// without one that of the deck [length].
   [[nodiscard]] CrackSize crack_size(std::size_t crack) const;
-  /// Contacts, and the faces of cracks that may touch.
-  [[nodiscard]] std::vector<std::string> pair_names() const;
 
 private:
-  /// A bench for the model of a deck just read, with what is set by name.
+  base::Trouble read_again(DeckChanges to);
+  base::Trouble change_deck(DeckChanges to, deck::DeckText text, const std::string& line);
+  /// A bench for the model of a deck just read.
   base::Trouble open_model();
-  base::Trouble read_again(const Defines& defines, bool keep);
-  /// Cards that parameters reach and that names set here may cover, as the deck has them.
-  struct OriginalCards {
-    std::vector<model::CrackDefinition> cracks;
-    std::vector<model::Contact> contacts;
-    std::vector<model::Step> steps;
-  };
-  [[nodiscard]] std::vector<std::string> covered_by(const OriginalCards& before) const;
-  [[nodiscard]] analysis::StepFactors factors_at_base(const OriginalCards& cards) const;
   /// A new bench for the model as it is, at the end of the way so far.
   base::Trouble rebuild();
   base::Trouble make_bench(bool first, std::unique_ptr<InteractiveSolver>& bench);
   [[nodiscard]] std::vector<model::Step> way_to(std::size_t step) const;
   [[nodiscard]] std::vector<model::Step> way() const; ///< to the base step and what came after it
+  [[nodiscard]] base::Trouble goes_on_or_off(base::ContactId contact, bool on) const;
   /// The region that cracks of these lengths touch, and some more, to be condensed apart.
   [[nodiscard]] analysis::RegionPlan plan_lengths() const;
-  void set_lengths_on(model::Model& model) const;
-  [[nodiscard]] base::Trouble mappable() const;
+  base::Trouble follow(const model::LoadPathDefinition& card, const std::vector<model::Step>& from,
+                       const std::vector<model::Step>& to, const MapRange& range);
   [[nodiscard]] std::string setting() const;
   void remember();
-  void change(const model::Action& action);
 
   SessionOptions options_;
+  std::vector<std::filesystem::path> files_;
   std::unique_ptr<ReadyDeck> deck_;
-  std::unique_ptr<model::Model> model_; ///< with the lengths and gaps that were set
+  std::unique_ptr<model::Model> model_; ///< with the lengths that $GROW begins with
+  std::string other_cards_;             ///< all cards but $CRACK
   analysis::RegionPlan plan_;
   std::shared_ptr<analysis::CondensationCache> cache_ =
       std::make_shared<analysis::CondensationCache>();
-  std::unique_ptr<analysis::ContactMemory> contact_ = std::make_unique<analysis::ContactMemory>();
-  std::unique_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
+  std::shared_ptr<analysis::ContactMemory> contact_ = std::make_shared<analysis::ContactMemory>();
+  std::shared_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
   std::unique_ptr<InteractiveSolver> bench_;
-  std::size_t base_ = 0;
-  std::vector<model::Step> after_;
-  model::Step changes_;
-  std::map<std::string, CrackSize> lengths_; ///< by crack
-  std::map<std::string, double> gaps_;       ///< by contact, interference
-  OriginalCards own_;
-  std::vector<std::string> covered_;
+  DeckChanges set_;
+  std::vector<DeckChanges> earlier_;
   std::string mapped_;
   MapRange range_;
-  struct TriedLengthResult {
+  struct TriedSize {
     std::string setting; ///< of all but lengths
-    double a = 0.0;
     FrontsAtSize found;
   };
-  std::vector<TriedLengthResult> known_;
-  Defines given_; ///< by the command line
+  std::vector<TriedSize> known_;
   std::set<std::string> reported_;
 };
 

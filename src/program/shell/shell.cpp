@@ -9,6 +9,7 @@
 #include "program/job/solve_to_tolerance.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/shell/command_table.hpp"
+#include "program/shell/completion.hpp"
 #include "program/shell/line_input.hpp"
 #include "solve/one_thread.hpp"
 
@@ -72,8 +73,12 @@ private:
     SessionOptions options;
     options.defines = options_.deck.defines;
     options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
-    options.read = [this](const Defines& defines) {
-      return read_and_check_deck(options_.deck.deck, {.defines = defines}, log_);
+    options.read = [this](const deck::DeckReadOptions& read) {
+      ReadyDeck deck = read_and_check_deck(options_.deck.deck, read, log_, &reported_);
+      if (deck.model) {
+        reported_ = deck.diagnostics;
+      }
+      return deck;
     };
     options.threads = [this](const model::Model& model) {
       return solve::reserve_blas_workspace(thread_count(options_.deck, model));
@@ -87,8 +92,9 @@ private:
       to_stderr(fmt::format("note: TOL of $TIPNET is for runs: here the mesh stays as it is\n"));
     }
     if (!session_->model().sweeps.empty()) {
-      fmt::print(stderr,
-                 "note: parameters of $SWEEP have the deck's own values; set changes them\n");
+      fmt::print(
+          stderr,
+          "note: parameters of $SWEEP have the deck's own values; NAME = VALUE changes them\n");
     }
     if (terminal) {
       to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
@@ -138,6 +144,7 @@ private:
 
   const ShellOptions& options_;
   Log log_;
+  base::Diagnostics reported_; ///< of the deck, which is read again with every change of it
   std::unique_ptr<ShellSession> session_;
   ShellHistory history_;
 };

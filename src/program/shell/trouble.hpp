@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/messages.hpp"
 #include "base/outcome.hpp"
 
 #include <string>
@@ -13,9 +14,10 @@ inline base::OperationFailure invalid_input(std::string why, std::string hint = 
   return {.kind = base::Outcome::usage, .why = std::move(why), .hint = std::move(hint)};
 }
 
-/// Mistakes as base::format() gives them, with their places.
-inline base::OperationFailure located_failure(base::Outcome kind, std::string messages) {
-  return {.kind = kind, .why = std::move(messages), .complete = true};
+/// Mistakes with their places, as a run shows them.
+inline base::OperationFailure located_failure(base::Outcome kind, const base::SourceTexts& sources,
+                                              const base::Diagnostics& diagnostics) {
+  return {.kind = kind, .why = base::format_messages(sources, diagnostics), .complete = true};
 }
 
 } // namespace spricka::program

@@ -52,13 +52,13 @@ TEST(ShellSession, OpensAtTheLeadingStep) {
 
 TEST(ShellSession, LoadIsThatOfARun) {
   const ShellOnText shell(cracked_hub());
-  good(shell->set_load_factor("PULL", 3.5));
+  good(shell->add_step_line("LOAD PULL 3.5"));
   EXPECT_TRUE(shell->has_pending_changes());
   good(shell->solve());
   EXPECT_FALSE(shell->has_pending_changes());
   expect_k(shell, k_of_run(replaced(cracked_hub(), "LOAD PULL 1", "LOAD PULL 3.5")), 1e-10);
-  good(shell->set_load_factor("PULL", 0.2)); // and back on another way
-  good(shell->set_load_factor("PULL", 0.7));
+  good(shell->add_step_line("LOAD PULL 0.2")); // and back on another way
+  good(shell->add_step_line("LOAD PULL 0.7"));
   good(shell->solve());
   expect_k(shell, k_of_run(replaced(cracked_hub(), "LOAD PULL 1", "LOAD PULL 0.7")), 1e-10);
 }
@@ -67,8 +67,8 @@ TEST(ShellSession, IsHomogeneous) {
   const ShellOnText shell(cracked_hub());
   const double K1 = shell.K1();
   const double K2 = shell.K2();
-  good(shell->set_load_factor("PULL", 2.0));
-  good(shell->set_fit_factor("SEAT", 2.0));
+  good(shell->add_step_line("LOAD PULL 2.0"));
+  good(shell->add_step_line("FIT SEAT 2.0"));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), 2.0 * K1, 1e-10 * std::abs(K1));
   EXPECT_NEAR(shell.K2(), 2.0 * K2, 1e-10 * std::abs(K1));
@@ -77,12 +77,12 @@ TEST(ShellSession, IsHomogeneous) {
 TEST(ShellSession, LengthIsThatOfARun) {
   const ShellOnText shell(cracked_hub());
   const double first = shell.K1();
-  good(shell->set_crack_length("C", 6.0));
+  good(shell->change_card("$CRACK NAME=C A0=6.0"));
   const base::Vec2 wanted = k_of_run(cracked_hub("A0=6"));
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - first), 0.01 * first);
   EXPECT_GT(shell->condensation_log().reused, 0); // the pin at least
-  good(shell->set_crack_length("C", 4.0));
+  good(shell->change_card("$CRACK NAME=C A0=4.0"));
   EXPECT_NEAR(shell.K1(), first, 1e-10 * first);
 }
 
@@ -91,8 +91,8 @@ TEST(ShellSession, WhatACrackDoesNotTouchStaysCondensed) {
     return replaced(cracked_hub(crack), "NR=4 NT=36", "NR=10 NT=90");
   };
   const ShellOnText shell(hub("A0=4"));
-  good(shell->set_crack_length("C", 6.0)); // region and rest are parted here
-  good(shell->set_crack_length("C", 6.5));
+  good(shell->change_card("$CRACK NAME=C A0=6.0")); // region and rest are parted here
+  good(shell->change_card("$CRACK NAME=C A0=6.5"));
   EXPECT_EQ(shell->condensation_log().condensed, 1); // the region
   EXPECT_EQ(shell->condensation_log().reused, 2);    // the rest and the pin
   expect_k(shell, k_of_run(hub("A0=6.5")), 1e-9);
@@ -108,7 +108,7 @@ TEST(ShellSession, LengthOfAGrowthRunToTheBit) {
   for (const int i : {0, 2, 1, 0}) {
     const results::FrontResult& wanted =
         run->run.increments[static_cast<std::size_t>(i)].steps.back().fronts.front();
-    good(shell->set_crack_length("C", wanted.a));
+    good(shell->change_card(fmt::format("$CRACK NAME=C A0={}", wanted.a)));
     good(shell->go_to_step("PULLED"));
     EXPECT_EQ(shell.K1(), wanted.tip().K1) << wanted.a;
     EXPECT_EQ(shell.K2(), wanted.tip().K2) << wanted.a;
@@ -117,9 +117,9 @@ TEST(ShellSession, LengthOfAGrowthRunToTheBit) {
 
 TEST(ShellSession, ChangesStayAcrossLengths) {
   const ShellOnText shell(cracked_hub());
-  good(shell->set_load_factor("PULL", 2.0));
+  good(shell->add_step_line("LOAD PULL 2.0"));
   good(shell->solve());
-  good(shell->set_crack_length("C", 6.0));
+  good(shell->change_card("$CRACK NAME=C A0=6.0"));
   expect_k(shell, k_of_run(replaced(cracked_hub("A0=6"), "LOAD PULL 1", "LOAD PULL 2")), 1e-10);
   good(shell->go_to_step("PRESS"));
   const std::optional<Solved> run = solve_text(cracked_hub("A0=6"));
@@ -129,51 +129,59 @@ TEST(ShellSession, ChangesStayAcrossLengths) {
 
 TEST(ShellSession, InterferenceAndParameterAreThoseOfARun) {
   const ShellOnText shell(cracked_hub());
-  good(shell->set_interference("SEAT", 0.02));
+  good(shell->change_card("$CONTACT NAME=SEAT INTERFERENCE=0.02"));
   expect_k(shell, k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02")), 1e-10);
-  good(shell->define_parameter("T", "5"));
+  good(shell->change_parameter("T = 5"));
   const std::string thin = replaced(cracked_hub("A0=4", "INTERFERENCE=0.02"), "T = 10", "T = 5 ");
   expect_k(shell, k_of_run(thin), 1e-10);
-  good(shell->reset());
+  good(shell->open());
   expect_k(shell, k_of_run(cracked_hub()), 1e-10);
 }
 
-// What is typed is the interference, whatever its factor was before.
-TEST(ShellSession, InterferenceIsTheValueItself) {
+// A key takes the place of those that exclude it; the factor of the fit stays.
+TEST(ShellSession, KeysTakeThePlaceOfOthers) {
   const ShellOnText shell(cracked_hub());
-  const base::Vec2 wanted = k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02"));
-  good(shell->set_fit_factor("SEAT", 0.4));
+  good(shell->add_step_line("FIT SEAT 0.5"));
   good(shell->solve());
-  good(shell->set_interference("SEAT", 0.02));
-  expect_k(shell, wanted, 1e-10);
-  EXPECT_EQ(shell->factors().fit[0], 1.0);
+  good(shell->change_card("$CONTACT NAME=SEAT DIAMETRAL=0.08"));
+  EXPECT_EQ(shell->factors().fit[0], 0.5);
+  expect_k(shell, k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02")), 1e-10);
+  EXPECT_TRUE(shell->change_card("$CONTACT NAME=SAET GAP=0"));
+  EXPECT_TRUE(shell->change_card("$CONTACT NAME=SEAT GAP"));
 }
 
-TEST(ShellSession, ParameterThatIsCoveredSaysSo) {
+// Cards replace what stood there, expressions of a parameter too.
+TEST(ShellSession, ParameterReachesWhatIsLeftOfIt) {
   const std::string fit = "INTERFERENCE=(T/1000)";
   const ShellOnText shell(cracked_hub("A0=(T/2)", fit));
-  good(shell->set_crack_length("C", 6.0));
-  good(shell->set_interference("SEAT", 0.02));
-  good(shell->define_parameter("T", "9"));
-  ASSERT_EQ(shell->overridden_settings().size(), 2U);
-  EXPECT_NE(shell->overridden_settings()[0].find("crack C keeps the length set here, 6"),
-            std::string::npos);
-  EXPECT_NE(shell->overridden_settings()[1].find("contact SEAT keeps the interference"),
-            std::string::npos);
-  good(shell->reset());
-  good(shell->define_parameter("T", "9"));
-  EXPECT_TRUE(shell->overridden_settings().empty());
+  good(shell->change_card("$CRACK NAME=C A0=6"));
+  good(shell->change_parameter("T = 9"));
+  expect_k(shell, k_of_run(replaced(cracked_hub("A0=6", fit), "T = 10", "T = 9 ")), 1e-10);
+}
+
+TEST(ShellSession, UndoTakesChangesBackOneByOne) {
+  const ShellOnText shell(cracked_hub());
+  const double first = shell.K1();
+  good(shell->add_step_line("LOAD PULL 2"));
+  good(shell->solve());
+  const double loaded = shell.K1();
+  good(shell->change_card("$CRACK NAME=C A0=6"));
+  good(shell->undo());
+  EXPECT_NEAR(shell.K1(), loaded, 1e-10 * loaded);
+  good(shell->undo());
+  EXPECT_NEAR(shell.K1(), first, 1e-10 * first);
+  EXPECT_TRUE(shell->undo());
 }
 
 TEST(ShellSession, MapAgreesWithSolutions) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();
-  good(shell->map_case("PULL", 0.0, 6.0));
+  good(shell->map_case("PULL", "0", "6"));
   EXPECT_EQ(shell.K1(), before);
   const results::LoadPathResult path = *shell->last_mapped_path();
   ASSERT_GT(path.t.size(), 4U); // the contact opens on the way
   for (const double t : {0.0, 0.21, 0.5, 0.83, 1.0}) {
-    good(shell->set_load_factor("PULL", 6.0 * t));
+    good(shell->add_step_line(fmt::format("LOAD PULL {}", 6.0 * t)));
     good(shell->solve());
     EXPECT_NEAR(path.fronts.front().tip().K[0](t), shell.K1(),
                 1e-9 * path.fronts.front().tip().K[0].highest())
@@ -187,7 +195,7 @@ TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
   const std::optional<Solved> run = solve_text(deck);
   ASSERT_TRUE(run);
   const ShellOnText shell(deck);
-  good(shell->set_load_factor("PULL", 2.0));
+  good(shell->add_step_line("LOAD PULL 2.0"));
   model::ResultCheck check;
   check.relative = false;
   check.quantity = "K1";
@@ -224,30 +232,33 @@ TEST(ShellSession, ErrorBarsAreThoseOfARun) {
 TEST(ShellSession, FailuresLeaveEverything) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();
-  const base::Trouble unknown = shell->set_load_factor("PUL", 1.0);
+  const base::Trouble unknown = shell->add_step_line("LOAD PUL 1.0");
   ASSERT_TRUE(unknown);
   EXPECT_EQ(unknown->kind, base::Outcome::usage);
-  EXPECT_NE(unknown->hint.find("PULL"), std::string::npos);
-  const base::Trouble long_one = shell->set_crack_length("C", 200.0);
+  EXPECT_NE(unknown->why.find("PULL"), std::string::npos);
+  const base::Trouble long_one = shell->change_card("$CRACK NAME=C A0=200");
   ASSERT_TRUE(long_one);
   EXPECT_EQ(long_one->kind, base::Outcome::deck_error);
-  EXPECT_TRUE(shell->set_crack_length("C", -1.0));
   testing::internal::CaptureStderr();
-  EXPECT_TRUE(shell->define_parameter("T", "1/"));
+  EXPECT_TRUE(shell->change_card("$CRACK NAME=C A0=-1.0"));
+  EXPECT_NE(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(shell->change_parameter("T = 1/"));
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(shell->change_parameter("T = 1/0"));
   EXPECT_NE(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(shell.K1(), before);
-  good(shell->reset());
+  good(shell->open());
   EXPECT_NEAR(shell.K1(), before, 1e-12 * before);
 }
 
 TEST(ShellSession, LooseBodyIsNamedAndTheStateStays) {
   const ShellOnText shell(cracked_hub("A0=4", "GAP=0.01"));
   const double before = shell->current_result().energy;
-  good(shell->set_load_factor("PULL", 1e-3));
+  good(shell->add_step_line("LOAD PULL 1e-3"));
   good(shell->solve());
   const double small = shell->current_result().energy;
   EXPECT_LT(small, before);
-  good(shell->set_mounted("SEAT", false)); // nothing holds the pin
+  good(shell->add_step_line("DISMOUNT SEAT")); // nothing holds the pin
   const base::Trouble loose = shell->solve();
   ASSERT_TRUE(loose);
   EXPECT_EQ(loose->kind, base::Outcome::not_solvable);
@@ -259,11 +270,11 @@ TEST(ShellSession, StopsWhenAsked) {
   ShellOnText shell(cracked_hub());
   const double before = shell.K1();
   shell.stop = true;
-  const base::Trouble stopped = shell->set_crack_length("C", 6.0);
+  const base::Trouble stopped = shell->change_card("$CRACK NAME=C A0=6.0");
   ASSERT_TRUE(stopped);
   EXPECT_EQ(stopped->kind, base::Outcome::stopped);
   EXPECT_TRUE(shell->go_to_step("PRESS"));
-  EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
+  EXPECT_TRUE(shell->map_case("PULL", "0", "1"));
   shell.stop = false;
   good(shell->restore_after_failure());
   EXPECT_EQ(shell.K1(), before);
@@ -277,17 +288,17 @@ TEST(ShellSession, FollowsFriction) {
   const ShellOnText shell(deck);
   EXPECT_TRUE(shell->has_friction());
   const double before = shell.K1();
-  good(shell->set_load_factor("PULL", 3.0));
+  good(shell->add_step_line("LOAD PULL 3.0"));
   good(shell->solve(5));
-  good(shell->set_load_factor("PULL", 1.0));
+  good(shell->add_step_line("LOAD PULL 1.0"));
   good(shell->solve(5));
   const std::string steps = "  LOAD PULL 1\n$STEP NAME=UP SUBSTEPS=5\n  LOAD PULL 3\n"
                             "$STEP NAME=DOWN SUBSTEPS=5\n  LOAD PULL 1\n";
   const base::Vec2 wanted = k_of_run(replaced(deck, "  LOAD PULL 1\n", steps));
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - before), 1e-3 * before);
-  EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
-  good(shell->set_crack_length("C", 5.0)); // the whole history again
+  EXPECT_TRUE(shell->map_case("PULL", "0", "1"));
+  good(shell->change_card("$CRACK NAME=C A0=5.0")); // the whole history again
   expect_k(shell, k_of_run(replaced(cracked_hub("A0=5", contact), "  LOAD PULL 1\n", steps)), 1e-9);
 }
 
@@ -298,16 +309,16 @@ TEST(ShellSession, MountsAsARunDoes) {
   const ShellOnText shell(deck);
   expect_k(shell, k_of_run(deck), 1e-12);
   const double mounted = shell.K1();
-  good(shell->set_mounted("SEAT", false));
+  good(shell->add_step_line("DISMOUNT SEAT"));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), 0.0, 1e-12 * mounted); // nothing acts on the hub
   good(shell->go_to_step("PRESS"));
-  good(shell->set_mounted("SEAT", true)); // onto the pin as it is pulled
+  good(shell->add_step_line("MOUNT SEAT")); // onto the pin as it is pulled
   good(shell->solve());
-  good(shell->set_load_factor("PULL", 0.0));
+  good(shell->add_step_line("LOAD PULL 0.0"));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), mounted, 1e-10 * mounted);
-  EXPECT_EQ(shell->applied_changes().size(), 2U); // mounting is not merged into what comes after it
+  EXPECT_EQ(shell->changes().applied.size(), 2U); // mounting is not merged into what comes after it
 }
 
 // Supports hold both parts, so that the seat may come apart.
@@ -319,19 +330,19 @@ std::string held_hub() {
 TEST(ShellSession, MountsNothingTwice) {
   const ShellOnText shell(held_hub());
   const double before = shell.K1();
-  const base::Trouble refused = shell->set_mounted("SEAT", true);
+  const base::Trouble refused = shell->add_step_line("MOUNT SEAT");
   ASSERT_TRUE(refused);
   EXPECT_NE(refused->why.find("SEAT is mounted already"), std::string::npos) << refused->why;
   EXPECT_FALSE(shell->has_pending_changes());
-  good(shell->set_mounted("SEAT", false));
+  good(shell->add_step_line("DISMOUNT SEAT"));
   EXPECT_TRUE(shell->has_pending_changes());
-  good(shell->set_mounted("SEAT", true)); // it was not dismounted yet
+  good(shell->add_step_line("MOUNT SEAT")); // it was not dismounted yet
   EXPECT_FALSE(shell->has_pending_changes());
   good(shell->solve());
   EXPECT_EQ(shell.K1(), before);
-  good(shell->set_mounted("SEAT", false));
+  good(shell->add_step_line("DISMOUNT SEAT"));
   good(shell->solve());
-  EXPECT_TRUE(shell->set_mounted("SEAT", false)); // absent already
+  EXPECT_TRUE(shell->add_step_line("DISMOUNT SEAT")); // absent already
 }
 
 // Faces that would overlap become a pair, as in a run.
@@ -353,11 +364,11 @@ $END
   const ShellOnText shell(plate);
   const double open = shell.K1();
   EXPECT_GT(open, 0.0);
-  good(shell->set_load_factor("PULL", -1.0));
+  good(shell->add_step_line("LOAD PULL -1.0"));
   good(shell->solve());
   expect_k(shell, k_of_run(replaced(plate, "LOAD PULL 1", "LOAD PULL -1")), 1e-9);
   EXPECT_EQ(shell.K1(), 0.0);
-  good(shell->set_load_factor("PULL", 1.0));
+  good(shell->add_step_line("LOAD PULL 1.0"));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), open, 1e-9 * open);
 }
@@ -372,21 +383,21 @@ void expect_saved(const ShellOnText& shell, double tolerance) {
 TEST(ShellSave, RunsToTheSameK) {
   const ShellOnText shell(cracked_hub());
   expect_saved(shell, 1e-10);
-  good(shell->set_load_factor("PULL", 2.5));
-  good(shell->set_fit_factor("SEAT", 0.9));
+  good(shell->add_step_line("LOAD PULL 2.5"));
+  good(shell->add_step_line("FIT SEAT 0.9"));
   good(shell->solve());
   expect_saved(shell, 1e-10);
-  good(shell->set_crack_length("C", 5.5));
-  good(shell->set_interference("SEAT", 0.03));
-  good(shell->define_parameter("T", "7[mm]"));
+  good(shell->change_card("$CRACK NAME=C A0=5.5"));
+  good(shell->change_card("$CONTACT NAME=SEAT INTERFERENCE=0.03"));
+  good(shell->change_parameter("T = 7[mm] ! thinner"));
   expect_saved(shell, 1e-10);
 }
 
 TEST(ShellSave, KeepsTheOrderWithFriction) {
   const ShellOnText shell(cracked_hub("A0=4", "INTERFERENCE=0.01 MU=0.2"));
-  good(shell->set_load_factor("PULL", 3.0));
+  good(shell->add_step_line("LOAD PULL 3.0"));
   good(shell->solve(3));
-  good(shell->set_load_factor("PULL", 1.0));
+  good(shell->add_step_line("LOAD PULL 1.0"));
   good(shell->solve(4));
   expect_saved(shell, 1e-10);
   good(shell->go_to_step("PRESS"));
@@ -399,9 +410,9 @@ TEST(ShellSave, KeepsTheOrderWithFriction) {
 // A contact that no step mounts is in force from the beginning and stays so in the earlier steps.
 TEST(ShellSave, NamesAMountThatNoStepNamed) {
   const ShellOnText shell(held_hub());
-  good(shell->set_mounted("SEAT", false));
+  good(shell->add_step_line("DISMOUNT SEAT"));
   good(shell->solve());
-  good(shell->set_mounted("SEAT", true));
+  good(shell->add_step_line("MOUNT SEAT"));
   good(shell->solve());
   expect_saved(shell, 1e-10);
   std::string text;
@@ -418,7 +429,7 @@ TEST(ShellSave, NamesAMountThatNoStepNamed) {
 TEST(ShellSave, NamesAFitThatNoStepNamed) {
   const std::string deck = replaced(cracked_hub(), "  FIT SEAT 1\n", "  LOAD PULL 0\n");
   const ShellOnText shell(deck);
-  good(shell->set_fit_factor("SEAT", 2.0));
+  good(shell->add_step_line("FIT SEAT 2.0"));
   good(shell->solve());
   expect_saved(shell, 1e-10);
   std::string text;
@@ -434,7 +445,7 @@ TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {
   const ShellOnText shell(
       cracked_hub("A0=4", "INTERFERENCE=0.01",
                   "$GROW LAW=INCREMENT KMAX=PULLED\n  4 6\n$CHECK\n  K(C,PULLED,4) = 1 REL 1\n"));
-  good(shell->set_crack_length("C", 6.0));
+  good(shell->change_card("$CRACK NAME=C A0=6.0"));
   expect_saved(shell, 1e-10);
 }
 

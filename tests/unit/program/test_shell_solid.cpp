@@ -80,24 +80,24 @@ void expect_same(const results::FrontResult& found, const results::FrontResult& 
 TEST(ShellSolid, LoadsAndSizesAreThoseOfARun) {
   const ShellOnText shell(buried("A=1 C=1.25 X0=0 Y0=0 Z0=0 NORMAL=Z"));
   const results::FrontResult first = shell->current_result().fronts.at(0);
-  good(shell->set_load_factor("PULL", 2.0));
-  good(shell->set_load_factor("SHEAR", 2.0));
+  good(shell->add_step_line("LOAD PULL 2.0"));
+  good(shell->add_step_line("LOAD SHEAR 2.0"));
   good(shell->solve());
   for (std::size_t i = 0; i < first.points.size(); ++i) {
     EXPECT_NEAR(shell->current_result().fronts.at(0).points[i].K1, 2.0 * first.points[i].K1,
                 1e-10 * std::abs(first.points[i].K1));
   }
   good(shell->go_to_step("SHEARED"));
-  good(shell->set_crack_length("C", 1.2)); // the ratio of the axes stays
+  good(shell->change_card("$CRACK NAME=C A=1.2 C=1.5"));
   EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.5}));
   good(shell->estimate_accuracy());
   expect_same(shell->current_result().fronts.at(0),
               front_of_run(buried("A=1.2 C=1.5 X0=0 Y0=0 Z0=0 NORMAL=Z"), 1));
-  good(shell->set_crack_length("C", 1.2, 1.25));
+  good(shell->change_card("$CRACK NAME=C C=1.25"));
   EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.25}));
   EXPECT_EQ(shell->fronts_by_size().size(), 3U);
   // A size that fits nowhere leaves all as it is.
-  EXPECT_TRUE(shell->set_crack_length("C", 80.0));
+  EXPECT_TRUE(shell->change_card("$CRACK NAME=C A=80 C=100"));
   EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.25}));
   EXPECT_NEAR(shell->current_result().fronts.at(0).a, 1.2, 1e-12);
 }
@@ -114,12 +114,11 @@ TEST(ShellSolid, SavedDeckHasTheSameK) {
     EXPECT_EQ(reply.outcome, base::Outcome::done) << line << ": " << reply.messages;
     return reply.out;
   };
-  type("length C 1.1 1.4");
-  type("load SHEAR 0.5");
-  const std::string points = type("K C");
+  type("$CRACK NAME=C A=1.1 C=1.4");
+  type("LOAD SHEAR 0.5");
+  const std::string points = type("list K C");
   EXPECT_NE(points.find("+- K3"), std::string::npos) << points;
-  EXPECT_NE(type("K").find("largest"), std::string::npos);
-  EXPECT_NE(type("sensitivity").find("LOAD PULL"), std::string::npos);
+  EXPECT_NE(type("list sensitivity").find("LOAD PULL"), std::string::npos);
   EXPECT_NE(type("map SHEAR 0 1").find("dK1/dfactor C point"), std::string::npos);
   const std::filesystem::path file = shell.folder.path() / "saved.deck";
   type("save '" + file.string() + "'");
@@ -130,12 +129,12 @@ TEST(ShellSolid, SavedDeckHasTheSameK) {
   const std::string saved((std::istreambuf_iterator<char>(in)), {});
   EXPECT_NE(saved.find("A=1.1 C=1.4"), std::string::npos) << saved;
   expect_same(shell->current_result().fronts.at(0), front_of_run(saved, 2));
-  // A parameter of the deck does not reach an axis that was set by name.
-  type("set r = 2");
-  ASSERT_EQ(shell->overridden_settings().size(), 1U);
-  EXPECT_NE(shell->overridden_settings()[0].find("A = 1.1 and C = 1.4"), std::string::npos);
+  // A parameter of the deck does not reach an axis that was given another value.
+  type("r = 2");
+  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.1, 1.4}));
 }
 
+// Its points say how large it is.
 TEST(ShellSolid, DrawnFrontsHaveNoLength) {
   std::string points;
   for (int i = 0; i < 12; ++i) {
@@ -143,10 +142,9 @@ TEST(ShellSolid, DrawnFrontsHaveNoLength) {
     points += fmt::format("  {} {} 0\n", std::cos(at), std::sin(at));
   }
   const ShellOnText shell(buried("CLOSED=YES\n" + points));
-  const base::Trouble trouble = shell->set_crack_length("C", 1.5);
-  ASSERT_TRUE(trouble);
-  EXPECT_NE(trouble->why.find("drawn by its points"), std::string::npos);
-  EXPECT_NE(trouble->hint.find("use set"), std::string::npos);
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(shell->change_card("$CRACK NAME=C A=1.5"));
+  EXPECT_NE(testing::internal::GetCapturedStderr(), "");
 }
 
 } // namespace

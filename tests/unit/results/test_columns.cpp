@@ -131,7 +131,6 @@ TEST(Columns, of_k_csv_are_those_of_the_manual) {
   expect_places(rows, k_quantities, [](const KQuantity& q) { return q.tip_places; }, in_k_csv,
                 {{"results.h5", in_results_h5},
                  {"listing", in_listing},
-                 {"shell", in_shell},
                  {"`$OUTPUT`", in_output},
                  {"sweeps", in_sweep},
                  {"`$CHECK`", in_check},
@@ -164,7 +163,6 @@ TEST(Columns, of_tips_have_kept_their_order) {
                                                 "K1_bar", "K1_best", "K2_bar", "K2_best"}));
   EXPECT_EQ(k_columns(in_listing, 2),
             (Words{"a", "K1", "K2", "G", "G_from_K", "spread", "T", "K1_opening", "K2_opening"}));
-  EXPECT_EQ(k_columns(in_shell, 2), (Words{"a", "K1", "K2", "G", "T"}));
   EXPECT_EQ(k_columns(in_output, 2),
             (Words{"a", "K1", "K2", "G", "K1_bar", "K1_best", "K2_bar", "K2_best"}));
   EXPECT_EQ(k_columns(in_sweep, 2), (Words{"K1", "K2", "G", "K1_bar", "K2_bar"}));

@@ -16,12 +16,12 @@ struct ShellOnText {
   bool stop = false; ///< what the session hears when it asks
   std::unique_ptr<program::ShellSession> session;
 
-  explicit ShellOnText(const std::string& deck, const program::Defines& defines = {}) {
+  explicit ShellOnText(const std::string& deck,
+                       const std::vector<std::pair<std::string, std::string>>& defines = {}) {
     std::ofstream(file) << deck;
     program::SessionOptions options;
-    options.read = [this](const program::Defines& d) {
-      return program::read_and_check_deck(file, {.defines = d},
-                                          program::Log(program::LogFormat::text));
+    options.read = [this](const deck::DeckReadOptions& read) {
+      return program::read_and_check_deck(file, read, program::Log(program::LogFormat::text));
     };
     options.defines = defines;
     options.stopped = [this] { return stop; };

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/deck_edit.hpp"
+
+#include "analysis/steps/step_factors.hpp"
+#include "base/diagnostics.hpp"
+#include "grammar/catalogue.hpp"
+#include "grammar/lexeme.hpp"
+#include "grammar/parse.hpp"
+#include "program/shell/known_names.hpp"
+#include "program/shell/trouble.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+using deck::DeckCard;
+using deck::DeckText;
+
+// The key by which cards of one kind are told apart; empty: there is none.
+std::string_view telling_key(const grammar::CardSpec& spec) {
+  if (spec.find("NAME") != nullptr) {
+    return "NAME";
+  }
+  const auto found = std::ranges::find_if(spec.keys, &grammar::KeySpec::required);
+  return found == spec.keys.end() ? std::string_view() : found->name;
+}
+
+// The card that a typed header means.
+base::Trouble find_card(const DeckText& text, const DeckCard& typed, std::string_view key,
+                        std::size_t& index) {
+  const std::string name = key.empty() ? std::string() : typed.word_value(key);
+  std::vector<std::string> names;
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i].name == typed.name) {
+      names.push_back(text[i].word_value(key));
+      if (name.empty() || names.back() == name) {
+        found.push_back(i);
+      }
+    }
+  }
+  if (found.empty()) {
+    return invalid_input(names.empty()
+                             ? fmt::format("the deck has no ${}", typed.name)
+                             : fmt::format("there is no ${} {}={}", typed.name, key, name),
+                         base::suggest_spelling(name, names));
+  }
+  if (found.size() > 1) {
+    return invalid_input(
+        fmt::format("the deck has {} cards ${} that it could be", found.size(), typed.name),
+        key.empty() || !name.empty() ? "" : fmt::format("give its {}", key));
+  }
+  index = found.front();
+  return {};
+}
+
+// Where a key stands in a list "A B C".
+bool is_listed(std::string_view list, std::string_view key) {
+  const std::vector<std::string> words = grammar::split_words(list);
+  return std::ranges::find(words, key) != words.end();
+}
+
+} // namespace
+
+base::Trouble read_cards(const std::filesystem::path& deck,
+                         const std::vector<std::pair<std::string, std::string>>& defines,
+                         DeckText& text, std::vector<std::filesystem::path>& files) {
+  base::SourceTexts sources;
+  base::Diagnostics diagnostics;
+  std::optional<DeckText> found = deck::read_deck_text(deck, sources, diagnostics);
+  if (!found) {
+    return located_failure(base::Outcome::deck_error, sources, diagnostics);
+  }
+  text = std::move(*found);
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
+    files.emplace_back(sources.file_name(f));
+  }
+  for (const auto& [name, expression] : defines) {
+    if (base::Trouble trouble = set_parameter(fmt::format("{} = {}", name, expression), text)) {
+      return trouble;
+    }
+  }
+  return {};
+}
+
+std::string cards_but_cracks(const DeckText& text) {
+  std::string all;
+  for (const DeckCard& card : text) {
+    if (card.name == "CRACK") {
+      continue;
+    }
+    all += "$" + card.name;
+    for (const auto& [key, value] : card.keys) {
+      all += fmt::format(" {}={}", key, value);
+    }
+    all += "\n" + card.data;
+  }
+  return all;
+}
+
+base::Trouble set_card_keys(const std::string& header, DeckText& text, std::size_t& changed) {
+  base::SourceTexts sources;
+  base::Diagnostics diagnostics;
+  const std::int32_t file = sources.add_text("line", header + "\n");
+  const std::vector<grammar::Card> cards = grammar::parse_cards(sources, file, diagnostics);
+  if (diagnostics.has_errors()) {
+    return located_failure(base::Outcome::usage, sources, diagnostics);
+  }
+  const grammar::CardSpec* spec =
+      cards.size() == 1 ? grammar::find_card(cards.front().name) : nullptr;
+  if (spec == nullptr) {
+    return invalid_input("a card with keys to change is expected", "$CRACK NAME=C A0=6");
+  }
+  DeckCard typed;
+  typed.name = spec->name;
+  for (const grammar::HeaderParameter& parameter : cards.front().parameters) {
+    typed.keys.emplace_back(parameter.key, sources.text(parameter.span));
+  }
+  const std::string_view key = telling_key(*spec);
+  if (base::Trouble trouble = find_card(text, typed, key, changed)) {
+    return trouble;
+  }
+  DeckCard& card = text[changed];
+  for (const auto& [name, value] : typed.keys) {
+    for (const grammar::KeySpec& other : spec->keys) {
+      if (is_listed(spec->exclusive, name) && is_listed(spec->exclusive, other.name) &&
+          !typed.has_key(other.name)) {
+        card.erase(other.name);
+      }
+    }
+    if (name != key) {
+      card.set(name, value);
+    }
+  }
+  return {};
+}
+
+base::Trouble set_parameter(const std::string& line, DeckText& text) {
+  base::SourceTexts sources;
+  base::Diagnostics diagnostics;
+  const auto read = [&](const std::string& data) {
+    const std::int32_t file = sources.add_text("line", data);
+    return grammar::parse_assignments(sources, {file, 0, static_cast<std::uint32_t>(data.size())},
+                                      diagnostics);
+  };
+  const std::vector<grammar::Assignment> typed = read(line + "\n");
+  if (diagnostics.has_errors() || typed.size() != 1) {
+    return located_failure(base::Outcome::usage, sources, diagnostics);
+  }
+  std::vector<std::string> names;
+  for (DeckCard& card : text) {
+    if (card.name != "PARAMETER") {
+      continue;
+    }
+    for (const grammar::Assignment& own : read(card.data)) {
+      if (own.name == typed.front().name) {
+        card.data.replace(own.value.span.begin, own.value.span.end - own.value.span.begin,
+                          sources.text(typed.front().value.span));
+        return {};
+      }
+      names.push_back(own.name);
+    }
+  }
+  return invalid_input(fmt::format("the deck has no parameter '{}'", typed.front().written),
+                       base::suggest_spelling(typed.front().name, names));
+}
+
+void comment_out(DeckText& text, std::size_t card) {
+  const std::string lines = deck::write_deck({text[card]}, ".");
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1);
+    text[card - 1].data += "! " + lines.substr(at, end + 1 - at);
+    at = end + 1;
+  }
+  text.erase(text.begin() + static_cast<std::ptrdiff_t>(card));
+}
+
+std::string action_text(const model::Model& model, const model::Action& action) {
+  if (const auto* load = std::get_if<model::ApplyLoad>(&action)) { // digits for the same number
+    return fmt::format("LOAD {} {}", model.cases[load->load_case.index()].name, load->factor);
+  }
+  if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+    return fmt::format("FIT {} {}", model.contacts[fit->contact.index()].name, fit->factor);
+  }
+  if (const auto* on = std::get_if<model::MountContact>(&action)) {
+    return "MOUNT " + model.contacts[on->contact.index()].name;
+  }
+  return "DISMOUNT " +
+         model.contacts[std::get<model::DismountContact>(action).contact.index()].name;
+}
+
+bool mounts_contacts(const model::Step& step) {
+  return std::ranges::any_of(step.actions, [](const model::Action& a) {
+    return std::holds_alternative<model::MountContact>(a) ||
+           std::holds_alternative<model::DismountContact>(a);
+  });
+}
+
+namespace {
+
+std::string free_name(const model::Model& model, std::size_t number) {
+  const std::vector<std::string> taken = argument_names('s', model);
+  std::string name = number == 0 ? "NOW" : fmt::format("NOW_{}", number);
+  while (std::find(taken.begin() + 1, taken.end(), name) != taken.end()) {
+    name += "_";
+  }
+  return name;
+}
+
+template <class ActionType>
+bool acts_on(const std::vector<model::Step>& steps, base::ContactId contact) {
+  return std::ranges::any_of(steps, [&](const model::Step& step) {
+    return std::ranges::any_of(step.actions, [&](const model::Action& action) {
+      const auto* a = std::get_if<ActionType>(&action);
+      return a != nullptr && a->contact == contact;
+    });
+  });
+}
+
+} // namespace
+
+void append_steps(const model::Model& model, const std::vector<model::Step>& steps,
+                  DeckText& text) {
+  const std::vector<model::Step> beginning{model.steps.front()};
+  DeckCard& first = *std::ranges::find(text, "STEP", &DeckCard::name);
+  const auto add_row = [&](DeckCard& card, const model::Action& action) {
+    card.data += fmt::format("  {}\n", action_text(model, action));
+  };
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const base::ContactId id(c);
+    if (acts_on<model::ApplyFit>(steps, id) && !analysis::step_sets_fit(model, id)) {
+      add_row(first, model::ApplyFit{id, 1.0});
+    }
+    if (acts_on<model::MountContact>(steps, id) && !analysis::step_mounts(model, id) &&
+        !acts_on<model::DismountContact>(beginning, id)) {
+      add_row(first, model::MountContact{id});
+    }
+  }
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    DeckCard card;
+    card.name = "STEP";
+    card.set("NAME", free_name(model, steps.size() - 1 - s));
+    if (steps[s].substeps > 1) {
+      card.set("SUBSTEPS", std::to_string(steps[s].substeps));
+    }
+    for (const model::Action& action : steps[s].actions) {
+      add_row(card, action);
+    }
+    deck::append_card(text, std::move(card));
+  }
+}
+
+} // namespace spricka::program

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/outcome.hpp"
+#include "deck/deck_text.hpp"
+#include "model/model.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Changes of a deck's cards, and the steps that a session adds to them. What a value means is for
+/// the deck's own reading to say.
+namespace spricka::program {
+
+/// The cards of a deck that has been read without mistakes, with what -D NAME=expression says of
+/// its parameters, and the files that they stand in.
+base::Trouble read_cards(const std::filesystem::path& deck,
+                         const std::vector<std::pair<std::string, std::string>>& defines,
+                         deck::DeckText& text, std::vector<std::filesystem::path>& files);
+
+/// All cards that another size of a crack leaves as they are, as one text to compare.
+std::string cards_but_cracks(const deck::DeckText& text);
+
+/// A header as a deck has it, `$CRACK NAME=C A0=6`: its keys take the places of those that the card
+/// has, and of those that exclude them. The card is the one with that name (or with the same value
+/// of the first key that such cards must have), else the only one of its kind. `changed`: which one
+/// it was.
+base::Trouble set_card_keys(const std::string& header, deck::DeckText& text, std::size_t& changed);
+
+/// A line of $PARAMETER, `F = 110[kN]`: the expression takes the place of the deck's.
+base::Trouble set_parameter(const std::string& line, deck::DeckText& text);
+
+/// Takes a card out of the deck and leaves its lines as comments behind the card before it.
+void comment_out(deck::DeckText& text, std::size_t card);
+
+/// What a deck writes for an action: "LOAD PULL 2".
+std::string action_text(const model::Model& model, const model::Action& action);
+
+/// Whether a step mounts or dismounts a contact: then the order of steps counts.
+bool mounts_contacts(const model::Step& step);
+
+/// Puts further steps at the end of a deck, the last with the name NOW (or the next that is free).
+/// A contact that no step mounted, or a fit that none named, is in force from the beginning: where
+/// a step behind names it, the first one names it too.
+void append_steps(const model::Model& model, const std::vector<model::Step>& steps,
+                  deck::DeckText& text);
+
+} // namespace spricka::program

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/listing.hpp"
+
+#include "base/quantity.hpp"
+#include "model/model.hpp"
+#include "program/shell/deck_edit.hpp"
+#include "program/shell/known_names.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/k_tables.hpp"
+#include "report/topics/sensitivity_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr double degree = 180.0 / std::numbers::pi;
+using report::ReportTable;
+using results::FrontPointResult;
+using results::FrontResult;
+
+std::string number(double value) {
+  return fmt::format("{:.7g}", value);
+}
+
+/// The points with the smallest and the largest K1, those at the surface left out: K there is a
+/// number of the mesh.
+std::pair<const FrontPointResult*, const FrontPointResult*> extremes(const FrontResult& front) {
+  const FrontPointResult* least = nullptr;
+  const FrontPointResult* most = nullptr;
+  for (const FrontPointResult& place : front.points) {
+    if (place.at_surface && front.points.size() > 2) {
+      continue;
+    }
+    least = least == nullptr || place.K1 < least->K1 ? &place : least;
+    most = most == nullptr || place.K1 > most->K1 ? &place : most;
+  }
+  return {least, most};
+}
+
+std::string front_state(const FrontResult& front, const std::string& K) {
+  const auto [least, most] = extremes(front);
+  if (least == nullptr) {
+    return {};
+  }
+  const std::string size = fmt::format("{:<12} a = {:<10.6g} ", front.name, front.a);
+  if (front.two_materials) {
+    return fmt::format("{}G = {:.7g}\n", size, least->G);
+  }
+  return front.is_tip()
+             ? fmt::format("{}K1 = {:<12.7g} K2 = {:<12.7g} {}\n", size, least->K1, least->K2, K)
+             : fmt::format("{}K1 = {:.7g} .. {:.7g} {}\n", size, least->K1, most->K1, K);
+}
+
+std::string closed_part(const results::ContactResult& contact, const base::UnitSystem& units) {
+  const auto place = [&](double at) {
+    return contact.round ? fmt::format("{:.1f} deg", at * degree)
+                         : fmt::format("{:.5g} {}", at, units.length_name);
+  };
+  if (!contact.mounted) {
+    return "not mounted";
+  }
+  if (contact.closed == 0) {
+    return "open";
+  }
+  const std::string rows = fmt::format("{}/{} closed", contact.closed, contact.rows);
+  return contact.space
+             ? fmt::format("{}, area {:.6g}", rows, contact.area)
+             : fmt::format("{}, {} .. {}", rows, place(contact.arc_from), place(contact.arc_to));
+}
+
+std::string invalid_reason_note(const FrontResult& front) {
+  return front.invalid_reason.empty()
+             ? std::string()
+             : fmt::format("warning: {}: {}\n", front.name, front.invalid_reason);
+}
+
+std::string touching_note(const FrontResult& front) {
+  const auto closed = std::ranges::count_if(front.points, &FrontPointResult::closed);
+  if (closed == 0) {
+    return {};
+  }
+  return front.is_tip()
+             ? fmt::format("note: {}: the crack's faces touch at the tip, K1 is 0\n", front.name)
+             : fmt::format("note: {}: the crack's faces touch at {} of {} points, K1 is 0 there\n",
+                           front.name, closed, front.points.size());
+}
+
+} // namespace
+
+std::string state_reply(const ShellSession& session) {
+  const base::UnitSystem& units = session.model().units;
+  std::string text;
+  for (const FrontResult& front : session.current_result().fronts) {
+    text += front_state(front, units.stress_intensity_name());
+  }
+  for (const results::ContactResult& contact : session.current_result().contacts) {
+    text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, units));
+  }
+  return text;
+}
+
+std::string state_notes(ShellSession& session) {
+  std::string text;
+  for (const std::string& note : session.new_notes()) {
+    text += note + "\n";
+  }
+  for (const FrontResult& front : session.current_result().fronts) {
+    text += invalid_reason_note(front);
+  }
+  return text;
+}
+
+results::Increment present_fronts(const ShellSession& session, const std::string& only) {
+  results::Increment alone;
+  results::StepResult& step = alone.steps.emplace_back();
+  step.step = "NOW";
+  for (const FrontResult& front : session.current_result().fronts) {
+    if (is_of_crack(front.name, only)) {
+      step.fronts.push_back(front);
+    }
+  }
+  return alone;
+}
+
+std::string k_reply(const ShellSession& session, const std::string& only) {
+  const results::Increment fronts = present_fronts(session, only);
+  std::vector<ReportTable> tables = report::front_tables(session.displayed_model(), fronts);
+  if (tables.empty()) {
+    tables.push_back(report::untitled(report::k_table(session.displayed_model(), fronts)));
+  }
+  std::string text;
+  for (const ReportTable& table : tables) {
+    text += report::to_text(table);
+  }
+  return text;
+}
+
+std::string k_notes(const ShellSession& session, const std::string& only) {
+  std::string text;
+  for (const FrontResult& front : present_fronts(session, only).steps.front().fronts) {
+    text += invalid_reason_note(front) + touching_note(front);
+    if (!front.has_error_bar()) {
+      text += fmt::format("note: {}: no error bar: {}\n", front.name, front.no_bar);
+    }
+  }
+  return text;
+}
+
+std::string sensitivity_reply(const ShellSession& session) {
+  return report::to_text(report::untitled(report::sensitivity_table(
+      session.displayed_model(), session.run_results().increments.front())));
+}
+
+std::string contact_reply(const ShellSession& session, const results::ContactResult& contact) {
+  const bool solid = session.model().mesh.dim == 3;
+  std::vector<const results::ContactPointQuantity*> columns;
+  for (const results::ContactPointQuantity& q : results::point_quantities) {
+    const std::string_view name = q.name;
+    const bool of_place = name == "theta" ? contact.round : name == "arc" && !contact.round;
+    const bool other_place = name == "theta" || name == "arc";
+    const bool shown = (!q.space || solid) && (!q.friction || contact.sheared || q.is_word());
+    if (of_place || (shown && !other_place)) {
+      columns.push_back(&q);
+    }
+  }
+  ReportTable table;
+  for (const results::ContactPointQuantity* q : columns) {
+    const bool angle = q->kind == base::Quantity::angle;
+    table.columns.push_back(
+        {q->name, angle ? "deg" : base::unit_name(session.model().units, q->kind), q->is_word()});
+  }
+  for (const results::ContactPoint& point : contact.points) {
+    std::vector<std::string> row;
+    for (const results::ContactPointQuantity* q : columns) {
+      const double unit = q->kind == base::Quantity::angle ? degree : 1.0;
+      row.push_back(q->is_word() ? results::display_word(point.*(q->state))
+                                 : number(unit * q->extract_value(point)));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return report::to_text(table);
+}
+
+namespace {
+
+/// A point of a front whose K is shown along a map.
+struct MappedFrontPoint {
+  std::string name; ///< of a tip, or of a front and number of the point
+  const results::LoadPathFrontPoint* point = nullptr;
+  bool is_tip = false;
+};
+
+// The tips; in space of each front the points inside with the largest and the smallest K1 at the
+// end of the path.
+std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path) {
+  std::vector<MappedFrontPoint> out;
+  for (const results::LoadPathFront& front : path.fronts) {
+    const FrontResult at_end = front.at(path.t.back());
+    const auto [least, most] = extremes(at_end);
+    for (const results::LoadPathFrontPoint& point : front.points) {
+      const auto is = [&](const FrontPointResult* one) {
+        return one != nullptr && one->number == point.is.number;
+      };
+      if (is(least) || is(most)) {
+        const std::string name = at_end.is_tip()
+                                     ? front.is.name
+                                     : fmt::format("{} point {}", front.is.name, point.is.number);
+        out.push_back({name, &point, at_end.is_tip()});
+      }
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+std::string map_reply(const ShellSession& session) {
+  const results::LoadPathResult& path = *session.last_mapped_path();
+  const MapRange& range = session.map_range();
+  const std::string K = session.model().units.stress_intensity_name();
+  ReportTable table{"", {{range.what, "", false}}, {}};
+  const std::vector<MappedFrontPoint> points =
+      path.t.empty() ? std::vector<MappedFrontPoint>() : mapped_points(path);
+  for (const MappedFrontPoint& mapped : points) {
+    const bool alone = mapped.is_tip && points.size() == 1;
+    const std::string of = alone ? std::string() : " " + mapped.name;
+    table.columns.push_back({"K1" + of, K, false});
+    table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
+    if (mapped.is_tip) {
+      table.columns.push_back({"K2" + of, K, false});
+    }
+  }
+  for (const results::LoadPathContact& contact : path.contacts) {
+    table.columns.push_back({contact.name, "closed", false});
+  }
+  const double width = range.to - range.from;
+  for (std::size_t k = 0; k < path.t.size(); ++k) {
+    std::vector<std::string> row{number(range.from + width * path.t[k])};
+    for (const MappedFrontPoint& mapped : points) {
+      const auto& [K1, K2, K3] = mapped.point->K;
+      row.push_back(number(K1.at_knot(k)));
+      row.push_back(number(K1.slope_after(k) / width));
+      if (mapped.is_tip) {
+        row.push_back(number(K2.at_knot(k)));
+      }
+    }
+    for (const results::LoadPathContact& contact : path.contacts) {
+      row.push_back(fmt::format("{}/{}", contact.closed[k], contact.rows));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return report::to_text(table);
+}
+
+namespace {
+
+std::string actions_text(const model::Model& model, const model::Step& step) {
+  std::vector<std::string> texts;
+  for (const model::Action& action : step.actions) {
+    texts.push_back(action_text(model, action));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+} // namespace
+
+std::string settings_reply(const ShellSession& session) {
+  const model::Model& model = session.model();
+  std::string text = fmt::format("state    the end of step {}\n", session.base_step());
+  for (const model::Step& step : session.changes().applied) {
+    text += fmt::format("then     {}\n", actions_text(model, step));
+  }
+  if (session.has_pending_changes()) {
+    text += fmt::format("pending  {}\n", actions_text(model, session.changes().pending));
+  }
+  for (const std::string& typed : session.changes().lines) {
+    text += fmt::format("changed  {}\n", typed);
+  }
+  return text + state_reply(session);
+}
+
+std::string cards_reply(const ShellSession& session, const std::string& name) {
+  deck::DeckText text = *session.changes().text;
+  append_steps(session.model(), session.changes().applied, text);
+  std::erase_if(text, [&](const deck::DeckCard& card) { return card.name != name; });
+  return deck::write_deck(std::move(text), ".");
+}
+
+} // namespace spricka::program
