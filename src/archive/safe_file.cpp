@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int safe_format = 1;
+constexpr int safe_format = 2;
 constexpr std::size_t largest_framed = std::size_t{16} * 1024 * base::mebibyte; ///< [bytes]
 
 [[noreturn]] void unusable(const fs::path& file, const std::string& why,
@@ -50,7 +50,7 @@ std::vector<std::string> words(std::string_view line) {
   return list;
 }
 
-// spricka state 1 of 0.1.0, 12345 bytes, xxh3 0123...
+// spricka state 2 of 0.1.0, 12345 bytes, xxh3 0123...
 constexpr std::size_t line_words = 9;
 
 } // namespace

@@ -1,138 +1,256 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/state.hpp"
 
+#include "base/damaged_field.hpp"
+
 #include <array>
-#include <stdexcept>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace spricka::growth {
 
 namespace {
 
-// The order of values in restart files; files with more or fewer are refused by their length.
-constexpr std::array tip_values{&TipStation::a,
-                                &TipStation::K_max,
-                                &TipStation::K_min,
-                                &TipStation::K2_max,
-                                &TipStation::rate,
-                                &TipStation::turn,
-                                &TipStation::heading,
-                                &TipStation::x,
-                                &TipStation::y,
-                                &TipStation::z,
-                                &TipStation::extent_rate_ratio,
-                                &TipStation::plastic,
-                                &TipStation::deferred_advance,
-                                &TipStation::uncertain_fraction,
-                                &TipStation::first_max,
-                                &TipStation::first_min,
-                                &TipStation::passes,
-                                &TipStation::change};
+using base::Vec3;
 
-/// Reads an array from its beginning; whether it held enough is known at the end.
-class StateArrayReader {
+constexpr std::array tip_values{
+    std::pair("station_tip.a", &TipStation::a),
+    std::pair("station_tip.K_max", &TipStation::K_max),
+    std::pair("station_tip.K_min", &TipStation::K_min),
+    std::pair("station_tip.K2_max", &TipStation::K2_max),
+    std::pair("station_tip.rate", &TipStation::rate),
+    std::pair("station_tip.extent_rate_ratio", &TipStation::extent_rate_ratio),
+    std::pair("station_tip.turn", &TipStation::turn),
+    std::pair("station_tip.heading", &TipStation::heading),
+    std::pair("station_tip.x", &TipStation::x),
+    std::pair("station_tip.y", &TipStation::y),
+    std::pair("station_tip.z", &TipStation::z),
+    std::pair("station_tip.deferred_advance", &TipStation::deferred_advance),
+    std::pair("station_tip.uncertain_fraction", &TipStation::uncertain_fraction),
+    std::pair("station_tip.plastic", &TipStation::plastic),
+    std::pair("station_tip.first_max", &TipStation::first_max),
+    std::pair("station_tip.first_min", &TipStation::first_min),
+    std::pair("station_tip.passes", &TipStation::passes),
+    std::pair("station_tip.change", &TipStation::change)};
+
+/// Appends values to an array.
+struct ColumnWriter {
+  std::vector<double>& values;
+
+  template <class Value> void value(const Value& x) {
+    if constexpr (std::is_same_v<Value, Vec3>) {
+      values.insert(values.end(), {x.x(), x.y(), x.z()});
+    } else {
+      values.push_back(static_cast<double>(x));
+    }
+  }
+};
+
+/// Writes what describe() names.
+struct StateWriter {
+  Arrays arrays;
+
+  ColumnWriter column(const char* name) { return {arrays[name]}; }
+  template <class List> void resize(const char* /*name*/, const List& /*list*/) {}
+  void spread(const char* /*name*/, const std::vector<SolvedStation>& /*stations*/) {}
+  template <class List> void count(const char* name, const List& list, const char* /*items*/) {
+    column(name).value(list.size());
+  }
+};
+
+/// Takes values from an array, one after another.
+class ColumnReader {
 public:
-  StateArrayReader(const Arrays& arrays, const std::string& name) {
-    const auto found = arrays.find(name);
-    values_ = found != arrays.end() ? &found->second : nullptr;
-    good_ = values_ != nullptr;
+  ColumnReader(std::string name, std::vector<double> values)
+      : name_(std::move(name)), values_(std::move(values)) {}
+
+  template <class Value> void value(Value& x) {
+    if constexpr (std::is_same_v<Value, Vec3>) {
+      for (int i = 0; i < 3; ++i) {
+        x[i] = next();
+      }
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      x = next();
+    } else {
+      x = static_cast<Value>(whole());
+    }
   }
-  double next() {
-    good_ = good_ && at_ < values_->size();
-    return good_ ? (*values_)[at_++] : 0.0;
+  [[nodiscard]] std::size_t left() const { return values_.size() - at_; }
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
+  void finish() const {
+    if (left() > 0) {
+      throw base::DamagedField(name_, fmt::format("{} values too many", left()));
+    }
   }
-  /// The next one, which counts something; one that does not is none.
-  std::size_t count() {
-    const double value = next();
-    good_ = good_ && value >= 0.0 && value <= most;
-    return good_ ? static_cast<std::size_t>(value) : 0;
-  }
-  [[nodiscard]] bool finished() const { return good_ && at_ == values_->size(); }
-  [[nodiscard]] std::size_t left() const { return good_ ? values_->size() - at_ : 0; }
 
 private:
-  static constexpr double most = 1e9; // more of anything is damage
-  const std::vector<double>* values_ = nullptr;
+  double next() {
+    if (left() == 0) {
+      throw base::DamagedField(name_, fmt::format("{} values are too few", values_.size()));
+    }
+    return values_[at_++];
+  }
+  // One that counts or names something.
+  std::int64_t whole() {
+    constexpr double most = 1e9; // more of anything is damage
+    const double value = next();
+    if (!(value >= 0.0 && value <= most && value == std::floor(value))) {
+      throw base::DamagedField(name_, fmt::format("{:.6g} is no number of anything", value));
+    }
+    return static_cast<std::int64_t>(value);
+  }
+
+  std::string name_;
+  std::vector<double> values_;
   std::size_t at_ = 0;
-  bool good_ = false;
 };
+
+/// Reads what describe() names.
+class StateReader {
+public:
+  explicit StateReader(const Arrays& arrays) : arrays_(arrays) {}
+
+  ColumnReader& column(const char* name) {
+    const auto found = arrays_.find(name);
+    return columns_
+        .try_emplace(name, name, found != arrays_.end() ? found->second : std::vector<double>())
+        .first->second;
+  }
+  template <class List> void resize(const char* name, List& list) {
+    list.resize(column(name).size());
+  }
+  // All stations have as many tips.
+  void spread(const char* name, std::vector<SolvedStation>& stations) {
+    const std::size_t count = stations.empty() ? 0 : column(name).size() / stations.size();
+    for (SolvedStation& station : stations) {
+      station.tips.resize(count);
+    }
+  }
+  // Before anything is sized by a count: there must be as many items.
+  template <class List> void count(const char* name, List& list, const char* items) {
+    std::size_t count = 0;
+    column(name).value(count);
+    if (count > column(items).left()) {
+      throw base::DamagedField(name, fmt::format("it counts {} of {}, which has {} values left",
+                                                 count, items, column(items).left()));
+    }
+    list.resize(count);
+  }
+  void finish() const {
+    for (const auto& [name, column] : columns_) {
+      column.finish();
+    }
+  }
+
+private:
+  const Arrays& arrays_;
+  std::map<std::string, ColumnReader> columns_;
+};
+
+template <class Io, class Points>
+void describe_points(Io& io, const char* count, const char* name, Points& points) {
+  io.count(count, points, name);
+  auto&& column = io.column(name);
+  for (auto& x : points) {
+    column.value(x);
+  }
+}
+
+template <class Io, class Crack> void describe_crack(Io& io, Crack& crack) {
+  io.column("crack.kind").value(crack.kind);
+  io.column("crack.place").value(crack.plane.place);
+  io.column("crack.normal").value(crack.plane.normal);
+  io.column("crack.along").value(crack.plane.along);
+  io.column("crack.a").value(crack.plane.a);
+  io.column("crack.c").value(crack.plane.c);
+  io.column("crack.closed").value(crack.plane.closed);
+  describe_points(io, "crack.points", "crack_point.x", crack.points);
+  io.count("crack.history", crack.history.fronts, "history_front.points");
+  for (auto& front : crack.history.fronts) {
+    describe_points(io, "history_front.points", "history_point.x", front);
+  }
+  describe_points(io, "crack.normals", "history_normal.x", crack.history.normals);
+}
+
+// The state's arrays, in the same way for both directions.
+template <class Io, class State> void describe(Io& io, State& state) {
+  io.column("growth.step").value(state.step);
+  io.column("growth.rejected").value(state.rejected);
+  io.resize("station.s", state.stations);
+  for (auto& station : state.stations) {
+    io.column("station.s").value(station.s);
+    io.column("station.breakthroughs").value(station.breakthroughs);
+    io.column("station.met").value(station.met);
+  }
+  io.spread("station_tip.a", state.stations);
+  for (const auto& [name, member] : tip_values) {
+    auto&& column = io.column(name);
+    for (auto& station : state.stations) {
+      for (auto& tip : station.tips) {
+        column.value(tip.*member);
+      }
+    }
+  }
+  io.resize("crack.kind", state.cracks);
+  for (auto& crack : state.cracks) {
+    describe_crack(io, crack);
+  }
+  io.resize("tip.crack", state.tips);
+  for (auto& tip : state.tips) {
+    io.column("tip.crack").value(tip.crack);
+    io.column("tip.front").value(tip.front);
+    io.column("tip.number").value(tip.number);
+    io.column("tip.on_a").value(tip.on_a);
+    io.column("tip.sign").value(tip.sign);
+    io.column("tip.paired").value(tip.paired);
+    io.column("tip.shared").value(tip.shared);
+  }
+}
+
+void check_names(const GrowthState& state) {
+  for (const GrownCrack& crack : state.cracks) {
+    if (crack.kind > model::CrackDefinitionKind::drawn) {
+      throw base::DamagedField("crack.kind", "no kind of crack");
+    }
+    const std::vector<std::vector<Vec3>>& fronts = crack.history.fronts;
+    if (crack.history.normals.size() != (fronts.empty() ? 0 : fronts.back().size())) {
+      throw base::DamagedField("crack.normals", "normals of another front");
+    }
+    for (const std::vector<Vec3>& front : fronts) {
+      if (front.size() < 2) {
+        throw base::DamagedField("history_front.points", "a front without a line");
+      }
+    }
+  }
+  for (const GrownTip& tip : state.tips) {
+    if (tip.crack >= state.cracks.size()) {
+      throw base::DamagedField("tip.crack", fmt::format("there is no crack {}", tip.crack));
+    }
+    if (tip.front >= state.tips.size()) {
+      throw base::DamagedField("tip.front", fmt::format("there is no front {}", tip.front));
+    }
+  }
+}
 
 } // namespace
 
 Arrays to_arrays(const GrowthState& state) {
-  Arrays out;
-  std::vector<double>& control = out["control"];
-  control = {static_cast<double>(state.stations.size()),
-             static_cast<double>(state.stations.empty() ? 0 : state.stations.front().tips.size()),
-             state.step, static_cast<double>(state.rejected)};
-  std::vector<double>& stations = out["stations"];
-  for (const SolvedStation& station : state.stations) {
-    stations.push_back(station.s);
-    stations.push_back(static_cast<double>(station.breakthroughs));
-    stations.push_back(static_cast<double>(station.met));
-    for (const TipStation& tip : station.tips) {
-      for (const auto value : tip_values) {
-        stations.push_back(tip.*value);
-      }
-    }
-  }
-  std::vector<double>& points = out["points"];
-  std::vector<double>& counts = out["line_points"];
-  for (const std::vector<base::Vec3>& line : state.lines) {
-    counts.push_back(static_cast<double>(line.size()));
-    for (const base::Vec3& x : line) {
-      points.insert(points.end(), {x.x(), x.y(), x.z()});
-    }
-  }
-  return out;
+  StateWriter writer;
+  describe(writer, state);
+  std::erase_if(writer.arrays, [](const auto& array) { return array.second.empty(); });
+  return std::move(writer.arrays);
 }
 
-std::size_t checked_index(double number, std::size_t count) {
-  if (!(number >= 0.0 && number < static_cast<double>(count))) {
-    throw std::out_of_range("an index that names nothing");
-  }
-  return static_cast<std::size_t>(number);
-}
-
-std::optional<GrowthState> from_arrays(const Arrays& arrays) {
+GrowthState from_arrays(const Arrays& arrays) {
   GrowthState state;
-  StateArrayReader control(arrays, "control");
-  StateArrayReader stations(arrays, "stations");
-  StateArrayReader counts(arrays, "line_points");
-  StateArrayReader points(arrays, "points");
-  const std::size_t count = control.count();
-  const std::size_t tips = control.count();
-  state.step = control.next();
-  state.rejected = static_cast<int>(control.count());
-  // Before anything is sized by these numbers: files may be broken.
-  if (!control.finished() || stations.left() != count * (3 + tips * tip_values.size())) {
-    return std::nullopt;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    SolvedStation station;
-    station.s = stations.next();
-    station.breakthroughs = stations.count();
-    station.met = stations.count();
-    station.tips.resize(tips);
-    for (TipStation& tip : station.tips) {
-      for (const auto value : tip_values) {
-        tip.*value = stations.next();
-      }
-    }
-    state.stations.push_back(std::move(station));
-  }
-  while (counts.left() > 0) {
-    const std::size_t n = counts.count();
-    if (3 * n > points.left()) {
-      return std::nullopt;
-    }
-    std::vector<base::Vec3>& line = state.lines.emplace_back(n);
-    for (base::Vec3& x : line) {
-      x = {points.next(), points.next(), points.next()};
-    }
-  }
-  if (!stations.finished() || !counts.finished() || !points.finished()) {
-    return std::nullopt;
-  }
+  StateReader reader(arrays);
+  describe(reader, state);
+  reader.finish();
+  check_names(state);
   return state;
 }
 

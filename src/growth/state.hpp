@@ -2,32 +2,50 @@
 #pragma once
 #include "base/vec.hpp"
 #include "growth/trajectory.hpp"
+#include "model/cracks.hpp"
 
+#include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace spricka::growth {
 
+/// A crack as it has grown: what differs from the deck's.
+struct GrownCrack {
+  model::CrackDefinitionKind kind = model::CrackDefinitionKind::path; ///< in space: its shape
+  std::vector<base::Vec3> points; ///< of its line in the plane; in space of a front that is drawn
+  model::PlanarCrack plane;       ///< in space
+  model::FrontHistory history;    ///< in space, of a front that turns
+};
+
+/// What a tip in space moves: a point of a front, or an end of an axis of an ellipse.
+struct GrownTip {
+  std::size_t crack = 0;  ///< not its own where that has become a part of another
+  std::size_t front = 0;  ///< of a crack with several
+  std::size_t number = 0; ///< of the point, along the front
+  bool on_a = false;      ///< end of the axis A, else of C
+  double sign = 1.0;      ///< towards `across` or `along` of the crack's plane, or away from it
+  bool paired = false;    ///< the other end of the axis is a tip as well
+  bool shared = false;    ///< another tip moves this end, behind a coalescence
+};
+
 /// All that growth by a law knows between two stations: with it a run goes on as if it had never
 /// stopped, to the bit.
 struct GrowthState {
-  std::vector<SolvedStation> stations;        ///< so far
-  std::vector<std::vector<base::Vec3>> lines; ///< [crack] at the last station
-  double step = 0.0;                          ///< of the next advance: logarithm of an arm's ratio
-  int rejected = 0;                           ///< solutions that lay too far ahead
+  std::vector<SolvedStation> stations; ///< so far
+  std::vector<GrownCrack> cracks;      ///< [crack] at the last station
+  std::vector<GrownTip> tips;          ///< [tip] there; in the plane none
+  double step = 0.0;                   ///< of the next advance: logarithm of an arm's ratio
+  int rejected = 0;                    ///< solutions that lay too far ahead
 };
 
-/// As named arrays for a restart file, and back; empty if they are not those of a state.
+/// Arrays of a restart file by name, one for each member of the structs above: "station.s".
 using Arrays = std::map<std::string, std::vector<double>>;
-/// The stations, the lines and the step control as flat arrays of numbers, each under its name.
+/// The state as named arrays. Those without values are left out.
 Arrays to_arrays(const GrowthState& state);
-/// Back from there. Empty where an array is missing or its length does not fit.
-std::optional<GrowthState> from_arrays(const Arrays& arrays);
-
-/// A number among those that a crack kept in State::lines which is an index below `count`. Throws
-/// std::out_of_range for any other: files may be damaged.
-std::size_t checked_index(double number, std::size_t count);
+/// Back from there. Throws base::DamagedField for an array of another length, and for a number that
+/// counts or names nothing.
+GrowthState from_arrays(const Arrays& arrays);
 
 } // namespace spricka::growth

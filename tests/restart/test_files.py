@@ -36,7 +36,7 @@ class Files(RestartTest):
     def test_the_first_line_says_what_it_is(self):
         self.assertRegex(
             self.state.read_bytes()[:512].decode("ascii"),
-            r"^spricka state 1 of 0\.1\.0 , [0-9]+ bytes [0-9a-f]{32} +\n$",
+            r"^spricka state 2 of 0\.1\.0 , [0-9]+ bytes [0-9a-f]{32} +\n$",
         )
 
     def test_cut_off_anywhere(self):
@@ -106,14 +106,14 @@ class Files(RestartTest):
         self.before.unlink()
         whole = self.state.read_bytes()
         for old, new in (
-            (b"state 1 of", b"state 0 of"),
-            (b"state 1 of", b"state 2 of"),
+            (b"state 2 of", b"state 1 of"),
+            (b"state 2 of", b"state 3 of"),
             (b"of 0.1.0 ", b"of 0.0.9 "),
         ):
             self.state.write_bytes(whole.replace(old, new, 1))
             result = self.read(7)
             self.assertIn("error E565", result.stderr)
-            self.assertIn("this is 0.1.0 with format 1", result.stderr)
+            self.assertIn("this is 0.1.0 with format 2", result.stderr)
 
     def test_no_room(self):
         """A limit on the size of files stands for a disk that is full."""

@@ -4,10 +4,10 @@
 #include "archive/checkpoint.hpp"
 #include "archive/safe_file.hpp"
 #include "base/clock.hpp"
+#include "base/damaged_field.hpp"
 #include "base/outcome.hpp"
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,11 +22,11 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
                                                          const std::vector<bool>& pictured);
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
-/// there (std::out_of_range), the file is in trouble: throws FileFailure E560.
+/// there, the file is in trouble: throws FileFailure E560, which names the field.
 template <class Take> auto restore_checked(const Take& take) {
   try {
     return take();
-  } catch (const std::out_of_range& trouble) {
+  } catch (const base::DamagedField& trouble) {
     throw archive::FileFailure("E560", std::string("the state in the restart file is damaged: ") +
                                            trouble.what());
   }

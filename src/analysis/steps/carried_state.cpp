@@ -4,7 +4,6 @@
 #include "base/hasher.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
@@ -136,8 +135,7 @@ void InheritedContactState::save_state(results::NamedArrays& arrays) const {
 
 InheritedContactState InheritedContactState::restore_state(const results::NamedArrays& arrays) {
   InheritedContactState state;
-  const auto count = arrays.integers.find("carried.contacts");
-  if (count == arrays.integers.end()) {
+  if (!arrays.integers.contains("carried.contacts")) {
     return state;
   }
   // what is empty may have been left out
@@ -151,17 +149,21 @@ InheritedContactState InheritedContactState::restore_state(const results::NamedA
   };
   state.case_factor_ = reals("carried.case_factor");
   state.alpha_ = reals("carried.alpha");
-  for (std::size_t c = 0; c < static_cast<std::size_t>(count->second.at(0)); ++c) {
-    const std::vector<double> of_pair = reals(name_of(c, "state"));
+  for (std::size_t c = 0;
+       c <
+       static_cast<std::size_t>(results::required_array(arrays.integers, "carried.contacts", 1)[0]);
+       ++c) {
+    const std::vector<double>& of_pair =
+        results::required_array(arrays.reals, name_of(c, "state"), 3);
     state.contacts_.push_back({.key = integers(name_of(c, "key")),
                                .offset = reals(name_of(c, "offset")),
                                .slip = reals(name_of(c, "slip")),
                                .path = reals(name_of(c, "path")),
                                .pressure = reals(name_of(c, "pressure")),
                                .touch = integers(name_of(c, "touch")),
-                               .work = of_pair.at(0),
-                               .fit = of_pair.at(1),
-                               .mounted = of_pair.at(2) != 0.0});
+                               .work = of_pair[0],
+                               .fit = of_pair[1],
+                               .mounted = of_pair[2] != 0.0});
     InheritedContactPair& pair = state.contacts_.back();
     pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
     const std::size_t rows = pair.offset.size();
@@ -170,7 +172,7 @@ InheritedContactState InheritedContactState::restore_state(const results::NamedA
     });
     if (pair.slip.size() != rows || pair.path.size() != rows || pair.touch.size() != rows ||
         !known) {
-      throw std::out_of_range("what has slipped is incomplete");
+      throw base::DamagedField(name_of(c, "slip"), "it is incomplete");
     }
   }
   return state;

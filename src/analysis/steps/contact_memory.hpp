@@ -33,9 +33,9 @@ public:
                          const std::vector<bool>& closed);
 
   /// The closed rows as arrays "closed...", for a restart file, and back from there, of a deck with
-  /// so many steps. Throws std::out_of_range.
+  /// so many steps. Throws base::DamagedField.
   void save_state(results::NamedArrays& arrays) const;
-  /// Back from a restart file; empty without the arrays. Throws std::out_of_range for a step that
+  /// Back from a restart file; empty without the arrays. Throws base::DamagedField for a step that
   /// the deck does not have.
   static ContactMemory restore_state(const results::NamedArrays& arrays, std::size_t steps);
 

@@ -2,7 +2,7 @@
 #include "analysis/steps/mount_memory.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
 
 namespace spricka::analysis {
 
@@ -20,8 +20,9 @@ bool same_row(const contact::ConstraintRow& a, const contact::ConstraintRow& b) 
 // Takes one array's values one after another.
 template <class T> class Reading {
 public:
-  Reading(const std::map<std::string, std::vector<T>>& arrays, const std::string& name) {
-    if (const auto found = arrays.find(name); found != arrays.end()) {
+  Reading(const std::map<std::string, std::vector<T>>& arrays, std::string name)
+      : name_(std::move(name)) {
+    if (const auto found = arrays.find(name_); found != arrays.end()) {
       values_ = &found->second;
     }
   }
@@ -31,12 +32,13 @@ public:
   }
   T next() {
     if (!more()) {
-      throw std::out_of_range("what was mounted is incomplete");
+      throw base::DamagedField(name_, "it is incomplete");
     }
     return (*values_)[next_++];
   }
 
 private:
+  std::string name_;
   const std::vector<T>* values_ = nullptr;
   std::size_t next_ = 0;
 };
@@ -81,7 +83,7 @@ MountOffsetMemory MountOffsetMemory::restore_state(const results::NamedArrays& a
     MountEvent event{static_cast<std::size_t>(contact.next()), {}, {}};
     const std::int64_t count = rows.next();
     if (count < 0 || static_cast<std::size_t>(count) > offset.left()) {
-      throw std::out_of_range("what was mounted is incomplete"); // before room is made for it
+      throw base::DamagedField("mount.offset", "it is incomplete"); // before room is made for it
     }
     event.offset = base::Vector::Zero(count);
     for (std::int64_t r = 0; r < count; ++r) {
