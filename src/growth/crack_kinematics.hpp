@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "growth/growth_events.hpp"
 #include "growth/state.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/cracks.hpp"
@@ -30,33 +31,10 @@ struct CrackGeometry {
   std::vector<std::size_t> fronts{};
 };
 
-/// The growth cannot go on: one word and a sentence (March, End).
-struct GrowthStop {
-  std::string word;
-  std::string reason;
-};
-
-/// What the next advance of all may be, as far as one tip is asked.
-struct AdvanceLimit {
-  double ds = 0.0; ///< sum of the advances [length]
-  /// Sum with which this tip goes through all that is left before it: so near to the surface no
-  /// front can be meshed, and the next one lies behind.
-  std::optional<double> breakthrough{};
-  /// The crack (counted from 1) that a breakthrough joins it with; 0: it leads through a surface.
-  std::size_t meets = 0;
-  std::optional<GrowthStop> end{};
-};
-
-/// From the last station to the next.
-struct TrialAdvance {
-  std::vector<double> by;    ///< [tip] [length]
-  double breakthrough = 0.0; ///< 0: no breakthrough
-  std::size_t tip = 0;       ///< that breaks through
-  std::size_t meets = 0;     ///< as AdvanceLimit
-};
-
-/// The ways cracks can go: how far it is to where they meet something, and what they are after an
-/// advance. March asks it where to go next; it knows nothing of cycles.
+/// How fronts move, v(x) = sum of B_j(x) q_j over their shape modes j (manual, growth.11): the
+/// arms of its tips are the amplitudes. A tip in the plane is one mode, an ellipse has its axes, a
+/// free front a hat at each of its points. It tells how far it is to where a mode meets something,
+/// and what cracks are after an advance; it knows nothing of cycles.
 class CrackKinematics {
 public:
   CrackKinematics() = default;
@@ -69,7 +47,8 @@ public:
   [[nodiscard]] virtual bool can_kink() const = 0;
   /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
   [[nodiscard]] virtual double kink_scatter() const { return 0.0; }
-  /// Goes on from the last station of an earlier run.
+  /// Goes on from the last station of an earlier run. Throws base::DamagedField where its cracks
+  /// are not those of the deck.
   virtual void resume_from(const GrowthState& state) = 0;
   /// The cracks as they are at the last station that counts; then the state on trial.
   [[nodiscard]] virtual CrackGeometry current_state() = 0;
@@ -91,8 +70,7 @@ public:
   virtual void damp_deferred(std::vector<double>& /*owed*/,
                              const std::vector<double>& /*by*/) const {}
   /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
-  /// errors: there are none. `breakthrough` > 0: through what is left, and so much farther than
-  /// needed.
+  /// errors: there are none.
   virtual std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
                                                       const TrialAdvance& advance,
                                                       base::Diagnostics& diagnostics) = 0;
@@ -101,13 +79,16 @@ public:
   virtual void locate_tips(std::vector<TipStation>& found) const = 0;
   /// The state on trial counts: it is the last station's from now on, kept in `state`.
   virtual void accept_trial(GrowthState& state) = 0;
-  /// The advance asked for last cannot be made, however short (a breakthrough: however long);
-  /// `why`. Empty: to be asked again, there is another way.
-  [[nodiscard]] virtual std::optional<GrowthStop>
-  reject_advance(const GrowthState& state, bool broke_through, const std::string& why) = 0;
-  /// Cracks straight on from the last station by so much at each tip, for a look ahead.
-  [[nodiscard]] virtual CrackGeometry extend_straight(const GrowthState& state,
-                                                      double advance) const = 0;
+  /// The advance asked for last, a `passage` or not, cannot be made, however short (a passage:
+  /// however long); `why`. Empty: to be asked again, there is another way.
+  [[nodiscard]] virtual std::optional<GrowthEvent> reject_advance(bool passage,
+                                                                  const std::string& why) = 0;
+  /// Cracks straight on from the last station by so much at each tip, for a look ahead; in space
+  /// none, as nothing looks ahead there.
+  [[nodiscard]] virtual CrackGeometry extend_straight(const GrowthState& /*state*/,
+                                                      double /*advance*/) const {
+    return {};
+  }
 };
 
 } // namespace spricka::growth

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/damaged_field.hpp"
 #include "growth/elliptical_front.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 /// Two ellipses that meet and go on as one, and what is kept of that from run to run.
@@ -14,7 +14,6 @@ namespace {
 
 using base::Vec3;
 using model::PlanarCrack;
-using EllipseAxisEnd = EllipticalFront::EllipseAxisEnd;
 
 /// Axes that are parallel (cosine), and places on one wall (part of the longer axis).
 constexpr double same = 1e-6;
@@ -30,7 +29,7 @@ struct EllipseSpan {
 
 /// An arm of the ellipse that two have become, and the tip that moves it.
 struct JointArm {
-  EllipseAxisEnd arm;
+  GrownTip arm;
   std::size_t mover = 0;
 };
 
@@ -39,12 +38,11 @@ std::size_t side(double sign) {
 }
 
 // The arm as one of an ellipse with parallel axes.
-EllipseAxisEnd seen_from(const PlanarCrack& plane, const EllipseAxisEnd& arm,
-                         const PlanarCrack& own) {
+GrownTip seen_from(const PlanarCrack& plane, const GrownTip& arm, const PlanarCrack& own) {
   const Vec3 way = arm.sign * (arm.on_a ? own.transverse_axis() : own.along);
   const double along = way.dot(plane.along);
   const double across = way.dot(plane.transverse_axis());
-  EllipseAxisEnd seen = arm;
+  GrownTip seen = arm;
   seen.on_a = std::abs(across) > std::abs(along);
   seen.sign = (seen.on_a ? across : along) > 0.0 ? 1.0 : -1.0;
   return seen;
@@ -75,9 +73,9 @@ public:
   }
 
   // Arms of both become those of the first; where two tips stand for one the farther moves it.
-  [[nodiscard]] std::vector<EllipseAxisEnd> arms() const {
+  [[nodiscard]] std::vector<GrownTip> arms() const {
     const std::vector<JointArm> joint = joint_arms();
-    std::vector<EllipseAxisEnd> arms = all_.arms;
+    std::vector<GrownTip> arms = all_.arms;
     for (std::size_t tip = 0; tip < arms.size(); ++tip) {
       if (is_ours(arms[tip])) {
         const JointArm& stands_for = nearest(joint, seen(tip));
@@ -89,13 +87,13 @@ public:
   }
 
 private:
-  [[nodiscard]] bool is_ours(const EllipseAxisEnd& arm) const {
+  [[nodiscard]] bool is_ours(const GrownTip& arm) const {
     return arm.crack == one_ || arm.crack == other_;
   }
-  [[nodiscard]] const PlanarCrack& plane_of(const EllipseAxisEnd& arm) const {
+  [[nodiscard]] const PlanarCrack& plane_of(const GrownTip& arm) const {
     return all_.cracks[arm.crack].plane;
   }
-  [[nodiscard]] EllipseAxisEnd seen(std::size_t tip) const {
+  [[nodiscard]] GrownTip seen(std::size_t tip) const {
     return seen_from(first_, all_.arms[tip], plane_of(all_.arms[tip]));
   }
   [[nodiscard]] Vec3 axis(bool on_a) const {
@@ -141,7 +139,7 @@ private:
   // How far a tip lies out along its arm, from the first one's centre.
   [[nodiscard]] double reach(std::size_t tip) const {
     const PlanarCrack& own = plane_of(all_.arms[tip]);
-    const EllipseAxisEnd arm = seen(tip);
+    const GrownTip arm = seen(tip);
     return arm.sign * (own.place - first_.place).dot(axis(arm.on_a)) +
            (all_.arms[tip].on_a ? own.a : own.c);
   }
@@ -152,11 +150,11 @@ private:
       const std::optional<EllipseSpan> span = span_of_both(on_a);
       for (const double sign : {1.0, -1.0}) {
         if (span && span->arms.at(side(sign))) {
-          joint.push_back({EllipseAxisEnd{.crack = one_,
-                                          .on_a = on_a,
-                                          .sign = sign,
-                                          .paired = span->paired(),
-                                          .shared = false},
+          joint.push_back({GrownTip{.crack = one_,
+                                    .on_a = on_a,
+                                    .sign = sign,
+                                    .paired = span->paired(),
+                                    .shared = false},
                            farthest(on_a, sign)});
         }
       }
@@ -177,7 +175,7 @@ private:
 
   // The same end, or the other end of the axis, or another axis: an end that was between the two is
   // none any more.
-  static const JointArm& nearest(const std::vector<JointArm>& joint, const EllipseAxisEnd& arm) {
+  static const JointArm& nearest(const std::vector<JointArm>& joint, const GrownTip& arm) {
     const auto agreement = [&](const JointArm& with) {
       return (with.arm.on_a == arm.on_a ? 2 : 0) + (with.arm.sign == arm.sign ? 1 : 0);
     };
@@ -192,8 +190,8 @@ private:
 
 } // namespace
 
-std::size_t EllipticalFront::mover_of(const std::vector<EllipseAxisEnd>& arms, std::size_t tip) {
-  const auto found = std::ranges::find_if(arms, [&](const EllipseAxisEnd& arm) {
+std::size_t EllipticalFront::mover_of(const std::vector<GrownTip>& arms, std::size_t tip) {
+  const auto found = std::ranges::find_if(arms, [&](const GrownTip& arm) {
     return !arm.shared && arm.crack == arms[tip].crack && arm.on_a == arms[tip].on_a &&
            arm.sign == arms[tip].sign;
   });
@@ -203,7 +201,7 @@ std::size_t EllipticalFront::mover_of(const std::vector<EllipseAxisEnd>& arms, s
 std::optional<EllipticalFront::Ellipses> EllipticalFront::joined(Ellipses from, std::size_t one,
                                                                  std::size_t other) const {
   const bool both_grow =
-      std::ranges::any_of(from.arms, [&](const EllipseAxisEnd& arm) { return arm.crack == other; });
+      std::ranges::any_of(from.arms, [&](const GrownTip& arm) { return arm.crack == other; });
   if (!both_grow || !may_join(from.cracks[one], from.cracks[other]) ||
       !are_parallel(from.cracks[one].plane, from.cracks[other].plane)) {
     return std::nullopt;
@@ -213,7 +211,7 @@ std::optional<EllipticalFront::Ellipses> EllipticalFront::joined(Ellipses from, 
   if (!plane) {
     return std::nullopt;
   }
-  std::vector<EllipseAxisEnd> arms = meeting.arms();
+  std::vector<GrownTip> arms = meeting.arms();
   from.arms = std::move(arms);
   from.cracks[one].plane = *plane;
   mark_merged(from.cracks[other]);
@@ -224,55 +222,23 @@ bool EllipticalFront::joins(std::size_t tip, const NeighbourCrack& other) const 
   return joined(now_, now_.arms[tip].crack, other.crack).has_value();
 }
 
-// Of a crack that has become a part of another one its place alone; of one that has taken others up
-// also the arms that its tips, and theirs, stand for.
 void EllipticalFront::accept_trial(GrowthState& state) {
   now_ = trial_;
-  stands_anew();
-  state.lines.clear();
-  for (const model::CrackDefinition& crack : now_.cracks) {
-    std::vector<Vec3>& kept = state.lines.emplace_back();
-    kept.push_back(crack.plane.place);
-    if (!is_merged(crack)) {
-      kept.emplace_back(crack.plane.a, crack.plane.c, 0.0);
-    }
-  }
-  for (std::size_t tip = 0; tip < now_.arms.size(); ++tip) {
-    const EllipseAxisEnd& arm = now_.arms[tip];
-    const bool taken_up = std::ranges::any_of(tips_, [&](const TrackedTip& other) {
-      return other.line != arm.crack && is_merged(now_.cracks[other.line]) &&
-             now_.arms[static_cast<std::size_t>(&other - tips_.data())].crack == arm.crack;
-    });
-    if (taken_up) {
-      state.lines[arm.crack].emplace_back(static_cast<double>(tip),
-                                          arm.sign * (arm.on_a ? 2.0 : 1.0),
-                                          (arm.paired ? 2.0 : 0.0) + (arm.shared ? 1.0 : 0.0));
-    }
-  }
+  accept_cracks(now_.cracks, state);
+  state.tips = now_.arms;
 }
 
 void EllipticalFront::resume_from(const GrowthState& state) {
-  for (std::size_t c = 0; c < state.lines.size() && c < now_.cracks.size(); ++c) {
-    const std::vector<Vec3>& kept = state.lines[c];
-    PlanarCrack& plane = now_.cracks[c].plane;
-    plane.place = kept.at(0);
-    if (kept.size() == 1) {
-      mark_merged(now_.cracks[c]);
-      continue;
+  restore_cracks(state, now_.cracks);
+  now_.arms = state.tips;
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    const GrownTip& arm = now_.arms[tip];
+    const PlanarCrack& plane = now_.cracks[arm.crack].plane;
+    if (!(plane.a > 0.0 && plane.c > 0.0)) {
+      throw base::DamagedField("crack.a", "an ellipse without axes");
     }
-    if (!(kept[1].x() > 0.0 && kept[1].y() > 0.0)) {
-      throw std::out_of_range("an ellipse without axes");
-    }
-    plane.a = kept[1].x();
-    plane.c = kept[1].y();
-    for (std::size_t i = 2; i < kept.size(); ++i) {
-      const double end = kept[i].y();
-      now_.arms[checked_index(kept[i].x(), now_.arms.size())] = {
-          .crack = c,
-          .on_a = std::abs(end) > 1.5,
-          .sign = end > 0.0 ? 1.0 : -1.0,
-          .paired = kept[i].z() > 1.5,
-          .shared = std::fmod(kept[i].z(), 2.0) > 0.5};
+    if (std::abs(arm.sign) != 1.0 || mover_of(now_.arms, tip) == tips_.size()) {
+      throw base::DamagedField("tip.sign", "an end of no axis");
     }
   }
 }

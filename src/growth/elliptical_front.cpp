@@ -21,9 +21,6 @@ namespace {
 
 using base::Vec3;
 
-/// The axis behind the surface over the way to it: the front meets the surface under an angle that
-/// a tube can be laid to (28 degrees of a circle; steeper the farther).
-constexpr double axis_behind = 1.15;
 /// Parametric angles beside an end of an axis at which the body is looked for [rad].
 constexpr std::array beside_end{0.1, 0.2, 0.3, 0.5};
 /// Of an end on a surface K is taken so far inside, as a parametric angle, as life programs do (5
@@ -123,9 +120,9 @@ double EllipticalFront::angle_inside(const model::CrackDefinition& crack, double
 }
 
 // An end whose other axis has one arm lies on the surface that the centre lies on.
-double EllipticalFront::aim_of(const Ellipses& ellipses, const EllipseAxisEnd& arm) const {
+double EllipticalFront::aim_of(const Ellipses& ellipses, const GrownTip& arm) const {
   const double end = end_angle(arm.on_a, arm.sign);
-  for (const EllipseAxisEnd& other : ellipses.arms) {
+  for (const GrownTip& other : ellipses.arms) {
     if (other.crack == arm.crack && other.on_a != arm.on_a && !other.paired) {
       const double turn = std::sin(end_angle(other.on_a, other.sign) - end);
       const double sign = std::copysign(1.0, turn);
@@ -139,7 +136,7 @@ double EllipticalFront::aim_of(const Ellipses& ellipses, const EllipseAxisEnd& a
 CrackGeometry EllipticalFront::state_of(const Ellipses& ellipses) const {
   const std::vector<model::CrackDefinition>& cracks = ellipses.cracks;
   CrackGeometry state{.lines = {}, .solids = cracks};
-  for (const EllipseAxisEnd& arm : ellipses.arms) {
+  for (const GrownTip& arm : ellipses.arms) {
     state.aims.push_back(on_ellipse(cracks[arm.crack], aim_of(ellipses, arm)));
     state.fronts.push_back(arm.crack);
   }
@@ -160,8 +157,8 @@ double EllipticalFront::longest_advance(std::size_t /*tip*/) const {
   return std::numeric_limits<double>::infinity();
 }
 
-std::optional<FrontKinematics::SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const {
-  const EllipseAxisEnd& arm = now_.arms[tip];
+std::optional<SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const {
+  const GrownTip& arm = now_.arms[tip];
   const model::CrackDefinition& crack = now_.cracks[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
   const auto in_body = [&](double phi) {
@@ -216,8 +213,7 @@ std::vector<bool> places_reached(const model::CrackDefinition& crack, const Soli
 
 } // namespace
 
-std::optional<FrontKinematics::SurfaceLigament>
-EllipticalFront::left_in_corner(std::size_t tip) const {
+std::optional<SurfaceLigament> EllipticalFront::left_in_corner(std::size_t tip) const {
   constexpr int places = 3600; // what is left may be small
   const std::size_t number = now_.arms[tip].crack;
   for (std::size_t other = 0; other < now_.arms.size(); ++other) {
@@ -242,15 +238,16 @@ EllipticalFront::left_in_corner(std::size_t tip) const {
 }
 
 bool EllipticalFront::goes_on_behind(std::size_t tip, const SurfaceLigament& before) const {
-  const EllipseAxisEnd& arm = now_.arms[tip];
+  const GrownTip& arm = now_.arms[tip];
   model::CrackDefinition crack = now_.cracks[arm.crack];
-  (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.behind + before.left);
+  (arm.on_a ? crack.plane.a : crack.plane.c) =
+      passage_policy.axis_behind * (before.behind + before.left);
   const std::vector<bool> reached = places_reached(crack, around_, looks_round);
   return std::ranges::find(reached, true) != reached.end();
 }
 
 std::optional<FrontKinematics::NeighbourCrack> EllipticalFront::neighbour(std::size_t tip) const {
-  const EllipseAxisEnd& arm = now_.arms[tip];
+  const GrownTip& arm = now_.arms[tip];
   const model::CrackDefinition& own = now_.cracks[arm.crack];
   const Vec3 end = on_ellipse(own, end_angle(arm.on_a, arm.sign));
   double nearest = std::numeric_limits<double>::infinity();
@@ -285,16 +282,17 @@ std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& 
                                                              base::Diagnostics& diagnostics) {
   trial_ = now_;
   for (std::size_t tip = 0; tip < now_.arms.size(); ++tip) {
-    const EllipseAxisEnd& arm = now_.arms[tip];
+    const GrownTip& arm = now_.arms[tip];
     if (arm.shared) {
       continue;
     }
     model::PlanarCrack& plane = trial_.cracks[arm.crack].plane;
     double by = advance.by[tip];
-    if (advance.breakthrough > 0.0) {
+    if (advance.passage) {
       const std::optional<SurfaceLigament> before = ligament(tip);
       if (before && by >= before->left * (1.0 - 1e-9)) {
-        by = axis_behind * advance.breakthrough * (before->behind + before->left) - before->behind;
+        by = passage_policy.axis_behind * advance.lengthening * (before->behind + before->left) -
+             before->behind;
       }
     }
     double& axis = arm.on_a ? plane.a : plane.c;
@@ -305,10 +303,11 @@ std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& 
       axis += by;
     }
   }
-  if (advance.meets > 0) {
-    auto both = joined(trial_, trial_.arms[advance.tip].crack, advance.meets - 1);
+  if (advance.is(GrowthEventKind::coalescence)) {
+    const std::size_t other = advance.passage->crack;
+    auto both = joined(trial_, trial_.arms[advance.passage->tip].crack, other);
     if (!both) {
-      const model::CrackDefinition& met = now_.cracks[advance.meets - 1];
+      const model::CrackDefinition& met = now_.cracks[other];
       diagnostics.error(
           met.span, "E425",
           fmt::format("crack {}: no ellipse is about it and the one it meets", met.name));
@@ -320,7 +319,7 @@ std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& 
 }
 
 // How far the front moves outwards at x for a unit of an arm.
-double EllipticalFront::moved_by(const EllipseAxisEnd& arm, const model::CrackDefinition& crack,
+double EllipticalFront::moved_by(const GrownTip& arm, const model::CrackDefinition& crack,
                                  const Vec3& x) const {
   const double phi = angle_at(crack, x);
   const Vec3 along = arm.on_a ? crack.plane.transverse_axis() : crack.plane.along;
@@ -330,7 +329,7 @@ double EllipticalFront::moved_by(const EllipseAxisEnd& arm, const model::CrackDe
 }
 
 void EllipticalFront::locate_tips(std::vector<TipStation>& found) const {
-  const std::vector<EllipseAxisEnd>& arms = trial_.arms;
+  const std::vector<GrownTip>& arms = trial_.arms;
   for (std::size_t c = 0; c < trial_.cracks.size(); ++c) {
     std::vector<std::size_t> own;
     for (std::size_t tip = 0; tip < arms.size(); ++tip) {
@@ -371,11 +370,6 @@ void EllipticalFront::locate_tips(std::vector<TipStation>& found) const {
       found[tip].rate = own.rate;
     }
   }
-}
-
-CrackGeometry EllipticalFront::extend_straight(const GrowthState& /*state*/,
-                                               double /*advance*/) const {
-  return state_of(now_);
 }
 
 } // namespace spricka::growth

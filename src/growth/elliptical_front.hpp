@@ -17,8 +17,7 @@ class EllipticalFront final : public FrontKinematics {
 public:
   explicit EllipticalFront(const model::Model& model);
 
-  /// Takes centres and axes of the ellipses, and the arms of those that took others up, out of the
-  /// state. Throws std::out_of_range where a file is broken.
+  /// Takes the ellipses and what the tips move of them out of the state.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] CrackGeometry current_state() override;
   /// Half axis of the deck's ellipse that ends at a tip [length].
@@ -30,23 +29,12 @@ public:
   /// Turns the rates at the places of K into rates of the axes' ends, by how each end moves each
   /// place.
   void locate_tips(std::vector<TipStation>& found) const override;
-  /// Keeps the ellipses on trial, as centre and axes of each crack in `state`.
+  /// Keeps the ellipses on trial, and what the tips move of them in `state`.
   void accept_trial(GrowthState& state) override;
-  /// The ellipses as they are: an ellipse has nothing to look ahead to, whatever the advance.
-  [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
-                                              double advance) const override;
 
-  /// An end of an axis.
-  struct EllipseAxisEnd {
-    std::size_t crack = 0;
-    bool on_a = false;   ///< of the axis A, else of C
-    double sign = 1.0;   ///< towards `across` or `along`, or away from it
-    bool paired = false; ///< the other end of the axis is an arm as well
-    bool shared = false; ///< another tip moves it, behind a meeting
-  };
   struct Ellipses {
     std::vector<model::CrackDefinition> cracks;
-    std::vector<EllipseAxisEnd> arms; ///< [tip]
+    std::vector<GrownTip> arms; ///< [tip]
   };
 
 private:
@@ -61,16 +49,16 @@ private:
   void find_tips();
   [[nodiscard]] CrackGeometry state_of(const Ellipses& ellipses) const;
   /// The parametric angle at which K of an arm is taken.
-  [[nodiscard]] double aim_of(const Ellipses& ellipses, const EllipseAxisEnd& arm) const;
+  [[nodiscard]] double aim_of(const Ellipses& ellipses, const GrownTip& arm) const;
   [[nodiscard]] double angle_inside(const model::CrackDefinition& crack, double end,
                                     double sign) const;
   /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
   /// which the two have become.
-  static std::size_t mover_of(const std::vector<EllipseAxisEnd>& arms, std::size_t tip);
+  static std::size_t mover_of(const std::vector<GrownTip>& arms, std::size_t tip);
   /// One ellipse in the place of two, under the name of the first; empty: there is none.
   [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
                                                std::size_t other) const;
-  [[nodiscard]] double moved_by(const EllipseAxisEnd& arm, const model::CrackDefinition& crack,
+  [[nodiscard]] double moved_by(const GrownTip& arm, const model::CrackDefinition& crack,
                                 const base::Vec3& x) const;
 
   std::vector<double> first_arm_; ///< [tip] of the deck's crack, whatever it has become

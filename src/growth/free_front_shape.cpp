@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/free_front_shape.hpp"
 
+#include "base/damaged_field.hpp"
 #include "growth/crack_lines.hpp"
-#include "growth/turned_front.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,19 +22,32 @@ constexpr double longest_part = 0.2;
 constexpr double usual_exponent = 3.0; // of a table
 /// What K scatters by along a front from mesh to mesh, rms.
 constexpr double scatter_of_K = 0.015;
-/// Cosine of what a front turns by from end to end at least if it is no straight one: 45 degrees.
-constexpr double hardly_turned = 0.7;
+
+// [front][point] The tips of a crack's fronts in the order along them.
+std::vector<std::vector<std::size_t>> tips_along(const std::vector<GrownTip>& tips,
+                                                 std::size_t crack) {
+  std::vector<std::vector<std::size_t>> fronts;
+  for (std::size_t tip = 0; tip < tips.size(); ++tip) {
+    if (tips[tip].crack == crack) {
+      fronts.resize(std::max(fronts.size(), tips[tip].front + 1));
+      fronts[tips[tip].front].push_back(tip);
+    }
+  }
+  for (std::vector<std::size_t>& front : fronts) {
+    std::ranges::sort(front, {}, [&](std::size_t tip) { return tips[tip].number; });
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      if (tips[front[i]].number != i) {
+        throw base::DamagedField("tip.number", "points of a front are missing");
+      }
+    }
+  }
+  return fronts;
+}
 
 } // namespace
 
-FrontKind FreeFrontShape::kind_of(const BodyFrontArc& arc) {
-  const double turned = arc.curve.at(0.0).m.dot(arc.curve.at(arc.curve.length()).m);
-  return arc.is_closed()          ? FrontKind::closed
-         : turned > hardly_turned ? FrontKind::straight
-                                  : FrontKind::round;
-}
-
-FreeFrontShape::FreeFrontShape(const model::Model& model) : FrontKinematics(model) {
+FreeFrontShape::FreeFrontShape(const model::Model& model)
+    : FrontKinematics(model), kinks_(model), ligaments_(around_, kinks_) {
   now_.cracks = model.cracks;
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
     const model::CrackDefinition& crack = now_.cracks[c];
@@ -60,9 +72,13 @@ FreeFrontShape::FreeFrontShape(const model::Model& model) : FrontKinematics(mode
       }
     }
   }
-  turning_.assign(tips_.size(), {});
-  part_.assign(tips_.size(), 0.0);
-  find_ligaments();
+  kinks_.begin(tips_.size());
+  ligaments_.measure(now_, tips_.size());
+}
+
+void FreeFrontShape::update_fronts(const GrowthState& state) {
+  kinks_.update(state);
+  ligaments_.measure(now_, tips_.size());
 }
 
 FreeFrontShape::TipOnFront FreeFrontShape::place_of(std::size_t tip) const {
@@ -89,63 +105,28 @@ CrackGeometry FreeFrontShape::state_of(const MovingFronts& fronts) const {
   return state;
 }
 
-// A crack is as the deck has it (nothing is kept), or one number tells how many tips its front has:
-// none, and it has become a part of another; and one how many fronts it has in its history. Its
-// place, the tips, each with the number of its front, the fronts of the history with the normals of
-// the last, and the points follow.
 void FreeFrontShape::resume_from(const GrowthState& state) {
-  const std::vector<GrowingFront> first = std::move(now_.growing);
+  restore_cracks(state, now_.cracks);
   now_.growing.clear();
-  for (std::size_t c = 0; c < state.lines.size(); ++c) {
-    model::CrackDefinition& crack = now_.cracks[c];
-    const std::vector<Vec3>& kept = state.lines[c];
-    std::vector<std::vector<std::size_t>> tips; // [front]
-    if (kept.empty()) {
-      std::ranges::copy_if(first, std::back_inserter(now_.growing),
-                           [&](const GrowingFront& of) { return of.crack == c; });
-    } else {
-      const std::size_t count = checked_index(kept[0].y(), kept.size());
-      crack.kind = model::CrackDefinitionKind::drawn;
-      crack.points.clear();
-      if (count > 0) {
-        crack.plane.closed = kept[0].x() != 0.0;
-        crack.plane.place = kept.at(1);
-        for (std::size_t i = 0; i < count; ++i) {
-          tips.resize(checked_index(kept.at(2 + i).y(), count) + 1);
-          tips.back().push_back(checked_index(kept.at(2 + i).x(), tips_.size()));
-        }
-        auto at = kept.begin() + 2 + static_cast<std::ptrdiff_t>(count);
-        const auto take = [&](std::size_t many) {
-          if (static_cast<std::size_t>(kept.end() - at) < many) {
-            throw std::out_of_range("fronts of a wake"); // as `at` does: files may be broken
-          }
-          const auto from = at;
-          at += static_cast<std::ptrdiff_t>(many);
-          return std::vector<Vec3>(from, at);
-        };
-        crack.front_history = {};
-        for (std::size_t left = checked_index(kept[0].z(), kept.size()); left > 0; --left) {
-          const std::size_t many = checked_index(take(1).front().x(), kept.size());
-          crack.front_history.fronts.push_back(take(many));
-          crack.front_history.normals.resize(many);
-        }
-        crack.front_history.normals = take(crack.front_history.normals.size());
-        crack.points.assign(at, kept.end());
-      }
+  for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
+    std::vector<std::vector<std::size_t>> tips = tips_along(state.tips, c);
+    if (tips.empty()) {
+      continue;
     }
-    std::vector<BodyFrontArc> arcs =
-        tips.empty() ? std::vector<BodyFrontArc>() : arcs_in_body(crack, around_);
-    for (std::size_t i = 0; i < std::min(arcs.size(), tips.size()); ++i) {
+    std::vector<BodyFrontArc> arcs = arcs_in_body(now_.cracks[c], around_);
+    if (arcs.size() != tips.size()) {
+      throw base::DamagedField("tip.front", "the crack has another number of fronts");
+    }
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
       now_.growing.push_back({c, std::move(tips[i]), std::move(arcs[i])});
     }
   }
-  find_turning(state);
-  find_ligaments();
+  update_fronts(state);
 }
 
 CrackGeometry FreeFrontShape::current_state() {
   trial_ = now_;
-  std::ranges::fill(part_, 0.0);
+  kinks_.reset_trial();
   return state_of(trial_);
 }
 
@@ -159,7 +140,9 @@ double FreeFrontShape::longest_advance(std::size_t tip) const {
 }
 
 bool FreeFrontShape::goes_on_behind(std::size_t tip, const SurfaceLigament& /*before*/) const {
-  const std::size_t fronts = staying(place_of(tip).growing, left_out * gone_through, {}).size();
+  const TipOnFront at = place_of(tip);
+  const double gap = passage_policy.left_out * surface_policy.passed;
+  const std::size_t fronts = ligaments_.staying(at.of, at.growing, gap, {}).size();
   return fronts == 1 ||
          (fronts > 1 && !can_kink()); // heights of a front history are those behind one
 }
@@ -182,7 +165,7 @@ std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::si
 FrontRates FreeFrontShape::waves_of(const GrowingFront& of) const {
   FrontRates front;
   front.stiffness = exponent() / of.arc.curve.length();
-  front.kind = kind_of(of.arc);
+  front.kind = of.kind();
   return front;
 }
 
@@ -249,9 +232,7 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
                                                             const TrialAdvance& advance,
                                                             base::Diagnostics& diagnostics) {
   trial_ = now_;
-  for (std::size_t tip = 0; can_kink() && tip < tips_.size(); ++tip) {
-    part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, advance.by[tip]);
-  }
+  kinks_.set_trial(advance.by);
   trial_.growing.clear();
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
     const bool last =
@@ -264,10 +245,11 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
       return std::nullopt;
     }
   }
-  if (advance.meets > 0 && !join(advance)) {
-    diagnostics.error(now_.cracks[advance.meets - 1].span, "E425",
-                      fmt::format("crack {}: it and the one it meets would have no common front",
-                                  now_.cracks[advance.meets - 1].name));
+  if (advance.is(GrowthEventKind::coalescence) && !join(advance)) {
+    const model::CrackDefinition& other = now_.cracks[advance.passage->crack];
+    diagnostics.error(
+        other.span, "E425",
+        fmt::format("crack {}: it and the one it meets would have no common front", other.name));
     return std::nullopt;
   }
   return state_of(trial_);
@@ -275,7 +257,7 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
 
 void FreeFrontShape::locate_tips(std::vector<TipStation>& found) const {
   for (const GrowingFront& of : trial_.growing) {
-    place_turns(of, found);
+    kinks_.place_turns(of, found);
     std::vector<double> rate;
     for (const std::size_t tip : of.tips) {
       rate.push_back(found[tip].rate);
@@ -283,8 +265,7 @@ void FreeFrontShape::locate_tips(std::vector<TipStation>& found) const {
     if (std::ranges::any_of(rate, [](double r) { return !std::isfinite(r); })) {
       continue;
     }
-    const std::vector<double> smooth =
-        smooth_rates(rate, kind_of(of.arc), exponent() * scatter_of_K);
+    const std::vector<double> smooth = smooth_rates(rate, of.kind(), exponent() * scatter_of_K);
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       TipStation& at = found[of.tips[i]];
       if (at.rate > 0.0) {
@@ -297,9 +278,7 @@ void FreeFrontShape::locate_tips(std::vector<TipStation>& found) const {
 
 void FreeFrontShape::accept_trial(GrowthState& state) {
   now_ = trial_;
-  stands_anew();
-  find_turning(state);
-  find_ligaments();
+  update_fronts(state);
   for (const GrowingFront& of : now_.growing) {
     const std::vector<double> uncertain_fraction = rates_of(of, state).uncertain_fraction();
     for (std::size_t i = 0; i < uncertain_fraction.size(); ++i) {
@@ -307,50 +286,55 @@ void FreeFrontShape::accept_trial(GrowthState& state) {
       part = std::max(part, std::abs(uncertain_fraction[i]));
     }
   }
-  state.lines.assign(now_.cracks.size(), {});
-  for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
-    if (is_merged(now_.cracks[c])) {
-      state.lines[c].emplace_back(Vec3::Zero());
-    }
-  }
-  for (std::size_t g = 0; g < now_.growing.size(); ++g) {
-    if (state.lines[now_.growing[g].crack].empty()) {
-      keep_crack(now_.growing[g].crack, state.lines[now_.growing[g].crack]);
-    }
-  }
-}
-
-// As go_on reads it.
-void FreeFrontShape::keep_crack(std::size_t number, std::vector<Vec3>& kept) const {
-  const model::CrackDefinition& crack = now_.cracks[number];
-  if (crack.kind != model::CrackDefinitionKind::drawn) {
-    return;
-  }
-  double front = 0.0;
-  std::vector<Vec3> tips;
+  accept_cracks(now_.cracks, state);
+  state.tips.assign(tips_.size(), {});
+  std::vector<std::size_t> fronts(now_.cracks.size(), 0);
   for (const GrowingFront& of : now_.growing) {
-    for (const std::size_t tip : of.tips) {
-      if (of.crack == number) {
-        tips.emplace_back(static_cast<double>(tip), front, 0.0);
-      }
+    for (std::size_t i = 0; i < of.tips.size(); ++i) {
+      state.tips[of.tips[i]] = {.crack = of.crack, .front = fronts[of.crack], .number = i};
     }
-    front += of.crack == number ? 1.0 : 0.0;
+    ++fronts[of.crack];
   }
-  kept.emplace_back(crack.plane.closed ? 1.0 : 0.0, static_cast<double>(tips.size()),
-                    static_cast<double>(crack.front_history.fronts.size()));
-  kept.push_back(crack.plane.place);
-  kept.insert(kept.end(), tips.begin(), tips.end());
-  for (const std::vector<Vec3>& front_history : crack.front_history.fronts) {
-    kept.emplace_back(static_cast<double>(front_history.size()), 0.0, 0.0);
-    kept.insert(kept.end(), front_history.begin(), front_history.end());
-  }
-  kept.insert(kept.end(), crack.front_history.normals.begin(), crack.front_history.normals.end());
-  kept.insert(kept.end(), crack.points.begin(), crack.points.end());
 }
 
-CrackGeometry FreeFrontShape::extend_straight(const GrowthState& /*state*/,
-                                              double /*advance*/) const {
-  return state_of(now_);
+// K2 scatters by some per cent of K1 along fronts.
+double FreeFrontShape::kink_scatter() const {
+  constexpr double scatter = 0.04;
+  return scatter;
+}
+
+AdvanceLimit FreeFrontShape::step_limit(const GrowthState& state, std::size_t tip, double share,
+                                        double ds) const {
+  const TipOnFront at = place_of(tip);
+  const Vec3& normal = now_.cracks[at.of.crack].plane.normal;
+  if (std::abs(kinks_.way_on(at.tip_frame(), tip, 0.0).dot(normal)) > futility_policy.steepest) {
+    return {.ds = ds,
+            .event = GrowthEvent{.kind = GrowthEventKind::curl,
+                                 .reason = fmt::format(
+                                     "{} has turned by more than 75 degrees out of its first plane",
+                                     tips_[tip].name)}};
+  }
+  return FrontKinematics::step_limit(state, tip, share, ds);
+}
+
+std::optional<SurfaceLigament> FreeFrontShape::left_in_corner(std::size_t tip) const {
+  const GrowingFront& of = place_of(tip).of;
+  if (of.arc.is_closed() || std::ranges::any_of(of.tips, [&](std::size_t other) {
+        return ligaments_.at_tip(other).has_value();
+      })) {
+    return std::nullopt;
+  }
+  const model::CrackDefinition& crack = now_.cracks[of.crack];
+  std::optional<SurfaceLigament> longest;
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    const mesh::FrontFrame at = of.frame_at(i);
+    const auto ahead = around_.surface_ahead(at.x, at.m, crack.net);
+    if (ahead && (!longest || ahead->distance > longest->left)) {
+      longest =
+          SurfaceLigament{.behind = (at.x - crack.plane.place).norm(), .left = ahead->distance};
+    }
+  }
+  return longest;
 }
 
 } // namespace spricka::growth

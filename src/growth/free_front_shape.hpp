@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "growth/front_arc.hpp"
 #include "growth/front_kinematics.hpp"
-#include "growth/front_waves.hpp"
+#include "growth/front_kinks.hpp"
+#include "growth/front_ligaments.hpp"
 #include "growth/join_fronts.hpp"
 #include "model/cracks.hpp"
 #include "model/forward.hpp"
@@ -26,10 +26,9 @@ public:
 
   explicit FreeFrontShape(const model::Model& model);
 
-  /// Takes the points of all fronts and their history out of the state and finds their arcs in the
-  /// body anew. Throws std::out_of_range where a file is broken.
+  /// Takes the fronts and their history out of the state and finds their arcs in the body anew.
   void resume_from(const GrowthState& state) override;
-  [[nodiscard]] bool can_kink() const override;
+  [[nodiscard]] bool can_kink() const override { return kinks_.allowed(); }
   [[nodiscard]] double kink_scatter() const override;
   /// As of all fronts in space; it also ends a front that has turned too far out of its first
   /// plane.
@@ -50,39 +49,11 @@ public:
                                               base::Diagnostics& diagnostics) override;
   /// Places the turning of each tip and smooths the rates along each front whose rates are finite.
   void locate_tips(std::vector<TipStation>& found) const override;
-  /// Keeps the fronts on trial with what follows from them: turning, ligaments, uncertain parts of
-  /// the rates. The points and the history of each crack go into `state`.
+  /// Keeps the fronts on trial, in `state` as well, with what follows from them: turning,
+  /// ligaments, uncertain parts of the rates.
   void accept_trial(GrowthState& state) override;
-  /// The fronts as they are: no look ahead, whatever the advance.
-  [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
-                                              double advance) const override;
 
 private:
-  /// Points with less than so many times that before them are left out of the front behind it,
-  /// which goes straight on from those that stay: it meets the surface under an angle that can be
-  /// meshed.
-  static constexpr double left_out = 2.0;
-  static constexpr std::size_t looks_between = 8; ///< for each point
-
-  /// A front that moves.
-  struct GrowingFront {
-    std::size_t crack = 0;
-    std::vector<std::size_t> tips; ///< in the order along it
-    BodyFrontArc arc;
-    std::vector<base::Vec3> line{}; ///< on trial: as it is drawn, out of the body at its ends
-    /// Place and axes of the front at the tip of a number along it, 0 the first.
-    [[nodiscard]] mesh::FrontFrame frame_at(std::size_t number) const {
-      return frame_between(static_cast<double>(number));
-    }
-    /// The same between two tips, by a number that need not be whole.
-    [[nodiscard]] mesh::FrontFrame frame_between(double number) const {
-      return arc.curve.at(arc.arc_position(number, tips.size()));
-    }
-  };
-  struct MovingFronts {
-    std::vector<model::CrackDefinition> cracks;
-    std::vector<GrowingFront> growing;
-  };
   /// Points of the next front, those in front of which next to nothing is left out.
   struct NextPoints {
     std::vector<base::Vec3> points;
@@ -93,7 +64,6 @@ private:
     NextPoints next;
     std::vector<std::size_t> tips;
   };
-  using PointRun = std::vector<double>; ///< numbers of points one after another, or between them
   /// Where a tip is.
   struct TipOnFront {
     const GrowingFront& of;
@@ -102,7 +72,7 @@ private:
     [[nodiscard]] mesh::FrontFrame tip_frame() const { return of.frame_at(number); }
   };
   [[nodiscard]] std::optional<SurfaceLigament> ligament(std::size_t tip) const override {
-    return ligaments_[tip];
+    return ligaments_.at_tip(tip);
   }
   [[nodiscard]] std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const override;
   [[nodiscard]] bool goes_on_behind(std::size_t tip, const SurfaceLigament& before) const override;
@@ -111,34 +81,13 @@ private:
   [[nodiscard]] double behind(std::size_t tip) const override;
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
-  void find_ligaments();
-  void look_ahead(std::size_t growing);
-  /// Before a point of a front or a place between two; `own`: pieces of surface that it ends on.
-  [[nodiscard]] std::optional<SurfaceLigament>
-  ligament_at(const GrowingFront& of, double number, const std::vector<std::size_t>& own) const;
-  /// How far the crack reaches back from a place of a front against its way on [length].
-  [[nodiscard]] double reach_back(const GrowingFront& of, const base::Vec3& x,
-                                  const base::Vec3& way) const;
+  void update_fronts(const GrowthState& state);
   [[nodiscard]] TipOnFront place_of(std::size_t tip) const;
   [[nodiscard]] CrackGeometry state_of(const MovingFronts& fronts) const;
-  /// The way on of a tip, unit, of a part of an advance that ends so far ahead [length].
-  [[nodiscard]] base::Vec3 way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const;
-  /// By how much a tip turns on that way [rad].
-  [[nodiscard]] double turn_on(std::size_t tip, double by) const;
-  /// The runs of points, four at least, before which more than the part `gap` of their way to a
-  /// surface is left, and more than they advance `by` [tip] (empty: not asked). Where few points
-  /// stay, as of a wide crack, places between them, by what is left against the crack's depth.
-  [[nodiscard]] std::vector<PointRun> staying(std::size_t growing, double gap,
-                                              const std::vector<double>& by) const;
-  [[nodiscard]] std::vector<PointRun> staying_between(std::size_t growing, double gap,
-                                                      const std::vector<double>& by) const;
   /// What a front goes on as: one, or where it goes through a surface between its ends, one on each
   /// side of that. Empty: nothing.
   [[nodiscard]] std::vector<NextFront> next_fronts(std::size_t growing,
                                                    const TrialAdvance& advance) const;
-  /// What a point, or a place between two, advances.
-  [[nodiscard]] static double advance_at(const GrowingFront& of, double number,
-                                         const std::vector<double>& by);
   /// All fronts on trial by an advance; false: a crack would have none that can be drawn.
   bool draw_all(std::size_t growing, const TrialAdvance& advance);
   /// Draws the fronts of a crack on trial that has several as one line, out of the body between
@@ -148,9 +97,6 @@ private:
   bool draw(const NextPoints& next, GrowingFront& of);
   void leave_front_history(std::size_t crack, const NextPoints& next,
                            model::CrackDefinition& drawn) const;
-  void keep_crack(std::size_t number, std::vector<base::Vec3>& kept) const;
-  [[nodiscard]] static FrontKind kind_of(const BodyFrontArc& arc);
-  void place_turns(const GrowingFront& of, std::vector<TipStation>& found) const;
   [[nodiscard]] double exponent() const; ///< of the law
   /// How the waves of a front die, nothing else of it.
   [[nodiscard]] FrontRates waves_of(const GrowingFront& of) const;
@@ -165,21 +111,10 @@ private:
                                                      const TrialAdvance& advance) const;
   bool join(const TrialAdvance& advance);
 
-  /// What the last station says of a tip that turns.
-  struct TipKink {
-    double heading = 0.0;   ///< the way on, all turns taken together [rad]
-    double turn = 0.0;      ///< of it against the crack's last part [rad]
-    double curvature = 0.0; ///< of its way so far [rad/length]
-  };
-  void find_turning(const GrowthState& state);
-
   std::vector<double> first_arm_; ///< [tip]
-  std::vector<TipKink> turning_;  ///< [tip]
-  std::vector<double> part_;      ///< [tip] direction of the crack's last part on trial [rad]
-  MovingFronts now_, trial_;      ///< at the last station that counts; to be solved
-  std::vector<std::optional<SurfaceLigament>> ligaments_; ///< [tip]
-  /// [growing][looks_between * point] near a surface, else empty
-  std::vector<std::vector<std::optional<SurfaceLigament>>> between_;
+  FrontKinks kinks_;
+  FrontLigaments ligaments_;
+  MovingFronts now_, trial_; ///< at the last station that counts; to be solved
 };
 
 } // namespace spricka::growth

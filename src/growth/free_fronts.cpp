@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/free_front_shape.hpp"
+#include "growth/turned_front.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 
 using base::Vec3;
 
-constexpr std::size_t fewest_points = 4;
 /// A front is laid through its points so many times; what a point may have missed of its advance.
 constexpr int rounds = 2;
 constexpr double largest_miss = 0.5;
@@ -32,11 +32,11 @@ std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>&
   std::vector<std::vector<std::size_t>> shared;
   std::size_t next = 0;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const std::size_t after = fewest_points * (runs.size() - r - 1);
+    const std::size_t after = fewest_front_points * (runs.size() - r - 1);
     const std::size_t request = (tips.size() * runs[r].size() + points / 2) / points;
-    const std::size_t count = r + 1 == runs.size()
-                                  ? tips.size() - next
-                                  : std::clamp(request, fewest_points, tips.size() - next - after);
+    const std::size_t count =
+        r + 1 == runs.size() ? tips.size() - next
+                             : std::clamp(request, fewest_front_points, tips.size() - next - after);
     const auto from = tips.begin() + static_cast<std::ptrdiff_t>(next);
     shared.emplace_back(from, from + static_cast<std::ptrdiff_t>(count));
     next += count;
@@ -44,93 +44,17 @@ std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>&
   return shared;
 }
 
-// Runs of places that stay, in the order along a front; a closed one opens where places are left
-// out, it then begins behind that.
-std::vector<std::vector<std::size_t>> runs_of(const std::vector<bool>& stays, bool closed) {
-  const auto out = std::ranges::find(stays, false);
-  const auto begin =
-      closed && out != stays.end() ? static_cast<std::size_t>(out - stays.begin()) : 0;
-  std::vector<std::vector<std::size_t>> runs(1);
-  for (std::size_t k = 0; k < stays.size(); ++k) {
-    const std::size_t i = (begin + k) % stays.size();
-    if (stays[i]) {
-      runs.back().push_back(i);
-    } else if (!runs.back().empty()) {
-      runs.emplace_back();
-    }
-  }
-  if (runs.back().empty()) {
-    runs.pop_back();
-  }
-  return runs;
-}
-
 } // namespace
-
-double FreeFrontShape::advance_at(const GrowingFront& of, double number,
-                                  const std::vector<double>& by) {
-  const auto first = static_cast<std::size_t>(number);
-  const double part = number - static_cast<double>(first);
-  const std::size_t count = of.tips.size();
-  return (1.0 - part) * by[of.tips[first % count]] + part * by[of.tips[(first + 1) % count]];
-}
-
-std::vector<FreeFrontShape::PointRun> FreeFrontShape::staying(std::size_t growing, double gap,
-                                                              const std::vector<double>& by) const {
-  const GrowingFront& of = now_.growing[growing];
-  std::vector<bool> points;
-  for (std::size_t i = 0; i < of.tips.size(); ++i) {
-    const std::optional<SurfaceLigament>& before = ligaments_[of.tips[i]];
-    points.push_back(!before || (before->left_fraction() > gap &&
-                                 (by.empty() || before->left > by[of.tips[i]])));
-  }
-  std::vector<PointRun> found;
-  std::size_t fewest = of.tips.size();
-  for (const std::vector<std::size_t>& run : runs_of(points, of.arc.is_closed())) {
-    fewest = std::min(fewest, run.size());
-    found.emplace_back(run.begin(), run.end());
-  }
-  if ((!found.empty() && fewest >= fewest_points) || between_[growing].empty()) {
-    std::erase_if(found, [](const PointRun& run) { return run.size() < fewest_points; });
-    return found;
-  }
-  return staying_between(growing, gap, by);
-}
-
-std::vector<FreeFrontShape::PointRun>
-FreeFrontShape::staying_between(std::size_t growing, double gap,
-                                const std::vector<double>& by) const {
-  const GrowingFront& of = now_.growing[growing];
-  const auto number_of = [](std::size_t place) {
-    return static_cast<double>(place) / static_cast<double>(looks_between);
-  };
-  std::vector<bool> places;
-  for (std::size_t k = 0; k < between_[growing].size(); ++k) {
-    const std::optional<SurfaceLigament>& before = between_[growing][k];
-    places.push_back(!before || (before->left_fraction() > gap &&
-                                 (by.empty() || before->left > advance_at(of, number_of(k), by))));
-  }
-  std::vector<PointRun> found;
-  for (const std::vector<std::size_t>& run : runs_of(places, of.arc.is_closed())) {
-    if (run.size() <= looks_between) {
-      continue;
-    }
-    const std::size_t count = std::max(fewest_points, run.size() / looks_between + 1);
-    PointRun& spread = found.emplace_back();
-    for (std::size_t i = 0; i < count; ++i) {
-      spread.push_back(number_of(run[i * (run.size() - 1) / (count - 1)]));
-    }
-  }
-  return found;
-}
 
 std::vector<FreeFrontShape::NextFront>
 FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) const {
   const GrowingFront& of = now_.growing[growing];
-  const bool through = advance.breakthrough > 0.0 && advance.meets == 0;
-  const double gap = through ? left_out * gone_through * advance.breakthrough : -1.0;
-  std::vector<PointRun> runs = staying(growing, gap, through ? advance.by : std::vector<double>());
-  if ((can_kink() && runs.size() > 1) || runs.size() * fewest_points > of.tips.size()) {
+  const bool through = advance.is(GrowthEventKind::breakthrough);
+  const double gap =
+      through ? passage_policy.left_out * surface_policy.passed * advance.lengthening : -1.0;
+  const std::vector<PointRun> runs =
+      ligaments_.staying(of, growing, gap, through ? advance.by : std::vector<double>());
+  if ((can_kink() && runs.size() > 1) || runs.size() * fewest_front_points > of.tips.size()) {
     return {}; // heights of a front history are those behind one; and all have points
   }
   std::vector<std::size_t> tips = of.tips;
@@ -147,9 +71,8 @@ FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) co
     std::vector<mesh::FrontFrame> from;
     for (const double number : runs[r]) {
       const mesh::FrontFrame& at = from.emplace_back(of.frame_between(number));
-      const double by = advance_at(of, number, advance.by);
-      const auto tip = static_cast<std::size_t>(std::lround(number)) % of.tips.size();
-      front.next.points.emplace_back(at.x + by * way_on(at, of.tips[tip], by));
+      const double by = of.advance_between(number, advance.by);
+      front.next.points.emplace_back(at.x + by * kinks_.way_on(at, of.nearest_tip(number), by));
     }
     front.next.points = without_crossings(from, front.next.points, front.next.closed);
   }
@@ -159,7 +82,7 @@ FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) co
 bool FreeFrontShape::draw(const NextPoints& next, GrowingFront& of) {
   model::CrackDefinition& crack = trial_.cracks[of.crack];
   std::optional<model::CrackDefinition> drawn;
-  if (next.points.size() >= fewest_points) {
+  if (next.points.size() >= fewest_front_points) {
     drawn = crack_through(crack, next.points, next.closed, around_);
   }
   if (drawn && can_kink()) {
@@ -183,7 +106,7 @@ bool FreeFrontShape::draw_all(std::size_t growing, const TrialAdvance& advance) 
     if (!draw(front.next, of)) {
       return false;
     }
-    if (advance.breakthrough == 0.0 && front.next.points.size() == of.tips.size()) {
+    if (!advance.passage && front.next.points.size() == of.tips.size()) {
       go_round(before, advance.by, of);
     }
     trial_.growing.push_back(std::move(of));
@@ -248,7 +171,7 @@ void FreeFrontShape::go_round(const GrowingFront& from, const std::vector<double
       const mesh::FrontFrame before = from.frame_at(i);
       const mesh::FrontFrame behind = of.frame_at(i);
       const std::size_t tip = of.tips[i];
-      const Vec3 way = (way_on(before, tip, by[tip]) + behind.m).normalized();
+      const Vec3 way = (kinks_.way_on(before, tip, by[tip]) + behind.m).normalized();
       const double missed = by[tip] - (behind.x - before.x).dot(way);
       if (std::abs(missed) > largest_miss * by[tip]) {
         return; // a notch, or a front that has come to lie otherwise
@@ -259,6 +182,16 @@ void FreeFrontShape::go_round(const GrowingFront& from, const std::vector<double
       return;
     }
   }
+}
+
+// Behind what its front has left since the last station that counts.
+void FreeFrontShape::leave_front_history(std::size_t crack, const NextPoints& next,
+                                         model::CrackDefinition& drawn) const {
+  const auto from = std::ranges::find(now_.growing, crack, &GrowingFront::crack);
+  const model::CrackDefinition& before = now_.cracks[crack];
+  drawn.front_history = extend_history(
+      before, from->arc.curve,
+      mesh::FrontCurve(next.points, crack_normals(before, next.points), next.closed));
 }
 
 } // namespace spricka::growth

@@ -8,17 +8,6 @@
 /// Two free fronts that meet and go on as one.
 namespace spricka::growth {
 
-namespace {
-
-using base::Vec3;
-
-/// Points are left out that are not farther from the other front than the gap and this part of the
-/// way behind: the notch between two fronts closes next to at once, and a narrow one has no smooth
-/// curve that could go on.
-constexpr double notch = 0.4;
-
-} // namespace
-
 CoalescingFront FreeFrontShape::meeting(const GrowingFront& of, const GrowingFront& other,
                                         double reach, const std::vector<double>& by) const {
   CoalescingFront front{.points = {}, .tips = of.tips, .stays = {}, .closed = of.arc.is_closed()};
@@ -42,7 +31,7 @@ std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const Neig
       !may_join(crack, now_.cracks[other.crack])) {
     return std::nullopt;
   }
-  const double reach = advance.breakthrough * (other.gap + notch * behind(tip));
+  const double reach = advance.lengthening * (other.gap + passage_policy.notch * behind(tip));
   CoalescingFront here = meeting(one, *two, reach, advance.by);
   CoalescingFront there = meeting(*two, one, reach, advance.by);
   if (crack.plane.normal.dot(now_.cracks[other.crack].plane.normal) < 0.0) {
@@ -52,20 +41,20 @@ std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const Neig
 }
 
 bool FreeFrontShape::joins(std::size_t tip, const NeighbourCrack& other) const {
-  return joined(tip, other, {.by = {}, .breakthrough = 1.0}).has_value();
+  return joined(tip, other, {.by = {}}).has_value();
 }
 
 // The crack of the tip goes on with the front of both, the other one is gone.
 bool FreeFrontShape::join(const TrialAdvance& advance) {
-  const std::optional<NeighbourCrack> other = neighbour(advance.tip);
-  if (!other || other->crack + 1 != advance.meets) {
+  const std::optional<NeighbourCrack> other = neighbour(advance.passage->tip);
+  if (!other || other->crack != advance.passage->crack) {
     return false;
   }
-  const std::optional<CoalescedFront> both = joined(advance.tip, *other, advance);
+  const std::optional<CoalescedFront> both = joined(advance.passage->tip, *other, advance);
   if (!both) {
     return false;
   }
-  const TipOnFront at = place_of(advance.tip);
+  const TipOnFront at = place_of(advance.passage->tip);
   const auto one = std::ranges::find(trial_.growing, at.of.crack, &GrowingFront::crack);
   // Within both, where they met: what lies between counts as cracked.
   const mesh::FrontFrame tip = at.tip_frame();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/front_kinematics.hpp"
 
+#include "base/damaged_field.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -16,16 +17,6 @@ namespace {
 
 using base::Vec3;
 
-/// Advance as a part of the way to the surface, and to another front, which may come the other way.
-constexpr double part_to_surface = 0.6;
-constexpr double part_to_front = 0.35;
-/// Part of the way that is gone in one go where nothing nearer can be meshed.
-constexpr double gone_through_refused = 0.45;
-/// Where no front would be left behind the surface, this part of the way counts as cut through.
-constexpr double nothing_left = 0.03;
-constexpr double next_to_nothing_left = 0.2;
-/// Fronts that meet both come nearer.
-constexpr double own_part_of_gap = 0.5;
 /// Planes that are one: sine of their angle, and distance as a part of the way between the cracks'
 /// places.
 constexpr double one_plane = 1e-6;
@@ -43,38 +34,56 @@ AdvanceLimit FrontKinematics::step_limit(const GrowthState& state, std::size_t t
                                          double ds) const {
   AdvanceLimit limit{
       .ds = std::min({ds, remaining_ligament(state, tip) / share, longest_advance(tip) / share})};
-  limit_by_front(tip, share, limit);
+  if (const std::optional<NeighbourCrack> other = neighbour(tip)) {
+    limit_advance(
+        front_policy,
+        {.distance = other->gap,
+         .part = other->gap / behind(tip),
+         .reason = fmt::format("{} meets crack {}: {:.3g} is left between them", tips_[tip].name,
+                               model_.cracks[other->crack].name, other->gap),
+         .crack = other->crack,
+         .goes_on = [&] { return joins(tip, *other); }},
+        share, must_break_through_early_, limit);
+  }
   const std::optional<SurfaceLigament> before = ligament(tip);
-  if (limit.end || limit.breakthrough || !before) {
-    return limit;
+  if (before && !limit.event) {
+    limit_advance(surface_policy,
+                  {.distance = before->left,
+                   .part = before->left_fraction(),
+                   .reason = fmt::format("{} reaches the surface: {:.3g} is left of the ligament, "
+                                         "in which K grows without bound",
+                                         tips_[tip].name, before->left),
+                   .goes_on = [&] { return goes_on_behind(tip, *before); }},
+                  share, must_break_through_early_, limit);
   }
-  const double gap = must_break_through_early_ ? gone_through_refused : gone_through;
-  if (before->left_fraction() < gap && goes_on_behind(tip, *before)) {
-    limit.breakthrough = before->left / share;
-  } else if (before->left_fraction() < nothing_left) {
-    limit.end = GrowthStop{"EDGE", fmt::format("{} reaches the surface: {:.3g} is left of the "
-                                               "ligament, in which K grows without bound",
-                                               tips_[tip].name, before->left)};
-  }
-  limit.ds = std::min(limit.ds, part_to_surface * before->left / share);
   return limit;
 }
 
-void FrontKinematics::limit_by_front(std::size_t tip, double share, AdvanceLimit& limit) const {
-  const std::optional<NeighbourCrack> other = neighbour(tip);
-  if (!other) {
-    return;
+void FrontKinematics::accept_cracks(const std::vector<model::CrackDefinition>& cracks,
+                                    GrowthState& state) {
+  must_break_through_early_ = false;
+  state.cracks.clear();
+  for (const model::CrackDefinition& crack : cracks) {
+    state.cracks.push_back({crack.kind, crack.points, crack.plane, crack.front_history});
   }
-  limit.ds = std::min(limit.ds, part_to_front * other->gap / share);
-  const double met = fronts_met * behind(tip);
-  if (other->gap < (must_break_through_early_ ? gone_through_refused * behind(tip) : met) &&
-      joins(tip, *other)) {
-    limit.breakthrough = own_part_of_gap * other->gap / share;
-    limit.meets = other->crack + 1;
-  } else if (other->gap < met) {
-    limit.end = GrowthStop{"LINK-UP", fmt::format("{} meets crack {}: {:.3g} is left between them",
-                                                  tips_[tip].name, model_.cracks[other->crack].name,
-                                                  other->gap)};
+}
+
+void FrontKinematics::restore_cracks(const GrowthState& state,
+                                     std::vector<model::CrackDefinition>& cracks) const {
+  if (state.cracks.size() != cracks.size() || state.tips.size() != tips_.size()) {
+    throw base::DamagedField("tip.crack", "it has other cracks or tips than the deck");
+  }
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    const GrownCrack& grown = state.cracks[c];
+    cracks[c].kind = grown.kind;
+    cracks[c].points = grown.points;
+    cracks[c].plane = grown.plane;
+    cracks[c].front_history = grown.history;
+  }
+  for (const GrownTip& tip : state.tips) {
+    if (is_merged(cracks[tip.crack])) {
+      throw base::DamagedField("tip.crack", "a tip of a crack that has no front");
+    }
   }
 }
 
@@ -98,11 +107,10 @@ bool FrontKinematics::may_join(const model::CrackDefinition& one,
          one.faces_in_contact == other.faces_in_contact;
 }
 
-std::optional<GrowthStop> FrontKinematics::reject_advance(const GrowthState& /*state*/,
-                                                          bool broke_through,
-                                                          const std::string& why) {
+std::optional<GrowthEvent> FrontKinematics::reject_advance(bool passage, const std::string& why) {
   std::optional<SurfaceLigament> least;
   std::size_t at = 0;
+  const bool may_pass_early = !passage && !must_break_through_early_;
   bool meets = false;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     std::optional<SurfaceLigament> before = ligament(tip);
@@ -111,24 +119,22 @@ std::optional<GrowthStop> FrontKinematics::reject_advance(const GrowthState& /*s
       least = before;
       at = tip;
     }
-    const std::optional<NeighbourCrack> other =
-        broke_through || must_break_through_early_ ? std::nullopt : neighbour(tip);
-    meets =
-        meets || (other && other->gap < gone_through_refused * behind(tip) && joins(tip, *other));
+    const std::optional<NeighbourCrack> other = may_pass_early ? neighbour(tip) : std::nullopt;
+    meets = meets ||
+            (other && other->gap < front_policy.passed_early * behind(tip) && joins(tip, *other));
   }
-  const bool through =
-      least && least->left_fraction() < gone_through_refused && goes_on_behind(at, *least);
-  if (!broke_through && !must_break_through_early_ && (through || meets)) {
+  if (may_pass_early && (meets || (least && least->left_fraction() < surface_policy.passed_early &&
+                                   goes_on_behind(at, *least)))) {
     must_break_through_early_ = true;
     return std::nullopt;
   }
-  if (least && least->left_fraction() < next_to_nothing_left) {
-    return GrowthStop{"EDGE",
-                      fmt::format("{} is {:.3g} from the surface, and no front can be meshed "
-                                  "in what is left: {}",
-                                  tips_[at].name, least->left, why)};
+  if (least && least->left_fraction() < surface_left_unmeshed) {
+    return GrowthEvent{.kind = GrowthEventKind::surface_reached,
+                       .reason = fmt::format("{} is {:.3g} from the surface, and no front can be "
+                                             "meshed in what is left: {}",
+                                             tips_[at].name, least->left, why)};
   }
-  return GrowthStop{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
+  return GrowthEvent{.reason = fmt::format("the next advance could not be meshed: {}", why)};
 }
 
 } // namespace spricka::growth

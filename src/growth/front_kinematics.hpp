@@ -31,30 +31,17 @@ public:
   [[nodiscard]] bool can_kink() const override { return false; }
   /// What is left to the largest length that $GROW allows, unbounded without one [length].
   [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
-  /// Limits the advance by surfaces ahead, by other fronts and by the front's own size. Where next
-  /// to nothing is left it offers a breakthrough if the front goes on behind, else the end.
+  /// Limits the advance by surfaces ahead, by other fronts and by the front's own size.
   [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
                                         double ds) const override;
   /// Ends the growth at a surface that is next to reached, else because no mesh could be made.
   /// Empty the first time where a breakthrough, earlier than usual, is another way.
-  [[nodiscard]] std::optional<GrowthStop>
-  reject_advance(const GrowthState& state, bool broke_through, const std::string& why) override;
+  [[nodiscard]] std::optional<GrowthEvent> reject_advance(bool passage,
+                                                          const std::string& why) override;
 
 protected:
-  /// A ligament that is less of the way to the surface is gone through in one go: a front so near
-  /// to the surface is hard to mesh and of no account for the life.
-  static constexpr double gone_through = 0.1;
-  /// Gap between two fronts that counts as closed, as a part of the way behind.
-  static constexpr double fronts_met = 0.1;
-
   explicit FrontKinematics(const model::Model& model);
 
-  /// The way to the surface before a tip.
-  struct SurfaceLigament {
-    double behind = 0.0; ///< how far the crack reaches back from the tip [length]
-    double left = 0.0;   ///< from there to the surface [length]
-    [[nodiscard]] double left_fraction() const { return left / (behind + left); }
-  };
   /// The nearest place of another crack.
   struct NeighbourCrack {
     double gap = 0.0; ///< [length]
@@ -81,16 +68,18 @@ protected:
   [[nodiscard]] bool may_join(const model::CrackDefinition& one,
                               const model::CrackDefinition& other) const;
 
-  /// A state counts: what could not be meshed at the last one says nothing any more.
-  void stands_anew() { must_break_through_early_ = false; }
+  /// A state of these cracks counts: they are kept, and what could not be meshed at the last one
+  /// says nothing any more.
+  void accept_cracks(const std::vector<model::CrackDefinition>& cracks, GrowthState& state);
+  /// The deck's cracks as they have grown. Throws base::DamagedField for cracks or tips that the
+  /// deck does not have, and a tip of a crack that has become a part of another one.
+  void restore_cracks(const GrowthState& state, std::vector<model::CrackDefinition>& cracks) const;
 
   const model::Model& model_;
   SolidBodyQuery around_;
   std::vector<TrackedTip> tips_;
 
 private:
-  void limit_by_front(std::size_t tip, double share, AdvanceLimit& limit) const;
-
   bool must_break_through_early_ =
       false; ///< nearer to the surface, or to another front, nothing can be meshed
 };

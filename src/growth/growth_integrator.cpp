@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/growth_integrator.hpp"
 
+#include "base/damaged_field.hpp"
 #include "growth/planar_tips.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr double first_step = 0.1;
 /// An advance that leads so far of the way to a tip's last length leads to it.
 constexpr double nearly_there = 0.95;
-constexpr double little = 0.03; ///< that is left, as a part of the arm
+constexpr double little_left = 0.03; ///< that is left, as a part of the arm
 
 } // namespace
 
@@ -34,9 +34,9 @@ GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
   } else {
     kinematics_->resume_from(state_);
     if (state_.stations.front().tips.size() != tips().size()) {
-      throw std::out_of_range("stations of other tips");
+      throw base::DamagedField("station_tip.a", "stations of other tips");
     }
-    look_for_end();
+    end_ = ends().find_end(trajectory());
   }
 }
 
@@ -90,13 +90,8 @@ std::optional<CrackGeometry> GrowthIntegrator::propose_step(base::Diagnostics& d
   if (!plan()) {
     return std::nullopt;
   }
-  TrialAdvance advance{.by = advance_};
-  if (leaping_ > 0) {
-    advance.breakthrough = breakthrough_factor_;
-    advance.tip = leaping_ - 1;
-    advance.meets = meets_;
-  }
-  return kinematics_->advance_cracks(state_, advance, diagnostics);
+  return kinematics_->advance_cracks(
+      state_, {.by = advance_, .passage = passage_, .lengthening = lengthening_}, diagnostics);
 }
 
 bool GrowthIntegrator::plan() {
@@ -115,12 +110,12 @@ bool GrowthIntegrator::plan() {
     const bool to_the_end = by >= left * (1.0 - 1e-9);
     to_last_length = to_last_length || to_the_end;
     // What earlier advances missed is made up for, within bounds that keep the tip going on.
-    // A breakthrough is as long as its ligament.
-    const double deferred_advance = leaping_ > 0 ? 0.0 : here.tips[tip].deferred_advance;
+    // A passage is as long as what it passes.
+    const double deferred_advance = passage_ ? 0.0 : here.tips[tip].deferred_advance;
     const double all = std::clamp(by + deferred_advance, 0.5 * by, 2.0 * by);
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
-  if (leaping_ == 0 && kinematics_->smooth_front(state_, advance_)) {
+  if (!passage_ && kinematics_->smooth_front(state_, advance_)) {
     stop_at_last_length(to_last_length);
   }
   return true;
@@ -140,7 +135,7 @@ void GrowthIntegrator::stop_at_last_length(bool planned) {
     }
   }
   const double left = kinematics_->remaining_ligament(state_, first);
-  const bool the_last = planned && left < little * state_.stations.back().tips[first].a;
+  const bool the_last = planned && left < little_left * state_.stations.back().tips[first].a;
   if (most <= 0.0 || (most < nearly_there && !the_last)) {
     return;
   }
@@ -160,9 +155,7 @@ std::optional<double> GrowthIntegrator::next_advance(const std::vector<double>& 
       ds = std::min(ds, (std::exp(state_.step) - 1.0) * here.tips[tip].a / share[tip]);
     }
   }
-  std::optional<double> breakthrough;
-  leaping_ = 0;
-  meets_ = 0;
+  passage_.reset();
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     if (!(share[tip] > 0.0)) {
       continue;
@@ -170,30 +163,33 @@ std::optional<double> GrowthIntegrator::next_advance(const std::vector<double>& 
     if (rules().largest_advance) {
       ds = std::min(ds, *rules().largest_advance / share[tip]);
     }
-    const AdvanceLimit limit = kinematics_->step_limit(state_, tip, share[tip], ds);
-    if (limit.end) {
-      end_at_station(limit.end->word, limit.end->reason);
+    AdvanceLimit limit = kinematics_->step_limit(state_, tip, share[tip], ds);
+    ds = limit.ds;
+    if (!limit.event) {
+      continue;
+    }
+    if (!limit.event->is_passage()) {
+      end_at_station(std::move(*limit.event));
       return std::nullopt;
     }
-    ds = limit.ds;
-    if (limit.breakthrough &&
-        *limit.breakthrough < breakthrough.value_or(std::numeric_limits<double>::infinity())) {
-      breakthrough = limit.breakthrough;
-      leaping_ = tip + 1;
-      meets_ = limit.meets;
+    if (!passage_ || limit.event->advance < passage_->advance) {
+      passage_ = std::move(limit.event);
+      passage_->tip = tip;
     }
   }
-  return breakthrough.value_or(ds);
+  return passage_ ? passage_->advance : ds;
 }
 
-void GrowthIntegrator::end_at_station(std::string word, std::string reason) {
-  end_ = GrowthEnd{std::move(word), std::move(reason), state_.stations.back().s};
+void GrowthIntegrator::end_at_station(GrowthEvent end) {
+  end.s = state_.stations.back().s;
+  end_ = std::move(end);
 }
 
 bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
   SolvedStation station;
-  station.breakthroughs = leaping_;
-  station.met = meets_;
+  station.breakthroughs = passage_ ? passage_->tip + 1 : 0;
+  station.met =
+      passage_ && passage_->kind == GrowthEventKind::coalescence ? passage_->crack + 1 : 0;
   kinematics_->locate_tips(found);
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     TipStation& here = found[tip];
@@ -211,11 +207,10 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
     ++state_.rejected;
     return false;
   }
-  leaping_ = 0;
-  meets_ = 0;
-  breakthrough_factor_ = 1.0;
+  passage_.reset();
+  lengthening_ = 1.0;
   kinematics_->accept_trial(state_);
-  look_for_end();
+  end_ = ends().find_end(trajectory());
   return true;
 }
 

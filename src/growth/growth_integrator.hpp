@@ -2,6 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "growth/crack_kinematics.hpp"
+#include "growth/growth_ends.hpp"
 #include "growth/state.hpp"
 #include "growth/trajectory.hpp"
 #include "mesh/cut/cracked.hpp"
@@ -17,18 +18,11 @@
 /// it is over (manual, growth.2 to growth.6).
 namespace spricka::growth {
 
-struct GrowthEnd {
-  /// AMAX, CYCLES, KC, NET SECTION, EDGE, LINK-UP, THRESHOLD, CLOSED, ARREST, CURL, PATH END, MESH,
-  /// STATIONS
-  std::string word;
-  std::string reason; ///< a sentence
-  double s = 0.0;     ///< sum of the arms there
-};
-
 class GrowthIntegrator {
 public:
-  /// `law`: empty where the stations' rates are those of a spectrum. `ways`: of the cracks as they
-  /// are first. `state`: of a run that goes on, else new.
+  /// `law`: empty where the stations' rates are those of a spectrum. `kinematics`: of the cracks as
+  /// they are first. `state`: of a run that goes on, else new; throws base::DamagedField for one of
+  /// other cracks.
   GrowthIntegrator(const model::Model& model, Law law, std::unique_ptr<CrackKinematics> kinematics,
                    GrowthState state);
   /// The same for cracks in the plane.
@@ -45,7 +39,7 @@ public:
 
   [[nodiscard]] const std::vector<TrackedTip>& tips() const { return kinematics_->tips(); }
   [[nodiscard]] const GrowthState& growth_state() const { return state_; }
-  [[nodiscard]] const std::optional<GrowthEnd>& end() const { return end_; }
+  [[nodiscard]] const std::optional<GrowthEvent>& end() const { return end_; }
   /// Functions between the stations; a view of this object.
   [[nodiscard]] GrowthTrajectory trajectory() const { return {state_.stations, law_, 4}; }
   /// Estimated error of the cycles, as a part of them.
@@ -66,24 +60,17 @@ private:
   [[nodiscard]] double turn_missed() const;
   [[nodiscard]] double drift() const;
   void settle();
-  [[nodiscard]] std::optional<GrowthEnd> crossing(const GrowthTrajectory& between, double s0,
-                                                  double s1) const;
-  void look_for_end();
-  void look_for_no_end();
-  void nothing_grows();
-  [[nodiscard]] double turned(std::size_t tip) const;
-  [[nodiscard]] std::size_t most_stations() const;
-  void end_at_station(std::string word, std::string reason);
+  [[nodiscard]] GrowthEnds ends() const { return {model_, tips(), state_.stations}; }
+  void end_at_station(GrowthEvent end);
 
   const model::Model& model_;
   Law law_;
   std::unique_ptr<CrackKinematics> kinematics_;
-  std::vector<double> advance_; ///< [tip] that leads to the state on trial
-  std::size_t leaping_ = 0;     ///< the tip, from 1, that goes through a surface; 0: none
-  std::size_t meets_ = 0;       ///< the crack, from 1, that its front joins on that way; 0: none
-  double breakthrough_factor_ = 1.0; ///< larger where the last breakthrough could not be meshed
+  std::vector<double> advance_;        ///< [tip] that leads to the state on trial
+  std::optional<GrowthEvent> passage_; ///< that it leads through
+  double lengthening_ = 1.0;           ///< larger where the last passage could not be meshed
   GrowthState state_;
-  std::optional<GrowthEnd> end_;
+  std::optional<GrowthEvent> end_; ///< never a passage
 };
 
 } // namespace spricka::growth

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
-/// How far the integrator goes at a time, and where it ends.
+/// How far the integrator goes at a time.
 namespace spricka::growth {
 
 namespace {
@@ -27,30 +28,14 @@ constexpr double of_straight_line = 0.15;
 /// Cycles that are few against those so far need no better than this part of the tolerance's due.
 constexpr double small_part = 0.1;
 /// Turn by which the heading at the end of an advance is missed [rad].
-constexpr double aimed_miss = 0.01;
-constexpr double largest_miss = 0.05;
+constexpr double aimed_turn_miss = 0.01;
+constexpr double largest_turn_miss = 0.05;
 /// The place where K reaches the toughness, by two polynomials, agrees to this part of the arms.
 constexpr double same_end = 5e-3;
 /// Growth of an arm follows from that of the law, at most about so much faster.
 constexpr double law_of_length = 3.0;
 /// An end on the very first advance is believed if that is no longer than this step.
 constexpr double first_look = 0.11;
-/// First step behind a breakthrough, and how a breakthrough that cannot be meshed gets longer.
-constexpr double step_after_breakthrough = 0.1;
-constexpr double longer_breakthrough = 1.15;
-constexpr double longest_breakthrough = 3.0;
-/// Part of the cycles of a breakthrough that may be wrong.
-constexpr double part_of_breakthrough = 0.5;
-/// A growth this much slower than it was at its fastest has come to rest.
-constexpr double rest = 1e-9;
-/// Stations of a growth that gets somewhere: at the shortest step an arm grows by e^20 in as many.
-constexpr std::size_t enough_stations = 1000;
-
-// Whether no tip has a K above 0 at the largest load.
-bool closed(const SolvedStation& station) {
-  return std::ranges::all_of(station.tips,
-                             [](const TipStation& tip) { return !(tip.K_max > 0.0); });
-}
 
 } // namespace
 
@@ -80,14 +65,8 @@ double GrowthIntegrator::turn_missed() const {
     }
     const TipStation& here = all.back().tips[tip];
     const TipStation& last = all[all.size() - 2].tips[tip];
-    double curvature = 0.0;
-    if (all.size() > 2) {
-      const TipStation& before = all[all.size() - 3].tips[tip];
-      curvature = last.a > before.a
-                      ? std::remainder(last.heading - before.heading, 2.0 * std::numbers::pi) /
-                            (last.a - before.a)
-                      : 0.0;
-    }
+    const double curvature =
+        all.size() > 2 ? way_curvature(all[all.size() - 3].tips[tip], last) : 0.0;
     const double expected = last.heading + curvature * advance_[tip];
     most =
         std::max(most, std::abs(std::remainder(here.heading - expected, 2.0 * std::numbers::pi)));
@@ -143,9 +122,9 @@ bool GrowthIntegrator::good_enough() {
   if (n < 2) {
     return true;
   }
-  // No polynomial leads over a breakthrough, and there is no shorter one.
-  if (leaping_ > 0) {
-    state_.step = step_after_breakthrough;
+  // No polynomial leads over a passage, and there is no shorter one.
+  if (passage_) {
+    state_.step = passage_policy.step_behind;
     return true;
   }
   const double asked = state_.step;
@@ -169,14 +148,14 @@ bool GrowthIntegrator::good_enough() {
   // Behind the first kink of a front headings miss by the root of the advance, however short.
   const double scatter = kinematics_->kink_scatter();
   if (kinematics_->can_kink() && (scatter == 0.0 || n > 2)) {
-    judge(turn_missed(), aimed_miss + scatter, largest_miss + scatter, n > 2 ? 2.0 : 1.0);
+    judge(turn_missed(), aimed_turn_miss + scatter, largest_turn_miss + scatter, n > 2 ? 2.0 : 1.0);
   }
   const SolvedStation& last = state_.stations[n - 2];
   const SolvedStation& here = state_.stations[n - 1];
-  const std::optional<GrowthEnd> end = crossing(trajectory(), last.s, here.s);
+  const std::optional<GrowthEvent> end = ends().find_crossing(trajectory(), last.s, here.s);
   if (end && n > 2) { // the end is on this interval: is its place sure?
     const GrowthTrajectory other(state_.stations, law_, std::min<std::size_t>(n, 4) - 1);
-    const std::optional<GrowthEnd> again = crossing(other, last.s, here.s);
+    const std::optional<GrowthEvent> again = ends().find_crossing(other, last.s, here.s);
     good = good && again && std::abs(again->s - end->s) <= same_end * here.s;
     factor = std::min(factor, std::max(0.3, 1.1 * (end->s - last.s) / (here.s - last.s)));
   } else if (end) {
@@ -193,154 +172,18 @@ bool GrowthIntegrator::good_enough() {
 
 void GrowthIntegrator::shorten_step(const std::string& why) {
   ++state_.rejected;
-  if (leaping_ > 0 && breakthrough_factor_ < longest_breakthrough) {
-    breakthrough_factor_ *= longer_breakthrough;
+  if (passage_ && lengthening_ < passage_policy.longest) {
+    lengthening_ *= passage_policy.longer;
     return;
   }
   state_.step *= 0.5;
-  if (leaping_ == 0 && state_.step >= 0.5 * shortest_step && !state_.stations.empty()) {
+  if (!passage_ && state_.step >= 0.5 * shortest_step && !state_.stations.empty()) {
     return;
   }
-  if (const std::optional<GrowthStop> end =
-          kinematics_->reject_advance(state_, leaping_ > 0, why)) {
-    end_at_station(end->word, end->reason);
+  if (std::optional<GrowthEvent> end = kinematics_->reject_advance(passage_.has_value(), why)) {
+    end_at_station(std::move(*end));
   } else {
     state_.step = shortest_step;
-  }
-}
-
-// The first place between two stations where K reaches the toughness, the ligament its plastic
-// limit, or nothing grows any more.
-std::optional<GrowthEnd> GrowthIntegrator::crossing(const GrowthTrajectory& between, double s0,
-                                                    double s1) const {
-  std::optional<GrowthEnd> first;
-  const auto consider = [&](std::optional<double> s, const char* word, std::string reason) {
-    if (s && (!first || *s < first->s)) {
-      first = GrowthEnd{word, std::move(reason), *s};
-    }
-  };
-  const SolvedStation& last = state_.stations.back();
-  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-    const TipStation& here = last.tips[tip];
-    if (const auto K_c = rules().constants.k_c; K_c && here.K_max >= *K_c) {
-      consider(first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1), "KC",
-               fmt::format("K of {} reaches KC", tips()[tip].name));
-    }
-    if (rules().flow_stress && here.plastic >= 1.0) {
-      consider(first_crossing([&](double s) { return between.plastic_load_ratio(tip, s) - 1.0; },
-                              s0, s1),
-               "NET SECTION",
-               fmt::format("the ligament ahead of {} reaches its plastic limit", tips()[tip].name));
-    }
-  }
-  if (!(last.growth_rate() > 0.0)) {
-    const bool shut = closed(last);
-    consider(
-        first_crossing([&](double s) { return between.growth_rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
-        shut ? "CLOSED" : "THRESHOLD",
-        shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
-             : "no crack grows any more: delta K has fallen to the threshold");
-  }
-  return first;
-}
-
-// Once a station counts: whether the growth has ended at it or before it.
-void GrowthIntegrator::look_for_end() {
-  const std::vector<SolvedStation>& all = state_.stations;
-  const SolvedStation& here = all.back();
-  const double s0 = all.size() > 1 ? all[all.size() - 2].s : here.s;
-  const GrowthTrajectory between = trajectory();
-  end_.reset();
-  if (all.size() == 1) {
-    for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-      if (rules().constants.k_c && here.tips[tip].K_max >= *rules().constants.k_c) {
-        end_at_station("KC", fmt::format("K of {} is KC or more from the start", tips()[tip].name));
-      } else if (rules().flow_stress && here.tips[tip].plastic >= 1.0) {
-        end_at_station(
-            "NET SECTION",
-            fmt::format("the ligament ahead of {} is at its plastic limit from the start",
-                        tips()[tip].name));
-      }
-    }
-    if (!end_ && !(here.growth_rate() > 0.0)) {
-      nothing_grows();
-    }
-    return;
-  }
-  end_ = crossing(between, s0, here.s);
-  for (std::size_t tip = 0; tip < tips().size() && rules().last_length && !end_; ++tip) {
-    if (here.tips[tip].a >= *rules().last_length * (1.0 - 1e-12)) {
-      end_at_station("AMAX", fmt::format("{} has its last length, {:.6g}", tips()[tip].name,
-                                         *rules().last_length));
-    }
-  }
-  if (rules().cycles) {
-    const double last = end_ ? end_->s : here.s;
-    const double s_first = all.front().s;
-    if (between.cycles(s_first, last) >= *rules().cycles) {
-      if (const auto s = between.after_cycles(s_first, *rules().cycles)) {
-        end_ = GrowthEnd{"CYCLES", fmt::format("{:.6g} cycles are over", *rules().cycles), *s};
-      }
-    }
-  }
-  if (!end_) {
-    look_for_no_end();
-  }
-}
-
-void GrowthIntegrator::nothing_grows() {
-  if (closed(state_.stations.back())) {
-    end_at_station("CLOSED", "no crack grows: none opens at the largest load, K1 is not above 0");
-  } else {
-    end_at_station("THRESHOLD", "no crack grows: delta K is not above the threshold");
-  }
-}
-
-// All that a tip has turned by since the first station [rad], left positive.
-double GrowthIntegrator::turned(std::size_t tip) const {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < state_.stations.size(); ++i) {
-    sum += std::remainder(state_.stations[i].tips[tip].heading -
-                              state_.stations[i - 1].tips[tip].heading,
-                          2.0 * std::numbers::pi);
-  }
-  return sum;
-}
-
-// More where DA is so small that the way across the body takes them.
-std::size_t GrowthIntegrator::most_stations() const {
-  if (!rules().largest_advance) {
-    return enough_stations;
-  }
-  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
-  base::Vec3 high = -low;
-  for (const base::Vec3& x : model_.mesh.x) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const double kinematics = 2.0 * (high - low).norm() / *rules().largest_advance;
-  return enough_stations + static_cast<std::size_t>(std::min(kinematics, 1e6));
-}
-
-// Growth that goes on and leads nowhere.
-void GrowthIntegrator::look_for_no_end() {
-  const std::vector<SolvedStation>& all = state_.stations;
-  double fastest = 0.0;
-  for (const SolvedStation& station : all) {
-    fastest = std::max(fastest, station.growth_rate());
-  }
-  if (std::isfinite(fastest) && all.back().growth_rate() < rest * fastest) {
-    end_at_station("ARREST", fmt::format("the growth has come to rest: it is {:.1e} of the fastest",
-                                         all.back().growth_rate() / fastest));
-  }
-  for (std::size_t tip = 0; tip < tips().size() && !end_; ++tip) {
-    if (std::abs(turned(tip)) > 2.0 * std::numbers::pi) {
-      end_at_station("CURL", fmt::format("{} has turned by a full circle", tips()[tip].name));
-    }
-  }
-  if (!end_ && all.size() >= most_stations()) {
-    end_at_station("STATIONS",
-                   fmt::format("the growth has not ended after {} stations", all.size()));
   }
 }
 
@@ -357,7 +200,7 @@ double GrowthIntegrator::cycle_error() const {
   for (std::size_t i = 0; i + 1 < all.size() && all[i].s < last; ++i) {
     const double to = std::min(all[i + 1].s, last);
     if (all[i + 1].breakthroughs > 0) { // K is known at both ends of it only
-      missed += part_of_breakthrough * fine.cycles(all[i].s, to);
+      missed += passage_policy.uncertain_cycles * fine.cycles(all[i].s, to);
       continue;
     }
     double uncertain_fraction = 0.0; // a front that is not where it should be

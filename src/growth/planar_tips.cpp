@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/planar_tips.hpp"
 
+#include "base/damaged_field.hpp"
 #include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,11 +18,6 @@ namespace spricka::growth {
 
 namespace {
 
-/// Advance as a part of the way to an edge, and to another crack, which may come the other way.
-constexpr double of_way_to_edge = 0.6;
-constexpr double of_way_to_crack = 0.35;
-/// A ligament of this part of the arm counts as cut through: K grows without bound in it.
-constexpr double through = 0.02;
 /// Turns [rad] of a piece of a curved advance, and of an advance.
 constexpr double turn_of_piece = 0.05;
 constexpr double turn_of_advance = 0.3;
@@ -45,8 +40,7 @@ const base::Vec3& tip_point(const mesh::CrackLine& line, bool at_first) {
   return at_first ? line.points.front() : line.points.back();
 }
 
-} // namespace
-
+// Tips of the cracks that grow, in the order of the cracks.
 std::vector<TrackedTip> growing_tips(const model::Model& model,
                                      const std::vector<mesh::CrackLine>& lines) {
   std::vector<TrackedTip> tips;
@@ -67,6 +61,8 @@ std::vector<TrackedTip> growing_tips(const model::Model& model,
   return tips;
 }
 
+} // namespace
+
 PlanarTips::PlanarTips(const model::Model& model, std::vector<mesh::CrackLine> lines)
     : model_(model), lines_(std::move(lines)), tips_(growing_tips(model, lines_)),
       around_(model.mesh) {}
@@ -80,11 +76,14 @@ bool PlanarTips::can_kink() const {
 }
 
 void PlanarTips::resume_from(const GrowthState& state) {
-  for (std::size_t i = 0; i < state.lines.size(); ++i) {
-    if (state.lines[i].size() < 2) {
-      throw std::out_of_range("a crack without a line");
+  if (state.cracks.size() != lines_.size()) {
+    throw base::DamagedField("crack.kind", "it has other cracks than the deck");
+  }
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (state.cracks[i].points.size() < 2) {
+      throw base::DamagedField("crack.points", "a crack without a line");
     }
-    lines_.at(i).points = state.lines[i];
+    lines_[i].points = state.cracks[i].points;
   }
 }
 
@@ -129,8 +128,9 @@ AdvanceLimit PlanarTips::step_limit(const GrowthState& state, std::size_t tip, d
   AdvanceLimit limit{.ds = ds};
   const double left = remaining_ligament(state, tip);
   if (left <= 1e-9 * here.a) { // AMAX has ended it before
-    limit.end =
-        GrowthStop{"PATH END", fmt::format("the path of {} ends at a = {:.6g}", t.name, here.a)};
+    limit.event =
+        GrowthEvent{.kind = GrowthEventKind::path_end,
+                    .reason = fmt::format("the path of {} ends at a = {:.6g}", t.name, here.a)};
     return limit;
   }
   limit.ds = std::min(limit.ds, left / share);
@@ -153,22 +153,22 @@ void PlanarTips::limit_by_obstacles(const GrowthState& state, std::size_t tip, d
   const double a = state.stations.back().tips[tip].a;
   const TipGrowthDirection heading = heading_of(state, tip);
   if (const auto edge = around_.edge_ahead(lines_[t.line], heading)) {
-    if (edge->distance <= through * a) {
-      limit.end =
-          GrowthStop{"EDGE", fmt::format("{} reaches {}: {:.3g} is left of the ligament, in "
-                                         "which K grows without bound",
-                                         t.name, edge->what, edge->distance)};
-      return;
-    }
-    limit.ds = std::min(limit.ds, of_way_to_edge * edge->distance / share);
+    limit_advance(edge_policy,
+                  {.distance = edge->distance,
+                   .part = edge->distance / a,
+                   .reason = fmt::format("{} reaches {}: {:.3g} is left of the ligament, in which "
+                                         "K grows without bound",
+                                         t.name, edge->what, edge->distance)},
+                  share, false, limit);
   }
-  if (const auto crack = PlaneBoundaryAhead::crack_ahead(lines_, t.line, heading)) {
-    if (crack->distance <= through * a) {
-      limit.end = GrowthStop{"LINK-UP", fmt::format("{} meets {}: {:.3g} is left between them",
-                                                    t.name, crack->what, crack->distance)};
-      return;
-    }
-    limit.ds = std::min(limit.ds, of_way_to_crack * crack->distance / share);
+  const auto crack = PlaneBoundaryAhead::crack_ahead(lines_, t.line, heading);
+  if (crack && !limit.event) {
+    limit_advance(plane_crack_policy,
+                  {.distance = crack->distance,
+                   .part = crack->distance / a,
+                   .reason = fmt::format("{} meets {}: {:.3g} is left between them", t.name,
+                                         crack->what, crack->distance)},
+                  share, false, limit);
   }
 }
 
@@ -213,11 +213,7 @@ void PlanarTips::extend(const GrowthState& state, std::size_t tip, double by,
   const TipStation& here = state.stations.back().tips[tip];
   double curvature = 0.0;
   if (state.stations.size() > 1) {
-    const TipStation& last = state.stations[state.stations.size() - 2].tips[tip];
-    curvature = here.a > last.a
-                    ? std::remainder(here.heading - last.heading, 2.0 * std::numbers::pi) /
-                          (here.a - last.a)
-                    : 0.0;
+    curvature = way_curvature(state.stations[state.stations.size() - 2].tips[tip], here);
   }
   const int pieces =
       std::max(1, static_cast<int>(std::ceil(std::abs(curvature) * by / turn_of_piece)));
@@ -252,15 +248,14 @@ void PlanarTips::locate_tips(std::vector<TipStation>& found) const {
 
 void PlanarTips::accept_trial(GrowthState& state) {
   lines_ = trial_;
-  state.lines.clear();
+  state.cracks.clear();
   for (const mesh::CrackLine& line : lines_) {
-    state.lines.push_back(line.points);
+    state.cracks.emplace_back().points = line.points;
   }
 }
 
-std::optional<GrowthStop> PlanarTips::reject_advance(const GrowthState& /*state*/, bool /*leapt*/,
-                                                     const std::string& why) {
-  return GrowthStop{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
+std::optional<GrowthEvent> PlanarTips::reject_advance(bool /*passage*/, const std::string& why) {
+  return GrowthEvent{.reason = fmt::format("the next advance could not be meshed: {}", why)};
 }
 
 CrackGeometry PlanarTips::extend_straight(const GrowthState& state, double advance) const {

@@ -8,10 +8,6 @@
 
 namespace spricka::growth {
 
-/// Tips of the cracks that grow, in the order of the cracks.
-std::vector<TrackedTip> growing_tips(const model::Model& model,
-                                     const std::vector<mesh::CrackLine>& lines);
-
 /// Cracks in the plane: along the paths that the deck draws, or as K turns them.
 class PlanarTips final : public CrackKinematics {
 public:
@@ -20,8 +16,7 @@ public:
 
   [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
   [[nodiscard]] bool can_kink() const override;
-  /// Takes the lines of all cracks out of the state. Throws std::out_of_range where one has fewer
-  /// than two points.
+  /// Takes the lines of all cracks out of the state.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] CrackGeometry current_state() override;
   /// Length of a tip's crack along its line, of an embedded crack half of it [length].
@@ -42,8 +37,8 @@ public:
   /// Keeps the lines on trial, their points in `state` as well.
   void accept_trial(GrowthState& state) override;
   /// The end of the growth: there is no other way in the plane than the advance that failed.
-  [[nodiscard]] std::optional<GrowthStop>
-  reject_advance(const GrowthState& state, bool broke_through, const std::string& why) override;
+  [[nodiscard]] std::optional<GrowthEvent> reject_advance(bool passage,
+                                                          const std::string& why) override;
   /// The lines with a straight end along each heading, by `advance` or less, so that none leaves
   /// the body.
   [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,

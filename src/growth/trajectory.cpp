@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace spricka::growth {
@@ -17,6 +18,12 @@ constexpr int parts = 24;
 constexpr int degree = 9;
 
 } // namespace
+
+double way_curvature(const TipStation& before, const TipStation& here) {
+  return here.a > before.a ? std::remainder(here.heading - before.heading, 2.0 * std::numbers::pi) /
+                                 (here.a - before.a)
+                           : 0.0;
+}
 
 double SolvedStation::growth_rate() const {
   double sum = 0.0;

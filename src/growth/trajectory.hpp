@@ -29,6 +29,10 @@ struct TipStation {
   double first_max = 0.0, first_min = 0.0, passes = 0.0, change = 0.0;
 };
 
+/// Curvature of the way of a tip from one station to the next [rad/length], left positive; 0 where
+/// it has not grown.
+double way_curvature(const TipStation& before, const TipStation& here);
+
 /// All growing tips at one state of the cracks.
 struct SolvedStation {
   double s = 0.0; ///< sum of the arms

@@ -12,7 +12,6 @@
 #include "analysis/lengths/resume.hpp"
 #include "analysis/lengths/scaled_lives.hpp"
 #include "analysis/lengths/shown_results.hpp"
-#include "archive/safe_file.hpp"
 #include "growth/crack_lines.hpp"
 #include "growth/growth_integrator.hpp"
 #include "model/model.hpp"
@@ -122,13 +121,9 @@ private:
   }
 
   growth::GrowthState state_from(const results::NamedArrays& arrays) {
-    std::optional<growth::GrowthState> state = growth::from_arrays(arrays.reals);
-    if (!state) {
-      throw archive::FileFailure("E560", "the restart file holds no state of a growth");
-    }
     solver_.restore_state(arrays);
     measure_.restore_state(arrays);
-    return std::move(*state);
+    return growth::from_arrays(arrays.reals);
   }
 
   void keep(const growth::GrowthIntegrator& integrator, const GrowthRegion& region) {

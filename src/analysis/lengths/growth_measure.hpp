@@ -78,17 +78,18 @@ public:
       arrays.reals["growth.shear"].push_back(shear.part);
     }
   }
-  /// Back from a restart file. Throws std::out_of_range where an array is missing.
+  /// Back from a restart file. Throws base::DamagedField where an array is missing.
   void restore_state(const results::NamedArrays& arrays) {
-    const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
-    for (results::Warning& warning : results::parse_warnings(texts)) {
+    for (results::Warning& warning :
+         results::parse_warnings(results::required_array(arrays.texts, "growth.warnings"))) {
       warnings_.insert(std::move(warning));
     }
-    counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
-    if (const auto names = arrays.texts.find("growth.shear"); names != arrays.texts.end()) {
-      const std::vector<double>& parts = arrays.reals.at("growth.shear");
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        shear_[names->second.at(2 * i)] = {names->second.at(2 * i + 1), parts[i]};
+    counted_on_K_ = results::required_array(arrays.integers, "growth.counted_on_K", 1)[0] != 0;
+    if (const auto parts = arrays.reals.find("growth.shear"); parts != arrays.reals.end()) {
+      const std::vector<std::string>& names =
+          results::required_array(arrays.texts, "growth.shear", 2 * parts->second.size());
+      for (std::size_t i = 0; i < parts->second.size(); ++i) {
+        shear_[names[2 * i]] = {names[2 * i + 1], parts->second[i]};
       }
     }
   }

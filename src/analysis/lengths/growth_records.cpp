@@ -121,7 +121,7 @@ results::GrowthResult growth_records(const model::Model& model,
     }
   }
   if (integrator.end()) {
-    out.ended = integrator.end()->word;
+    out.ended = integrator.end()->word();
     out.reason = integrator.end()->reason;
   }
   out.error = integrator.cycle_error();

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -92,15 +91,14 @@ void GrowthRegion::save_state(results::NamedArrays& arrays) const {
 
 void GrowthRegion::restore_state(const results::NamedArrays& arrays) {
   const auto region = arrays.integers.find("region");
-  const auto split = arrays.integers.find("region.split");
-  if (region == arrays.integers.end() || split == arrays.integers.end()) {
+  if (region == arrays.integers.end()) {
     return;
   }
   if (!region->second.empty() && region->second.size() != model_.mesh.element_count()) {
-    throw std::out_of_range("a region of another mesh");
+    throw base::DamagedField("region", "a region of another mesh");
   }
   plan_.region.assign(region->second.begin(), region->second.end());
-  plan_.split = split->second.at(0) != 0;
+  plan_.split = results::required_array(arrays.integers, "region.split", 1)[0] != 0;
 }
 
 } // namespace spricka::analysis

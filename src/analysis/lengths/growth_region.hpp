@@ -26,7 +26,7 @@ public:
 
   /// As arrays for a restart file, and back from there.
   void save_state(results::NamedArrays& arrays) const;
-  /// Back from a restart file; nothing without such arrays. Throws std::out_of_range for a region
+  /// Back from a restart file; nothing without such arrays. Throws base::DamagedField for a region
   /// of another mesh.
   void restore_state(const results::NamedArrays& arrays);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_rules.hpp"
 
-#include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
 #include "growth/elliptical_front.hpp"
 #include "growth/free_front_shape.hpp"
@@ -31,35 +30,18 @@ template <class No> bool ligament_can_yield(const model::Model& model, const No&
             "axis");
 }
 
-} // namespace
-
-bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                      base::Diagnostics& diagnostics) {
-  const auto no = [&](const std::string& why) {
-    diagnostics.error(model.growth->span, "E431", why);
-    return false;
-  };
-  if (growth::growing_tips(model, lines).empty()) {
-    return no("$GROW: no crack in the plane grows");
-  }
-  for (const model::TipMeshSettings& tip : model.tip_nets) {
-    if (!tip.patch && growth::crack_grows(model, tip.crack.index())) {
-      return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its tip can only "
-                            "stand at nodes, so that no law can move it",
-                            model.cracks[tip.crack.index()].name));
-    }
-  }
-  for (const mesh::CrackLine& line : lines) {
-    // An arm: from the middle of an embedded crack to a tip.
-    const double length = (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points);
-    if (growth::crack_grows(model, line.crack.index()) && model.growth->last_length &&
-        length >= *model.growth->last_length) {
-      return no(fmt::format("AMAX = {:.6g} is not longer than crack {} is at first, {:.6g}",
-                            *model.growth->last_length, line.name, length));
-    }
-  }
-  return ligament_can_yield(model, no);
+// A front of the deck's nodes, or a tip in the plane with PATCH=NO.
+bool keeps_own_mesh(const model::Model& model, std::size_t crack) {
+  const model::CrackDefinitionKind kind = model.cracks[crack].kind;
+  const bool line =
+      kind == model::CrackDefinitionKind::path || kind == model::CrackDefinitionKind::free;
+  return kind == model::CrackDefinitionKind::front ||
+         (line && std::ranges::any_of(model.tip_nets, [&](const model::TipMeshSettings& tip) {
+            return !tip.patch && tip.crack.index() == crack;
+          }));
 }
+
+} // namespace
 
 bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& kinematics,
                       base::Diagnostics& diagnostics) {
@@ -72,13 +54,14 @@ bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& 
     if (!growth::crack_grows(model, c)) {
       continue;
     }
-    if (crack.kind == model::CrackDefinitionKind::front) {
-      return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its front can only "
-                            "stand at nodes, so that no law can move it",
-                            crack.name));
+    if (keeps_own_mesh(model, c)) {
+      return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its {} can only stand "
+                            "at nodes, so that no law can move it",
+                            crack.name,
+                            crack.kind == model::CrackDefinitionKind::front ? "front" : "tip"));
     }
     if (model.growth->shape == model::FrontShapeRule::ellipse &&
-        crack.kind != model::CrackDefinitionKind::ellipse) {
+        crack.kind == model::CrackDefinitionKind::drawn) {
       return no(fmt::format("SHAPE=ELLIPSE: crack {} is drawn by points", crack.name));
     }
     if (std::ranges::none_of(kinematics.tips(),
@@ -218,20 +201,20 @@ std::vector<std::string> life_concerns(const results::GrowthResult& growth,
 
 std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
                                                             base::Diagnostics& diagnostics) {
-  if (model.mesh.dim == 3) {
-    std::unique_ptr<growth::CrackKinematics> kinematics;
-    if (model.growth->shape == model::FrontShapeRule::ellipse) {
-      kinematics = std::make_unique<growth::EllipticalFront>(model);
-    } else {
-      kinematics = std::make_unique<growth::FreeFrontShape>(model);
+  std::unique_ptr<growth::CrackKinematics> kinematics;
+  if (model.mesh.dim == 2) {
+    std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model, 0.0, diagnostics);
+    if (!lines) {
+      return nullptr;
     }
-    return growth_can_begin(model, *kinematics, diagnostics) ? std::move(kinematics) : nullptr;
+    kinematics = std::make_unique<growth::PlanarTips>(model, std::move(*lines));
+  } else if (model.growth->shape == model::FrontShapeRule::ellipse) {
+    kinematics = std::make_unique<growth::EllipticalFront>(model);
+  } else {
+    kinematics = std::make_unique<growth::FreeFrontShape>(model);
   }
-  std::optional<std::vector<mesh::CrackLine>> lines = growth::crack_lines(model, 0.0, diagnostics);
-  if (!lines || !growth_can_begin(model, *lines, diagnostics)) {
-    return nullptr;
-  }
-  return std::make_unique<growth::PlanarTips>(model, std::move(*lines));
+  return growth_can_begin(model, *kinematics, diagnostics) ? std::move(kinematics) : nullptr;
 }
 
 } // namespace spricka::analysis

@@ -3,7 +3,6 @@
 #include "base/diagnostics.hpp"
 #include "growth/crack_kinematics.hpp"
 #include "life/growth_law.hpp"
-#include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
 #include "results/growth.hpp"
 
@@ -14,12 +13,8 @@
 /// What a growth by a law must have, and what its life must not look like.
 namespace spricka::analysis {
 
-/// Whether the cracks as they are at first (`lines`) can grow by the law of $GROW; why not is an
-/// error at the card.
-bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                      base::Diagnostics& diagnostics);
-
-/// The same for cracks in space, whose ways know the tips.
+/// Whether the cracks as they are at first can grow by the law of $GROW; why not is an error at the
+/// card.
 bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& kinematics,
                       base::Diagnostics& diagnostics);
 

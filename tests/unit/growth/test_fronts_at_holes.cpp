@@ -44,7 +44,7 @@ template <class Ways> Grown grown(Block block, double last_length) {
     out.last = cracks;
     return 1.0;
   });
-  out.end = march.end()->word;
+  out.end = march.end()->word();
   out.reason = march.end()->reason;
   return out;
 }

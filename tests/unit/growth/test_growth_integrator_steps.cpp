@@ -48,14 +48,9 @@ public:
   }
   void locate_tips(std::vector<TipStation>& /*found*/) const override {}
   void accept_trial(growth::GrowthState& /*state*/) override {}
-  [[nodiscard]] std::optional<growth::GrowthStop>
-  reject_advance(const growth::GrowthState& /*state*/, bool /*leapt*/,
-                 const std::string& why) override {
-    return growth::GrowthStop{"MESH", why};
-  }
-  [[nodiscard]] growth::CrackGeometry extend_straight(const growth::GrowthState& /*state*/,
-                                                      double /*advance*/) const override {
-    return {};
+  [[nodiscard]] std::optional<growth::GrowthEvent> reject_advance(bool /*passage*/,
+                                                                  const std::string& why) override {
+    return growth::GrowthEvent{.reason = why};
   }
 
 private:

@@ -35,9 +35,9 @@ Grown grow(Block& block, double bend) {
   for (int k = 0; k < 200 && grown.end.empty(); ++k) {
     growth::GrowthIntegrator march(block.model, paris,
                                    std::make_unique<growth::FreeFrontShape>(block.model), state);
-    growth::GrowthIntegrator again(
-        block.model, paris, std::make_unique<growth::FreeFrontShape>(block.model),
-        growth::from_arrays(growth::to_arrays(state)).value_or(growth::GrowthState()));
+    growth::GrowthIntegrator again(block.model, paris,
+                                   std::make_unique<growth::FreeFrontShape>(block.model),
+                                   growth::from_arrays(growth::to_arrays(state)));
     while (!march.end()) {
       const auto cracks = march.propose_step(none);
       const auto same = again.propose_step(none);
@@ -63,7 +63,7 @@ Grown grow(Block& block, double bend) {
       }
     }
     state = march.growth_state();
-    grown.end = march.end() ? march.end()->word : "";
+    grown.end = march.end() ? march.end()->word() : "";
     grown.reason = march.end() ? march.end()->reason : "";
   }
   return grown;

@@ -50,7 +50,7 @@ TEST(TurningFronts, APennyBecomesACone) {
     last = *cracks;
     march.accept_station(found_at(*cracks, first));
   }
-  EXPECT_EQ(march.end()->word, "AMAX");
+  EXPECT_EQ(march.end()->word(), "AMAX");
   for (const Vec3& x : last.aims) {
     EXPECT_NEAR(off_cone(x), 0.0, 1e-4);
     EXPECT_NEAR((x - x.normalized()).norm(), 0.5, 0.03); // from the first front
@@ -81,9 +81,8 @@ TEST(TurningFronts, GoOnAsTheyWere) {
     ASSERT_TRUE(cracks);
     march.accept_station(found_at(*cracks, k == 0));
   }
-  const auto kept = growth::from_arrays(growth::to_arrays(march.growth_state()));
-  ASSERT_TRUE(kept);
-  growth::GrowthIntegrator again(block.model, paris, ways(), *kept);
+  const growth::GrowthState kept = growth::from_arrays(growth::to_arrays(march.growth_state()));
+  growth::GrowthIntegrator again(block.model, paris, ways(), kept);
   const auto one = march.propose_step(diagnostics);
   const auto other = again.propose_step(diagnostics);
   ASSERT_TRUE(one && other);
@@ -105,7 +104,7 @@ TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
     }
   }
   ASSERT_TRUE(march.end());
-  EXPECT_EQ(march.end()->word, "CURL");
+  EXPECT_EQ(march.end()->word(), "CURL");
 }
 
 } // namespace

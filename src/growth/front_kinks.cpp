@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/front_kinks.hpp"
+
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::growth {
+
+using base::Vec3;
+
+bool FrontKinks::allowed() const {
+  return model_.growth->direction != model::GrowthDirection::path;
+}
+
+void FrontKinks::begin(std::size_t tips) {
+  turning_.assign(tips, {});
+  part_.assign(tips, 0.0);
+}
+
+void FrontKinks::update(const GrowthState& state) {
+  const std::size_t count = state.stations.size();
+  for (std::size_t tip = 0; allowed() && count > 0 && tip < turning_.size(); ++tip) {
+    const TipStation& here = state.stations.back().tips[tip];
+    turning_[tip] = {.heading = here.heading, .turn = here.turn, .curvature = 0.0};
+    // Over two advances, as headings scatter from mesh to mesh; the kink at the first front is no
+    // curvature, and a breakthrough has nothing in common with what was before.
+    if (count > 3 && state.stations[count - 1].breakthroughs == 0 &&
+        state.stations[count - 2].breakthroughs == 0) {
+      const TipStation& last = state.stations[count - 3].tips[tip];
+      turning_[tip].curvature =
+          here.a > last.a ? (here.heading - last.heading) / (here.a - last.a) : 0.0;
+    }
+  }
+}
+
+void FrontKinks::reset_trial() {
+  std::ranges::fill(part_, 0.0);
+}
+
+void FrontKinks::set_trial(const std::vector<double>& by) {
+  for (std::size_t tip = 0; allowed() && tip < turning_.size(); ++tip) {
+    part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, by[tip]);
+  }
+}
+
+// Chords follow the arc that goes on with the curvature so far (growth.15).
+double FrontKinks::turn_on(std::size_t tip, double by) const {
+  return turning_[tip].turn + 0.5 * turning_[tip].curvature * by;
+}
+
+Vec3 FrontKinks::way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const {
+  if (!allowed()) {
+    return at.m;
+  }
+  const double angle = turn_on(tip, by);
+  return std::cos(angle) * at.m + std::sin(angle) * at.b;
+}
+
+// Turns without the scatter from mesh to mesh, as rates are.
+void FrontKinks::place_turns(const GrowingFront& of, std::vector<TipStation>& found) const {
+  if (!allowed()) {
+    return;
+  }
+  std::vector<double> turn;
+  for (const std::size_t tip : of.tips) {
+    turn.push_back(found[tip].turn);
+  }
+  const std::vector<double> smooth = smooth_angles(turn, of.kind());
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    found[of.tips[i]].turn = smooth[i];
+    found[of.tips[i]].heading = part_[of.tips[i]] + found[of.tips[i]].turn;
+  }
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/growth_ends.hpp"
+
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::growth {
+
+namespace {
+
+// Whether no tip has a K above 0 at the largest load.
+bool closed(const SolvedStation& station) {
+  return std::ranges::all_of(station.tips,
+                             [](const TipStation& tip) { return !(tip.K_max > 0.0); });
+}
+
+} // namespace
+
+GrowthEvent GrowthEnds::at_last(GrowthEventKind kind, std::string reason) const {
+  return {.kind = kind, .reason = std::move(reason), .s = stations.back().s};
+}
+
+std::optional<GrowthEvent> GrowthEnds::find_crossing(const GrowthTrajectory& between, double s0,
+                                                     double s1) const {
+  std::optional<GrowthEvent> first;
+  const auto consider = [&](std::optional<double> s, GrowthEventKind kind, std::string reason) {
+    if (s && (!first || *s < first->s)) {
+      first = GrowthEvent{.kind = kind, .reason = std::move(reason), .s = *s};
+    }
+  };
+  const model::CrackGrowthSettings& rules = *model.growth;
+  const SolvedStation& last = stations.back();
+  for (std::size_t tip = 0; tip < tips.size(); ++tip) {
+    const TipStation& here = last.tips[tip];
+    if (const auto K_c = rules.constants.k_c; K_c && here.K_max >= *K_c) {
+      consider(first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1),
+               GrowthEventKind::fracture, fmt::format("K of {} reaches KC", tips[tip].name));
+    }
+    if (rules.flow_stress && here.plastic >= 1.0) {
+      consider(first_crossing([&](double s) { return between.plastic_load_ratio(tip, s) - 1.0; },
+                              s0, s1),
+               GrowthEventKind::net_section,
+               fmt::format("the ligament ahead of {} reaches its plastic limit", tips[tip].name));
+    }
+  }
+  if (!(last.growth_rate() > 0.0)) {
+    const bool shut = closed(last);
+    consider(
+        first_crossing([&](double s) { return between.growth_rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
+        shut ? GrowthEventKind::closed : GrowthEventKind::threshold,
+        shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
+             : "no crack grows any more: delta K has fallen to the threshold");
+  }
+  return first;
+}
+
+std::optional<GrowthEvent> GrowthEnds::find_end(const GrowthTrajectory& between) const {
+  if (stations.size() == 1) {
+    return at_start();
+  }
+  const model::CrackGrowthSettings& rules = *model.growth;
+  const SolvedStation& here = stations.back();
+  std::optional<GrowthEvent> end = find_crossing(between, stations[stations.size() - 2].s, here.s);
+  for (std::size_t tip = 0; tip < tips.size() && rules.last_length && !end; ++tip) {
+    if (here.tips[tip].a >= *rules.last_length * (1.0 - 1e-12)) {
+      end = at_last(GrowthEventKind::last_length, fmt::format("{} has its last length, {:.6g}",
+                                                              tips[tip].name, *rules.last_length));
+    }
+  }
+  const double s_first = stations.front().s;
+  if (rules.cycles && between.cycles(s_first, end ? end->s : here.s) >= *rules.cycles) {
+    if (const auto s = between.after_cycles(s_first, *rules.cycles)) {
+      end = GrowthEvent{.kind = GrowthEventKind::last_cycle,
+                        .reason = fmt::format("{:.6g} cycles are over", *rules.cycles),
+                        .s = *s};
+    }
+  }
+  return end ? end : of_futility();
+}
+
+// The last tip of several is told.
+std::optional<GrowthEvent> GrowthEnds::at_start() const {
+  const model::CrackGrowthSettings& rules = *model.growth;
+  const SolvedStation& here = stations.back();
+  std::optional<GrowthEvent> end;
+  for (std::size_t tip = 0; tip < tips.size(); ++tip) {
+    if (rules.constants.k_c && here.tips[tip].K_max >= *rules.constants.k_c) {
+      end = at_last(GrowthEventKind::fracture,
+                    fmt::format("K of {} is KC or more from the start", tips[tip].name));
+    } else if (rules.flow_stress && here.tips[tip].plastic >= 1.0) {
+      end = at_last(GrowthEventKind::net_section,
+                    fmt::format("the ligament ahead of {} is at its plastic limit from the start",
+                                tips[tip].name));
+    }
+  }
+  if (!end && !(here.growth_rate() > 0.0)) {
+    const bool shut = closed(here);
+    end = at_last(shut ? GrowthEventKind::closed : GrowthEventKind::threshold,
+                  shut ? "no crack grows: none opens at the largest load, K1 is not above 0"
+                       : "no crack grows: delta K is not above the threshold");
+  }
+  return end;
+}
+
+// All that a tip has turned by since the first station [rad], left positive.
+double GrowthEnds::turned(std::size_t tip) const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < stations.size(); ++i) {
+    sum += std::remainder(stations[i].tips[tip].heading - stations[i - 1].tips[tip].heading,
+                          2.0 * std::numbers::pi);
+  }
+  return sum;
+}
+
+// More where DA is so small that the way across the body takes them.
+std::size_t GrowthEnds::most_stations() const {
+  const std::optional<double>& longest = model.growth->largest_advance;
+  if (!longest) {
+    return futility_policy.stations;
+  }
+  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
+  base::Vec3 high = -low;
+  for (const base::Vec3& x : model.mesh.x) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const double advances = 2.0 * (high - low).norm() / *longest;
+  return futility_policy.stations + static_cast<std::size_t>(std::min(advances, 1e6));
+}
+
+// Growth that goes on and leads nowhere.
+std::optional<GrowthEvent> GrowthEnds::of_futility() const {
+  double fastest = 0.0;
+  for (const SolvedStation& station : stations) {
+    fastest = std::max(fastest, station.growth_rate());
+  }
+  const double rate = stations.back().growth_rate();
+  if (std::isfinite(fastest) && rate < futility_policy.rest * fastest) {
+    return at_last(
+        GrowthEventKind::arrest,
+        fmt::format("the growth has come to rest: it is {:.1e} of the fastest", rate / fastest));
+  }
+  for (std::size_t tip = 0; tip < tips.size(); ++tip) {
+    if (std::abs(turned(tip)) > 2.0 * std::numbers::pi) {
+      return at_last(GrowthEventKind::curl,
+                     fmt::format("{} has turned by a full circle", tips[tip].name));
+    }
+  }
+  if (stations.size() >= most_stations()) {
+    return at_last(GrowthEventKind::endless,
+                   fmt::format("the growth has not ended after {} stations", stations.size()));
+  }
+  return std::nullopt;
+}
+
+} // namespace spricka::growth

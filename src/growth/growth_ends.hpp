@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/crack_kinematics.hpp"
+#include "growth/growth_events.hpp"
+#include "growth/trajectory.hpp"
+#include "model/forward.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace spricka::growth {
+
+/// Where a growth ends by what its stations and the functions between them say; all must outlive
+/// it.
+struct GrowthEnds {
+  const model::Model& model;
+  const std::vector<TrackedTip>& tips;
+  const std::vector<SolvedStation>& stations; ///< >= 1
+
+  /// The first place between s0 and s1 where K reaches the toughness, the ligament its plastic
+  /// limit, or nothing grows any more, if it is so at the last station.
+  [[nodiscard]] std::optional<GrowthEvent> find_crossing(const GrowthTrajectory& between, double s0,
+                                                         double s1) const;
+  /// Whether the growth has ended at the last station or since the one before.
+  [[nodiscard]] std::optional<GrowthEvent> find_end(const GrowthTrajectory& between) const;
+
+private:
+  [[nodiscard]] std::optional<GrowthEvent> at_start() const;
+  [[nodiscard]] std::optional<GrowthEvent> of_futility() const;
+  [[nodiscard]] GrowthEvent at_last(GrowthEventKind kind, std::string reason) const;
+  [[nodiscard]] double turned(std::size_t tip) const;
+  [[nodiscard]] std::size_t most_stations() const;
+};
+
+} // namespace spricka::growth
