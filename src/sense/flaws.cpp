@@ -5,7 +5,7 @@
 #include "mesh/tube/crack_extent.hpp"
 #include "mesh/tube/cracks_in_solids.hpp"
 #include "model/model.hpp"
-#include "sense/front_kinks.hpp"
+#include "sense/find_kink.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sense/front_kinks.hpp"
+#include "sense/find_kink.hpp"
 
 #include <cmath>
 #include <numbers>
