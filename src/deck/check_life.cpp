@@ -172,7 +172,8 @@ void shorter_lengths(DeckContext& c, const CheckedCard& card) {
     const model::CrackDefinition& crack = c.model.cracks[i];
     const bool grows = growth.cracks.empty() ||
                        std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
-    if (grows && crack.a0 && growth.lengths.front() < *crack.a0 * (1.0 - 1e-9)) {
+    const bool own = c.own_lengths != nullptr && c.own_lengths->contains(crack.name);
+    if (grows && !own && crack.a0 && growth.lengths.front() < *crack.a0 * (1.0 - 1e-9)) {
       c.diagnostics.warning(
           card.rows.empty() ? card.span : card.rows.front().span, "W454",
           fmt::format("the first length, {:.6g}, is shorter than A0 = {:.6g} of crack {}: a crack "

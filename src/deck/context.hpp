@@ -46,6 +46,7 @@ struct DeckContext {
   std::vector<ElementOrigin> origins{};                         ///< ascending
   std::size_t largest_mesh = 0;                                 ///< see DeckReadOptions
   const std::map<std::string, NetRefinement>* refine = nullptr; ///< see DeckReadOptions
+  const std::set<std::string>* own_lengths = nullptr;           ///< see DeckReadOptions
   std::set<std::string> remeshed{};          ///< nets whose cards took their refinement themselves
   std::set<std::size_t> default_thickness{}; ///< plane properties whose card has no THICK
   bool mesh_sound = true;                    ///< no mistake while nodes and elements were made

@@ -39,6 +39,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
   DeckContext context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
   context.refine = &options.refine;
+  context.own_lengths = &options.own_lengths;
   if (loaded.incomplete) {
     context.names.poison_everything();
     context.scope.incomplete = true;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,8 @@ struct DeckReadOptions {
   /// One point of the deck's $SWEEP: these parameters take these values.
   std::vector<std::pair<std::string, double>> sweep_values = {};
   std::map<std::string, NetRefinement> refine = {}; ///< by net; "" is what stands in no net
+  /// Names of cracks whose own cards say how long they are, whatever lengths $GROW has.
+  std::set<std::string> own_lengths = {};
   /// The deck as it was changed since its file was read, its includes in it; empty: as in the file.
   std::optional<std::string> text = {};
 };

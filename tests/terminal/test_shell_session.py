@@ -41,6 +41,9 @@ class Pipe(ProgramTest):
         self.assertIn("error", result.stderr.splitlines()[-2] + result.stderr)
         self.assertEqual(len(K1.findall(result.stdout)), 1)
 
+    def test_lengths_of_growth_are_not_those_of_a_changed_card(self):
+        self.assertNotIn("W454", self.shell("$CRACK NAME=C A0=2\n$CRACK NAME=C A0=2.5\n").stderr)
+
     def test_numbers_beyond_all_range_are_no_answer(self):
         result = self.shell("LOAD PULL 1e300\nK1(C,NOW)\nLOAD PULL 1\nK1(C,NOW)\n")
         self.assertIn("beyond the range of numbers", result.stderr)

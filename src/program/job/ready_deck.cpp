@@ -59,7 +59,7 @@ void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
   }
 }
 
-// Without what was said before, word for word, of the same place.
+// Without what was said before, word for word. Places move where a card above has changed.
 base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* reported) {
   if (reported == nullptr) {
     return list;
@@ -67,8 +67,7 @@ base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics
   base::Diagnostics news;
   for (const base::Diagnostic& d : list.messages()) {
     const bool old = std::ranges::any_of(reported->messages(), [&](const base::Diagnostic& t) {
-      return t.code == d.code && t.span.file == d.span.file && t.span.begin == d.span.begin &&
-             t.text == d.text;
+      return t.code == d.code && t.text == d.text;
     });
     if (!old && d.severity == base::Severity::error) {
       news.error(d.span, d.code, d.text, d.hint);

@@ -36,7 +36,7 @@ struct ReadyDeck {
 
 /// Reads and checks a deck; messages go to the log. Cards that this version does not have are
 /// refused (not_solvable), so is a deck without a step. Throws std::system_error on file trouble.
-/// What was `told` already is not said again, as of the other points of a sweep.
+/// What was `reported` already is not said again, as of the other points of a sweep.
 ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
                               const deck::DeckReadOptions& options, const Log& log,
                               const base::Diagnostics* reported = nullptr);
@@ -44,8 +44,8 @@ ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
 /// A deck that has been read before, with its meshes finer: nothing new to tell of it.
 ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadOptions& options);
 
-/// What is wrong goes to the log, but for what was `told` before of the same place, and the first
-/// error into the outcome.
+/// What is wrong goes to the log, but for what was `reported` before, and the first error into the
+/// outcome.
 RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
                           base::Outcome kind, const Log& log,
                           const base::Diagnostics* reported = nullptr);

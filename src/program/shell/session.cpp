@@ -75,6 +75,7 @@ base::Trouble ShellSession::open() {
 base::Trouble ShellSession::read_again(DeckChanges to) {
   deck::DeckReadOptions options;
   if (to.text) {
+    options.own_lengths = to.cracks;
     options.text = deck::write_deck(*to.text, files_.front().parent_path() / ".");
   } else {
     options.defines = options_.defines;
