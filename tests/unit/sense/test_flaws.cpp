@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the body has of a crack in space, beside what the deck draws.
-#include "sense/flaws.hpp"
 #include "sense/find_kink.hpp"
+#include "sense/flaws.hpp"
 #include "sense/half_model.hpp"
 #include "tests/unit/deck/deck_text.hpp"
 
